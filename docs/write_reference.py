@@ -73,7 +73,8 @@ def main() -> None:
             describe_function(member, stub[name])
     codes = module.members["ErrorCode"]
     for code in wirewarp.ErrorCode:
-        codes.members[code.name].docstring = f"{code.meaning} {code.remedy}"
+        arguments = f"\n\nArguments: {code.arguments}." if code.arguments else ""
+        codes.members[code.name].docstring = f"{code.meaning} {code.remedy}{arguments}"
     pdoc.render.configure(docformat="markdown", show_source=False)
     modules = {"wirewarp": module, "wirewarp.pattern": pdoc.doc.Module(wirewarp.pattern)}
     (folder / "wirewarp").mkdir(exist_ok=True)

@@ -11,17 +11,15 @@ namespace wirewarp::bindings {
 namespace {
 
 FlattenError wrong_item(const std::string& argument, std::size_t index, const std::string& type, py::handle item) {
-  return FlattenError(ErrorCode::invalid_type, argument + "[" + std::to_string(index) + "] must be " +
-                                                   (type == "Ease" ? "an " : "a ") + type + ", not " + type_name(item) +
-                                                   ".");
+  return wrong_type(argument + "[" + std::to_string(index) + "]", (type == "Ease" ? "an " : "a ") + type,
+                    type_name(item));
 }
 
 /// argument: "wires"; type: "Wire".
 template <class Item>
 std::vector<Item> read_list(py::handle value, const std::string& argument, const std::string& type) {
   if (py::isinstance<Item>(value) || !py::hasattr(value, "__iter__")) {
-    throw FlattenError(ErrorCode::invalid_type,
-                       argument + " must be a list of " + type + ", not " + type_name(value) + ".");
+    throw wrong_type(argument, "a list of " + type, type_name(value));
   }
   std::vector<Item> items;
   for (const py::handle item : value) {
@@ -36,13 +34,13 @@ std::vector<Item> read_list(py::handle value, const std::string& argument, const
 Options read_options(py::handle value) {
   if (value.is_none()) return {};
   if (py::isinstance<Options>(value)) return value.cast<const Options&>();
-  throw FlattenError(ErrorCode::invalid_type, "options must be Options or None, not " + type_name(value) + ".");
+  throw wrong_type("options", "Options or None", type_name(value));
 }
 
 Cache* read_cache(py::handle value) {
   if (value.is_none()) return nullptr;
   if (py::isinstance<Cache>(value)) return value.cast<Cache*>();
-  throw FlattenError(ErrorCode::invalid_type, "cache must be a Cache or None, not " + type_name(value) + ".");
+  throw wrong_type("cache", "a Cache or None", type_name(value));
 }
 
 FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires, py::handle eases) {

@@ -20,11 +20,15 @@ std::string text(py::handle value) { return py::str(value); }
 
 std::string shape_text(const py::array& array) { return text(array.attr("shape")); }
 
+FlattenError wrong_shape(const std::string& name, const std::string& wanted, const py::array& array) {
+  return FlattenError(ErrorCode::invalid_shape,
+                      ErrorArguments{{"name", name}, {"wanted", wanted}, {"found", shape_text(array)}});
+}
+
 /// numpy would drop the mask and read what it hides.
 void refuse_masked(py::handle value, const std::string& name) {
   if (!py::isinstance(value, py::module_::import("numpy").attr("ma").attr("MaskedArray"))) return;
-  throw FlattenError(ErrorCode::invalid_type,
-                     name + " must not be a masked array: fill it, or leave out what it hides.");
+  throw wrong_type(name, "an array without a mask", "a masked array");
 }
 
 py::array as_array(py::handle value, const std::string& name) {
@@ -32,9 +36,9 @@ py::array as_array(py::handle value, const std::string& name) {
   try {
     return py::module_::import("numpy").attr("asarray")(value);
   } catch (py::error_already_set& error) {
-    const std::string message = name + " cannot be read as an array: " + text(error.value());
-    if (error.matches(PyExc_ValueError)) throw FlattenError(ErrorCode::invalid_shape, message);
-    if (error.matches(PyExc_TypeError)) throw FlattenError(ErrorCode::invalid_type, message);
+    const ErrorArguments arguments = {{"name", name}, {"found", text(error.value())}};
+    if (error.matches(PyExc_ValueError)) throw FlattenError(ErrorCode::invalid_shape, arguments);
+    if (error.matches(PyExc_TypeError)) throw FlattenError(ErrorCode::invalid_type, arguments);
     throw;
   }
 }
@@ -44,7 +48,7 @@ void check_kind(const py::array& array, py::handle value, const std::string& nam
                 const char* wanted) {
   if (kinds.find(array.dtype().kind()) != std::string::npos) return;
   const std::string found = array.ndim() == 0 ? type_name(value) : text(array.dtype());
-  throw FlattenError(ErrorCode::invalid_type, name + " must hold " + wanted + ", not " + found + ".");
+  throw wrong_type(name, wanted, found);
 }
 
 /// Rows of the given shape; an empty list has none. Throws invalid_shape.
@@ -56,8 +60,7 @@ void check_rows(const py::array& array, const std::string& name, const std::vect
   }
   std::string wanted;
   for (const py::ssize_t n : row) wanted += ", " + std::to_string(n);
-  throw FlattenError(ErrorCode::invalid_shape,
-                     name + " has the shape " + shape_text(array) + "; it must be (n" + wanted + ").");
+  throw wrong_shape(name, "(n" + wanted + ")", array);
 }
 
 template <class Matrix>
@@ -94,8 +97,7 @@ std::optional<TooLarge> narrow(const py::array& array, int* out) {
 }
 
 [[noreturn]] void throw_too_large(const std::string& element, const std::string& value, ErrorElements elements) {
-  throw FlattenError(ErrorCode::vertex_out_of_range,
-                     element + " names vertex " + value + ", outside 0 to 2147483647: use indices of this mesh.",
+  throw FlattenError(ErrorCode::vertex_out_of_range, ErrorArguments{{"name", element}, {"found", value}},
                      std::move(elements));
 }
 
@@ -129,7 +131,7 @@ std::vector<int> read_sequence(py::handle value, const std::string& owner) {
   for (const py::handle item : value) {
     const std::string element = owner + " vertex " + std::to_string(result.size());
     if (!PyIndex_Check(item.ptr()) || PyBool_Check(item.ptr())) {
-      throw FlattenError(ErrorCode::invalid_type, element + " must be a whole number, not " + type_name(item) + ".");
+      throw wrong_type(element, "a whole number", type_name(item));
     }
     const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(item.ptr()));
     if (!number) throw py::error_already_set();
@@ -146,8 +148,7 @@ std::array<double, N> read_row(py::handle value, const std::string& name) {
   const py::array array = as_array(value, name);
   check_kind(array, value, name, "fiu", "real numbers");
   if (array.ndim() != 1 || array.size() != N) {
-    throw FlattenError(ErrorCode::invalid_shape,
-                       name + " has the shape " + shape_text(array) + "; it must be (" + std::to_string(N) + ",).");
+    throw wrong_shape(name, "(" + std::to_string(N) + ",)", array);
   }
   const py::array_t<double, kPlain> values(array);
   std::array<double, N> row;
@@ -156,6 +157,10 @@ std::array<double, N> read_row(py::handle value, const std::string& name) {
 }
 
 }  // namespace
+
+FlattenError wrong_type(const std::string& name, const std::string& wanted, const std::string& found) {
+  return FlattenError(ErrorCode::invalid_type, ErrorArguments{{"name", name}, {"wanted", wanted}, {"found", found}});
+}
 
 std::string type_name(py::handle value) { return text(py::type::handle_of(value).attr("__name__")); }
 
@@ -185,15 +190,13 @@ std::vector<int> read_chain(py::handle value, const std::string& owner) {
     const bool is_text =
         py::isinstance<py::str>(value) || py::isinstance<py::bytes>(value) || py::isinstance<py::bytearray>(value);
     if (PySequence_Check(value.ptr()) && !is_text) return read_sequence(value, owner);
-    throw FlattenError(ErrorCode::invalid_type,
-                       name + " must be a sequence of whole numbers, not " + type_name(value) + ".");
+    throw wrong_type(name, "a sequence of whole numbers", type_name(value));
   }
   refuse_masked(value, name);
   const auto array = py::reinterpret_borrow<py::array>(value);
   check_kind(array, value, name, "iu", "whole numbers");
   if (array.ndim() != 1) {
-    throw FlattenError(ErrorCode::invalid_shape,
-                       name + " have the shape " + shape_text(array) + "; they must be one row.");
+    throw wrong_shape(name, "(n,)", array);
   }
   std::vector<int> result(static_cast<std::size_t>(array.size()));
   if (const auto found = narrow(array, result.data())) {
@@ -205,7 +208,7 @@ std::vector<int> read_chain(py::handle value, const std::string& owner) {
 double read_number(py::handle value, const std::string& name) {
   const py::array array = as_array(value, name);
   if (array.ndim() != 0 || std::string("fiu").find(array.dtype().kind()) == std::string::npos) {
-    throw FlattenError(ErrorCode::invalid_type, name + " must be a number, not " + type_name(value) + ".");
+    throw wrong_type(name, "a number", type_name(value));
   }
   return array.attr("item")().cast<double>();
 }

@@ -49,4 +49,7 @@ std::array<double, 2> read_pair(py::handle value, const std::string& name);
 /// The name of the type of a value, for messages.
 std::string type_name(py::handle value);
 
+/// The error of an argument that must be something else: wrong_type("progress", "a function", type_name(value)).
+FlattenError wrong_type(const std::string& name, const std::string& wanted, const std::string& found);
+
 }  // namespace wirewarp::bindings

@@ -25,8 +25,9 @@ Cloth make_cloth(const py::object& weft, const py::object& warp, const py::objec
 
 const ClothPreset& preset(const py::object& name) {
   if (py::isinstance<py::str>(name)) return cloth_preset(name.cast<std::string>());
-  throw FlattenError(ErrorCode::invalid_option,
-                     "The name of a cloth is " + std::string(py::repr(name)) + ": it must be a string.");
+  throw FlattenError(
+      ErrorCode::invalid_option,
+      ErrorArguments{{"name", "cloth"}, {"value", std::string(py::repr(name))}, {"allowed", "be a string"}});
 }
 
 py::tuple preset_names() {

@@ -43,7 +43,7 @@ py::object to_python_error(const FlattenError& error) {
   const py::object type = py::module_::import(package_name().c_str()).attr("FlattenError");
   return type(describe(error.code).name, error.what(), error.elements.vertices, pairs(error.elements.edges),
               error.elements.faces, error.has_layout, pairs(error.elements.proposed_seams),
-              pairs(error.elements.proposed_tolerances));
+              pairs(error.elements.proposed_tolerances), error.arguments);
 }
 
 FlattenError from_python_error(py::handle error) {
@@ -62,7 +62,7 @@ FlattenError from_python_error(py::handle error) {
     elements.proposed_tolerances.push_back({wire, tolerance});
   }
   return FlattenError(*code, error.attr("message").cast<std::string>(), std::move(elements),
-                      error.attr("has_layout").cast<bool>());
+                      error.attr("has_layout").cast<bool>(), error.attr("arguments").cast<ErrorArguments>());
 }
 
 void bind_errors(py::module_& module) {
@@ -72,11 +72,11 @@ void bind_errors(py::module_& module) {
         py::dict result;
         for (const ErrorCode code : all_error_codes()) {
           const ErrorDescription& description = describe(code);
-          result[description.name] = py::make_tuple(description.meaning, description.remedy);
+          result[description.name] = py::make_tuple(description.meaning, description.remedy, description.arguments);
         }
         return result;
       },
-      "Name of every error code -> (meaning, remedy), in declaration order.");
+      "Name of every error code -> (meaning, remedy, arguments), in declaration order.");
   py::register_local_exception_translator(raise_flatten_error);
 }
 

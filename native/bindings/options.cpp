@@ -14,8 +14,9 @@ namespace wirewarp::bindings {
 namespace {
 
 [[noreturn]] void refuse(const std::string& name, py::handle value, const std::string& allowed) {
-  throw FlattenError(ErrorCode::invalid_option,
-                     "The option " + name + " is " + std::string(py::repr(value)) + ": it must be " + allowed + ".");
+  throw FlattenError(
+      ErrorCode::invalid_option,
+      ErrorArguments{{"name", name}, {"value", std::string(py::repr(value))}, {"allowed", "be " + allowed}});
 }
 
 template <class Enum, std::size_t N>

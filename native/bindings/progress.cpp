@@ -11,8 +11,7 @@ namespace wirewarp::bindings {
 
 PythonProgress::PythonProgress(py::object callback) : callback_(std::move(callback)) {
   if (!callback_.is_none() && PyCallable_Check(callback_.ptr()) == 0) {
-    throw FlattenError(ErrorCode::invalid_type,
-                       "progress must be a function of a stage and a fraction, not " + type_name(callback_) + ".");
+    throw wrong_type("progress", "a function of a stage and a fraction", type_name(callback_));
   }
 }
 

@@ -97,7 +97,8 @@ CutAim read_aim(double strain, int most, std::optional<double> longest, std::opt
 Plan plan_of(const std::string& kind) {
   if (kind == "dart") return plan_darts;
   if (kind == "seam") return plan_seams;
-  throw FlattenError(ErrorCode::invalid_option, "kind must be dart or seam, not " + kind + ".");
+  throw FlattenError(ErrorCode::invalid_option,
+                     ErrorArguments{{"name", "kind"}, {"value", kind}, {"allowed", "be dart or seam"}});
 }
 
 /// find: called with a Progress.

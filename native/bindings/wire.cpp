@@ -16,12 +16,12 @@ Wire make_wire(const py::object& vertices, const py::object& tolerance, const py
   wire.vertices = read_chain(vertices, "Wire");
   wire.tolerance = read_number(tolerance, "Wire tolerance");
   if (!py::isinstance<py::str>(name)) {
-    throw FlattenError(ErrorCode::invalid_type, "Wire name must be a string, not " + type_name(name) + ".");
+    throw wrong_type("Wire name", "a string", type_name(name));
   }
   try {
     wire.name = name.cast<std::string>();
   } catch (const py::cast_error&) {
-    throw FlattenError(ErrorCode::invalid_type, "Wire name has characters that are no text (lone surrogates).");
+    throw wrong_type("Wire name", "text", "a string with lone surrogates");
   }
   wire.ease = read_number(ease, "Wire ease");
   check_wire(wire);

@@ -3,41 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
+#include "errors/arguments.h"
 #include "errors/sentence.h"
 #include "feasibility/isoperimetric.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
 
-FlattenError cancelled() { return FlattenError(ErrorCode::cancelled, "Cancelled before this piece was flat."); }
+FlattenError cancelled() { return FlattenError(ErrorCode::cancelled, ErrorArguments{}); }
 
 namespace {
-
-/// "with a tolerance of 0.3% to 1.2% on wires 3 and 4 and with wire 7 (waist) free".
-std::string name_tolerances(const std::vector<Wire>& wires, const std::vector<ProposedTolerance>& tolerances) {
-  std::vector<int> elastic, free;
-  double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (const ProposedTolerance& proposed : tolerances) {
-    if (std::isinf(proposed.tolerance)) {
-      free.push_back(proposed.wire);
-      continue;
-    }
-    elastic.push_back(proposed.wire);
-    least = std::min(least, proposed.tolerance);
-    most = std::max(most, proposed.tolerance);
-  }
-  std::string text;
-  if (!elastic.empty()) {
-    text = "with a tolerance of " + (least < most ? percent(least) + " to " : "") + percent(most) + " on " +
-           name_wires(wires, elastic);
-  }
-  if (free.empty()) return text;
-  return text + (text.empty() ? "" : " and ") + "with " + name_wires(wires, free) + " free";
-}
 
 void add_edges(const Chart& chart, const HalfEdgeChain& chain, std::vector<VertexPair>& edges) {
   for (const HalfedgeHandle h : chain) edges.push_back(source_edge(chart, h));
@@ -59,24 +37,6 @@ int source_of_loop(const Chart& chart, const HalfEdgeChain& loop) {
   return chart.source_vertex[chart.mesh.from_vertex_handle(loop.front()).idx()];
 }
 
-/// The longest few, as long as eases and tolerances let them be: "its outline, 0.4 units long at vertex 3," or "its
-/// outlines, 0.4 units long at vertex 3 and 0.2 units long at vertex 7,".
-std::string name_loops(const Chart& chart, const std::vector<HalfEdgeChain>& loops) {
-  constexpr std::size_t kMostNamed = 5;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(loops.size(), kMostNamed); ++i) {
-    names.push_back(rounded(longest_length(chart, loops[i])) + " units long at vertex " +
-                    std::to_string(source_of_loop(chart, loops[i])));
-  }
-  return std::string(loops.size() == 1 ? "its outline, " : "its outlines, ") + listed(names, loops.size()) + ",";
-}
-
-std::string what_to_do(std::size_t num_loops) {
-  if (num_loops == 1) return "cannot lie flat: mark another seam";
-  if (num_loops == 2) return "is a tube: mark a seam from one opening to the other";
-  return "cannot lie flat: mark seams between its " + std::to_string(num_loops) + " openings";
-}
-
 /// Input faces by height, the least first: those that are less than a millionth as high as the highest.
 std::vector<int> small_faces(const Chart& chart) {
   constexpr double kSmall = 1e-6;
@@ -94,21 +54,17 @@ std::vector<int> small_faces(const Chart& chart) {
   return small;
 }
 
-std::string allow_more(const Chart& chart, const Options& options) {
-  return "No flat shape of " + name_piece(chart.source_face) +
-         " with all lengths was found within max_factorizations = " + std::to_string(options.max_factorizations) +
-         ": raise it, or ";
+/// Adds the limit to the arguments if the solver stopped there although it was still getting closer.
+void add_limit(const Options& options, bool ran_out, ErrorArguments& arguments) {
+  if (ran_out) arguments["max_factorizations"] = options.max_factorizations;
 }
 
 }  // namespace
 
 FlattenError with_proposed_seams(FlattenError error, std::vector<VertexPair> proposed_seams) {
   if (error.code != ErrorCode::closed_chart && error.code != ErrorCode::handles) return error;
-  std::string sentence = error.what();
-  sentence.pop_back();
-  sentence += such_as_along(proposed_seams) + ".";
   error.elements.proposed_seams = std::move(proposed_seams);
-  return FlattenError(error.code, sentence, std::move(error.elements));
+  return FlattenError(error.code, std::move(error.arguments), std::move(error.elements));
 }
 
 FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> proposed_seams) {
@@ -117,16 +73,19 @@ FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> propo
     return longest_length(chart, a) > longest_length(chart, b);
   });
   ErrorElements elements;
-  for (const HalfEdgeChain& loop : loops) elements.vertices.push_back(source_of_loop(chart, loop));
+  std::vector<double> lengths;
+  for (const HalfEdgeChain& loop : loops) {
+    elements.vertices.push_back(source_of_loop(chart, loop));
+    lengths.push_back(longest_length(chart, loop));
+  }
   for (const HalfEdgeChain& loop : chart.boundary_loops) add_edges(chart, loop, elements.edges);
   elements.faces = chart.source_face;
-  const double share = isoperimetric_ratio(chart);
-  const std::string message =
-      introduce_piece(chart.source_face) + " " + what_to_do(loops.size()) + such_as_along(proposed_seams) + "; " +
-      name_loops(chart, loops) + " can hold no more than " + percent(share) +
-      " of its area in the plane (a distortion of at least " + rounded(least_shape_error(share)) + ").";
   elements.proposed_seams = std::move(proposed_seams);
-  return FlattenError(ErrorCode::boundary_too_short, message, std::move(elements));
+  const double share = isoperimetric_ratio(chart);
+  return FlattenError(
+      ErrorCode::boundary_too_short,
+      ErrorArguments{{"lengths", std::move(lengths)}, {"share", share}, {"least_energy", least_shape_error(share)}},
+      std::move(elements));
 }
 
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
@@ -134,13 +93,14 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
   ErrorElements elements;
   elements.faces = chart.source_face;
   elements.edges = edges_of(chart, tolerances);
-  const std::string looser =
-      name_tolerances(wires, tolerances) + (options.method == Method::refined ? "." : ", by the refined method.");
-  const std::string contradict =
-      "Not all wires of " + name_piece(chart.source_face) + " can keep their lengths in the plane: it lies flat ";
-  const std::string message = (ran_out ? allow_more(chart, options) + "lay it flat " : contradict) + looser;
+  std::vector<int> indices;
+  for (const ProposedTolerance& proposed : tolerances) indices.push_back(proposed.wire);
+  ErrorArguments arguments = arguments_of_wires(wires, std::move(indices));
+  arguments["reason"] = std::string("wires");
+  arguments["is_refined"] = options.method == Method::refined;
+  add_limit(options, ran_out, arguments);
   elements.proposed_tolerances = std::move(tolerances);
-  return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
+  return FlattenError(ErrorCode::infeasible_lengths, std::move(arguments), std::move(elements));
 }
 
 FlattenError infeasible_outline(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
@@ -148,20 +108,21 @@ FlattenError infeasible_outline(const Chart& chart, const Options& options, std:
   ErrorElements elements;
   elements.faces = chart.source_face;
   for (const HalfEdgeChain& loop : chart.boundary_loops) add_edges(chart, loop, elements.edges);
-  const std::string none_found = "No flat shape of " + name_piece(chart.source_face) +
-                                 " was found that keeps the length of its outline" +
-                                 (has_wires(chart) ? ", even with its wires free: " : ": ");
-  const std::string message =
-      (ran_out ? allow_more(chart, options) : none_found) + "mark a seam" + such_as_along(proposed_seams) + ".";
   elements.proposed_seams = std::move(proposed_seams);
-  return FlattenError(ErrorCode::infeasible_lengths, message, std::move(elements));
+  ErrorArguments arguments{{"reason", "outline"}, {"has_wires", has_wires(chart)}};
+  add_limit(options, ran_out, arguments);
+  return FlattenError(ErrorCode::infeasible_lengths, std::move(arguments), std::move(elements));
+}
+
+FlattenError infeasible_stretch(const Chart& chart, std::vector<VertexPair> proposed_seams) {
+  ErrorElements elements;
+  elements.faces = chart.source_face;
+  elements.proposed_seams = std::move(proposed_seams);
+  return FlattenError(ErrorCode::infeasible_lengths, ErrorArguments{{"reason", "stretch"}}, std::move(elements));
 }
 
 FlattenError needs_refinement(const Chart& chart) {
-  return FlattenError(ErrorCode::infeasible_lengths,
-                      "Bent first, the wires of " + name_piece(chart.source_face) +
-                          " find no flat shape: take the refined method, which keeps them within their tolerances.",
-                      {{}, {}, chart.source_face});
+  return FlattenError(ErrorCode::infeasible_lengths, ErrorArguments{{"reason", "method"}}, {{}, {}, chart.source_face});
 }
 
 namespace {
@@ -187,24 +148,22 @@ GivingWires find_giving_wires(const Chart& chart) {
 void check_outline_is_settled(const Chart& chart, const std::vector<Wire>& wires) {
   const GivingWires giving = find_giving_wires(chart);
   if (giving.wires.empty()) return;
-  throw FlattenError(ErrorCode::invalid_option,
-                     "WireWarping++ keeps seams and outlines at one length, but along them runs " +
-                         name_wires(wires, {giving.wires.begin(), giving.wires.end()}) +
-                         " with a tolerance: take the refined method, or a tolerance of 0 and an ease.",
+  const std::vector<int> indices(giving.wires.begin(), giving.wires.end());
+  ErrorArguments arguments = arguments_of_wires(wires, indices);
+  arguments["name"] = "method";
+  arguments["value"] = "wirewarp++";
+  arguments["allowed"] = "be refined if wires along seams and outlines have a tolerance, as here " +
+                         name_wires(indices, std::get<std::vector<std::string>>(arguments["wire_names"])) +
+                         "; or give these a tolerance of 0 and an ease";
+  throw FlattenError(ErrorCode::invalid_option, std::move(arguments),
                      {{}, {giving.edges.begin(), giving.edges.end()}, chart.source_face});
 }
 
 FlattenError not_solvable(const Chart& chart) {
-  const std::string piece = capitalized(name_piece(chart.source_face)) + " cannot be laid out in double precision";
-  const std::vector<int> small = small_faces(chart);
-  if (small.empty()) {
-    return FlattenError(ErrorCode::not_solvable, piece + ": remesh it, or cut it in two with a seam.",
-                        {{}, {}, chart.source_face});
-  }
-  return FlattenError(ErrorCode::not_solvable,
-                      piece + ", for its faces differ too much in size: at " + name_elements("face", small) +
-                          " merge vertices that lie very close together, or remesh it.",
-                      {{}, {}, small});
+  std::vector<int> small = small_faces(chart);
+  const char* reason = small.empty() ? "precision" : "sizes";
+  return FlattenError(ErrorCode::not_solvable, ErrorArguments{{"reason", reason}, {"face", chart.source_face.front()}},
+                      {{}, {}, small.empty() ? chart.source_face : std::move(small)});
 }
 
 FlattenError not_joined(const Chart& chart) {
@@ -215,10 +174,9 @@ FlattenError not_joined(const Chart& chart) {
   for (std::size_t i = 1; i < chart.boundary_loops.size(); ++i) {
     add_edges(chart, chart.boundary_loops[i], elements.edges);
   }
-  const std::string message = "No helper wires can be laid between " + name_elements("edge", elements.edges) + " of " +
-                              name_piece(chart.source_face) +
-                              " in double precision: take the refined method, which needs none, or remesh the piece.";
-  return FlattenError(ErrorCode::not_solvable, message, std::move(elements));
+  return FlattenError(ErrorCode::not_solvable,
+                      ErrorArguments{{"reason", "helper_wires"}, {"face", chart.source_face.front()}},
+                      std::move(elements));
 }
 
 }  // namespace wirewarp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Why a sound chart has no flat shape.
+// The errors of charts that have no flat shape.
 #pragma once
 
 #include "charts/chart.h"
@@ -7,35 +7,39 @@
 
 namespace wirewarp {
 
-/// The caller's progress function asked to stop.
+/// Returns the error of a piece that was not flat when the caller's progress function asked to stop.
 FlattenError cancelled();
 
-/// A closed chart, or one with handles, with the seams that mend it. Any other error as it is.
+/// Adds seams to the error of a closed chart, or of one with handles. Returns any other error unchanged.
 FlattenError with_proposed_seams(FlattenError error, std::vector<VertexPair> proposed_seams);
 
-/// The outline cannot hold the piece (feasibility/isoperimetric.h), with the seams that mend it.
+/// Returns the error of an outline that is too short to enclose the piece (feasibility/isoperimetric.h).
 FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> proposed_seams);
 
-/// No shape with all lengths was found, with tolerances under which the refined method found one. ran_out:
-/// options.max_factorizations ended the search before all was tried.
+/// Returns the error of a chart for which no shape with all lengths was found, with tolerances under which the refined
+/// method found one. ran_out: options.max_factorizations ended the search while it was still getting closer.
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
                               std::vector<ProposedTolerance> tolerances, bool ran_out);
 
-/// No tolerances of its wires help a chart, but seams do.
+/// Returns the error of a chart that no tolerances of its wires help, with seams that do.
 FlattenError infeasible_outline(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
                                 bool ran_out);
 
-/// The paper's methods find no angles under which the wires close; the refined one keeps the lengths.
+/// Returns the error of a chart that can be flattened only without the lengths that the fabric's stretch sets.
+FlattenError infeasible_stretch(const Chart& chart, std::vector<VertexPair> proposed_seams);
+
+/// Returns the error of a chart whose wires the paper's methods cannot close, while the refined one keeps the lengths.
 FlattenError needs_refinement(const Chart& chart);
 
-/// Throws invalid_option where a wire gives the outline a tolerance, which WireWarping++ cannot use.
+/// Throws invalid_option if a wire gives the outline a tolerance, which WireWarping++ cannot use.
 void check_outline_is_settled(const Chart& chart, const std::vector<Wire>& wires);
 
-/// A factorization broke down: faces differ too much in size, and the error names those that are small.
+/// Returns the error of a chart for which a factorization broke down. If its faces differ too much in size, the error
+/// names the small ones.
 FlattenError not_solvable(const Chart& chart);
 
-/// Rounding leaves no way for the helper wires of the paper's methods; the refined one needs none. The error names the
-/// edges of wires and holes.
+/// Returns the error of a chart in which rounding leaves no way for the helper wires of the paper's methods. The
+/// refined method needs none. The error names the edges of wires and holes.
 FlattenError not_joined(const Chart& chart);
 
 }  // namespace wirewarp

@@ -8,7 +8,6 @@
 
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
-#include "errors/sentence.h"
 #include "metrics/assemble_result.h"
 #include "metrics/lengths.h"
 #include "progress_report.h"
@@ -36,10 +35,7 @@ class FlatCorners {
       }
     }
     if (bad.empty()) return;
-    throw FlattenError(ErrorCode::no_layout,
-                       "The coordinates at the corners of " + name_elements("face", bad) +
-                           " are not all finite and below 1e60 in magnitude: flatten the whole piece.",
-                       {{}, {}, bad});
+    throw FlattenError(ErrorCode::no_layout, ErrorArguments{{"limit", kCoordinateLimit}}, {{}, {}, bad});
   }
 
   Eigen::RowVector2d operator[](HalfedgeHandle h) const { return uv_.row(h.idx()); }
@@ -69,10 +65,7 @@ void check_not_torn(const Chart& chart, const FlatCorners& corners) {
   }
   if (edges.empty()) return;
   const std::vector<VertexPair> torn(edges.begin(), edges.end());
-  throw FlattenError(
-      ErrorCode::uv_discontinuous,
-      "The flattening is cut along " + name_elements("edge", torn) + ", where no seam is: hand over its cuts as seams.",
-      {{vertices.begin(), vertices.end()}, torn, {}});
+  throw FlattenError(ErrorCode::uv_discontinuous, ErrorArguments{}, {{vertices.begin(), vertices.end()}, torn, {}});
 }
 
 /// One position per chart vertex. Throws no_layout or uv_discontinuous.
@@ -124,9 +117,11 @@ void share_variations(const std::vector<Chart>& charts, std::vector<SolvedChart>
 
 void check_corners(const FlattenInput& input, const CornerUv& corner_uv) {
   if (corner_uv.rows() == input.faces.rows()) return;
-  throw FlattenError(ErrorCode::invalid_shape, "corner_uv has " + std::to_string(corner_uv.rows()) + " rows for " +
-                                                   std::to_string(input.faces.rows()) +
-                                                   " faces: give it one for each face.");
+  throw FlattenError(
+      ErrorCode::invalid_shape,
+      ErrorArguments{{"name", "corner_uv"},
+                     {"found", "(" + std::to_string(corner_uv.rows()) + ", 3, 2)"},
+                     {"wanted", "(" + std::to_string(input.faces.rows()) + ", 3, 2), one row per face"}});
 }
 
 }  // namespace

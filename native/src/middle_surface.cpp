@@ -72,9 +72,10 @@ FlattenInput move_to_middle(const FlattenInput& input, const Options& options) {
   }
   if (turned.empty()) return middle;
   throw FlattenError(ErrorCode::invalid_option,
-                     "The surface curves more tightly at " + name_elements("face", turned) +
-                         " than a material as thick as " + shortest(options.thickness) +
-                         " can: take a smaller thickness, or smooth the surface there.",
+                     ErrorArguments{{"name", "thickness"},
+                                    {"value", shortest(options.thickness)},
+                                    {"allowed", "be less, or the surface smoother, at " +
+                                                    name_elements("face", turned) + ", which curve more tightly"}},
                      {{}, {}, turned});
 }
 

@@ -27,12 +27,12 @@ namespace {
 /// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
 FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
                                 const StopToken& stop) {
-  std::vector<ProposedTolerance> tolerances;
-  if (run.options.with_proposals) tolerances = propose_tolerances(chart, run.options, refined, stop);
+  LengthDiagnosis found;
+  if (run.options.with_proposals) found = diagnose_lengths(chart, run.options, refined, stop);
   stop.check();
-  if (tolerances.empty())
-    return infeasible_outline(chart, run.options, propose_seams(chart, run, stop), refined.ran_out);
-  return infeasible_wires(chart, run.input.wires, run.options, std::move(tolerances), refined.ran_out);
+  const bool ran_out = refined.ran_out && !found.lengths_conflict;
+  if (found.tolerances.empty()) return infeasible_outline(chart, run.options, propose_seams(chart, run, stop), ran_out);
+  return infeasible_wires(chart, run.input.wires, run.options, std::move(found.tolerances), ran_out);
 }
 
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).

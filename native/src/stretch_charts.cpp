@@ -124,14 +124,6 @@ void lose_layout(FlattenError error, Termination termination, SolvedChart& solve
   solved.error = std::move(error);
 }
 
-FlattenError no_stretched_shape(const Chart& chart) {
-  return FlattenError(ErrorCode::infeasible_lengths,
-                      "No flat shape of " + name_piece(chart.source_face) +
-                          " was found that has the lengths which the cloth's stretch asks for: take less stretch, or "
-                          "mark another seam.",
-                      {{}, {}, chart.source_face});
-}
-
 /// A layout in the plane of the stretched cloth becomes the flat one. chart: asks for its lengths.
 void lie_flat(const Chart& chart, const Cloth& cloth, SolvedChart& solved) {
   solved.report.objective *= flat_share(cloth).prod();  // per flat area
@@ -220,15 +212,27 @@ class GroupToStretch {
     } else if (stop.is_stopped()) {
       lose_layout(cancelled(), Termination::cancelled, solved_[c]);
     } else if (injectivity_of(charts_[c], loose_[k].uv) == Injectivity::global) {
-      lose_layout(no_stretched_shape(charts_[c]), Termination::failed, solved_[c]);
-    }  // else its error is that it covers itself, stretched or not
+      explain_infeasible(k, stop);
+    }  // else its error is that it overlaps itself, stretched or not
+  }
+
+  /// The proposed seams are judged at the lengths that the stretch sets: others would not help.
+  void explain_infeasible(std::size_t k, const StopToken& stop) {
+    const int c = members_[k];
+    try {
+      Chart stretched = charts_[c];
+      ask_for(cloths_[k].flat_ratio, stretched);
+      lose_layout(infeasible_stretch(stretched, propose_seams(stretched, run_, stop)), Termination::failed, solved_[c]);
+    } catch (const Stopped&) {
+      lose_layout(cancelled(), Termination::cancelled, solved_[c]);
+    }
   }
 
   void finish(std::size_t k, bool is_folded, const StopToken& stop) {
     SolvedChart& solved = solved_[members_[k]];
     Chart& chart = charts_[members_[k]];
-    if (is_folded && solved.proposed_seams.empty() && !stop.is_stopped()) propose_seams_for(chart, solved, stop);
     ask_for(cloths_[k].flat_ratio, chart);
+    if (is_folded && solved.proposed_seams.empty() && !stop.is_stopped()) propose_seams_for(chart, solved, stop);
     lie_flat(chart, *run_.options.cloth, solved);
   }
 

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The one exception type and its codes, made from the table of the compiled core."""
 
-from collections.abc import Iterable
+import copy
+from collections.abc import Iterable, Mapping
 from enum import StrEnum
+from types import MappingProxyType
 from typing import Any
 
 from ._wirewarp import error_descriptions
@@ -11,33 +13,42 @@ from ._wirewarp import error_descriptions
 class _DescribedCode(StrEnum):
     meaning: str
     remedy: str
+    arguments: str
 
-    def __new__(cls, value: str, meaning: str, remedy: str) -> "_DescribedCode":
+    def __new__(cls, value: str, meaning: str, remedy: str, arguments: str) -> "_DescribedCode":
         member = str.__new__(cls, value)
         member._value_ = value
         member.meaning = meaning
         member.remedy = remedy
+        member.arguments = arguments
         return member
 
 
 ErrorCode = _DescribedCode(
     "ErrorCode",
-    [(name, (name, meaning, remedy)) for name, (meaning, remedy) in error_descriptions().items()],
+    [(name, (name, *description)) for name, description in error_descriptions().items()],
     module=__package__,
 )
-ErrorCode.__doc__ = "What went wrong; each code has a meaning and a remedy, one sentence each."
+ErrorCode.__doc__ = """What went wrong. Each code has a meaning and a remedy, one sentence each.
+
+`arguments` documents the keys of `FlattenError.arguments`: "name: meaning" of each, separated by semicolons.
+"""
 
 
 class FlattenError(ValueError):
-    """Bad input (raised), or a piece that breaks a promise (carried by the piece).
+    """Bad input (raised), or a piece that breaks a guarantee (carried by the piece).
 
-    `str(error)` is one sentence that names the elements and the remedy. `vertices`, `edges` (vertex pairs) and `faces`
-    are the elements it speaks of, as indices of the input. `has_layout` is true where the piece has coordinates to look
-    at all the same.
+    `str(error)` is one sentence that says the fault, its place and a remedy. `vertices`, `edges` (vertex pairs) and
+    `faces` are the elements that the error is about, as indices of the input. `has_layout` is true if the piece has
+    coordinates to look at.
 
-    `proposed_seams` are vertex pairs that would mend the piece: flatten again with `[*seams, *error.proposed_seams]`.
+    `proposed_seams` are vertex pairs that fix the piece: flatten again with `[*seams, *error.proposed_seams]`.
     `proposed_tolerances` are pairs of the index of a wire and a tolerance under which its length can be kept. Both are
-    empty where there is no proposal.
+    empty if there is no proposal.
+
+    `arguments` are the other values in the sentence, such as lengths, limits and names, as bool, int, float, str or a
+    list of one of these. `code.arguments` documents their names. Use them, the code and the elements to make sentences
+    of your own.
     """
 
     __module__ = __package__
@@ -52,6 +63,7 @@ class FlattenError(ValueError):
         has_layout: bool = False,
         proposed_seams: Iterable[tuple[int, int]] = (),
         proposed_tolerances: Iterable[tuple[int, float]] = (),
+        arguments: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
         super().__init__(message)
         self.code = ErrorCode(code)
@@ -62,6 +74,7 @@ class FlattenError(ValueError):
         self.has_layout = has_layout
         self.proposed_seams = tuple((a, b) for a, b in proposed_seams)
         self.proposed_tolerances = tuple((wire, tolerance) for wire, tolerance in proposed_tolerances)
+        self.arguments = dict(arguments)
 
     def __reduce__(self) -> tuple[type["FlattenError"], tuple[Any, ...]]:
         return type(self), (
@@ -73,6 +86,7 @@ class FlattenError(ValueError):
             self.has_layout,
             self.proposed_seams,
             self.proposed_tolerances,
+            self.arguments,
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -86,4 +100,5 @@ class FlattenError(ValueError):
             "has_layout": self.has_layout,
             "proposed_seams": [list(edge) for edge in self.proposed_seams],
             "proposed_tolerances": [list(pair) for pair in self.proposed_tolerances],
+            "arguments": copy.deepcopy(self.arguments),
         }

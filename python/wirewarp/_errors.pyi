@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from enum import StrEnum
 from typing import Any
 
@@ -41,6 +41,8 @@ class ErrorCode(StrEnum):
     def meaning(self) -> str: ...
     @property
     def remedy(self) -> str: ...
+    @property
+    def arguments(self) -> str: ...
 
 class FlattenError(ValueError):
     code: ErrorCode
@@ -51,6 +53,7 @@ class FlattenError(ValueError):
     has_layout: bool
     proposed_seams: tuple[tuple[int, int], ...]
     proposed_tolerances: tuple[tuple[int, float], ...]
+    arguments: dict[str, Any]
     def __init__(
         self,
         code: ErrorCode | str,
@@ -61,5 +64,6 @@ class FlattenError(ValueError):
         has_layout: bool = ...,
         proposed_seams: Iterable[tuple[int, int]] = ...,
         proposed_tolerances: Iterable[tuple[int, float]] = ...,
+        arguments: Mapping[str, Any] = ...,
     ) -> None: ...
     def to_dict(self) -> dict[str, Any]: ...

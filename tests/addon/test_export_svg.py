@@ -183,7 +183,7 @@ def test_failed_pieces_are_written_only_if_asked_for(tmp_path):
     mark(other, on_line(0, 3.0), on_line(1, 0.0))
     select_only(source, other)
     bpy.ops.object.join()
-    with pytest.raises(RuntimeError, match="turned over"):
+    with pytest.raises(RuntimeError, match="flipped"):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
     export_fails("Failed: Top Left. See the report", tmp_path)
     assert set(export(source, tmp_path, failed_pieces=True).pieces) == {"Top Left", "Top Right"}

@@ -23,7 +23,7 @@ def source():
 
 
 def flatten_fails():
-    with pytest.raises(RuntimeError, match="Both, Top Left: The piece is turned over"):
+    with pytest.raises(RuntimeError, match="Both, Top Left: The piece is flipped"):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
 
 

@@ -47,7 +47,7 @@ def test_proposed_seams_are_marked_and_flattened_with_one_click(addon, mode):
 def test_wires_that_contradict_one_another_are_loosened_and_flattened(addon):
     source = grid("Saddle", lambda x, y: (x, y, 0.25 * x * y), size=4, faces="triangles")
     mark(source, inside)
-    flatten_fails("flat with")
+    flatten_fails("flattened with")
     step = step_of(addon, source)
     assert step.text == "Loosen and Flatten"
     assert MEND(**step.settings) == {"FINISHED"}

@@ -211,7 +211,7 @@ def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
     source = grid("Spike", lambda x, y: (x, y, 2 * (1 - x * x) * (1 - y * y)))
     mark(source, on_line(0, 0.0))
     mark(source, on_line(1, 0.0))
-    with pytest.raises(RuntimeError, match="turned over"):
+    with pytest.raises(RuntimeError, match="flipped"):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
     faces = {face for issue in addon.flat.reports.last_report(source).issues for face in issue.faces}
     for target in (source, flat_of(source)):

@@ -83,7 +83,7 @@ def test_what_failed_is_red_in_the_map_too(addon):
     source = grid("Spike", lambda x, y: (x, y, 2 * (1 - x * x) * (1 - y * y)))
     mark(source, on_line(0, 0.0))
     mark(source, on_line(1, 0.0))
-    with pytest.raises(RuntimeError, match="turned over"):
+    with pytest.raises(RuntimeError, match="flipped"):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
     select_only(source)
     (drawing,) = shown(addon)

@@ -183,7 +183,12 @@ def loosen(addon):
     arrays = addon.model.read.object_to_arrays(source, addon.model.marked_mesh.marked_mesh(source), None)
     number = {wire.name: index for index, wire in enumerate(arrays.wires)}
     proposed = [(number["Bust"], 0.012341), (number["Wire 2"], 0.05)]
-    error = addon.core.library().FlattenError("infeasible_lengths", "Too short.", proposed_tolerances=proposed)
+    error = addon.core.library().FlattenError(
+        "infeasible_lengths",
+        "Too short.",
+        proposed_tolerances=proposed,
+        arguments={"reason": "wires", "is_refined": True},
+    )
     piece = SimpleNamespace(
         error=error, source_face=[], metrics=SimpleNamespace(flipped_faces=[], overlapping_faces=[])
     )

@@ -151,7 +151,7 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
 
     first, last = report_of_run(0), report_of_run(1_000_000)
     assert not first.ok
-    assert "Cancelled before this piece was flat" in first.issues[0].sentence
+    assert "Canceled before the piece was flat" in first.issues[0].sentence
     assert (last.ok, last.notes) == (True, [])
     stopped = next(report for report in map(report_of_run, itertools.count()) if report.ok)
     assert stopped.pieces[0].termination == "cancelled"

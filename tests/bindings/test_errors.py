@@ -24,6 +24,7 @@ EXAMPLE = FlattenError(
     True,
     proposed_seams=[[3, 4], [4, 6]],
     proposed_tolerances=[(2, 0.015)],
+    arguments={"num_overlapping": 3, "has_wires": True},
 )
 
 
@@ -56,6 +57,7 @@ def test_an_error_proposes_nothing_by_itself():
     error = FlattenError("cancelled", "Cancelled.")
     assert error.proposed_seams == ()
     assert error.proposed_tolerances == ()
+    assert error.arguments == {}
 
 
 def test_an_error_needs_a_known_code():
@@ -81,6 +83,7 @@ def test_an_error_as_plain_values():
         "has_layout": True,
         "proposed_seams": [[3, 4], [4, 6]],
         "proposed_tolerances": [[2, 0.015]],
+        "arguments": {"num_overlapping": 3, "has_wires": True},
     }
 
 
@@ -91,6 +94,48 @@ def test_a_raised_error_carries_its_elements():
     assert caught.value.code is ErrorCode.seam_not_an_edge
     assert caught.value.edges == ((0, 40),)
     assert not caught.value.has_layout
+
+
+def refused_option() -> FlattenError:
+    with pytest.raises(FlattenError) as caught:
+        wirewarp.Options(gap=2)
+    return caught.value
+
+
+def refused_wire() -> FlattenError:
+    vertices, faces = half_cylinder()
+    wires = [wirewarp.Wire([0, 1], name="Hip"), wirewarp.Wire([1, 0], name="Waist")]
+    with pytest.raises(FlattenError) as caught:
+        flatten(vertices, faces, wires=wires)
+    return caught.value
+
+
+def tube() -> FlattenError:
+    """Two rings of three vertices, of which one is larger; each outline is a triangle."""
+    around = 2 * np.pi * np.arange(3) / 3
+    ring = np.stack([np.cos(around), np.sin(around)], axis=1)
+    vertices = np.vstack([np.c_[ring, np.zeros(3)], np.c_[2 * ring, np.full(3, 9.0)]])
+    faces = [[i, (i + 1) % 3, 3 + i] for i in range(3)] + [[(i + 1) % 3, 3 + (i + 1) % 3, 3 + i] for i in range(3)]
+    (piece,) = flatten(vertices, faces).pieces
+    return piece.error
+
+
+@pytest.mark.parametrize(
+    ("make", "arguments"),
+    [
+        (refused_option, {"name": "gap", "value": "2", "allowed": "lie between 0 and 1"}),
+        (refused_wire, {"wires": [0, 1], "wire_names": ["Hip", "Waist"]}),
+        (tube, {"lengths": pytest.approx([6 * np.sqrt(3), 3 * np.sqrt(3)])}),
+    ],
+)
+def test_an_error_carries_the_values_of_its_sentence(make, arguments):
+    error = make()
+    for name, value in arguments.items():
+        assert error.arguments[name] == value
+    for name in error.arguments:
+        assert f"{name}: " in error.code.arguments or f"{name}, " in error.code.arguments
+    assert pickle.loads(pickle.dumps(error)).arguments == error.arguments
+    json.dumps(error.to_dict())
 
 
 def test_proposed_seams_can_be_passed_as_seams():

@@ -14,7 +14,7 @@ def test_the_proposed_tolerances_can_be_taken_as_they_are():
     wires = [Wire([a, b]) for a, b in sorted(sides) if a < b and (b, a) in sides]
     (piece,) = flatten(vertices, faces, wires=wires).pieces
     assert piece.error.code is ErrorCode.infeasible_lengths
-    assert "flat with" in str(piece.error)
+    assert "flattened with" in str(piece.error)
     proposed = dict(piece.error.proposed_tolerances)
     named = {tuple(sorted(wires[index].vertices.tolist())) for index in proposed}
     assert {tuple(sorted(edge)) for edge in piece.error.edges} == named

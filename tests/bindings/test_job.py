@@ -93,9 +93,9 @@ def test_a_plan_is_found_in_a_job():
     assert job.progress()[0] == "cuts" and job.progress()[1] > 0.5
     assert [each.to_dict() for each in found] == [each.to_dict() for each in wirewarp.plan_cuts(*mesh, **limits)]
     assert all(each.strain_left < found[0].strain_before for each in found)
-    with pytest.raises(wirewarp.FlattenError, match="kind must be dart or seam"):
+    with pytest.raises(wirewarp.FlattenError, match="it must be dart or seam"):
         wirewarp.start_plan(*mesh, kind="zip")  # at once
-    with pytest.raises(wirewarp.FlattenError, match="most must be at least 1"):
+    with pytest.raises(wirewarp.FlattenError, match="option most is 0: it must be at least 1"):
         wirewarp.start_plan(*mesh, most=0).result()
     job = wirewarp.start_plan(*spherical_patch(100, 100), most=3)
     job.cancel()

@@ -101,9 +101,13 @@ Sentences faults_of_error(const FlattenError& error, const FlattenInput& input) 
   const std::string name = describe(error.code).name;
   const std::string sentence = error.what();
   if (sentence.size() < 20 || sentence.back() != '.') faults.push_back(name + " has no sentence: " + sentence);
+  for (const auto& [argument, value] : error.arguments) {
+    const std::string documented = describe(error.code).arguments;
+    if (documented.find(argument) == std::string::npos) faults.push_back(name + " does not document " + argument);
+  }
   const ErrorElements& named = error.elements;
   const std::set<ErrorCode> of_no_element{ErrorCode::empty_mesh, ErrorCode::invalid_option, ErrorCode::wire_too_short,
-                                          ErrorCode::cancelled, ErrorCode::loose_faces};
+                                          ErrorCode::cancelled};
   if (!of_no_element.count(error.code) && named.vertices.empty() && named.edges.empty() && named.faces.empty()) {
     faults.push_back(name + " names no element: " + sentence);
   }

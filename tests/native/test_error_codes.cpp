@@ -69,7 +69,10 @@ FlattenInput loose_squares(int count, int triangles_of_each) {
 TEST(ErrorCodes, LooseFacesAreThousandsOfPartsOfAFaceEach) {
   const FlattenError triangles = thrown_by(loose_squares(1001, 1));
   EXPECT_EQ(triangles.code, Code::loose_faces);
-  expect_names(triangles, "The 1001 triangles of the mesh are 1001 separate parts: merge vertices by distance");
+  expect_names(triangles,
+               "The 1001 triangles of the mesh are 1001 separate parts, such as faces 0, 1, 2, 3, 4 and 996 "
+               "more: merge vertices by distance");
+  EXPECT_EQ(triangles.elements.faces.size(), 1001U);
   const FlattenError squares = thrown_by(loose_squares(1001, 2));
   EXPECT_EQ(squares.code, Code::loose_faces);
   expect_names(squares, "The 2002 triangles of the mesh are 1001 separate parts");
@@ -234,7 +237,7 @@ TEST(ErrorCodes, FaultyFaces) {
   const FlattenError repeated_vertex = carried_by(triangles(kSquare, {{0, 1, 2}, {0, 2, 2}}));
   EXPECT_EQ(repeated_vertex.code, Code::repeated_vertex_in_face);
   EXPECT_EQ(repeated_vertex.elements.faces, std::vector<int>{1});
-  expect_names(repeated_vertex, "face 1");
+  expect_names(repeated_vertex, "Face 1");
 
   const FlattenError repeated = carried_by(triangles(kSquare, {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}));
   EXPECT_EQ(repeated.code, Code::repeated_face);
@@ -255,6 +258,7 @@ TEST(ErrorCodes, NonManifoldEdge) {
   EXPECT_EQ(error.code, Code::non_manifold_edge);
   EXPECT_EQ(error.elements.edges, (std::vector<VertexPair>{{0, 2}}));
   expect_names(error, "edge 0-2");
+  EXPECT_EQ(error.elements.proposed_seams, error.elements.edges);
 }
 
 TEST(ErrorCodes, NonManifoldVertex) {
@@ -274,6 +278,8 @@ TEST(ErrorCodes, InconsistentOrientation) {
   const FlattenError error = carried_by(triangles(kSquare, {{0, 1, 2}, {0, 3, 2}}));
   EXPECT_EQ(error.code, Code::inconsistent_orientation);
   EXPECT_EQ(error.elements.edges, (std::vector<VertexPair>{{0, 2}}));
+  expect_names(error, "recalculate the normals");
+  EXPECT_TRUE(error.elements.proposed_seams.empty());  // turning a face is enough
 }
 
 TEST(ErrorCodes, ClosedChart) {
@@ -377,7 +383,7 @@ TEST(ErrorCodes, WiresThatCannotBeJoinedNameThemselvesAndTheRefinedMethod) {
     num_edges += part.kind == WireKind::boundary ? 0 : part.half_edges.size();
   for (std::size_t i = 1; i < 3; ++i) num_edges += chart.boundary_loops.at(i).size();
   EXPECT_EQ(error.elements.edges.size(), num_edges);
-  expect_names(error, "take the refined method");
+  expect_names(error, "use the refined method");
 }
 
 TEST(ErrorCodes, EveryCodeHasItsDescription) {

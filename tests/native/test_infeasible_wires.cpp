@@ -8,10 +8,12 @@
 #include <random>
 
 #include "arap/free_boundary_arap.h"
+#include "chart_errors.h"
 #include "mesh/edge_table.h"
 #include "mesh/geometry.h"
 #include "planar.h"
 #include "reference_cases.h"
+#include "refine/infeasible_wires.h"
 #include "refine/project_to_lengths.h"
 #include "refine/refine_chart.h"
 #include "refine/relax_lengths.h"
@@ -243,8 +245,26 @@ TEST(InfeasibleWires, ThePapersMethodsProposeWhatTheRefinedOneKeeps) {
     if (method != Method::wirewarping) continue;
     const Piece still_rigid = flatten(looser, options).pieces.at(0);  // it knows no tolerances
     ASSERT_TRUE(is_refused(still_rigid));
-    EXPECT_NE(std::string(still_rigid.error->what()).find("take the refined method"), std::string::npos);
+    EXPECT_NE(std::string(still_rigid.error->what()).find("use the refined method"), std::string::npos);
   }
+}
+
+TEST(InfeasibleWires, ALongerSearchIsAdvisedOnlyIfTheLengthsDoNotContradict) {
+  const auto conflict = [](const FlattenInput& input) {
+    const Charts charts = test::charts_of(input);
+    return diagnose_lengths(charts.charts.at(0), {}, {}, {}).lengths_conflict;
+  };
+  EXPECT_TRUE(conflict(test::saddle_of_wires(4, 0)));
+  EXPECT_FALSE(conflict(test::quarter_sphere(4)));
+  const Charts charts = test::charts_of(test::quarter_sphere(4));
+  Options options;
+  options.max_factorizations = 7;
+  const std::string advice = "max_factorizations = 7: raise it";
+  const auto sentence = [&](bool ran_out) {
+    return std::string(infeasible_outline(charts.charts.at(0), options, {}, ran_out).what());
+  };
+  EXPECT_NE(sentence(true).find(advice), std::string::npos) << sentence(true);
+  EXPECT_EQ(sentence(false).find("max_factorizations"), std::string::npos) << sentence(false);
 }
 
 TEST(InfeasibleWires, CancellingTheSearchCancelsThePiece) {

@@ -304,7 +304,7 @@ TEST(ProposeCuts, SayWhyThereAreNone) {
   EXPECT_NE(refusal(crossed).find("has no room for a dart"), std::string::npos) << "its vertex inside is on a wire";
   CutWishes nowhere;
   nowhere.no_seam = all_edges(hill(4).faces);
-  EXPECT_NE(refusal(hill(4), nowhere).find("no way along edges that may have a seam leads"), std::string::npos);
+  EXPECT_NE(refusal(hill(4), nowhere).find("no line along edges that may have a seam leads"), std::string::npos);
 }
 
 TEST(ProposeCuts, RefuseWishesOutOfRange) {

@@ -49,7 +49,7 @@ TEST(ShortOutline, OfManyOpeningsNamesTheLongest) {
   ASSERT_TRUE(result.pieces.at(0).error);
   EXPECT_EQ(result.pieces[0].error->code, ErrorCode::boundary_too_short);
   const std::string message = result.pieces[0].error->what();
-  EXPECT_NE(message.find(" and 5 more, can hold"), std::string::npos) << message;
+  EXPECT_NE(message.find(" and 5 more, can enclose"), std::string::npos) << message;
   EXPECT_EQ(result.pieces[0].error->elements.vertices.size(), 10U);  // 2 ends and 8 holes
 }
 

@@ -15,7 +15,6 @@ from ..run import window_run
 from ..run.suggest import Search, begin_search, keep_found
 from ..run.targets import active_target, nothing_to_flatten
 from ..run.window_run import CancelledError
-from ..solve.sentences import plain_sentence
 from ..solve.suggest import Cut
 from ..solve.suggestion_words import cut_text, found_words, shortfall, step_text
 from ..words import paragraph, quoted
@@ -108,7 +107,7 @@ class SuggestCuts(WindowSteps):
         return {"FINISHED"}
 
     def _refuse(self, context: bpy.types.Context, error: ObjectError) -> set[str]:
-        self.report({"ERROR"}, plain_sentence(str(error), length_text(context.scene)))
+        self.report({"ERROR"}, str(error))
         return {"CANCELLED"}
 
 

@@ -13,9 +13,7 @@ from ..solve.flatten import FlattenChoices, flatten_arrays, has_layout, used_cho
 from ..solve.identity import KnownPieces, PieceIdentity, identify_pieces
 from ..solve.report import Facts, ObjectReport, failure_report, object_report
 from ..solve.seams import KnownSeams, SeamIdentity, identify_seams, ids_by_edge
-from ..solve.sentences import plain_sentence
 from ..solve.steps import Steps, told_as
-from ..words import LengthText
 
 MIDDLE = "Lengths on the model are those of the middle of the material's thickness."
 NO_ANGLE = "Grain Angle was not used: it needs Upright: Grain Wire and a grain wire."
@@ -29,7 +27,6 @@ class Model:
     facts: Facts
     state: dict | None  # see model_state; None if it could not be read
     notes: list[Note]
-    units: LengthText  # for sentences
     arrays: MeshArrays | None = None
     known: KnownPieces | None = None
     seams: KnownSeams | None = None
@@ -89,9 +86,6 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         outcome.report.notes.append(warning(INWARD))
     if model.arrays:
         outcome.report.hints += torn_hints(model.arrays.vertices, model.arrays.outline)
-    outcome.report.issues = [
-        replace(issue, sentence=plain_sentence(issue.sentence, model.units)) for issue in outcome.report.issues
-    ]
     return outcome
 
 

@@ -88,7 +88,7 @@ def _read(
         _check(source, settings)
         base = marked_mesh(source)
         arrays = object_to_arrays(source, base, depsgraph if use_modifiers else None)
-        arrays = replace(arrays, allowance=max(arrays.allowance, allowance))
+        arrays = replace(arrays, allowance=max(arrays.allowance, allowance), lengths=units)
         # Results with modifiers are not written to the model, and of objects that share a mesh the last one's are on
         # it: only the flat pieces know this object's last ids.
         asks_flat_pieces = use_modifiers or source.data.users > 1
@@ -100,7 +100,7 @@ def _read(
     except ObjectError as error:
         issue = error.issue
     notes = left_out(source, arrays, use_modifiers)
-    return Model(source.name_full, facts, state, notes, units, arrays, known, seams, solved, issue)
+    return Model(source.name_full, facts, state, notes, arrays, known, seams, solved, issue)
 
 
 def solved_pieces(source: bpy.types.Object) -> core.Cache:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..pattern.chains import WireChain
+from ..words import LengthText
 
 ALL_ROUND = 0.3  # of the area: if one side outweighs the others by more, in and out cannot be distinguished
 INWARD = (
@@ -62,6 +63,7 @@ class MeshArrays:
     loose_marks: int  # edges without a face that are marked as wires: they are left out
     loose_eases: int  # edges with the ease of a wire that are none: it does nothing
     mirrored: bool
+    lengths: LengthText = LengthText("", 1.0)  # how sentences write lengths; without a unit unless the scene is known
 
 
 def area_vectors(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:

@@ -15,19 +15,9 @@ from ..issues import Issue, LooserWire, ObjectError
 from ..pattern.chains import edge_keys, shortest_double
 from ..words import counted
 from .arrays import MeshArrays, NamedWire, triangle_areas
-from .sentences import count_faces, name_elements
+from .error_sentences import ErrorFacts, error_sentence
 from .steps import Steps
 
-# What the library advises, by Blender's own names.
-COMMANDS = {
-    "empty_mesh": " In Edit Mode: fill its outlines with faces (F, or Face > Grid Fill).",
-    "zero_area_face": " In Edit Mode: Mesh > Clean Up > Degenerate Dissolve.",
-    "repeated_face": " In Edit Mode: Mesh > Delete > Only Faces.",
-    "repeated_vertex_in_face": " In Edit Mode: Mesh > Delete > Only Faces.",
-    "loose_faces": " In Edit Mode: Mesh > Merge > By Distance.",
-    "inconsistent_orientation": " In Edit Mode: Mesh > Normals > Recalculate Outside.",
-    "non_manifold_vertex": " In Edit Mode: Mesh > Split > Selection, with the faces on one side selected.",
-}
 EASE_AGAIN = "Mark the ease again: anything above -100%, 0 for none."
 Result = TypeVar("Result")
 _ending: list[Job] = []  # cancelled jobs: whoever drops one waits for it
@@ -212,24 +202,20 @@ def _library_ease(library: ModuleType, half_edges: np.ndarray, ratio: float) -> 
 
 
 def issue_of_piece(piece: Piece, index: int, arrays: MeshArrays) -> Issue:
-    """The error of a piece that has one, and every face of it that breaks a promise."""
-    counted = [piece.source_face, piece.metrics.flipped_faces, piece.metrics.overlapping_faces]
-    issue = issue_of_error(piece.error, arrays, [np.asarray(triangles) for triangles in counted])
-    bad = {*issue.faces, *(face for triangles in counted[1:] for face in polygons_of(arrays, triangles))}
-    return replace(issue, piece=index, faces=sorted(bad))
+    """The error of a piece that has one, and every face of it that breaks a guarantee."""
+    flipped = polygons_of(arrays, piece.metrics.flipped_faces)
+    overlapping = polygons_of(arrays, piece.metrics.overlapping_faces)
+    issue = issue_of_error(piece.error, arrays, len(flipped), len(overlapping))
+    return replace(issue, piece=index, faces=sorted({*issue.faces, *flipped, *overlapping}))
 
 
-def issue_of_error(error: FlattenError, arrays: MeshArrays, counted: Sequence[np.ndarray] = ()) -> Issue:
-    """The library's error, its triangles named as the polygons they are part of.
-
-    counted: the sets of triangles that the sentence may give the numbers of.
-    """
+def issue_of_error(error: FlattenError, arrays: MeshArrays, flipped: int = 0, overlapping: int = 0) -> Issue:
+    """The library's error in the words of the add-on. flipped, overlapping: numbers of faces of its piece."""
     faces = polygons_of(arrays, error.faces)
-    counts = [(len(triangles), len(polygons_of(arrays, triangles))) for triangles in counted]
-    sentence = count_faces(str(error) + COMMANDS.get(str(error.code), ""), counts)
+    names = [wire.name for wire in arrays.wires]
     return Issue(
         code=str(error.code),
-        sentence=name_elements(sentence, arrays.triangle_polygons, faces, [wire.name for wire in arrays.wires]),
+        sentence=error_sentence(ErrorFacts(error, len(faces), flipped, overlapping, names, arrays.lengths)),
         vertices=[int(vertex) for vertex in error.vertices],
         edges=[(int(a), int(b)) for a, b in error.edges],
         faces=faces,

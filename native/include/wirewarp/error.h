@@ -2,9 +2,11 @@
 // One error type for everything a user can get wrong and everything that cannot be flattened.
 #pragma once
 
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "wirewarp/types.h"
@@ -52,12 +54,13 @@ enum class ErrorCode {
 };
 
 struct ErrorDescription {
-  const char* name;     // the code as Python and JSON write it: "zero_area_face"
-  const char* meaning;  // one sentence
-  const char* remedy;   // one sentence: what the user can do
+  const char* name;       // the code as Python and JSON write it: "zero_area_face"
+  const char* meaning;    // one sentence
+  const char* remedy;     // one sentence: what the user can do
+  const char* arguments;  // "name: meaning" of each argument, separated by semicolons; empty if the code has none
 };
 
-/// The documented meaning and remedy of a code.
+/// The documented meaning, remedy and arguments of a code.
 const ErrorDescription& describe(ErrorCode code);
 
 /// Every code, in declaration order.
@@ -69,7 +72,14 @@ struct ProposedTolerance {
   double tolerance;  // dimensionless, as in Wire
 };
 
-/// The elements an error speaks of, and what would mend it; all indices are of the input mesh.
+/// One value of an error's arguments. Lengths are in scene units, fractions are dimensionless.
+using ErrorArgument =
+    std::variant<bool, int, double, std::string, std::vector<int>, std::vector<double>, std::vector<std::string>>;
+
+/// What an error's sentence says besides its elements, by the names that describe(code).arguments documents.
+using ErrorArguments = std::map<std::string, ErrorArgument>;
+
+/// The elements an error is about, and what would fix it; all indices are of the input mesh.
 struct ErrorElements {
   std::vector<int> vertices;
   std::vector<VertexPair> edges;  // vertex pairs
@@ -78,15 +88,27 @@ struct ErrorElements {
   std::vector<ProposedTolerance> proposed_tolerances{};  // one a wire; empty where there is no proposal
 };
 
-/// One plain sentence that names the elements and the remedy, the code, and the elements themselves.
+/// Bad input, or a piece that cannot be flattened. what() is one English sentence for users of the library: fault,
+/// place and remedy. A program that speaks to other people makes its own sentence from the code, arguments and
+/// elements.
 class FlattenError : public std::runtime_error {
  public:
-  FlattenError(ErrorCode error_code, const std::string& message, ErrorElements named = {}, bool with_layout = false)
-      : std::runtime_error(message), code(error_code), elements(std::move(named)), has_layout(with_layout) {}
+  /// Makes the sentence from the other parts. with_layout: see has_layout.
+  FlattenError(ErrorCode error_code, ErrorArguments details, ErrorElements named = {}, bool with_layout = false);
+
+  /// An error with a given sentence, such as one that was stored.
+  FlattenError(ErrorCode error_code, const std::string& message, ErrorElements named = {}, bool with_layout = false,
+               ErrorArguments details = {})
+      : std::runtime_error(message),
+        code(error_code),
+        arguments(std::move(details)),
+        elements(std::move(named)),
+        has_layout(with_layout) {}
 
   ErrorCode code;
+  ErrorArguments arguments;
   ErrorElements elements;
-  bool has_layout;  // true: the piece has coordinates to look at although a promise is broken
+  bool has_layout;  // true: the piece has coordinates to look at although a guarantee is broken
 };
 
 }  // namespace wirewarp

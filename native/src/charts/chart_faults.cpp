@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "errors/sentence.h"
+#include "disjoint_sets.h"
 
 namespace wirewarp {
 namespace {
@@ -23,6 +23,7 @@ struct Faults {
   std::vector<VertexPair> non_manifold;  // edges
   std::vector<VertexPair> turned;        // edges
   std::vector<int> pinched;              // vertices
+  bool is_one_sided = false;
 };
 
 bool repeats_vertex(const Triangles& faces, int f) {
@@ -75,6 +76,25 @@ void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const S
   }
 }
 
+/// Finds the charts that no turning of faces orients. Each face stands twice, as it is and turned: a chart is one-sided
+/// if its edges connect a face to its turned self.
+void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<Faults>& faults) {
+  const auto none_turned = [](const Faults& chart) { return chart.turned.empty(); };
+  if (std::all_of(faults.begin(), faults.end(), none_turned)) return;
+  const auto num_faces = static_cast<int>(cut.chart_of_face.size());
+  DisjointSets sides(2 * cut.chart_of_face.size());
+  for (int e = 0; e < edges.num_edges(); ++e) {
+    if (edges.num_sides(e) != 2 || cut.is_seam[e]) continue;
+    const int f = edges.side(e, 0) / 3, g = edges.side(e, 1) / 3;
+    const bool is_turned = edges.from(edges.side(e, 0)) == edges.from(edges.side(e, 1));
+    sides.unite(f, is_turned ? g + num_faces : g);
+    sides.unite(f + num_faces, is_turned ? g : g + num_faces);
+  }
+  for (int f = 0; f < num_faces; ++f) {
+    if (sides.find(f) == sides.find(f + num_faces)) faults[cut.chart_of_face[f]].is_one_sided = true;
+  }
+}
+
 /// Charts may touch in a vertex; a chart that touches itself there would be held together by a point.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                         std::vector<Faults>& faults) {
@@ -100,41 +120,27 @@ void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const
   }
 }
 
-FlattenError at_faces(ErrorCode code, const std::string& begin, const std::vector<int>& faces, const std::string& end) {
-  return FlattenError(code, begin + name_elements("face", faces) + end, {{}, {}, faces});
-}
-
-FlattenError at_edges(ErrorCode code, const std::string& begin, const std::vector<VertexPair>& edges,
-                      const std::string& end) {
-  return FlattenError(code, begin + name_elements("edge", edges) + end, {{}, edges, {}});
+FlattenError at_faces(ErrorCode code, const std::vector<int>& faces) {
+  return FlattenError(code, ErrorArguments{}, {{}, {}, faces});
 }
 
 std::optional<FlattenError> first_fault(const Faults& faults) {
   if (!faults.repeated_vertex.empty()) {
-    return at_faces(ErrorCode::repeated_vertex_in_face, "The same vertex stands twice in ", faults.repeated_vertex,
-                    ": delete such faces.");
+    return at_faces(ErrorCode::repeated_vertex_in_face, faults.repeated_vertex);
   }
-  if (!faults.repeated_face.empty()) {
-    return at_faces(ErrorCode::repeated_face, "The vertices of ", faults.repeated_face,
-                    " are those of another face: delete the copies.");
-  }
-  if (!faults.zero_area.empty()) {
-    return at_faces(ErrorCode::zero_area_face, "There is no area in ", faults.zero_area,
-                    ": dissolve such faces or move their vertices.");
-  }
+  if (!faults.repeated_face.empty()) return at_faces(ErrorCode::repeated_face, faults.repeated_face);
+  if (!faults.zero_area.empty()) return at_faces(ErrorCode::zero_area_face, faults.zero_area);
   if (!faults.non_manifold.empty()) {
-    return at_edges(ErrorCode::non_manifold_edge, "Three faces or more meet at ", faults.non_manifold,
-                    ": mark such edges as seams or delete the extra faces.");
+    return FlattenError(ErrorCode::non_manifold_edge, ErrorArguments{},
+                        {{}, faults.non_manifold, {}, faults.non_manifold});
   }
   if (!faults.turned.empty()) {
-    return at_edges(ErrorCode::inconsistent_orientation, "The faces at ", faults.turned,
-                    " look to opposite sides: recalculate the normals, or mark the edges as seams.");
+    // Turning faces fixes a two-sided surface; only a seam fixes a one-sided one.
+    return FlattenError(ErrorCode::inconsistent_orientation, ErrorArguments{{"is_one_sided", faults.is_one_sided}},
+                        {{}, faults.turned, {}, faults.is_one_sided ? faults.turned : std::vector<VertexPair>()});
   }
   if (!faults.pinched.empty()) {
-    return FlattenError(ErrorCode::non_manifold_vertex,
-                        "The piece touches itself at " + name_elements("vertex", faults.pinched) +
-                            " without sharing an edge there: split such vertices.",
-                        {faults.pinched, {}, {}});
+    return FlattenError(ErrorCode::non_manifold_vertex, ErrorArguments{}, {faults.pinched, {}, {}});
   }
   return std::nullopt;
 }
@@ -146,6 +152,7 @@ std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& i
   std::vector<Faults> faults(cut.num_charts);
   find_face_faults(input, cut, faults);
   find_edge_faults(input, edges, cut, faults);
+  find_one_sided(edges, cut, faults);
   find_vertex_faults(input, edges, cut, faults);
   std::vector<std::optional<FlattenError>> errors;
   errors.reserve(faults.size());
@@ -162,15 +169,11 @@ long count_handles(const Chart& chart) {
 
 std::optional<FlattenError> find_topology_fault(const Chart& chart) {
   if (chart.boundary_loops.empty()) {
-    return FlattenError(ErrorCode::closed_chart,
-                        introduce_piece(chart.source_face) + " is closed: mark a seam that opens it.",
-                        {{}, {}, chart.source_face});
+    return FlattenError(ErrorCode::closed_chart, ErrorArguments{}, {{}, {}, chart.source_face});
   }
   const long handles = count_handles(chart);
   if (handles == 0) return std::nullopt;
-  return FlattenError(ErrorCode::handles,
-                      introduce_piece(chart.source_face) + " has " + std::to_string(handles) +
-                          (handles == 1 ? " handle" : " handles") + " like a torus: mark seams that cut each of them.",
+  return FlattenError(ErrorCode::handles, ErrorArguments{{"num_handles", static_cast<int>(handles)}},
                       {{}, {}, chart.source_face});
 }
 

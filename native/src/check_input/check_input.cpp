@@ -5,6 +5,7 @@
 #include <set>
 
 #include "disjoint_sets.h"
+#include "errors/arguments.h"
 #include "errors/sentence.h"
 
 namespace wirewarp {
@@ -18,62 +19,51 @@ void check_vertices_in_range(const std::vector<int>& vertices, Eigen::Index num_
   if (found.empty()) return;
   const std::vector<int> bad(found.begin(), found.end());
   throw FlattenError(ErrorCode::vertex_out_of_range,
-                     owner + " names " + name_elements("vertex", bad) + ", but the mesh has vertices 0 to " +
-                         std::to_string(num_vertices - 1) + ": use indices of this mesh.",
-                     {bad, {}, {}});
+                     ErrorArguments{{"name", owner}, {"num_vertices", static_cast<int>(num_vertices)}}, {bad, {}, {}});
 }
 
 void check_seams(const FlattenInput& input, const EdgeTable& edges) {
   const std::vector<int> ends(input.seams.data(), input.seams.data() + input.seams.size());
-  check_vertices_in_range(ends, input.vertices.rows(), "The list of seams");
+  check_vertices_in_range(ends, input.vertices.rows(), "the list of seams");
   std::vector<VertexPair> bad;
   for (int i = 0; i < input.seams.rows(); ++i) {
     const VertexPair pair{input.seams(i, 0), input.seams(i, 1)};
     if (edges.find(pair[0], pair[1]) < 0) bad.push_back(pair);
   }
   if (bad.empty()) return;
-  throw FlattenError(ErrorCode::seam_not_an_edge,
-                     "Seam " + name_elements("edge", bad) + (bad.size() == 1 ? " is not an edge" : " are not edges") +
-                         " of the mesh: mark seams on existing edges.",
-                     {{}, bad, {}});
+  throw FlattenError(ErrorCode::seam_not_an_edge, ErrorArguments{}, {{}, bad, {}});
 }
 
 /// A sentence with the name would break off there.
 void check_name(const Wire& wire) {
   if (wire.name.find('\0') == std::string::npos) return;
-  throw FlattenError(ErrorCode::invalid_type, "The name of a wire has a NUL character: leave it out.");
+  throw FlattenError(ErrorCode::invalid_type, ErrorArguments{{"name", "The name of a wire"},
+                                                             {"wanted", "text without NUL characters"},
+                                                             {"found", "text with one"}});
 }
 
-/// owner: "The wire 2 has an ease".
-void check_ratio(double ratio, const std::string& owner, const ErrorElements& named) {
-  if (std::isfinite(ratio) && ratio > -1) return;
-  throw FlattenError(ErrorCode::invalid_ease,
-                     owner + " of " + shortest(ratio) + ": use a finite fraction above -1, such as 0.05 (5% longer).",
-                     named);
-}
+bool leaves_length(double ease) { return std::isfinite(ease) && ease > -1; }
 
-/// vertices: of the mesh, to be named.
-void check_chain_and_tolerance(const Wire& wire, const std::string& label, const std::vector<int>& vertices) {
-  if (wire.vertices.size() < 2) {
-    throw FlattenError(ErrorCode::wire_too_short,
-                       "The " + label + " has fewer than two vertices: give it at least one edge.", {vertices, {}, {}});
-  }
+/// named: arguments that name the wire. vertices: of the mesh, for the error.
+void check_chain_and_tolerance(const Wire& wire, ErrorArguments named, const std::vector<int>& vertices) {
+  if (wire.vertices.size() < 2) throw FlattenError(ErrorCode::wire_too_short, std::move(named), {vertices, {}, {}});
   if (!(wire.tolerance >= 0)) {
-    throw FlattenError(ErrorCode::invalid_tolerance,
-                       "The " + label + " has a tolerance of " + shortest(wire.tolerance) +
-                           ": use 0 (rigid), a positive fraction such as 0.03 (3%), or infinity (free).",
-                       {vertices, {}, {}});
+    named["tolerance"] = wire.tolerance;
+    throw FlattenError(ErrorCode::invalid_tolerance, std::move(named), {vertices, {}, {}});
   }
-  check_ratio(wire.ease, "The " + label + " has an ease", {vertices, {}, {}});
+  if (!leaves_length(wire.ease)) {
+    named["ease"] = wire.ease;
+    throw FlattenError(ErrorCode::invalid_ease, std::move(named), {vertices, {}, {}});
+  }
 }
 
 void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::size_t w,
                         std::vector<int>& wire_of_edge) {
   const Wire& wire = input.wires[w];
   check_name(wire);
-  const std::string label = name_wires(input.wires, {static_cast<int>(w)});
-  check_vertices_in_range(wire.vertices, input.vertices.rows(), "The " + label);
-  check_chain_and_tolerance(wire, label, wire.vertices);
+  const auto index = static_cast<int>(w);
+  check_vertices_in_range(wire.vertices, input.vertices.rows(), "the " + name_wires({index}, {wire.name}));
+  check_chain_and_tolerance(wire, arguments_of_wires(input.wires, {index}), wire.vertices);
   std::vector<VertexPair> missing;
   for (std::size_t i = 0; i + 1 < wire.vertices.size(); ++i) {
     const VertexPair pair{wire.vertices[i], wire.vertices[i + 1]};
@@ -84,21 +74,15 @@ void check_wire_on_mesh(const FlattenInput& input, const EdgeTable& edges, std::
     }
     int& owner = wire_of_edge[edge];
     if (owner >= 0) {
-      throw FlattenError(ErrorCode::edge_in_two_wires,
-                         "The " + name_elements("edge", std::vector<VertexPair>{pair}) + " is in " +
-                             name_wires(input.wires, {owner}) +
-                             (static_cast<std::size_t>(owner) == w ? " twice" : " and in " + label) +
-                             ": an edge has one length, so leave it in one wire only.",
+      std::vector<int> owners = {owner};
+      if (owner != index) owners.push_back(index);
+      throw FlattenError(ErrorCode::edge_in_two_wires, arguments_of_wires(input.wires, owners),
                          {{pair[0], pair[1]}, {pair}, {}});
     }
-    owner = static_cast<int>(w);
+    owner = index;
   }
   if (!missing.empty()) {
-    throw FlattenError(ErrorCode::wire_not_an_edge,
-                       "The " + label + " runs along " + name_elements("edge", missing) +
-                           (missing.size() == 1 ? ", not an edge" : ", not edges") +
-                           " of the mesh: consecutive vertices of a wire must share an edge.",
-                       {{}, missing, {}});
+    throw FlattenError(ErrorCode::wire_not_an_edge, arguments_of_wires(input.wires, {index}), {{}, missing, {}});
   }
 }
 
@@ -117,6 +101,10 @@ int num_sides_named(const EdgeTable& edges, const std::set<int>& seams, const Ve
   return num_sides;
 }
 
+FlattenError wrong_ratio(double ratio, std::vector<VertexPair> half_edges) {
+  return FlattenError(ErrorCode::invalid_ease, ErrorArguments{{"ease", ratio}}, {{}, std::move(half_edges), {}});
+}
+
 /// Each half-edge is one side of the outline, and no other ease has it.
 void check_eases(const FlattenInput& input, const EdgeTable& edges) {
   if (input.eases.empty()) return;
@@ -126,48 +114,43 @@ void check_eases(const FlattenInput& input, const EdgeTable& edges) {
   std::vector<VertexPair> without_side, twice;
   for (const Ease& ease : input.eases) {
     check_vertices_in_range({ease.half_edges.data(), ease.half_edges.data() + ease.half_edges.size()},
-                            input.vertices.rows(), "An ease");
-    check_ratio(ease.ratio, "The ease along " + name_elements("edge", pairs_of(ease.half_edges)) + " has a ratio",
-                {{}, pairs_of(ease.half_edges), {}});
+                            input.vertices.rows(), "an ease");
+    if (!leaves_length(ease.ratio)) throw wrong_ratio(ease.ratio, pairs_of(ease.half_edges));
     for (const VertexPair& ends : pairs_of(ease.half_edges)) {
       if (num_sides_named(edges, seams, ends) != 1) without_side.push_back(ends);
       if (!eased.insert(ends).second) twice.push_back(ends);
     }
   }
   if (!without_side.empty()) {
-    throw FlattenError(ErrorCode::ease_without_side,
-                       "An ease names " + name_elements("edge", without_side) +
-                           ", where there is not just one triangle with these vertices in this order, on a seam or at "
-                           "the edge of the surface: name the sides of seams and outlines.",
-                       {{}, without_side, {}});
+    throw FlattenError(ErrorCode::ease_without_side, ErrorArguments{}, {{}, without_side, {}});
   }
   if (twice.empty()) return;
-  throw FlattenError(ErrorCode::side_in_two_eases,
-                     "The sides along " + name_elements("edge", twice) +
-                         " are in two eases: a side has one length, so leave each in one ease only.",
-                     {{}, twice, {}});
+  throw FlattenError(ErrorCode::side_in_two_eases, ErrorArguments{}, {{}, twice, {}});
 }
 
-/// So many parts and less are taken as they are, whatever they are.
+/// Meshes with up to this many parts are accepted. Models of many loose parts that are meant have some hundred; a file
+/// that lists each face alone has one part for every face, and its result would be useless and slow.
 constexpr int kManyParts = 1000;
 
-/// Parts of so many triangles each, on average, are single faces: hexagons at most.
+/// Parts with at most this many triangles on average are taken for single faces: hexagons at most.
 constexpr int kTrianglesOfFace = 4;
 
 }  // namespace
 
 void check_wire(const Wire& wire) {
   check_name(wire);
-  check_chain_and_tolerance(wire, wire.name.empty() ? "wire" : "wire (" + wire.name + ")", {});
+  const std::vector<std::string> names(wire.name.empty() ? 0 : 1, wire.name);
+  check_chain_and_tolerance(wire, {{"wires", std::vector<int>()}, {"wire_names", names}}, {});
 }
 
-void check_ease(const Ease& ease) { check_ratio(ease.ratio, "An ease has a ratio", {}); }
+void check_ease(const Ease& ease) {
+  if (!leaves_length(ease.ratio)) throw wrong_ratio(ease.ratio, {});
+}
 
 void check_mesh(const FlattenInput& input) {
   if (input.faces.rows() == 0 || input.vertices.rows() == 0) {
-    throw FlattenError(ErrorCode::empty_mesh, std::string("The mesh has no ") +
-                                                  (input.vertices.rows() == 0 ? "vertices" : "faces") +
-                                                  ": there is nothing to flatten.");
+    throw FlattenError(ErrorCode::empty_mesh, ErrorArguments{{"num_vertices", static_cast<int>(input.vertices.rows())},
+                                                             {"num_faces", static_cast<int>(input.faces.rows())}});
   }
   std::set<int> bad_vertices;
   std::vector<int> bad_faces;
@@ -181,11 +164,10 @@ void check_mesh(const FlattenInput& input) {
   }
   if (!bad_faces.empty()) {
     const std::vector<int> vertices(bad_vertices.begin(), bad_vertices.end());
-    throw FlattenError(ErrorCode::vertex_out_of_range,
-                       capitalized(name_elements("face", bad_faces)) + (bad_faces.size() == 1 ? " names " : " name ") +
-                           name_elements("vertex", vertices) + ", but the mesh has vertices 0 to " +
-                           std::to_string(input.vertices.rows() - 1) + ": use indices of this mesh.",
-                       {vertices, {}, bad_faces});
+    throw FlattenError(
+        ErrorCode::vertex_out_of_range,
+        ErrorArguments{{"name", "the list of faces"}, {"num_vertices", static_cast<int>(input.vertices.rows())}},
+        {vertices, {}, bad_faces});
   }
   std::vector<int> not_finite;
   for (int v = 0; v < input.vertices.rows(); ++v) {
@@ -193,9 +175,7 @@ void check_mesh(const FlattenInput& input) {
     if (!(input.vertices.row(v).array().abs() < kCoordinateLimit).all()) not_finite.push_back(v);
   }
   if (!not_finite.empty()) {
-    throw FlattenError(ErrorCode::non_finite_coordinates,
-                       "The coordinates of " + name_elements("vertex", not_finite) +
-                           " are not all finite and below 1e60 in magnitude: move or delete them.",
+    throw FlattenError(ErrorCode::non_finite_coordinates, ErrorArguments{{"limit", kCoordinateLimit}},
                        {not_finite, {}, {}});
   }
 }
@@ -210,9 +190,13 @@ void check_faces_share_edges(const FlattenInput& input, const EdgeTable& edges) 
     }
   }
   if (num_parts <= kManyParts || num_faces > kTrianglesOfFace * num_parts) return;
-  throw FlattenError(ErrorCode::loose_faces,
-                     "The " + std::to_string(num_faces) + " triangles of the mesh are " + std::to_string(num_parts) +
-                         " separate parts: merge vertices by distance, so that neighboring faces share their edges.");
+  std::vector<int> size(static_cast<std::size_t>(num_faces), 0), loose;
+  for (int f = 0; f < num_faces; ++f) ++size[parts.find(f)];
+  for (int f = 0; f < num_faces; ++f) {
+    if (size[parts.find(f)] <= kTrianglesOfFace) loose.push_back(f);
+  }
+  throw FlattenError(ErrorCode::loose_faces, ErrorArguments{{"num_faces", num_faces}, {"num_parts", num_parts}},
+                     {{}, {}, std::move(loose)});
 }
 
 void check_seams_and_wires(const FlattenInput& input, const EdgeTable& edges) {

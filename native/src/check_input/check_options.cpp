@@ -3,19 +3,16 @@
 #include <cmath>
 
 #include "check_input/check_input.h"
+#include "errors/arguments.h"
 #include "errors/sentence.h"
 #include "planar.h"
 
 namespace wirewarp {
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, const std::string& value, const std::string& allowed) {
-  throw FlattenError(ErrorCode::invalid_option, "The option " + name + " is " + value + ": it must " + allowed + ".");
-}
-
 void check_range(const std::string& name, double value, double least, double most) {
   if (value >= least && value <= most) return;
-  refuse(name, shortest(value), "lie between " + shortest(least) + " and " + shortest(most));
+  throw wrong_option(name, shortest(value), "lie between " + shortest(least) + " and " + shortest(most));
 }
 
 }  // namespace
@@ -25,34 +22,33 @@ void check_options(const Options& options) {
   check_range("fairness", options.fairness, Options::least_fairness, Options::most_fairness);
   check_range("grain_angle", options.grain_angle, -kPi, kPi);
   if (!(options.thickness >= 0 && std::isfinite(options.thickness))) {
-    refuse("thickness", shortest(options.thickness), "be 0 or above and finite, in scene units");
+    throw wrong_option("thickness", shortest(options.thickness), "be 0 or above and finite, in scene units");
   }
   if (options.cloth) {
     check_cloth(*options.cloth);
     if (options.method != Method::refined) {
-      throw FlattenError(ErrorCode::invalid_option,
-                         "The paper's methods know no cloth: choose the method refined, or no cloth.");
+      throw wrong_option("method", options.method == Method::wirewarping ? "wirewarping" : "wirewarp++",
+                         "be refined if there is a cloth");
     }
   } else if (options.orientation == Orientation::best) {
-    throw FlattenError(ErrorCode::invalid_option,
-                       "The option orientation is best: it needs a cloth, without one all directions are alike.");
+    throw wrong_option("orientation", "best", "be another one without a cloth, for which all directions are alike");
   }
   if (options.max_factorizations < 1) {
-    refuse("max_factorizations", std::to_string(options.max_factorizations), "be at least 1");
+    throw wrong_option("max_factorizations", std::to_string(options.max_factorizations), "be at least 1");
   }
-  if (options.grain < -1) refuse("grain", std::to_string(options.grain), "be -1 or the index of a wire");
+  if (options.grain < -1) throw wrong_option("grain", std::to_string(options.grain), "be -1 or the index of a wire");
   const Eigen::Vector3d up(options.up[0], options.up[1], options.up[2]);
   if (!up.allFinite() || up.isZero(0)) {
-    refuse("up", "(" + shortest(up.x()) + ", " + shortest(up.y()) + ", " + shortest(up.z()) + ")",
-           "be finite and not zero");
+    throw wrong_option("up", "(" + shortest(up.x()) + ", " + shortest(up.y()) + ", " + shortest(up.z()) + ")",
+                       "be finite and not zero");
   }
 }
 
 void check_options(const Options& options, std::size_t num_wires) {
   check_options(options);
   if (options.grain < static_cast<std::ptrdiff_t>(num_wires)) return;
-  refuse("grain", std::to_string(options.grain),
-         "be -1 or the index of one of the " + std::to_string(num_wires) + " wires");
+  throw wrong_option("grain", std::to_string(options.grain),
+                     "be -1 or the index of one of the " + std::to_string(num_wires) + " wires");
 }
 
 }  // namespace wirewarp

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "errors/arguments.h"
 #include "errors/sentence.h"
 #include "planar.h"
 #include "wirewarp/error.h"
@@ -14,8 +15,7 @@ namespace wirewarp {
 namespace {
 
 [[noreturn]] void refuse(const std::string& name, double value, const std::string& allowed) {
-  throw FlattenError(ErrorCode::invalid_option,
-                     "The cloth's " + name + " is " + shortest(value) + ": it must " + allowed + ".");
+  throw wrong_option("cloth " + name, shortest(value), allowed);
 }
 
 void check_stiffness(const std::string& name, double value) {
@@ -72,7 +72,7 @@ const ClothPreset& cloth_preset(const std::string& name) {
     if (one.name == name) return one;
     known += (known.empty() ? "'" : " or '") + one.name + "'";
   }
-  throw FlattenError(ErrorCode::invalid_option, "There is no cloth '" + name + "': it must be " + known + ".");
+  throw wrong_option("cloth", "'" + name + "'", "be " + known);
 }
 
 void check_cloth(const Cloth& cloth) {
@@ -81,10 +81,10 @@ void check_cloth(const Cloth& cloth) {
   check_stiffness("shear", cloth.shear);
   const auto [least, most] = std::minmax({cloth.weft, cloth.warp, cloth.shear});
   if (!(most <= Cloth::most_anisotropy * least)) {
-    throw FlattenError(ErrorCode::invalid_option, "The cloth's stiffnesses weft " + shortest(cloth.weft) + ", warp " +
-                                                      shortest(cloth.warp) + " and shear " + shortest(cloth.shear) +
-                                                      " are too far apart: none may be more than " +
-                                                      shortest(Cloth::most_anisotropy) + " times another.");
+    throw wrong_option(
+        "cloth",
+        "weft " + shortest(cloth.weft) + ", warp " + shortest(cloth.warp) + " and shear " + shortest(cloth.shear),
+        "have no stiffness more than " + shortest(Cloth::most_anisotropy) + " times another");
   }
   if (!(cloth.squeeze >= Cloth::least_squeeze && cloth.squeeze <= Cloth::most_squeeze)) {
     refuse("squeeze", cloth.squeeze,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The documented meaning and remedy of every error code.
+// The documented meaning, remedy and arguments of every error code.
 #include "wirewarp/error.h"
 
 #include <cstddef>
@@ -12,107 +12,148 @@ struct Entry {
   ErrorDescription description;
 };
 
+// Arguments that several codes have.
+#define WIREWARP_NAMED_WIRES "wires: indices of the wires; wire_names: their names, empty strings for those without one"
+#define WIREWARP_WRONG_ARRAY \
+  "name: the argument; wanted: what it must be, missing if numpy cannot read it; found: what it is"
+
 // In declaration order of ErrorCode.
 constexpr Entry kEntries[] = {
     {ErrorCode::invalid_shape,
      {"invalid_shape", "An array has the wrong number of rows or columns.",
-      "Pass vertices as n by 3, faces as m by 3, seams as k by 2 and corner coordinates as m by 3 by 2."}},
+      "Pass vertices as n by 3, faces as m by 3, seams as k by 2 and corner coordinates as m by 3 by 2.",
+      WIREWARP_WRONG_ARRAY}},
     {ErrorCode::invalid_type,
      {"invalid_type", "A value is of the wrong type.",
-      "Pass numbers for coordinates, whole numbers for indices and Wire objects for wires."}},
+      "Pass numbers for coordinates, whole numbers for indices and Wire objects for wires.", WIREWARP_WRONG_ARRAY}},
     {ErrorCode::invalid_option,
      {"invalid_option", "An option has a value that is not known or is out of range.",
-      "Use one of the values that the message lists."}},
+      "Use one of the values that the message lists.",
+      "name: the option; value: its value as text; allowed: what it must be or do; wires: indices of the wires that do "
+      "not fit the option, if there are any; wire_names: their names"}},
     {ErrorCode::empty_mesh,
      {"empty_mesh", "The mesh has no vertices or no faces, so there is nothing to flatten.",
-      "Pass a mesh with at least one triangle."}},
+      "Pass a mesh with at least one triangle.",
+      "num_vertices: number of vertices of the mesh; num_faces: number of its triangles"}},
     {ErrorCode::vertex_out_of_range,
      {"vertex_out_of_range", "A face, seam or wire names a vertex that the mesh does not have.",
-      "Number the vertices from 0 to one less than their count."}},
+      "Number the vertices from 0 to one less than their count.",
+      "name: what names the vertex; num_vertices: number of vertices of the mesh; found: the index as text, instead of "
+      "num_vertices, if it exceeds 32 bits"}},
     {ErrorCode::non_finite_coordinates,
      {"non_finite_coordinates", "A vertex has a coordinate that is not finite, or 1e60 or more in magnitude.",
-      "Move the named vertices back into the scene or delete them."}},
+      "Move the named vertices back into the scene or delete them.",
+      "limit: coordinates must be below this magnitude"}},
     {ErrorCode::loose_faces,
      {"loose_faces", "More than a thousand faces hardly share edges with others, as in a file that lists each alone.",
-      "Merge vertices by distance, so that neighboring faces share their edges."}},
+      "Merge vertices by distance, so that neighboring faces share their edges.",
+      "num_faces: number of triangles of the mesh; num_parts: number of parts that share no edge"}},
     {ErrorCode::seam_not_an_edge,
      {"seam_not_an_edge", "A seam joins two vertices that no edge of the mesh joins.",
-      "Mark seams along edges of the mesh; after editing the mesh, mark them again."}},
+      "Mark seams along edges of the mesh; after editing the mesh, mark them again.", ""}},
     {ErrorCode::wire_not_an_edge,
      {"wire_not_an_edge", "A wire steps between two vertices that no edge of the mesh joins.",
-      "Let every wire run along edges of the mesh; after editing the mesh, mark it again."}},
+      "Let every wire run along edges of the mesh; after editing the mesh, mark it again.", WIREWARP_NAMED_WIRES}},
     {ErrorCode::wire_too_short,
      {"wire_too_short", "A wire has fewer than two vertices, so it has no length.",
-      "Give the wire at least one edge, or remove it."}},
+      "Give the wire at least one edge, or remove it.", WIREWARP_NAMED_WIRES}},
     {ErrorCode::edge_in_two_wires,
      {"edge_in_two_wires", "One edge belongs to two wires, or twice to the same one.",
-      "Let every edge belong to one wire only: clear the shared edges from all wires but one."}},
+      "Let every edge belong to one wire only: clear the shared edges from all wires but one.", WIREWARP_NAMED_WIRES}},
     {ErrorCode::invalid_tolerance,
      {"invalid_tolerance", "A wire's tolerance is negative or not a number.",
-      "Use 0 for a rigid wire, a fraction such as 0.03 for an elastic one, infinity for one that stretches freely."}},
+      "Use 0 for a rigid wire, a fraction such as 0.03 for an elastic one, infinity for one that stretches freely.",
+      WIREWARP_NAMED_WIRES "; tolerance: the tolerance"}},
     {ErrorCode::invalid_ease,
      {"invalid_ease", "An ease is not a number, infinite, or leaves no length.",
-      "Use a fraction above -1, such as 0.05 for a side that is 5% longer."}},
+      "Use a fraction above -1, such as 0.05 for a side that is 5% longer.",
+      WIREWARP_NAMED_WIRES ", both missing for the ease of a side; ease: the ease"}},
     {ErrorCode::ease_without_side,
      {"ease_without_side", "An ease names no side of a seam and no edge of the surface.",
-      "Name each side by an edge of the outline, its vertices in the order of the triangle on that side."}},
+      "Name each side by an edge of the outline, its vertices in the order of the triangle on that side.", ""}},
     {ErrorCode::side_in_two_eases,
      {"side_in_two_eases", "One side of an edge is in two eases, or twice in the same one.",
-      "Let every side be in one ease only."}},
+      "Let every side be in one ease only.", ""}},
     {ErrorCode::repeated_vertex_in_face,
-     {"repeated_vertex_in_face", "A face uses the same vertex twice.", "Delete the named faces."}},
+     {"repeated_vertex_in_face", "A face uses the same vertex twice.", "Delete the named faces.", ""}},
     {ErrorCode::repeated_face,
-     {"repeated_face", "Two faces have the same three vertices.", "Delete all but one of the named faces."}},
+     {"repeated_face", "Two faces have the same three vertices.", "Delete all but one of the named faces.", ""}},
     {ErrorCode::zero_area_face,
-     {"zero_area_face", "A face has no area to speak of: its vertices lie on a line or in a point.",
-      "Dissolve the named faces or move their vertices apart."}},
+     {"zero_area_face", "A face has no area: its vertices lie on a line or in a point.",
+      "Dissolve the named faces or move their vertices apart.", ""}},
     {ErrorCode::non_manifold_edge,
      {"non_manifold_edge", "Three or more faces meet at an edge that is not a seam.",
-      "Mark the named edges as seams, or delete the extra faces."}},
+      "Mark the named edges as seams, or delete the extra faces.", ""}},
     {ErrorCode::non_manifold_vertex,
      {"non_manifold_vertex", "Parts of a piece touch in a single vertex, with no edge between them.",
-      "Split the named vertices, or join the parts along an edge."}},
+      "Split the named vertices, or join the parts along an edge.", ""}},
     {ErrorCode::inconsistent_orientation,
      {"inconsistent_orientation", "Neighboring faces look to opposite sides of the surface.",
-      "Make all faces of the piece look to the same side (recalculate the normals)."}},
+      "Recalculate the normals, so that all faces of the piece look to the same side. If the piece is one-sided like a "
+      "Mobius strip, mark the named edges as seams.",
+      "is_one_sided: whether only a seam helps, because no turning of faces does"}},
     {ErrorCode::closed_chart,
      {"closed_chart", "A piece has no outline: it closes on itself like a ball.",
-      "Mark a seam along which the surface can be opened."}},
+      "Mark a seam along which the surface can be opened.", ""}},
     {ErrorCode::handles,
      {"handles", "A piece has a handle, like a ring or the handle of a cup, so it cannot lie flat.",
-      "Mark a seam around the handle and one along it."}},
+      "Mark a seam around the handle and one along it.", "num_handles: number of handles"}},
     {ErrorCode::boundary_too_short,
-     {"boundary_too_short", "The outline of a piece is too short to hold its area in the plane, as that of a tube.",
-      "Mark a seam that opens the piece, or cuts it in two: the proposed seams do."}},
+     {"boundary_too_short", "The outline of a piece is too short to enclose its area in the plane, as that of a tube.",
+      "Mark a seam that opens the piece, or cuts it in two: the proposed seams do.",
+      "lengths: length of each outline, longest first, in the order of the error's vertices, which lie on them; share: "
+      "fraction of the piece's area that they can enclose; least_energy: least distortion (ARAP energy over area) of "
+      "any shape with these outlines"}},
     {ErrorCode::infeasible_lengths,
-     {"infeasible_lengths", "No flat shape has all the lengths that were asked for.",
-      "Give the named wires a tolerance, or cut the piece with a seam."}},
+     {"infeasible_lengths", "No flat shape has all the lengths that were set.",
+      "Give the named wires a tolerance, use less stretch, or cut the piece with a seam.",
+      "reason: \"wires\" if the proposed tolerances help, \"outline\" if only a seam does, \"stretch\" if the piece "
+      "can be flattened without the fabric's stretch, \"method\" if the refined method flattens "
+      "it; " WIREWARP_NAMED_WIRES
+      ", in the order of the proposed tolerances (reason \"wires\"); is_refined: whether the "
+      "method was refined (reason \"wires\"); has_wires: whether wires run inside the piece (reason \"outline\"); "
+      "max_factorizations: the option, if the solver stopped at it while it was still getting closer"}},
     {ErrorCode::not_solvable,
      {"not_solvable",
       "The equations of a piece cannot be solved in double precision: its faces differ in size by too many powers "
       "of ten, or WireWarping finds no way for its helper wires.",
-      "Merge vertices of the named faces that lie very close together, remesh the piece more evenly, or take the "
-      "refined method."}},
-    {ErrorCode::cancelled, {"cancelled", "The flattening was cancelled before the piece was done.", "Run it again."}},
+      "Merge vertices of the named faces that lie very close together, remesh the piece more evenly, or use the "
+      "refined method.",
+      "reason: \"sizes\", \"precision\" or \"helper_wires\"; face: a face of the piece"}},
+    {ErrorCode::cancelled, {"cancelled", "The work was canceled before it was done.", "Run it again.", ""}},
     {ErrorCode::uv_discontinuous,
      {"uv_discontinuous",
       "The flattening is torn: faces that share an edge inside a piece have its ends at different places.",
-      "Mark the named edges as seams, or flatten again with the same seams."}},
+      "Mark the named edges as seams, or flatten again with the same seams.", ""}},
     {ErrorCode::no_layout,
-     {"no_layout", "Some faces have no usable flat coordinates.", "Flatten the named faces first, then measure."}},
+     {"no_layout", "Some faces have no usable flat coordinates.", "Flatten the named faces first, then measure.",
+      "limit: coordinates must be below this magnitude"}},
     {ErrorCode::lengths_not_kept,
      {"lengths_not_kept", "An edge of the outline or of a wire is longer or shorter in the flat piece than it may be.",
-      "Do not cut this piece as it is: add a seam where it curves most, or give its wires a tolerance."}},
+      "Do not cut this piece as it is: add a seam where it curves most, or give its wires a tolerance.",
+      WIREWARP_NAMED_WIRES
+      ", both empty if the worst edge is on the outline; difference: by which fraction the first "
+      "named edge is too long (above 0) or too short; tolerance: the tolerance that the wire exceeds, instead of "
+      "difference; num_flipped, num_overlapping: number of such triangles; has_wires: whether wires run inside the "
+      "piece"}},
     {ErrorCode::flipped_faces,
-     {"flipped_faces", "Some faces are turned over in the flat piece: the cloth would have to fold there.",
-      "Add a seam or a dart near the named faces, or remove or loosen a wire there."}},
+     {"flipped_faces", "Some faces are flipped in the flat piece: the fabric would have to fold there.",
+      "Add a seam or a dart near the named faces, or remove a wire there or give it tolerance.",
+      "num_overlapping: number of triangles that overlap others; has_wires: whether wires run inside the piece"}},
     {ErrorCode::overlapping_faces,
-     {"overlapping_faces", "The flat piece covers itself, so it cannot be cut from one layer.",
-      "Cut the piece in two with a seam, or add a dart near the named faces."}},
+     {"overlapping_faces", "The flat piece overlaps itself, so it cannot be cut from one layer.",
+      "Cut the piece in two with a seam, or add a dart near the named faces.", ""}},
     {ErrorCode::no_proposal,
      {"no_proposal", "No dart or seam is found that helps a piece: it is flat enough, has no room, or gains nothing.",
-      "Leave the piece as it is, mark a seam by hand, or clear wires that are in the way."}},
+      "Leave the piece as it is, mark a seam by hand, or clear wires that are in the way.",
+      "reason: \"unfolded\", \"strain\", \"too_long\", \"no_room\", \"no_gain\" or \"no_set\"; strain: of the piece, "
+      "and limit: what may stay (reason \"strain\"); length: of the seams, and limit: the longest allowed (reason "
+      "\"too_long\"); kind: \"dart\" or \"seam\" (reasons \"no_room\", \"no_gain\"); is_restricted: whether some "
+      "edges must have no seam (reasons \"no_room\", \"no_set\")"}},
 };
+
+#undef WIREWARP_NAMED_WIRES
+#undef WIREWARP_WRONG_ARRAY
 
 constexpr std::size_t kCount = sizeof(kEntries) / sizeof(kEntries[0]);
 

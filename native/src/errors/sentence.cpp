@@ -43,10 +43,9 @@ std::string such_as_along(const std::vector<VertexPair>& edges) {
   return edges.empty() ? "" : ", such as along " + name_elements("edge", edges);
 }
 
-std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& indices) {
+std::string name_wires(const std::vector<int>& indices, const std::vector<std::string>& names) {
   const std::string text = name_elements("wire", indices);
-  if (indices.size() != 1 || wires[indices[0]].name.empty()) return text;
-  return text + " (" + wires[indices[0]].name + ")";
+  return indices.size() == 1 && !names[0].empty() ? text + " (" + names[0] + ")" : text;
 }
 
 std::string name_piece(const std::vector<int>& faces) {

@@ -21,8 +21,8 @@ std::string name_elements(const std::string& noun, const std::vector<VertexPair>
 /// ", such as along edges 3-7 and 7-9"; nothing for none.
 std::string such_as_along(const std::vector<VertexPair>& edges);
 
-/// The same for wires, a single one with its name if it has one: "wire 2 (waist)", "wires 2 and 5".
-std::string name_wires(const std::vector<Wire>& wires, const std::vector<int>& indices);
+/// "wires 2 and 5"; a single wire with its name if it has one: "wire 2 (waist)". names: one for each index, may be "".
+std::string name_wires(const std::vector<int>& indices, const std::vector<std::string>& names);
 
 /// "the piece around face 3", of the piece's input faces.
 std::string name_piece(const std::vector<int>& faces);
@@ -33,7 +33,7 @@ std::string introduce_piece(const std::vector<int>& faces);
 /// The sentence with a capital at its beginning.
 std::string capitalized(std::string sentence);
 
-/// The fewest digits that mean this number: "0.1", "1e-300", "nan".
+/// The fewest digits that round back to this number: "0.1", "1e-300", "nan".
 std::string shortest(double value);
 
 /// Three digits: "3.25", "1.2e+06".

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "errors/sentence.h"
+#include "errors/arguments.h"
 #include "mesh/geometry.h"
 
 namespace wirewarp {
@@ -54,21 +55,12 @@ std::vector<int> parts_beyond_tolerance(const Chart& chart, const std::vector<do
   return parts;
 }
 
-std::string name_part(const Chart& chart, const std::vector<Wire>& wires, int part) {
-  return part < 0 ? "the outline" : name_wires(wires, {chart.wire_parts[part].wire_index});
+/// The arguments that name the wire of a part: none for the outline.
+ErrorArguments arguments_of_part(const Chart& chart, const std::vector<Wire>& wires, int part) {
+  return arguments_of_wires(wires, part < 0 ? std::vector<int>() : std::vector<int>{chart.wire_parts[part].wire_index});
 }
 
-std::string count(std::size_t number, const std::string& noun) {
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
-}
-
-/// ", has 3 flipped faces and overlaps itself at 1 face" and the like, for the promises that the error is not about.
-std::string also(std::size_t flipped, std::size_t overlapping) {
-  const std::string flips = "has " + count(flipped, "flipped face");
-  const std::string overlaps = "overlaps itself at " + count(overlapping, "face");
-  if (flipped > 0 && overlapping > 0) return ", " + flips + " and " + overlaps;
-  return flipped > 0 ? ", and " + flips : overlapping > 0 ? ", and " + overlaps : "";
-}
+int count(const std::vector<int>& faces) { return static_cast<int>(faces.size()); }
 
 FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, const std::vector<WrongEdge>& wrong,
                            const std::vector<int>& beyond, const Metrics& metrics) {
@@ -79,29 +71,17 @@ FlattenError wrong_lengths(const Chart& chart, const std::vector<Wire>& wires, c
       elements.edges.push_back(source_edge(chart, h));
     }
   }
-  std::string what;
-  if (!wrong.empty()) {
-    const WrongEdge& worst = wrong.front();
-    what = "The piece does not keep the length of " + name_elements("edge", elements.edges) + " (the first, on " +
-           name_part(chart, wires, worst.part) + ", is " + percent(worst.difference) + " too " +
-           (worst.difference > 0 ? "long)" : "short)");
+  const int part = wrong.empty() ? beyond.front() : wrong.front().part;
+  ErrorArguments arguments = arguments_of_part(chart, wires, part);
+  if (wrong.empty()) {
+    arguments["tolerance"] = chart.wire_parts[part].tolerance;
   } else {
-    const int part = beyond.front();
-    what = "The piece stretches " + name_part(chart, wires, part) + " beyond its tolerance of " +
-           percent(chart.wire_parts[part].tolerance);
+    arguments["difference"] = wrong.front().difference;
   }
-  what += also(metrics.flipped_faces.size(), metrics.overlapping_faces.size());
-  return FlattenError(ErrorCode::lengths_not_kept,
-                      what + ": add a seam where the piece curves most" +
-                          (has_wires(chart) ? ", or give its wires more tolerance." : "."),
-                      std::move(elements), true);
-}
-
-/// A piece that lies over itself: seams are proposed, or else done as the remedy says.
-FlattenError folded(ErrorCode code, const std::vector<int>& faces, const std::vector<VertexPair>& proposed_seams,
-                    const std::string& what, const std::string& remedy) {
-  const std::string seams = proposed_seams.empty() ? "" : "mark seams" + such_as_along(proposed_seams) + ", or ";
-  return FlattenError(code, what + ": " + seams + remedy, {{}, {}, faces, proposed_seams}, true);
+  arguments["num_flipped"] = count(metrics.flipped_faces);
+  arguments["num_overlapping"] = count(metrics.overlapping_faces);
+  arguments["has_wires"] = has_wires(chart);
+  return FlattenError(ErrorCode::lengths_not_kept, std::move(arguments), std::move(elements), true);
 }
 
 }  // namespace
@@ -115,16 +95,14 @@ std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwor
   if (!wrong.empty() || !beyond.empty()) return wrong_lengths(chart, wires, wrong, beyond, metrics);
 
   if (!metrics.flipped_faces.empty()) {
-    const std::string loosen = has_wires(chart) ? ", or remove or loosen a wire nearby." : ".";
-    return folded(ErrorCode::flipped_faces, metrics.flipped_faces, proposed_seams,
-                  "The piece is turned over at " + name_elements("face", metrics.flipped_faces) +
-                      also(0, metrics.overlapping_faces.size()),
-                  "add a seam or a dart there" + loosen);
+    return FlattenError(
+        ErrorCode::flipped_faces,
+        ErrorArguments{{"num_overlapping", count(metrics.overlapping_faces)}, {"has_wires", has_wires(chart)}},
+        {{}, {}, metrics.flipped_faces, proposed_seams}, true);
   }
   if (!metrics.overlapping_faces.empty()) {
-    return folded(ErrorCode::overlapping_faces, metrics.overlapping_faces, proposed_seams,
-                  "The piece covers itself at " + name_elements("face", metrics.overlapping_faces),
-                  "cut it in two with a seam, or add a dart there.");
+    return FlattenError(ErrorCode::overlapping_faces, ErrorArguments{},
+                        {{}, {}, metrics.overlapping_faces, proposed_seams}, true);
   }
   return std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "errors/arguments.h"
 #include "errors/sentence.h"
 #include "mesh/geometry.h"
 #include "middle_surface.h"
@@ -102,24 +103,21 @@ SurfaceToCut::SurfaceToCut(const FlattenInput& input, const Options& options) : 
 }
 
 void check_wishes(const CutWishes& wishes, const FlattenInput& input, std::size_t num_pieces) {
-  if (wishes.count < 1)
-    throw FlattenError(ErrorCode::invalid_option, "count must be 1 or more, not " + std::to_string(wishes.count) + ".");
-  if (wishes.strain && !(*wishes.strain >= 0))
-    throw FlattenError(ErrorCode::invalid_option, "strain must be 0 or more, not " + shortest(*wishes.strain) + ".");
-  if (!(wishes.longest > 0))
-    throw FlattenError(ErrorCode::invalid_option, "longest must be above 0, not " + shortest(wishes.longest) + ".");
+  if (wishes.count < 1) throw wrong_option("count", std::to_string(wishes.count), "be 1 or more");
+  if (wishes.strain && !(*wishes.strain >= 0)) throw wrong_option("strain", shortest(*wishes.strain), "be 0 or more");
+  if (!(wishes.longest > 0)) throw wrong_option("longest", shortest(wishes.longest), "be above 0");
   if (wishes.piece && (*wishes.piece < 0 || *wishes.piece >= static_cast<int>(num_pieces))) {
-    throw FlattenError(ErrorCode::invalid_option, "piece is " + std::to_string(*wishes.piece) +
-                                                      ", but pieces are counted from 0, and the mesh has " +
-                                                      std::to_string(num_pieces) + ".");
+    throw wrong_option("piece", std::to_string(*wishes.piece),
+                       "be from 0 to " + std::to_string(num_pieces - 1) + ", as the mesh has " +
+                           std::to_string(num_pieces) + (num_pieces == 1 ? " piece" : " pieces"));
   }
   if (wishes.no_seam.rows() == 0) return;
   const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
   for (const auto& ends : wishes.no_seam.rowwise()) {
     const bool are_vertices = ends.minCoeff() >= 0 && ends.maxCoeff() < input.vertices.rows();
     if (are_vertices && edges.find(ends[0], ends[1]) >= 0) continue;
-    throw FlattenError(ErrorCode::invalid_option, "no_seam has the pair " + std::to_string(ends[0]) + ", " +
-                                                      std::to_string(ends[1]) + ", which is no edge of the mesh.");
+    throw wrong_option("no_seam", "a list with the pair " + std::to_string(ends[0]) + ", " + std::to_string(ends[1]),
+                       "hold edges of the mesh");
   }
 }
 

@@ -8,7 +8,6 @@
 #include <string>
 #include <utility>
 
-#include "errors/sentence.h"
 #include "feasibility/bisect.h"
 #include "feasibility/open_chart.h"
 #include "in_threads.h"
@@ -51,20 +50,16 @@ constexpr double kStrainStep = 2;
 /// they are found in two thirds of the time of 0, but are longer by a tenth.
 constexpr double kLargeGain = 0.25;
 
-FlattenError no_set(const Chart& chart, const std::string& reason) {
-  return FlattenError(ErrorCode::no_proposal, introduce_piece(chart.source_face) + " " + reason,
-                      {{}, {}, chart.source_face});
+FlattenError no_set(const Chart& chart, ErrorArguments arguments) {
+  return FlattenError(ErrorCode::no_proposal, std::move(arguments), {{}, {}, chart.source_face});
 }
 
 FlattenError none_serves(const Chart& chart, const CutWishes& wishes) {
-  const std::string along = wishes.no_seam.rows() == 0 ? "" : " along edges that may have a seam";
-  return no_set(chart, "does not lie flat, and no set of seams was found" + along +
-                           " that lets all of it do so: mark a first seam by hand.");
+  return no_set(chart, {{"reason", "no_set"}, {"is_restricted", wishes.no_seam.rows() > 0}});
 }
 
 FlattenError too_long(const Chart& chart, double length, double longest) {
-  return no_set(chart, "lies flat with seams of " + rounded(length) + " units, and longest is " + rounded(longest) +
-                           ": allow more.");
+  return no_set(chart, {{"reason", "too_long"}, {"length", length}, {"limit", longest}});
 }
 
 }  // namespace

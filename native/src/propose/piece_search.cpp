@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "errors/sentence.h"
 #include "in_threads.h"
 #include "mesh/geometry.h"
 #include "propose/canonical_order.h"
@@ -46,31 +45,25 @@ struct Grid {
 /// points and faces lead to sets as good in a fourth of the time.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
-FlattenError no_proposal(const Chart& chart, const std::string& reason) {
-  return FlattenError(ErrorCode::no_proposal, introduce_piece(chart.source_face) + " " + reason,
-                      {{}, {}, chart.source_face});
+FlattenError no_proposal(const Chart& chart, ErrorArguments arguments) {
+  return FlattenError(ErrorCode::no_proposal, std::move(arguments), {{}, {}, chart.source_face});
 }
 
 FlattenError flat_enough(const Chart& chart, double strain, double may_stay) {
-  return no_proposal(
-      chart, "is flat enough: it is strained by " + percent(strain) + ", and " + percent(may_stay) + " may stay.");
+  return no_proposal(chart, {{"reason", "strain"}, {"strain", strain}, {"limit", may_stay}});
 }
 
-FlattenError flat_already(const Chart& chart) {
-  return no_proposal(chart, "is flat enough: it is unfolded without distortion.");
-}
+FlattenError flat_already(const Chart& chart) { return no_proposal(chart, {{"reason", "unfolded"}}); }
+
+std::string name_of(CutKind kind) { return kind == CutKind::dart ? "dart" : "seam"; }
 
 FlattenError no_room(const Chart& chart, CutKind kind, const CutWishes& wishes) {
-  const std::string what = kind == CutKind::dart ? "a dart" : "a seam";
-  const std::string where = kind == CutKind::dart ? "from its outline to a point inside" : "across it";
-  const std::string along = wishes.no_seam.rows() == 0 ? "edges" : "edges that may have a seam";
-  return no_proposal(chart, "has no room for " + what + ": no way along " + along + " leads " + where +
-                                " without meeting a wire or the outline. Subdivide it, or mark a seam by hand.");
+  return no_proposal(chart,
+                     {{"reason", "no_room"}, {"kind", name_of(kind)}, {"is_restricted", wishes.no_seam.rows() > 0}});
 }
 
 FlattenError none_helps(const Chart& chart, CutKind kind) {
-  const std::string what = kind == CutKind::dart ? "dart" : "seam";
-  return no_proposal(chart, "gains nothing by a " + what + ": none of those tried takes 2% off its distortion.");
+  return no_proposal(chart, {{"reason", "no_gain"}, {"kind", name_of(kind)}});
 }
 
 /// Vertices on wires inside a chart.

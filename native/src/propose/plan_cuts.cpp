@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "errors/arguments.h"
 #include "errors/sentence.h"
 #include "mesh/geometry.h"
 #include "propose/best_cuts.h"
@@ -147,11 +148,9 @@ class PlanOfCuts {
 
 std::vector<DartProposal> plan(const FlattenInput& input, const Options& options, CutKind kind, const CutAim& aim,
                                const Progress& progress) {
-  if (aim.most < 1)
-    throw FlattenError(ErrorCode::invalid_option, "most must be at least 1, not " + std::to_string(aim.most) + ".");
+  if (aim.most < 1) throw wrong_option("most", std::to_string(aim.most), "be at least 1");
   if (!(aim.total_length > 0)) {
-    throw FlattenError(ErrorCode::invalid_option,
-                       "total_length must be above 0, not " + shortest(aim.total_length) + ".");
+    throw wrong_option("total_length", shortest(aim.total_length), "be above 0");
   }
   CutProgress cut_progress(progress, aim.most);
   const SurfaceToCut to_cut(input, options);
@@ -166,7 +165,7 @@ std::vector<DartProposal> plan(const FlattenInput& input, const Options& options
     check_wishes(wishes, input, pieces.size());
     return PlanOfCuts(pieces, kind, aim, exact, cut_progress).make();
   } catch (const Stopped&) {
-    throw FlattenError(ErrorCode::cancelled, "Cancelled before all cuts were tried.");
+    throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
   }
 }
 

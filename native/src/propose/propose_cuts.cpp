@@ -15,7 +15,7 @@ std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options&
     check_wishes(wishes, input, pieces.size());
     return best_cuts(pieces, kind, wishes, exact);
   } catch (const Stopped&) {
-    throw FlattenError(ErrorCode::cancelled, "Cancelled before all cuts were tried.");
+    throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
   }
 }
 

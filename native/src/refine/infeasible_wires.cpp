@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "arap/free_boundary_arap.h"
 #include "factorization_failed.h"
@@ -20,15 +21,18 @@ namespace {
 // Strains that pass for the rounding of the smoothing, 1e-4: first those that are plainly none, then those that may be.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
 constexpr double kUneven = 5e-3;                  // strain_rms that a larger variation of other wires may take away
-constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of what is proposed: 0.1 %, from 0.5 % on 0.5 %
-constexpr double kLargest = 0.5;
+constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of proposed tolerances: 0.1%, from 0.5% on 0.5%: people type them
+constexpr double kLargest = 0.5;                  // a wire that needs more is freed
 constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
-constexpr int kMaxFreeFactorizations = 40;  // those of a coarser or a sewn chart count
+constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); those of a coarser or a sewn chart count
 constexpr int kMostTrials = 30;             // of fewer wires, and again of smaller tolerances: project_to_lengths each
-constexpr std::size_t kFewWires =
-    8;  // get a tolerance each; more of them the same, which is quicker to find and to type
+constexpr std::size_t kFewWires = 8;        // up to so many get individual tolerances; more share one, which is quicker
+                                            // to find and to type
+/// More wires than this are freed or left alone: a trial with a tolerance on n wires solves dense problems of size n,
+/// n³ work each. With 128 wires it takes a tenth of a second, with 569 ten seconds.
+constexpr std::size_t kMostElasticWires = 128;
 
-/// Tolerances that are tried, 0.1 % to 50 %: each a third larger than the one before to twice as large.
+/// Tolerances that are tried, 0.1% to 50%: each a third larger than the one before to twice as large.
 constexpr double kLadder[] = {0.001, 0.002, 0.003, 0.005, 0.01, 0.015, 0.02, 0.03,
                               0.05,  0.075, 0.1,   0.15,  0.2,  0.3,   0.5};
 
@@ -36,13 +40,13 @@ using Tolerances = std::map<int, double>;  // by wire
 
 bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
 
-/// Wires that give way in the loose shape, freed.
-Tolerances giving_way(const Chart& chart, const RelaxedShape& loose, double kept) {
+/// The wires that give way in the relaxed shape, freed.
+Tolerances giving_way(const Chart& chart, const RelaxedShape& relaxed, double kept) {
   Tolerances wires;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
     const auto p = static_cast<Eigen::Index>(i);
-    const bool gives_way = loose.strain_rms[p] > kUneven || loose.tolerance_violation[p] > kept;
+    const bool gives_way = relaxed.strain_rms[p] > kUneven || relaxed.tolerance_violation[p] > kept;
     if (is_held(part) && gives_way) wires[part.wire_index] = kFreeTolerance;
   }
   return wires;
@@ -97,14 +101,14 @@ std::vector<ProposedTolerance> listed(const Tolerances& tolerances) {
   return proposed;
 }
 
-/// Tolerances under which a chart has all its lengths, each shown by a flat shape that does; it may be folded.
+/// Finds tolerances under which a chart has all its lengths, each proven by a flat shape, which may be folded.
 class ToleranceSearch {
  public:
   /// starts: layouts to come from, near exact lengths.
   ToleranceSearch(const Chart& chart, double fairness, std::vector<Positions2> starts, StopToken stop)
       : chart_(chart), fairness_(fairness), starts_(std::move(starts)), stop_(std::move(stop)) {}
 
-  bool serve(const Tolerances& tolerances) const {
+  bool work(const Tolerances& tolerances) const {
     const Chart looser = with_tolerances(chart_, tolerances);
     const HeldNetwork network = build_held_network(looser);
     return std::any_of(starts_.begin(), starts_.end(), [&](Positions2 uv) {
@@ -113,7 +117,7 @@ class ToleranceSearch {
     });
   }
 
-  /// Of wires that serve when they are free: as few as do, with tolerances as small as do.
+  /// Of wires that work if they are free: as few as do, with tolerances as small as do.
   Tolerances on_few_wires(Tolerances tolerances) {
     num_trials_ = 0;
     drop_wires(tolerances);
@@ -124,8 +128,8 @@ class ToleranceSearch {
     return tolerances;
   }
 
-  /// The same wires under the lowest rung of the ladder below a limit as the tolerance of all under which they are
-  /// good, by bisection. None where not even the highest of these serves.
+  /// The same wires with one tolerance for all: the lowest rung of the ladder below a limit under which they are
+  /// good, by bisection. None if not even the highest of these works, or if the wires are too many to try.
   Tolerances lowest_shared(const Tolerances& wires, double below,
                            const std::function<bool(const Tolerances&)>& are_good) const {
     Tolerances lowest;
@@ -136,7 +140,7 @@ class ToleranceSearch {
     };
     const double* low = std::begin(kLadder);
     const double* high = std::lower_bound(std::begin(kLadder), std::end(kLadder), below);
-    if (wires.empty() || low == high || !serve(all_have(*(high - 1)))) return lowest;
+    if (wires.empty() || wires.size() > kMostElasticWires || low == high || !work(all_have(*(high - 1)))) return lowest;
     while (low < high) {
       const double* middle = low + (high - low) / 2;
       Tolerances shared = all_have(*middle);
@@ -161,7 +165,7 @@ class ToleranceSearch {
     if (num_trials_ >= kMostTrials) return false;
     stop_.check();
     ++num_trials_;
-    if (!serve(others)) return false;
+    if (!work(others)) return false;
     tolerances = std::move(others);
     return true;
   }
@@ -183,7 +187,7 @@ class ToleranceSearch {
     }
   }
 
-  /// To the lowest rung of the ladder that serves, by bisection: none of these wires beyond it.
+  /// Lowers the tolerances of these wires to the lowest rung of the ladder that works, by bisection.
   void lower(Tolerances& tolerances, const std::vector<int>& wires) {
     const double* low = std::begin(kLadder);
     const double* high = std::end(kLadder);
@@ -191,8 +195,8 @@ class ToleranceSearch {
       const double* middle = low + (high - low) / 2;
       Tolerances lower = tolerances;
       for (const int wire : wires) lower[wire] = std::min(lower[wire], *middle);
-      const bool serves = lower == tolerances || (is_looser(lower) && try_instead(tolerances, std::move(lower)));
-      if (serves) {
+      const bool works = lower == tolerances || (is_looser(lower) && try_instead(tolerances, std::move(lower)));
+      if (works) {
         high = middle;
       } else {
         low = middle + 1;
@@ -200,7 +204,7 @@ class ToleranceSearch {
     }
   }
 
-  /// Every wire gets more than it has.
+  /// Returns whether every wire gets more than it has.
   bool is_looser(const Tolerances& tolerances) const {
     return std::all_of(chart_.wire_parts.begin(), chart_.wire_parts.end(), [&](const WirePart& part) {
       const auto tolerance = tolerances.find(part.wire_index);
@@ -215,10 +219,27 @@ class ToleranceSearch {
   int num_trials_ = 0;
 };
 
-}  // namespace
+/// The shape that breaks lengths at the least price; none if a factorization fails.
+std::optional<RelaxedShape> relax(const Chart& chart, const InternalOptions& options, const RefineResult& refined,
+                                  const StopToken& stop) {
+  if (refined.relaxed && refined.relaxed->is_minimum) return refined.relaxed;
+  RefineBudget budget(kMaxRelaxFactorizations);
+  try {
+    const Positions2 free = free_boundary_arap(chart, kFreeSteps, {}, stop).uv;
+    return relax_lengths({chart, build_held_network(chart), options.fairness}, free, budget, stop);
+  } catch (const FactorizationFailed&) {
+    return std::nullopt;
+  }
+}
+
+/// Returns whether even the cheapest way to break lengths breaks some: a longer search would not keep them.
+bool shows_conflict(const RelaxedShape& relaxed) {
+  const bool wires_give_way = (relaxed.strain_rms.array() > kKept || relaxed.tolerance_violation.array() > kKept).any();
+  return relaxed.is_minimum && (wires_give_way || relaxed.outline_strain > kKept);
+}
 
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const InternalOptions& options,
-                                                  const RefineResult& refined, const StopToken& stop) {
+                                                  const RelaxedShape& relaxed, const StopToken& stop) {
   const Tolerances all = free_wires(chart);
   if (all.empty()) return {};
   InternalOptions brief = options;
@@ -231,12 +252,6 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   }
   if (!free.is_exact) return {};
   stop.check();
-  RefineBudget relax_budget(kMaxRelaxFactorizations);
-  const RelaxedShape relaxed =
-      refined.relaxed && refined.relaxed->is_minimum
-          ? *refined.relaxed
-          : relax_lengths({chart, build_held_network(chart), options.fairness},
-                          free_boundary_arap(chart, kFreeSteps, {}, stop).uv, relax_budget, stop);
   ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.uv}, stop);
   const auto lie_flat = [&](const Tolerances& tolerances) {
     stop.check();
@@ -247,9 +262,9 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
     return found == choice.end() ? Tolerances() : *found;
   };
   Tolerances freed = giving_way(chart, relaxed, kKept);
-  if (!search.serve(freed)) {
+  if (!search.work(freed)) {
     freed = giving_way(chart, relaxed, kPerhapsKept);
-    if (!search.serve(freed)) freed.clear();
+    if (!search.work(freed)) freed.clear();
   }
   const Tolerances few = search.on_few_wires(freed);
   const bool are_few_elastic = few.size() <= kFewWires && !is_any_free(few);
@@ -265,6 +280,15 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   if (proposed.empty() && !are_few_elastic) proposed = first_flat({few, doubled(few)});
   if (proposed.empty()) proposed = first_flat({freed, all});
   return listed(proposed);
+}
+
+}  // namespace
+
+LengthDiagnosis diagnose_lengths(const Chart& chart, const InternalOptions& options, const RefineResult& refined,
+                                 const StopToken& stop) {
+  const std::optional<RelaxedShape> relaxed = relax(chart, options, refined, stop);
+  if (!relaxed) return {};
+  return {propose_tolerances(chart, options, *relaxed, stop), shows_conflict(*relaxed)};
 }
 
 }  // namespace wirewarp

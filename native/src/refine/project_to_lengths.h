@@ -8,12 +8,12 @@
 
 namespace wirewarp {
 
-inline constexpr int kMaxProjectFactorizations = 30;
+inline constexpr int kMaxProjectFactorizations = 30;  // of a start near exact lengths; most take fewer than 10
 
-/// Moves uv to exact lengths by Gauss-Newton steps that look at nothing else: each the least change in the metric of
-/// the Laplacian, with whatever variations of the elastic parts within their tolerances it takes. Those matter where
-/// more lengths are held than a flat shape has freedom. False where no exact lengths are near: uv is then where the
-/// lengths are least off. Throws Stopped, asking before each factorization.
+/// Moves uv to exact lengths by Gauss-Newton steps on the lengths alone. Each step is the least change in the metric of
+/// the Laplacian, with any variations of the elastic parts within their tolerances. Those matter if more lengths are
+/// held than a flat shape has freedom. Returns false if no exact lengths are near; uv then has the smallest length
+/// errors that were found. Throws Stopped, asking before each factorization.
 bool project_to_lengths(const RefineTask& task, Positions2& uv, RefineBudget& budget, const StopToken& stop = {});
 
 }  // namespace wirewarp

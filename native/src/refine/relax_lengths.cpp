@@ -221,7 +221,10 @@ RelaxedShape RelaxedLengths::shape() const {
   const Eigen::VectorXd squares = mean_squares(residual(now_));
   for (int e = 0; e < constraints_.size(); ++e) {
     const Group& group = groups_[group_of_edge_[e]];
-    if (group.part < 0) continue;
+    if (group.part < 0) {
+      shape.outline_strain = std::max(shape.outline_strain, std::sqrt(squares[group_of_edge_[e]]));
+      continue;
+    }
     const bool is_shared = constraints_.edges()[e].elastic >= 0;
     double& most = (is_shared ? shape.strain_rms : shape.tolerance_violation)[group.part];
     most = std::max(most, std::sqrt(squares[group_of_edge_[e]]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lengths that may be broken at a price, where they contradict one another: which of them have to give way?
+// If lengths contradict one another, which of them have to give way? Every broken length has a price here.
 //
 //   Φ(u, h) = f(u) + Σ_g W_g L_g (√(m_g + σ²) − σ) + Σ_w V L_w (√(x_w² + σ²) − σ)
 //
@@ -9,8 +9,8 @@
 //   x_w = |h_w| − ε_w or 0        how far a wire part goes beyond its tolerance
 //
 // For small σ these are sums of magnitudes, which leave most parts alone and load a few (the group lasso: M. Yuan,
-// Y. Lin, Journal of the Royal Statistical Society B 68 (2006), 49-67). A tolerance mends x, nothing but clearing the
-// wire mends m, and nothing at all the boundary: V << W of parts << W of the boundary. Solved by reweighted least
+// Y. Lin, Journal of the Royal Statistical Society B 68 (2006), 49-67). A tolerance removes x, only clearing the wire
+// removes m, and nothing changes the boundary: V << W of parts << W of the boundary. The method is reweighted least
 // squares: for given weights every term is a spring, and the Newton system has springs already.
 #pragma once
 
@@ -27,11 +27,11 @@ struct RelaxedShape {
   Positions2 uv;                        // one row per chart vertex, scene units
   Eigen::VectorXd tolerance_violation;  // |x|, one per wire part of the chart
   Eigen::VectorXd strain_rms;           // √m, the same; 0 for parts of one edge
+  double outline_strain = 0;            // √m, the largest of an edge of the boundary
   bool is_minimum = true;               // false: the budget was spent before that
 };
 
-/// The least Φ reached from a start, one row per chart vertex. Throws Stopped, asking before each
-/// factorization.
+/// Minimizes Φ from a start, one row per chart vertex. Throws Stopped, asking before each factorization.
 RelaxedShape relax_lengths(const RefineTask& task, const Positions2& start, RefineBudget& budget,
                            const StopToken& stop = {});
 

@@ -7,6 +7,7 @@
 
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
+#include "errors/arguments.h"
 #include "topology/embed_path.h"
 #include "topology/shortest_path.h"
 #include "topology/strip.h"
@@ -119,7 +120,9 @@ LinePoint in_input(const Chart& chart, const PathPoint& point) {
       point.t};
 }
 
-std::string pair_text(int a, int b) { return std::to_string(a) + ", " + std::to_string(b); }
+FlattenError wrong_path(const std::string& value, const std::string& allowed) {
+  return wrong_option("path", value, allowed);
+}
 
 /// Why a pair of vertices is no edge inside a piece.
 [[noreturn]] void refuse(const Charts& charts, const EdgeTable& edges, int a, int b) {
@@ -131,22 +134,18 @@ std::string pair_text(int a, int b) { return std::to_string(a) + ", " + std::to_
       if (is_there && chart.mesh.n_faces() == 0) throw *chart.error;
     }
   }
-  throw FlattenError(ErrorCode::invalid_option,
-                     "path has the pair " + pair_text(a, b) +
-                         (edge < 0 ? ", which is no edge of the mesh." : ", which is on a seam or an outline."));
+  const std::string pair = std::to_string(a) + ", " + std::to_string(b);
+  if (edge < 0) throw wrong_path("through " + pair, "run along edges of the mesh, and these vertices have no edge");
+  throw wrong_path("through " + pair, "run inside a piece, and this edge is on a seam or an outline");
 }
 
 void check_path(const std::vector<int>& path, int count) {
-  const auto refuse_path = [](const std::string& sentence) {
-    throw FlattenError(ErrorCode::invalid_option, "path " + sentence);
-  };
-  if (path.size() < 2) refuse_path("must have two vertices or more.");
+  if (path.size() < 2) throw wrong_path(std::to_string(path.size()) + " vertices long", "have two vertices or more");
   std::set<int> passed;
   for (const int v : path) {
-    if (v < 0 || v >= count)
-      refuse_path("has vertex " + std::to_string(v) + ", but the mesh has vertices 0 to " + std::to_string(count - 1) +
-                  ".");
-    if (!passed.insert(v).second) refuse_path("passes vertex " + std::to_string(v) + " twice: straighten it in parts.");
+    const std::string value = "through vertex " + std::to_string(v);
+    if (v < 0 || v >= count) throw wrong_path(value, "use the vertices of the mesh, 0 to " + std::to_string(count - 1));
+    if (!passed.insert(v).second) throw wrong_path(value + " twice", "pass each vertex once: straighten it in parts");
   }
 }
 

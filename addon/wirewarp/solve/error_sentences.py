@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The library's errors as sentences for Blender's users: in faces, display units, wire names and Blender's commands.
+
+Elements are counted, because a button selects them, and a piece has no name here, because it is put in front.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from ..core import FlattenError
+from ..words import LengthText, counted
+
+MOST_LENGTHS = 5  # longer lists are not read
+SPLIT = "In Edit Mode, select the faces on one side there and use Mesh > Split > Selection."
+FREE = "or remove a wire nearby or give it tolerance"
+
+
+@dataclass(frozen=True)
+class ErrorFacts:
+    """An error, and what of it only the add-on knows."""
+
+    error: FlattenError
+    faces: int  # number of the mesh's faces that error.faces are part of
+    flipped: int  # number of such faces of the piece
+    overlapping: int
+    wires: list[str]  # names of all wires, in the library's order
+    lengths: LengthText
+
+    def __getitem__(self, name: str) -> Any:  # noqa: ANN401
+        return self.error.arguments[name]
+
+    def get(self, name: str) -> Any:  # noqa: ANN401
+        """None if the error has no such argument."""
+        return self.error.arguments.get(name)
+
+    @property
+    def edge_text(self) -> str:
+        return counted(len(self.error.edges), "edge")
+
+    @property
+    def vertex_text(self) -> str:
+        return counted(len(self.error.vertices), "vertex", "vertices")
+
+    @property
+    def face_text(self) -> str:
+        return counted(self.faces, "face")
+
+    @property
+    def proposed(self) -> str:
+        """ ", such as the proposed one"; nothing without a proposal."""
+        return ", such as the proposed one" if self.error.proposed_seams else ""
+
+    def wire_text(self, indices: list[int]) -> str:
+        """'wire "Hip"', 'wires "Hip" and "Bust"'."""
+        names = [f'"{self.wires[index]}"' for index in indices]
+        return f"wire {names[0]}" if len(names) == 1 else f"wires {', '.join(names[:-1])} and {names[-1]}"
+
+
+def percent(fraction: float) -> str:
+    """ "3.25%"."""
+    return f"{100 * fraction:.3g}%"
+
+
+def error_sentence(facts: ErrorFacts) -> str:
+    """Fault, place, remedy. An error that only scripts can cause keeps the library's own sentence."""
+    sentence = SENTENCES.get(str(facts.error.code))
+    return sentence(facts) if sentence else facts.error.message
+
+
+def _empty_mesh(_: ErrorFacts) -> str:
+    return (
+        "The mesh has no faces, so there is nothing to flatten. In Edit Mode, fill its outlines with faces (F, or "
+        "Face > Grid Fill)."
+    )
+
+
+def _non_finite_coordinates(facts: ErrorFacts) -> str:
+    it = "it" if len(facts.error.vertices) == 1 else "them"
+    return f"The coordinates of {facts.vertex_text} are not numbers, or far too large. Move or delete {it}."
+
+
+def _loose_faces(facts: ErrorFacts) -> str:
+    return (
+        f"The mesh consists of {facts['num_parts']} separate parts, because faces that touch do not share edges. In "
+        "Edit Mode, use Mesh > Merge > By Distance."
+    )
+
+
+def _repeated_vertex(facts: ErrorFacts) -> str:
+    has = counted(facts.faces, "face uses", "faces use")
+    return f"{has} the same vertex twice. In Edit Mode, use Mesh > Delete > Only Faces."
+
+
+def _repeated_face(facts: ErrorFacts) -> str:
+    has = counted(facts.faces, "face has", "faces have")
+    return f"{has} the same vertices as another one. In Edit Mode, use Mesh > Delete > Only Faces."
+
+
+def _zero_area(facts: ErrorFacts) -> str:
+    has = counted(facts.faces, "face has", "faces have")
+    return f"{has} no area. In Edit Mode, use Mesh > Clean Up > Degenerate Dissolve."
+
+
+def _non_manifold_edge(facts: ErrorFacts) -> str:
+    return f"Three or more faces meet at {facts.edge_text}. Mark these edges as seams, or delete the extra faces."
+
+
+def _non_manifold_vertex(facts: ErrorFacts) -> str:
+    return f"The piece touches itself at {facts.vertex_text} without sharing an edge. {SPLIT}"
+
+
+def _inconsistent_orientation(facts: ErrorFacts) -> str:
+    fault = f"The faces at {facts.edge_text} look to opposite sides"
+    if facts["is_one_sided"]:
+        return f"{fault}, because the piece is one-sided like a Möbius strip. Mark these edges as seams."
+    return f"{fault}. In Edit Mode, use Mesh > Normals > Recalculate Outside."
+
+
+def _closed(facts: ErrorFacts) -> str:
+    return f"The piece is closed: mark a seam that opens it{facts.proposed}."
+
+
+def _handles(facts: ErrorFacts) -> str:
+    handles = counted(facts["num_handles"], "handle")
+    return f"The piece has {handles} like a torus: mark seams that cut each of them{facts.proposed}."
+
+
+def _outline_too_short(facts: ErrorFacts) -> str:
+    lengths = [facts.lengths.rough(length) for length in facts["lengths"]]
+    count = len(lengths)
+    shown = lengths[:MOST_LENGTHS] + ([f"{count - MOST_LENGTHS} more"] if count > MOST_LENGTHS else [])
+    said = " and ".join([", ".join(shown[:-1]), shown[-1]]) if count > 1 else shown[0]
+    if count == 1:
+        fault = "The piece cannot be flattened: mark another seam"
+    elif count == 2:
+        fault = "The piece is a tube: mark a seam from one opening to the other"
+    else:
+        fault = f"The piece cannot be flattened: mark seams between its {count} openings"
+    outlines = "outline is" if count == 1 else "outlines are"
+    return f"{fault}{facts.proposed}. Its {outlines} too short to lie around it: {said}."
+
+
+def _infeasible_lengths(facts: ErrorFacts) -> str:
+    mark = f"ark a seam{facts.proposed}."
+    match facts["reason"]:
+        case "wires":
+            method = "" if facts["is_refined"] else ", by the method Refined"
+            return (
+                "Not all wires of the piece can keep their lengths in the plane. It can be flattened with "
+                f"{_looser(facts)}{method}."
+            )
+        case "stretch":
+            return (
+                "No flat shape of the piece was found that has the lengths which the fabric's stretch sets. Use less "
+                f"stretch, or m{mark}"
+            )
+        case "method":
+            return (
+                "The wires of the piece find no flat shape if they are bent first. Use the method Refined, which keeps "
+                "them within their tolerances."
+            )
+    free = ", even with its wires free" if facts["has_wires"] else ""
+    return f"No flat shape of the piece was found that keeps the length of its outline{free}. M{mark}"
+
+
+def _looser(facts: ErrorFacts) -> str:
+    """'a tolerance of 0.3% to 1.2% on wires "Hip" and "Bust" and with wire "Arm" free'."""
+    proposed = facts.error.proposed_tolerances
+    elastic = {wire: tolerance for wire, tolerance in proposed if not math.isinf(tolerance)}
+    free = [wire for wire, tolerance in proposed if math.isinf(tolerance)]
+    parts = []
+    if elastic:
+        limits = dict.fromkeys([percent(min(elastic.values())), percent(max(elastic.values()))])
+        parts.append(f"a tolerance of {' to '.join(limits)} on {facts.wire_text(list(elastic))}")
+    if free:
+        parts.append(f"{facts.wire_text(free)} free")
+    return " and with ".join(parts)
+
+
+def _not_solvable(facts: ErrorFacts) -> str:
+    match facts["reason"]:
+        case "helper_wires":
+            return (
+                f"No helper wires can be laid between {facts.edge_text} of the piece in double precision. Use the "
+                "method Refined, which needs none, or remesh the piece."
+            )
+        case "sizes":
+            return (
+                "The piece cannot be solved in double precision, because its faces differ too much in size. At "
+                f"{facts.face_text}, merge vertices that lie very close together, or remesh the piece."
+            )
+    return "The piece cannot be solved in double precision. Remesh it, or cut it in two with a seam."
+
+
+def _cancelled(_: ErrorFacts) -> str:
+    return "Canceled before the piece was flat. Flatten again."
+
+
+def _wrong_option(facts: ErrorFacts) -> str:
+    if facts["name"] == "thickness" and facts.error.faces:
+        return (
+            f"The surface curves more tightly at {facts.face_text} than a material of this thickness can. Use a "
+            "smaller thickness, or smooth the surface there."
+        )
+    if facts["name"] == "method" and facts.error.edges:
+        return (
+            "WireWarping++ keeps seams and outlines at one length, but there is a tolerance along them on "
+            f"{facts.wire_text(facts['wires'])}. Use the method Refined, or make them rigid and mark an ease."
+        )
+    return facts.error.message
+
+
+def _also(flipped: int, overlapping: int) -> str:
+    """ ", has 3 flipped faces and overlaps itself at 1 face"."""
+    faults = [f"has {counted(flipped, 'flipped face')}"] if flipped else []
+    faults += [f"overlaps itself at {counted(overlapping, 'face')}"] if overlapping else []
+    return f", {' and '.join(faults)}" if len(faults) > 1 else f", and {faults[0]}" if faults else ""
+
+
+def _lengths_not_kept(facts: ErrorFacts) -> str:
+    line = facts.wire_text(facts["wires"]) if facts["wires"] else "the outline"
+    if facts.get("tolerance") is not None:
+        fault = f"The piece stretches {line} beyond its tolerance of {percent(facts['tolerance'])}"
+    else:
+        too = "long" if facts["difference"] > 0 else "short"
+        worst = f"the worst, on {line}, is {percent(abs(facts['difference']))} too {too}"
+        fault = f"The piece does not keep the length of {facts.edge_text} ({worst})"
+    remedy = ", or give its wires more tolerance" if facts["has_wires"] else ""
+    return f"{fault}{_also(facts.flipped, facts.overlapping)}. Add a seam where the piece curves most{remedy}."
+
+
+def _flipped(facts: ErrorFacts) -> str:
+    seams = "Mark the proposed seams, or add" if facts.error.proposed_seams else "Add"
+    free = f", {FREE}" if facts["has_wires"] else ""
+    fault = f"The piece is flipped at {facts.face_text}{_also(0, facts.overlapping)}"
+    return f"{fault}. {seams} a seam or a dart there{free}."
+
+
+def _overlapping(facts: ErrorFacts) -> str:
+    seams = "Mark the proposed seams, or cut" if facts.error.proposed_seams else "Cut"
+    return f"The piece overlaps itself at {facts.face_text}. {seams} it in two with a seam, or add a dart there."
+
+
+def _no_proposal(facts: ErrorFacts) -> str:
+    match facts["reason"]:
+        case "unfolded":
+            return "The piece is flat enough: it is unfolded without distortion."
+        case "strain":
+            strain, limit = percent(facts["strain"]), percent(facts["limit"])
+            return f"The piece is flat enough: it is strained by {strain}, and {limit} may stay."
+        case "too_long":
+            length, limit = facts.lengths.rough(facts["length"]), facts.lengths.rough(facts["limit"])
+            return f"The piece can be flattened with seams of {length}, but no more than {limit} are allowed."
+        case "no_set":
+            return "The piece cannot be flattened, and no seams were found that flatten all of it. Mark a first seam."
+        case "no_gain":
+            return f"The piece gains nothing from a {facts['kind']}: none that was tried reduces its distortion by 2%."
+    leads = "from its outline to a point inside" if facts["kind"] == "dart" else "across it"
+    return (
+        f"The piece has no room for a {facts['kind']}: no line along edges leads {leads} without meeting a wire or the "
+        "outline. Subdivide the piece, or mark a seam by hand."
+    )
+
+
+SENTENCES: dict[str, Callable[[ErrorFacts], str]] = {
+    "cancelled": _cancelled,
+    "closed_chart": _closed,
+    "boundary_too_short": _outline_too_short,
+    "empty_mesh": _empty_mesh,
+    "flipped_faces": _flipped,
+    "handles": _handles,
+    "inconsistent_orientation": _inconsistent_orientation,
+    "infeasible_lengths": _infeasible_lengths,
+    "invalid_option": _wrong_option,
+    "lengths_not_kept": _lengths_not_kept,
+    "loose_faces": _loose_faces,
+    "no_proposal": _no_proposal,
+    "non_finite_coordinates": _non_finite_coordinates,
+    "non_manifold_edge": _non_manifold_edge,
+    "non_manifold_vertex": _non_manifold_vertex,
+    "not_solvable": _not_solvable,
+    "overlapping_faces": _overlapping,
+    "repeated_face": _repeated_face,
+    "repeated_vertex_in_face": _repeated_vertex,
+    "zero_area_face": _zero_area,
+}

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The English sentence of an error, for users of the library.
+#pragma once
+
+#include <string>
+
+#include "wirewarp/error.h"
+
+namespace wirewarp {
+
+/// Makes the sentence from the code, its arguments and the elements: fault, place, remedy. Throws std::out_of_range if
+/// an argument that the code needs is missing, std::bad_variant_access if it has another type.
+std::string error_sentence(ErrorCode code, const ErrorArguments& arguments, const ErrorElements& elements);
+
+}  // namespace wirewarp
