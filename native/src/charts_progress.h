@@ -35,6 +35,9 @@ class ChartsProgress {
     if (count > 0) run_in_threads(count, num_cores(), work_or_stop_all, [&] { tell(); });
   }
 
+  /// Whether the other charts keep all other cores busy: threads for this one alone would only take turns with them.
+  bool is_one_of_many(std::size_t chart) const { return part_of_all_[chart] * static_cast<double>(num_cores()) <= 1; }
+
   /// For the work on a chart.
   StopToken stop_token(std::size_t chart) {
     return StopToken([this, chart](const char* stage) { return go_on(chart, stage); });

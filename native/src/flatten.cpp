@@ -113,6 +113,8 @@ class ChartsSolver {
   }
 
   void solve_one(std::size_t c) {
+    std::optional<OnOneCore> on_one_core;
+    if (progress_.is_one_of_many(c)) on_one_core.emplace();
     const Chart& chart = charts_[c];
     if (chart.mesh.n_faces() == 0 || (chart.error && report_.is_cancelled())) {
       solved_[c].error = chart.error;

@@ -40,5 +40,13 @@ TEST(Cores, TheThreadsThereAreDoAll) {
   }
 }
 
+TEST(Cores, ChartsThatKeepAllCoresBusyStartNoThreadsOfTheirOwn) {
+  const std::size_t num_charts = 12;
+  const FlattenInput input = test::sphere_of_gores(12, 4, 16);
+  const test::RefuseThreads refuse;
+  flatten(input);
+  EXPECT_TRUE(num_cores() > num_charts || refuse.num_refused() <= 1);  // once none is given, no chart asks for another
+}
+
 }  // namespace
 }  // namespace wirewarp
