@@ -8,6 +8,9 @@ import pytest
 import wirewarp
 from patterns import quads
 from wirewarp.pattern import Pattern
+from wirewarp.pattern.make.notches import drill_hole
+from wirewarp.pattern.make.outline import Side
+from wirewarp.pattern.make.sections import Dart
 
 CORNERS, RADIUS = 24, 100.0  # millimeters
 
@@ -85,3 +88,22 @@ def test_where_four_pieces_meet_the_one_that_is_straight_there_has_a_notch():
         free = [point for point in piece.points if point.pair is None]
         assert len(free) == (1 if len(flat.faces) == 3 else 0)
         assert len([point for point in piece.points if point.pair]) == 2  # in the middles of its two seams
+
+
+@pytest.mark.parametrize(("depth", "before"), [(80, 13), (26.5, 13), (20, 10), (4, 2)])
+@pytest.mark.parametrize("mouth", [8.0, 0.0])
+def test_a_hole_is_drilled_13_mm_before_the_tip_of_a_dart_or_halfway(depth, before, mouth):
+    """1/2 in is usual; a shut dart has its hole on the line that its legs are."""
+    tip, ends = np.array([30.0, depth]), np.array([(30 - mouth / 2, 0.0), (30 + mouth / 2, 0.0)])
+    first = Side(0, np.array([1, 2]), np.array([ends[0], tip]), 0, False)
+    second = Side(0, np.array([2, 1]), np.array([tip, ends[1]]), 0, False)
+    hole = drill_hole(Dart(first, second))
+    assert hole.role == "drill" and hole.at == pytest.approx([30, depth - before])
+
+
+def test_the_hole_of_a_curved_dart_is_where_its_legs_lead_from_the_tip():
+    tip = np.array([0.0, 0.0])
+    legs = [np.array([(-20.0, -60.0), (x, -30.0), tip]) for x in (6.0, 10.0)]
+    first = Side(0, np.array([1, 2, 3]), legs[0], 0, False)
+    second = Side(0, np.array([3, 2, 1]), legs[1][::-1], 0, False)
+    assert drill_hole(Dart(first, second)).at == pytest.approx(13 * np.array([8.0, -30.0]) / np.hypot(8, 30))
