@@ -119,6 +119,7 @@ def click_button(command: str, share: float = 0.4) -> Tour:
     """
     sidebar = region("UI")
     window = bpy.context.window_manager.windows[0]
+    window_manager().clipboard = ""  # or what an earlier click has copied is met
     for y in range(sidebar.y + sidebar.height - 20, sidebar.y, -12):
         place = (sidebar.x + int(share * sidebar.width), y)
         send("MOUSEMOVE", "NOTHING", (place[0], y + 1))
@@ -154,6 +155,8 @@ def start_anew() -> Tour:
     """Undoes replacements and loads Blender's startup file."""
     while _replaced:
         setattr(*_replaced.pop())
+    send("MOUSEMOVE", "NOTHING")  # off any button: its window is about to go
+    yield from ticks(5)
     bpy.ops.wm.read_homefile(use_factory_startup=True)
     yield from ticks(25)  # the new window is drawn
 
