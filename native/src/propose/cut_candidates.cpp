@@ -14,10 +14,19 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kWindow = 1.0 / 24;   // of the outline to each side: where a way is the shortest of its neighborhood
-constexpr double kCorner = kPi / 6;    // turn of the outline, radians
-constexpr double kClearly = 1 + 1e-9;  // sharper: the same however the mesh is turned
-constexpr double kApart = 0.15;        // of ends that are not beside each other, over the root of the area
+/// Share of the outline to each side in which a way is the shortest of its neighborhood: together about as much as lies
+/// between two of the points that are spread along the outline.
+constexpr double kWindow = 1.0 / 24;
+
+/// The outline has a corner where it turns by more (radians): a ring of twelve edges turns by as much at each vertex.
+constexpr double kCorner = kPi / 6;
+
+/// A point is sharper or farther only if it is so by more than rounding makes of it when the input is turned.
+constexpr double kClearly = 1 + 1e-9;
+
+/// Ends of cuts that lie farther apart, over the root of the area, are not beside each other: a little less than the
+/// fifth by which the points inside are apart.
+constexpr double kApart = 0.15;
 
 struct OutlinePoint {
   VertexHandle vertex;
