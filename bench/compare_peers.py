@@ -19,6 +19,9 @@ from surfaces import bumpy_sheet
 
 SIZES, FULL_SIZES = [1_000, 10_000, 100_000], [1_000, 10_000, 100_000, 1_000_000]
 SEAM_SIZE = 10_000
+JITTER = 0.3  # edges: about as uneven as meshes of scanned and sculpted models are
+JITTERED_SIZES = [10_000, 100_000]
+NET_SIZE, NETS = 40_000, [8, 32, 128]  # triangles; wires: those of the last are 2.2 edges apart
 LIMIT, FULL_LIMIT = 120.0, 900.0  # seconds by the clock for one method on one surface
 LARGEST = {  # triangles that a method gets, since it takes longer than all others together
     flatteners.ARAP_CONVERGED: 100_000,
@@ -47,8 +50,16 @@ def compare_seams() -> Comparison:
     return compare(bumpy_sheet(SEAM_SIZE, in_two_pieces=True), list(flatteners.METHODS), 1, LIMIT)
 
 
+def compare_hard(rounds: int | None) -> list[Comparison]:
+    """Jittered sheets and many wires, the refined method against ARAP in the same run."""
+    jittered = [bumpy_sheet(size, jitter=JITTER, wires=wires) for size in JITTERED_SIZES for wires in (2, 8)]
+    nets = [bumpy_sheet(NET_SIZE, wires=wires) for wires in NETS]
+    names = [flatteners.REFINED_ELASTIC, flatteners.ARAP]
+    return [compare(s, names, rounds or rounds_of(len(s.faces)), LIMIT) for s in (*jittered, *nets)]
+
+
 def load(path: Path) -> dict[str, list[Comparison]]:
-    """What main() wrote: comparisons by size as "sheets", and the one in two pieces as the only one of "seams"."""
+    """What main() wrote: "sheets" by size, "hard" ones, and the one in two pieces as the only one of "seams"."""
     found = json.loads(path.read_text())
     return {key: [from_dict(comparison) for comparison in comparisons] for key, comparisons in found.items()}
 
@@ -70,6 +81,7 @@ def main() -> None:
     sizes = arguments.sizes or (FULL_SIZES if arguments.full else SIZES)
     found = {
         "sheets": [compare_at(triangles, arguments.full, arguments.rounds) for triangles in sizes],
+        "hard": compare_hard(arguments.rounds),
         "seams": [compare_seams()],
     }
     text = json.dumps({key: [asdict(c) for c in comparisons] for key, comparisons in found.items()}, indent=1)

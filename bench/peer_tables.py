@@ -4,7 +4,7 @@
 from collections.abc import Sequence
 
 from comparison import Comparison, Outcome
-from flatteners import ARAP, METHODS, WARPED_ELASTIC
+from flatteners import ARAP, METHODS, REFINED_ELASTIC, WARPED_ELASTIC
 from tables import exponent, table
 
 COSTS = ["seconds", "of ARAP's", "MB"]
@@ -42,6 +42,14 @@ def methods_of(comparison: Comparison) -> list[str]:
 def peer_table(comparisons: Sequence[Comparison], first: str = "triangles") -> list[str]:
     rows = [(c.surface, *cells(c, name)) for c in comparisons for name in methods_of(c)]
     return table([first, "method", *COSTS, *DISTORTION], rows)
+
+
+def hard_table(comparisons: Sequence[Comparison]) -> list[str]:
+    rows = []
+    for c in comparisons:
+        outcome = c.outcomes.get(REFINED_ELASTIC)
+        rows.append((c.surface, *costs(c, REFINED_ELASTIC), str(outcome.counts["factorizations"]) if outcome else ""))
+    return table(["triangles", *COSTS, "factorizations"], rows)
 
 
 def seam_table(comparison: Comparison) -> list[str]:

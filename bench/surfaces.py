@@ -24,11 +24,16 @@ def wires_across(lines: np.ndarray, number: int) -> list[np.ndarray]:
     return [chain for k in at for chain in (lines[k, :], lines[:, k])]
 
 
-def bumpy_sheet(triangles: int, in_two_pieces: bool = False) -> Surface:
-    """The sheet of native/bench/bumpy_sheet.h, 2 units wide; with a seam across it, it is 500 mm wide, in meters."""
+def bumpy_sheet(triangles: int, in_two_pieces: bool = False, jitter: float = 0.0, wires: int = 8) -> Surface:
+    """The sheet of native/bench/bumpy_sheet.h, 2 units wide; with a seam across it, it is 500 mm wide, in meters.
+
+    jitter: how far inner vertices are moved on the surface, at most, in each direction, in edges of the grid.
+    """
     n = round((triangles / 2) ** 0.5)
     side = np.linspace(-1.0, 1.0, n + 1)
-    x, y = (c.ravel() for c in np.meshgrid(side, side))
+    grid = np.stack(np.meshgrid(side, side))
+    grid[:, 1:-1, 1:-1] += np.random.default_rng(1).uniform(-jitter, jitter, (2, n - 1, n - 1)) * 2 / n
+    x, y = (c.ravel() for c in grid)
     lines = np.arange((n + 1) ** 2).reshape(n + 1, n + 1)  # [row, column]
     a, b, c, d = (q.ravel() for q in (lines[:-1, :-1], lines[:-1, 1:], lines[1:, 1:], lines[1:, :-1]))
     faces = np.stack([np.column_stack([a, b, c]), np.column_stack([a, c, d])], axis=1).reshape(-1, 3)
@@ -41,11 +46,11 @@ def bumpy_sheet(triangles: int, in_two_pieces: bool = False) -> Surface:
         is_left = (faces % (n + 1)).max(axis=1) <= n // 3
         pieces = [np.flatnonzero(is_left), np.flatnonzero(~is_left)]
     return Surface(
-        name=f"{len(faces):,}",
+        name=f"{len(faces):,}" + (f", {wires} wires" if wires != 8 else "") + (", jittered" if jitter else ""),
         vertices=vertices,
         faces=faces,
         seams=seams,
         pieces=pieces,
         few_wires=wires_across(lines, 2),
-        many_wires=wires_across(lines, 8),
+        many_wires=wires_across(lines, wires),
     )

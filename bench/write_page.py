@@ -10,7 +10,7 @@ from pathlib import Path
 
 import peer_tables
 import tables
-from compare_peers import LARGEST, load
+from compare_peers import JITTER, LARGEST, load
 from comparison import Comparison
 from libigl_maps import ITERATIONS, MOST_ITERATIONS, STILL
 from machine import machine
@@ -57,6 +57,19 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "Those of WireWarping++ with elastic wires:",
         "",
         *peer_tables.elastic_table(sheets),
+        "",
+    ]
+
+
+def hard_section(hard: list[Comparison]) -> list[str]:
+    return [
+        "## Jittered sheets and many wires",
+        "",
+        f"The refined method with wires elastic by ±3%, eight if no other number is given. Jittered: each inner vertex "
+        f"is moved on the surface by up to {JITTER:g} of an edge in each direction, those of wires too. CPU seconds, "
+        "also as multiples of libigl's ARAP on the same mesh.",
+        "",
+        *peer_tables.hard_table(hard),
         "",
     ]
 
@@ -155,9 +168,10 @@ def document(benchmarks: list[dict], in_blender: dict, peers: dict[str, list[Com
         "Ratios are of CPU seconds on one core; seconds and exponents of the core by itself are by the clock, with two "
         "cores where there are as many.",
         "",
-        *target_table(sheets, benchmarks),
+        *target_table(sheets, peers["hard"], benchmarks),
         "",
         *peers_section(sheets),
+        *hard_section(peers["hard"]),
         *seams_section(seams),
         *real_section(real),
         *blender_section(in_blender),
