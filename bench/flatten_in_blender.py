@@ -25,8 +25,8 @@ from surfaces import bumpy_sheet  # noqa: E402 (the folder must be on the path f
 addon = sys.modules.get("wirewarp_addon") or sys.modules["bl_ext.user_default.wirewarp"]
 core = addon.core
 choices_of = addon.properties.choices_of
-solve_models, read_models = addon.run.models.solve_models, addon.run.read.read_models
-write_results = addon.run.write.write_results
+solve_models, read_models = addon.flatten.models.solve_models, addon.flatten.read.read_models
+write_results = addon.flatten.write.write_results
 in_one_go = addon.solve.steps.in_one_go
 
 TURNS = 3

@@ -15,9 +15,9 @@ from bpy.props import (
 )
 
 from .blender.views import redraw_views
-from .run.auto_update import note_change
-from .run.settings import AimSettings, FlattenSettings
 from .solve.papers import PAPERS
+from .state.memory import note_change
+from .state.settings import AimSettings, FlattenSettings
 
 
 def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:

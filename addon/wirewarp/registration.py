@@ -6,24 +6,22 @@ from contextlib import ExitStack
 
 import bpy
 
-from . import operators, overlay, properties, ui
-from .blender import memory
-from .flat import reports
-from .model import wire_names
-from .operators import update
-from .overlay import cache as drawings
-from .run import auto_update, window_run
-from .solve import flatten
+from . import export, flatten, marks, overlay, properties, report_panel, suggest, ui
+from .flatten import auto_update, update_operators
+from .solve.flatten import drop_jobs
+from .state import drawings, memory, reports, wires
+from .ui import window_run
 
-CLASSES = (*properties.CLASSES, *operators.CLASSES, *ui.CLASSES)
+ROOMS = (ui, marks, flatten, suggest, export, report_panel, overlay)
+CLASSES = (*properties.CLASSES, *(cls for room in ROOMS for module in room.MODULES for cls in module.CLASSES))
 PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # attach() of each returns what takes it back
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
     "frame_change_post": (memory.drop_changed,),
     "undo_post": (memory.drop_gathered, reports.forget_incomparable, auto_update.note_undo),
     "redo_post": (memory.drop_gathered, reports.forget_incomparable, auto_update.note_undo),
-    "save_pre": (wire_names.write_brought_names,),
-    "load_pre": (window_run.stop, flatten.drop_jobs),
+    "save_pre": (wires.write_brought_names,),
+    "load_pre": (window_run.stop, drop_jobs),
     "load_post": (drawings.forget, memory.forget),
 }
 FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])  # what is in memory goes with the add-on as with the file
@@ -41,7 +39,7 @@ def register() -> Callable[[], None]:
             for function in functions:
                 getattr(bpy.app.handlers, name).append(bpy.app.handlers.persistent(function))
                 undo.callback(_remove_handler, name, function)
-        undo.callback(update.forget_joining)
+        undo.callback(update_operators.forget_joining)
         for forget in reversed(FORGET):  # what is registered last goes first
             undo.callback(forget)
         return undo.pop_all().close

@@ -90,7 +90,7 @@ def select_edges(wanted: Callable[[Vector, Vector], bool]) -> None:
 def flatten() -> drive.Tour:
     with drive.in_view():
         bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
-    yield lambda: not wirewarp_addon.run.window_run.is_running()
+    yield lambda: not wirewarp_addon.ui.window_run.is_running()
     yield from drive.ticks(10)
 
 
@@ -151,7 +151,7 @@ def suggest() -> drive.Tour:
     yield from flatten()
     with drive.in_view():
         bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True, piece=0)
-    yield lambda: not wirewarp_addon.run.window_run.is_running()
+    yield lambda: not wirewarp_addon.ui.window_run.is_running()
     yield from look_at_both()
     yield from take_picture("suggest", BOTH)
 

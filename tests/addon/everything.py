@@ -91,9 +91,9 @@ def sidebar(width=300):
 
 def draw_panels(addon, buttons=None):
     """All that are to be seen, narrow and wide; returns what they say, and adds their operators to `buttons`."""
-    addon.overlay.cache.forget()  # else what changes soon after the last time is seen late
+    addon.state.drawings.forget()  # else what changes soon after the last time is seen late
     words, buttons = [], [] if buttons is None else buttons
-    for cls in addon.ui.CLASSES:
+    for cls in addon.registration.CLASSES:
         if not issubclass(cls, bpy.types.Panel):
             continue
         parts = [vars(base) for base in reversed(cls.__mro__) if base.__module__.startswith(addon.__name__)]

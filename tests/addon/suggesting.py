@@ -8,7 +8,7 @@ SUGGEST = {"DARTS": bpy.ops.object.wirewarp_suggest_darts, "SEAMS": bpy.ops.obje
 
 
 def found(addon, source):
-    return addon.flat.suggestions.current_suggestions(source)
+    return addon.state.suggestions.current_suggestions(source)
 
 
 def pairs(edges):

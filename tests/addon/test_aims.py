@@ -57,7 +57,7 @@ def test_seams_divide_the_piece_and_its_parts(addon, settings):
     words = draw_panels(addon)
     assert "Stretch with Seams, Bump 1 seam: " in words and " 2 seams: " in words
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
-    pieces = addon.flat.reports.last_report(source).pieces
+    pieces = addon.state.reports.last_report(source).pieces
     assert len(pieces) == 3 and all(piece.ok for piece in pieces)
 
 

@@ -63,7 +63,7 @@ def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
     assert bpy.ops.scene.wirewarp_set_unit(meters=0.01) == {"FINISHED"}
     assert source.mode == mode
     with addon.blender.mesh.current_mesh(source) as mesh:
-        marked = addon.model.allowances.read_allowances(mesh)
+        marked = addon.state.allowances.read_allowances(mesh)
     assert np.unique(marked.widths) == pytest.approx([-1.0, 0.6])  # cm
     assert marked.side_widths == pytest.approx([5.0])
 
@@ -183,9 +183,9 @@ def test_the_width_of_a_side_goes_through_modifiers(source, addon):
     mark_side(source, -1, kind="WIDTH", width=15.0)
     source.modifiers.new("Subdivision", "SUBSURF").levels = 2
     bpy.ops.object.wirewarp_flatten(spacing=50.0, use_modifiers=True)
-    choices = addon.solve.pattern_parts.PatternChoices(10.0, 100.0, "close")
+    choices = addon.export.pattern_parts.PatternChoices(10.0, 100.0, "close")
     pieces = addon.solve.steps.in_one_go(
-        addon.flat.pattern.read_pattern(bpy.context.scene, source).making(choices)
+        addon.export.read.read_pattern(bpy.context.scene, source).making(choices)
     ).pieces
     sewn = [[line.width for line in piece.of_role("sew") if line.seam is not None] for piece in pieces]
     assert sorted(sewn) == [pytest.approx([10.0]), pytest.approx([15.0])]
@@ -203,8 +203,8 @@ def test_one_side_of_a_seam_between_parts_of_a_face_can_be_marked(source, addon)
     edges = [edge.index for edge in mesh.edges if beside(*(mesh.vertices[v].co for v in edge.vertices))]
     faces = [polygon for polygon in mesh.polygons if 0 < polygon.center.x < 0.125]
     loops = [loop for polygon in faces for loop in polygon.loop_indices if mesh.loops[loop].edge_index in edges]
-    assert addon.model.allowances.mark_sides(mesh, np.array(loops), 0.2) == 8
-    widths = addon.model.allowances.read_allowances(mesh).side_widths
+    assert addon.state.allowances.mark_sides(mesh, np.array(loops), 0.2) == 8
+    widths = addon.state.allowances.read_allowances(mesh).side_widths
     assert sorted(widths) == pytest.approx(8 * [0.15] + 8 * [0.2])
 
 

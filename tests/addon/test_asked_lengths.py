@@ -28,7 +28,7 @@ def eases_of(addon, report, kind):
 def test_an_eased_outline_is_as_long_as_it_was_to_be(source, addon):
     ease(source, HEM, sides="ONE", ease_percent=5.0)
     bpy.ops.object.wirewarp_flatten()
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     places = read(source.data.vertices, "co", np.float32, 3).astype(float)
     hem = [v for v in range(9) if HEM(places[v], places[v])]
     half = np.linalg.norm(np.diff(places[hem], axis=0), axis=1).sum() / 2  # in each piece
@@ -45,7 +45,7 @@ def test_the_ease_of_all_sides_is_in_the_table_for_spreadsheets(source, addon):
     ease(source, SEAM, sides="ALL", ease_percent=-10.0)
     ease(source, SEAM, sides="ONE", ease_percent=5.0)
     bpy.ops.object.wirewarp_flatten()
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     assert sorted(eases_of(addon, report, "Seam")) == pytest.approx([-10, 100 * (0.9 * 1.05 - 1)], abs=1e-4)
 
 
@@ -55,7 +55,7 @@ def test_the_stretch_of_worn_cloth_is_asked_for(addon):
     mark(target, on_line(0, 0.0))
     mark(target, on_line(1, 0.0), kind="ELASTIC", tolerance=0.02)
     bpy.ops.object.wirewarp_flatten(orientation="UP", cloth="SWIM", worn_across=20.0, worn_along=10.0)
-    report = addon.flat.reports.last_report(target)
+    report = addon.state.reports.last_report(target)
     (elastic, rigid) = sorted(report.tables.wires, key=lambda row: row.note == "")
     shares = sorted(wire.length_asked[0] / wire.length_3d for wire in report.wires)
     assert shares == pytest.approx([1 / 1.2, 1 / 1.1], abs=1e-6)
@@ -70,7 +70,7 @@ def test_the_stretch_of_worn_cloth_is_asked_for(addon):
 def test_an_elastic_line_is_off_by_what_its_tolerance_allowed(source, addon):
     mark(source, SEAM, kind="ELASTIC", tolerance=0.001)
     bpy.ops.object.wirewarp_flatten()
-    (wire,) = addon.flat.reports.last_report(source).tables.wires
+    (wire,) = addon.state.reports.last_report(source).tables.wires
     assert abs(wire.sides[0].off) == pytest.approx(0.001 * wire.sides[0].length_3d, rel=1e-3)
 
 
@@ -84,13 +84,13 @@ def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, 
     settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # so that there is room for the text
     ease(source, SEAM, sides="ONE", ease_percent=percent)
     bpy.ops.object.wirewarp_flatten()
-    (row,) = addon.flat.reports.last_report(source).tables.seams
+    (row,) = addon.state.reports.last_report(source).tables.seams
     units = addon.blender.units.length_text(bpy.context.scene)
     left, right = shares(source)
     side = "Top Right" if left > right else "Top Left"  # on its wearer the left is at +x
     spatial, *_ = lengths(source, SEAM)
     told = f"{side} {units.rough(longer * spatial)} longer, {how} between notches"
-    assert addon.ui.report_table.longer_sides(row.sides, units, 0.5) == [told]
+    assert addon.report_panel.table.longer_sides(row.sides, units, 0.5) == [told]
     assert told in draw_panels(addon)
     assert abs(addon.core.largest_difference([row])) < 1e-6  # nothing that was not asked for
     path = tmp_path / "a.svg"
@@ -102,6 +102,6 @@ def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, 
 def test_the_list_of_seams_says_how_much_all_sides_give(source, addon):
     mark(source, SEAM, kind="ELASTIC", tolerance=0.03)
     bpy.ops.object.wirewarp_flatten()
-    (row,) = addon.flat.reports.last_report(source).tables.seams
+    (row,) = addon.state.reports.last_report(source).tables.seams
     left, _ = shares(source)
     assert row.note.endswith(f"; {addon.words.ease_text(left)} on all sides")

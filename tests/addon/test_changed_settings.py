@@ -31,14 +31,14 @@ def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
     main, advanced = drawn(addon, advanced=False), drawn(addon, advanced=True)
     assert advanced == {"thickness", "surface", "method", "node_weight"}
     assert not main & advanced
-    assert main | advanced == set(addon.run.settings.FlattenSettings.__annotations__)
+    assert main | advanced == set(addon.state.settings.FlattenSettings.__annotations__)
 
 
 def give(addon, source, **settings):
     """Settings of the panel; returns what is said of the pieces."""
     for name, value in settings.items():
         setattr(bpy.context.scene.wirewarp, name, value)
-    report = addon.flat.reports.pieces_report(source)
+    report = addon.state.reports.pieces_report(source)
     return addon.ui.settings.settings_sentence(source, report, bpy.context.scene.wirewarp)
 
 

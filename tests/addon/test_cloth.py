@@ -22,7 +22,7 @@ def source():
 
 
 def last_report(addon, source):
-    return addon.flat.reports.last_report(source)
+    return addon.state.reports.last_report(source)
 
 
 def test_the_shape_of_a_cloth_is_the_librarys(source, addon):
@@ -66,7 +66,7 @@ def test_maps_of_threads_are_there_with_a_cloth_alone(source, addon):
     flat = flat_of(source).data
     for color_map in addon.solve.maps.CLOTH_MAPS:
         assert color_map.attribute in flat.color_attributes
-        assert color_map.attribute in addon.flat.record.read_record(flat).ranges
+        assert color_map.attribute in addon.state.record.read_record(flat).ranges
     bpy.ops.object.wirewarp_flatten()
     assert not {*THREADS, *(color_map.attribute for color_map in addon.solve.maps.CLOTH_MAPS)} & {
         *flat.attributes.keys()
@@ -146,7 +146,7 @@ def grain(source):
 def test_the_grain_angle_turns_the_grain_wire(source, addon, capfd):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", grain_angle=math.radians(45))
     assert "Grain Angle was not used" in capfd.readouterr().out
-    ((_, wire),) = addon.model.wires.listed_wires(source)
+    ((_, wire),) = addon.state.wires.listed_wires(source)
     bpy.ops.mesh.wirewarp_grain_wire(edge=wire.edges[0])
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN")
     assert grain(source) % 180 == pytest.approx(0, abs=1e-3) or grain(source) % 180 == pytest.approx(180, abs=1e-3)
@@ -179,7 +179,7 @@ def test_a_cloth_that_is_worn_stretched_is_cut_smaller(addon):
     target = grid("Half", half_cylinder, size=16)
     mark(target, on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten(orientation="UP", cloth="SWIM")
-    ((_, wire),) = addon.model.wires.listed_wires(target)
+    ((_, wire),) = addon.state.wires.listed_wires(target)
     bpy.ops.mesh.wirewarp_grain_wire(edge=wire.edges[0])
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", keep_places=False)
     plain = box(target)

@@ -21,7 +21,7 @@ def test_a_copy_of_a_wire_is_called_as_its_original_everywhere(addon, tmp_path, 
     bpy.ops.object.wirewarp_flatten(use_modifiers=use_modifiers)
     source.data.wirewarp_names[0].name = "Hip"
     both = ["Hip", "Hip (2)"]
-    assert [wire.name for wire in addon.flat.reports.last_report(source).wires] == both
+    assert [wire.name for wire in addon.state.reports.last_report(source).wires] == both
     select_only(flat_of(source))
     drawn = addon.overlay.objects.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
     assert sorted(name.texts[-1] for name in drawn.names) == ["Half", *both]

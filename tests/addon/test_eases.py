@@ -78,12 +78,12 @@ def test_a_part_of_a_line_that_is_marked_keeps_its_ease(source, capfd):
 
 def test_the_list_of_wires_changes_an_ease_and_keeps_it(source, addon):
     ease(source, SEAM, sides="ALL", ease_percent=2.0)
-    ((name, wire),) = addon.model.wires.listed_wires(source)
+    ((name, wire),) = addon.state.wires.listed_wires(source)
     bpy.ops.mesh.wirewarp_change_wire(edge=wire.edges[0], name=name, kind="ELASTIC", tolerance=0.01)
-    ((_, kept),) = addon.model.wires.listed_wires(source)
+    ((_, kept),) = addon.state.wires.listed_wires(source)
     assert (kept.tolerance, kept.ease) == (0.01, 0.02)
     bpy.ops.mesh.wirewarp_change_wire(edge=wire.edges[0], kind="RIGID", ease=-0.05)
-    ((_, changed),) = addon.model.wires.listed_wires(source)
+    ((_, changed),) = addon.state.wires.listed_wires(source)
     assert (changed.tolerance, changed.ease) == (0, -0.05)
 
 
@@ -93,10 +93,10 @@ def test_an_ease_of_edges_that_are_no_wires_is_told(source, addon):
         values.data[edge.index].value = 0.05
     bpy.ops.object.wirewarp_flatten()
     told = "3 edges have an ease but are no wires: it was not used. Mark them with Ease."
-    assert addon.core.Note(told, is_warning=True) in addon.flat.reports.last_report(source).notes
+    assert addon.core.Note(told, is_warning=True) in addon.state.reports.last_report(source).notes
     ease(source, lambda *_: True, sides="NONE")
     bpy.ops.object.wirewarp_flatten()
-    assert addon.flat.reports.last_report(source).notes == []
+    assert addon.state.reports.last_report(source).notes == []
 
 
 @pytest.mark.parametrize("name", ["wirewarp_ease", "wirewarp_side_ease", "wirewarp_side_ratio", "wirewarp_eased_side"])
@@ -151,7 +151,7 @@ def test_edges_without_a_side_are_left_out_and_counted(source, capfd):
 
 def test_an_ease_is_a_change_that_the_report_sees(source, addon):
     bpy.ops.object.wirewarp_flatten()
-    report, has_changed = addon.flat.reports.last_report(source), addon.model.state.has_changed
+    report, has_changed = addon.state.reports.last_report(source), addon.state.changes.has_changed
     assert not has_changed(source, report.model_state)
     ease(source, SEAM, sides="ONE", ease_percent=5.0)
     assert has_changed(source, report.model_state)

@@ -84,12 +84,12 @@ def test_pieces_lie_in_rows_or_as_in_blender(source, tmp_path):
 
 def told(addon, **settings):
     """What the dialog says beforehand with these settings, all others as they are at first."""
-    module, properties = addon.operators, bpy.ops.object.wirewarp_export.get_rna_type().properties
+    module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
     defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
-    defaults["drawn"] = module.export.ALL_DRAWN
-    bases = vars(module.export_steps.PatternExport) | vars(module.export.OBJECT_OT_wirewarp_export)
+    defaults["drawn"] = module.operators.ALL_DRAWN
+    bases = vars(module.steps.PatternExport) | vars(module.operators.OBJECT_OT_wirewarp_export)
     dialog = type("Dialog", (), {**bases, **defaults, **settings})
-    parts = addon.flat.pattern.read_pattern(bpy.context.scene, bpy.context.active_object)
+    parts = addon.export.read.read_pattern(bpy.context.scene, bpy.context.active_object)
     return [sentence for sentence, _ in dialog().beforehand(parts)]
 
 
@@ -131,7 +131,7 @@ def test_a_report_file_that_fails_at_the_end_is_told_beside_the_pattern(source, 
     def full(path):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(addon.operators.export_steps, "replaced_file", full)
+    monkeypatch.setattr(addon.export.steps, "replaced_file", full)
     export(tmp_path, "a.svg", report_path=str(tmp_path / "warnings.json"))  # has finished
     said = capfd.readouterr().out
     assert 'warnings.json": No space left on device.' in said and '"a.svg": 2 pieces' in said

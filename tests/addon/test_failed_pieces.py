@@ -36,7 +36,7 @@ def red_pieces(source):
 
 def test_only_the_failed_piece_is_red(source, addon):
     flatten_fails()
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     assert [piece.has_layout for piece in report.pieces] == [True, True]
     assert red_pieces(source) == {1}
     flat = flat_of(source).data

@@ -283,7 +283,7 @@ def test_blenders_own_command_is_named_where_there_is_one():
 def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
     """Three triangles turned over and two that overlap, of a grid with two triangles in each face."""
     source = grid("Bump", bump)
-    arrays = addon.model.read.object_to_arrays(source, addon.model.marked_mesh.marked_mesh(source), None)
+    arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     arguments = {"num_overlapping": 2, "has_wires": False}
     flips = {"faces": [10, 11, 12], "has_layout": True, "arguments": arguments}
     error = addon.core.library().FlattenError("flipped_faces", "The library's sentence.", **flips)

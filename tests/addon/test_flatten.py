@@ -317,7 +317,7 @@ def test_only_pieces_that_changed_are_solved_again(addon):
 
     def reused_pieces():
         bpy.ops.object.wirewarp_flatten()
-        return addon.flat.reports.last_report(source).reused_pieces
+        return addon.state.reports.last_report(source).reused_pieces
 
     assert [reused_pieces(), reused_pieces()] == [0, 2]
     before = uv_of(source.data)
@@ -327,5 +327,5 @@ def test_only_pieces_that_changed_are_solved_again(addon):
     source.scale.x = 1.1
     assert reused_pieces() == 0
     assert not np.allclose(uv_of(source.data), before)
-    addon.blender.memory.forget()  # as another file does
+    addon.state.memory.forget()  # as another file does
     assert reused_pieces() == 0

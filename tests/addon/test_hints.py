@@ -11,7 +11,7 @@ from surfaces import bump, flatten, grid, half_cylinder, join_cube, mark, mark_s
 
 def flattened(addon, target, **settings):
     flatten(target, **settings)
-    return addon.flat.reports.last_report(target)
+    return addon.state.reports.last_report(target)
 
 
 def two_bumps(x, y):
@@ -86,7 +86,7 @@ def test_what_failed_gets_no_advice(addon):
     join_cube(source)
     with pytest.raises(RuntimeError, match="is closed"):
         bpy.ops.object.wirewarp_flatten()
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     failed = [piece.index for piece in report.pieces if not piece.ok]
     assert report.hints
     assert not {hint.piece for hint in report.hints} & set(failed)

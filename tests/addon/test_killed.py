@@ -26,7 +26,7 @@ def die(*_):
 if where == "solve":
     addon.solve.steps.time.sleep = die  # between two looks at the solver
 else:  # between the flat object and its report
-    addon.run.write.show_where_shown = die
+    addon.flatten.write.show_where_shown = die
 bpy.ops.object.wirewarp_flatten(report_path=path + ".json")
 """
 

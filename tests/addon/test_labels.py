@@ -88,7 +88,7 @@ def drawn(addon, target):
 
 
 def test_on_the_model_a_seam_names_both_pieces_and_on_each_piece_the_other(addon, source):
-    names = [piece.name for piece in addon.flat.reports.last_report(source).pieces]
+    names = [piece.name for piece in addon.state.reports.last_report(source).pieces]
     on_model = {name.texts[0] for name in drawn(addon, source).names}
     assert f"Seam 1: {names[0]} – {names[1]}" in on_model
     on_flat = {name.texts[0] for name in drawn(addon, flat_of(source)).names}
@@ -138,9 +138,9 @@ def test_on_paper_the_grain_turns_with_the_piece_too(addon, source):
     flat = flat_of(source)
     flat.data.transform(Matrix.Rotation(math.radians(30), 4, "Z"))
     bpy.context.view_layer.update()
-    choices = addon.solve.pattern_parts.PatternChoices(10.0, 100.0, "close")
+    choices = addon.export.pattern_parts.PatternChoices(10.0, 100.0, "close")
     for piece in addon.solve.steps.in_one_go(
-        addon.flat.pattern.read_pattern(bpy.context.scene, source).making(choices)
+        addon.export.read.read_pattern(bpy.context.scene, source).making(choices)
     ).pieces:
         (line,) = piece.of_role("grain")
         way = line.points[1] - line.points[0]

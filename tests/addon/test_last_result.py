@@ -38,8 +38,8 @@ def export(tmp_path):
 
 def test_a_failed_run_leaves_the_report_of_the_pieces(source, addon, tmp_path):
     fail(source)
-    assert not addon.flat.reports.last_report(source).ok
-    assert addon.flat.reports.pieces_report(source).ok
+    assert not addon.state.reports.last_report(source).ok
+    assert addon.state.reports.pieces_report(source).ok
     words = draw_panels(addon)
     assert "Not flattened" in words or "The model has changed since" in words
     assert export(tmp_path) == "{'FINISHED'}"
@@ -47,14 +47,14 @@ def test_a_failed_run_leaves_the_report_of_the_pieces(source, addon, tmp_path):
     assert answer("mesh.wirewarp_select_result", what="PIECE", index=0) == "{'FINISHED'}"
     bpy.ops.object.mode_set(mode="OBJECT")
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    assert addon.flat.reports.last_report(source).ok
+    assert addon.state.reports.last_report(source).ok
 
 
 def test_a_failed_run_is_forgotten_with_the_file(source, addon, tmp_path):
     fail(source)
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "failed.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "failed.blend"))
-    assert addon.flat.reports.last_report(bpy.data.objects["Bump"]).ok
+    assert addon.state.reports.last_report(bpy.data.objects["Bump"]).ok
 
 
 def test_a_failed_report_stays_with_its_object(addon, tmp_path):
@@ -62,22 +62,22 @@ def test_a_failed_report_stays_with_its_object(addon, tmp_path):
     with pytest.raises(RuntimeError, match="closed"):
         bpy.ops.object.wirewarp_flatten()
     closed.name = "Renamed"
-    assert not addon.flat.reports.last_report(closed).ok
+    assert not addon.state.reports.last_report(closed).ok
     bpy.data.objects.remove(closed)
     for name in ("Cube", "Renamed"):
         other = grid(name, bump, size=4)
-        assert addon.flat.reports.last_report(other) is None
+        assert addon.state.reports.last_report(other) is None
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "other.blend"))
     assert not [each for each in bpy.data.objects if "wirewarp_report" in each]
 
 
 def test_a_piece_renamed_during_a_run_keeps_its_new_name(source, addon):
-    models = addon.run.read.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
+    models = addon.flatten.read.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
     settings = bpy.context.scene.wirewarp
-    choices, library = addon.run.settings.choices_of(settings, 1.0), addon.core.library()
-    outcomes = addon.solve.steps.in_one_go(addon.run.models.solve_models(library, models, choices, 1.0))
+    choices, library = addon.state.settings.choices_of(settings, 1.0), addon.core.library()
+    outcomes = addon.solve.steps.in_one_go(addon.flatten.models.solve_models(library, models, choices, 1.0))
     source.wirewarp_pieces[0].name = "Sleeve"
-    addon.run.write.write_results(bpy.context, outcomes, settings)
+    addon.flatten.write.write_results(bpy.context, outcomes, settings)
     names = {entry.name for entry in source.wirewarp_pieces}
     assert "Sleeve" in names
     assert {piece.name for piece in outcomes[0].report.pieces} == names
@@ -131,10 +131,10 @@ def test_a_copy_of_the_pieces_is_told_from_them(source, addon, tmp_path):
     select_only(source)
     assert export(tmp_path) == "{'FINISHED'}"
     bpy.ops.object.wirewarp_flatten()
-    assert any(sentence in note.text for note in addon.flat.reports.last_report(source).notes)
+    assert any(sentence in note.text for note in addon.state.reports.last_report(source).notes)
     bpy.data.objects.remove(copy)
     bpy.ops.object.wirewarp_flatten()
-    assert not addon.flat.reports.last_report(source).notes
+    assert not addon.state.reports.last_report(source).notes
 
 
 def test_the_longest_name_leaves_room_for_what_says_that_these_are_its_pieces():

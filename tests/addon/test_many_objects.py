@@ -25,7 +25,7 @@ def asked(addon, monkeypatch):
     names = []
     ask = addon.overlay.shown.concerns_us
     monkeypatch.setattr(addon.overlay.shown, "concerns_us", lambda each: names.append(each.name) or ask(each))
-    addon.blender.memory.forget()
+    addon.state.memory.forget()
     return names
 
 

@@ -19,7 +19,7 @@ CLOTH = {"arrangement": "MARKER", "cloth_width": 400.0, "gap": 4.0, "grain": "BO
 def source(addon, monkeypatch):
     """Two pieces of about 230 x 115 mm; a Blender unit is 100 mm. What is drawn is made anew at once."""
     for pause in ("IDLE_SHARE", "SOON", "REST"):
-        monkeypatch.setattr(addon.overlay.cache, pause, 0.0)
+        monkeypatch.setattr(addon.state.drawings, pause, 0.0)
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Bump", bump)
     mark_seam(target, on_line(0, 0.0))
@@ -51,13 +51,13 @@ def test_the_marker_is_kept_for_other_formats_until_the_pieces_change(source, tm
     kept = source["wirewarp_marker"]
     export(tmp_path, "a.pdf")
     assert source["wirewarp_marker"] == kept
-    marker = addon.flat.markers.kept_marker(kept).marker
-    parts = addon.flat.pattern.read_pattern(bpy.context.scene, source)
-    choices = addon.run.export.ExportChoices(
-        addon.solve.pattern_parts.PatternChoices(10.0, 100.0, "close"), frozenset(), cloth=parts.kept.cloth
+    marker = addon.export.markers.kept_marker(kept).marker
+    parts = addon.export.read.read_pattern(bpy.context.scene, source)
+    choices = addon.export.export.ExportChoices(
+        addon.export.pattern_parts.PatternChoices(10.0, 100.0, "close"), frozenset(), cloth=parts.kept.cloth
     )
-    assert addon.run.export.made_pattern(parts, choices).marker is not marker
-    assert addon.run.export.made_pattern(parts, choices).marker == marker
+    assert addon.export.export.made_pattern(parts, choices).marker is not marker
+    assert addon.export.export.made_pattern(parts, choices).marker == marker
     export(tmp_path, allowance=20.0)
     assert source["wirewarp_marker"] != kept
 
@@ -65,7 +65,7 @@ def test_the_marker_is_kept_for_other_formats_until_the_pieces_change(source, tm
 def test_what_is_no_marker_of_ours_is_left_alone(source, tmp_path, addon):
     for stored in ("", "{}", "x" * 64 + "{}", 7):
         source["wirewarp_marker"] = stored
-        assert addon.flat.markers.kept_marker(addon.flat.markers.marker_text(source)) is None
+        assert addon.export.markers.kept_marker(addon.export.markers.marker_text(source)) is None
     export(tmp_path)
 
 
@@ -127,10 +127,10 @@ def test_a_search_that_is_stopped_writes_nothing(source, tmp_path, addon, search
     path = tmp_path / "files" / "a.pdf"
     path.parent.mkdir()
     path.write_bytes(b"of an earlier export")
-    parts = addon.flat.pattern.read_pattern(bpy.context.scene, source)
-    module = addon.run.export
-    made = addon.solve.pattern_parts.PatternChoices(10.0, 100.0, "close")
-    cloth = addon.solve.pattern_parts.Cloth(400.0, 4.0, "free")
+    parts = addon.export.read.read_pattern(bpy.context.scene, source)
+    module = addon.export.export
+    made = addon.export.pattern_parts.PatternChoices(10.0, 100.0, "close")
+    cloth = addon.export.pattern_parts.Cloth(400.0, 4.0, "free")
     choices = module.ExportChoices(made, frozenset(), cloth=cloth, seconds=600.0)
     steps = module.export(parts, choices, path)
     told = [next(steps)]

@@ -167,7 +167,7 @@ def test_a_marked_edge_that_lost_its_face_is_left_out_and_said(addon):
     mark(target, lambda a, b: EAST_WEST(a, b) and a.x < 2)
     target.data.attributes["wirewarp_wire"].data[len(target.data.edges) - 1].value = 5
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    report = addon.flat.reports.last_report(target)
+    report = addon.state.reports.last_report(target)
     assert [wire.name for wire in report.wires] == ["Wire 1"]
     (note,) = report.notes
     assert note.text == "1 marked edge ignored: it has no face."
@@ -184,13 +184,13 @@ def test_an_attribute_of_our_name_that_is_not_ours():
 def test_the_list_of_wires_follows_the_mesh(addon):
     target = grid("Bump", bump)
     mark(target, EAST_WEST)
-    (wire,) = addon.model.wires.wires_of(target)
+    (wire,) = addon.state.wires.wires_of(target)
     identity = addon.blender.objects.linear_part(target)
     before = wire.length(identity)
     target.data.vertices.foreach_set("co", [c for vertex in target.data.vertices for c in (vertex.co * 2)])
     target.data.update()
     bpy.context.view_layer.update()
-    (wire,) = addon.model.wires.wires_of(target)
+    (wire,) = addon.state.wires.wires_of(target)
     assert wire.length(identity) == pytest.approx(2 * before, rel=1e-6)
 
 

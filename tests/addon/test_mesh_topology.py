@@ -80,7 +80,7 @@ def test_in_edit_mode_the_mesh_is_as_it_is_edited(addon):
     edit.verts[3].co.z = 7.0
     with addon.blender.mesh.current_mesh(target) as mesh:
         assert mesh.vertices[3].co.z == 7.0
-        seams, marks = addon.blender.mesh.read_seams(mesh), addon.model.attributes.read_marks(mesh)
+        seams, marks = addon.blender.mesh.read_seams(mesh), addon.state.marked_mesh.read_marks(mesh)
     assert seams.tolist() == [edge.seam for edge in edit.edges]
     assert seams.sum() == 8
     assert marks.are_wires.sum() == 16

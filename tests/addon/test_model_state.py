@@ -22,7 +22,7 @@ def source():
 
 @pytest.fixture
 def has_changed(addon, source):
-    return lambda: addon.model.state.has_changed(source, addon.flat.reports.last_report(source).model_state)
+    return lambda: addon.state.changes.has_changed(source, addon.state.reports.last_report(source).model_state)
 
 
 def move_a_vertex(source):
@@ -149,7 +149,7 @@ CHANGES = [raise_levels, hide_modifier, add_modifier, move_mirror, add_shape_key
 def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp_path, change):
     def taken():
         bpy.context.view_layer.update()
-        return addon.run.auto_update.take_changed(bpy.context)
+        return addon.flatten.auto_update.take_changed(bpy.context)
 
     path = tmp_path / "pattern.svg"
     smooth.location.y = 1
@@ -158,7 +158,7 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp
     change(smooth)
     assert taken() == [smooth]
     assert taken() == []  # once for each state
-    assert addon.model.state.has_changed(smooth, addon.flat.reports.last_report(smooth).model_state)
+    assert addon.state.changes.has_changed(smooth, addon.state.reports.last_report(smooth).model_state)
     with pytest.raises(RuntimeError, match="has changed since it was flattened"):
         bpy.ops.object.wirewarp_export_svg(filepath=str(path))
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
@@ -167,16 +167,16 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp
 
 
 def test_a_model_and_what_its_modifiers_refer_to_may_move_together(addon, smooth):
-    report, mirror = addon.flat.reports.last_report(smooth), bpy.data.objects["Mirror"]
+    report, mirror = addon.state.reports.last_report(smooth), bpy.data.objects["Mirror"]
     for step in range(1, 6):
         motion = Matrix.LocRotScale(Vector((0.37, -7.1, 12.3)) * step, Euler((0.3, 0.2 * step, 1.1)), None)
         for moved in (smooth, mirror):
             moved.matrix_world = motion @ moved.matrix_world
         bpy.context.view_layer.update()
-        assert not addon.model.state.has_changed(smooth, report.model_state)
+        assert not addon.state.changes.has_changed(smooth, report.model_state)
     mirror.location.x += 0.001
     bpy.context.view_layer.update()
-    assert addon.model.state.has_changed(smooth, report.model_state)
+    assert addon.state.changes.has_changed(smooth, report.model_state)
 
 
 def test_a_small_move_of_one_vertex_by_a_modifier_is_a_change(addon):
@@ -186,16 +186,16 @@ def test_a_small_move_of_one_vertex_by_a_modifier_is_a_change(addon):
     modifier.object = hook
     modifier.vertex_indices_set([1800])
     flatten(target, use_modifiers=True)
-    report = addon.flat.reports.last_report(target)
-    assert not addon.model.state.has_changed(target, report.model_state)
+    report = addon.state.reports.last_report(target)
+    assert not addon.state.changes.has_changed(target, report.model_state)
     hook.location.z = 1e-4
     bpy.context.view_layer.update()
-    assert addon.model.state.has_changed(target, report.model_state)
+    assert addon.state.changes.has_changed(target, report.model_state)
 
 
 @pytest.mark.parametrize("count", [1, 100, 100_000])
 def test_one_vertex_that_moves_is_seen_and_rounding_is_not(addon, count):
-    random, module = np.random.default_rng(count), addon.model.state
+    random, module = np.random.default_rng(count), addon.state.changes
     points = random.uniform(-1, 1, (count, 3)).astype(np.float32)
     before, rounding = np.array(module.place_sums(points)), 2 * module.rounding_of_sums(points, 0.0)
     rounded = points + random.uniform(-3e-7, 3e-7, points.shape).astype(np.float32)
@@ -210,14 +210,14 @@ def test_a_modifier_along_normals_makes_the_same_mesh_each_time(addon):
     target = grid("Bump", bump, size=72)
     modifier = target.modifiers.new("Thick", "DISPLACE")
     flatten(target, use_modifiers=True)
-    report = addon.flat.reports.last_report(target)
+    report = addon.state.reports.last_report(target)
     for _ in range(10):
         target.data.update_tag()
         bpy.context.view_layer.update()
-        assert not addon.model.state.has_changed(target, report.model_state, addon.blender.memory.read_anew)
+        assert not addon.state.changes.has_changed(target, report.model_state, addon.state.memory.read_anew)
     modifier.strength += 1e-4
     bpy.context.view_layer.update()
-    assert addon.model.state.has_changed(target, report.model_state, addon.blender.memory.read_anew)
+    assert addon.state.changes.has_changed(target, report.model_state, addon.state.memory.read_anew)
 
 
 def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):
@@ -227,10 +227,10 @@ def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):
         modifier.keyframe_insert("levels", frame=frame)
     bpy.context.scene.frame_set(1)
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    report = addon.flat.reports.last_report(smooth)
-    assert not addon.model.state.has_changed(smooth, report.model_state)
+    report = addon.state.reports.last_report(smooth)
+    assert not addon.state.changes.has_changed(smooth, report.model_state)
     bpy.context.scene.frame_set(20)
-    assert addon.model.state.has_changed(smooth, report.model_state)
+    assert addon.state.changes.has_changed(smooth, report.model_state)
 
 
 def test_a_hidden_model_with_modifiers_is_to_be_shown_first(smooth, tmp_path):
@@ -253,8 +253,8 @@ def test_what_was_tried_in_edit_mode_is_tried_again_when_its_modifiers_change(ad
     bpy.ops.object.mode_set(mode="EDIT")
     move_a_vertex(smooth)
     bpy.context.view_layer.update()
-    assert addon.run.auto_update.take_changed(bpy.context) == [smooth]
+    assert addon.flatten.auto_update.take_changed(bpy.context) == [smooth]
     bpy.ops.object.mode_set(mode="OBJECT")
     raise_levels(smooth)
     bpy.context.view_layer.update()
-    assert addon.run.auto_update.take_changed(bpy.context) == [smooth]
+    assert addon.flatten.auto_update.take_changed(bpy.context) == [smooth]

@@ -21,7 +21,7 @@ def test_modifiers_go_to_the_flat_object_only():
 
 def notes_after(addon, source, **settings):
     bpy.ops.object.wirewarp_flatten(**settings)
-    return [note.text for note in addon.flat.reports.last_report(source).notes]
+    return [note.text for note in addon.state.reports.last_report(source).notes]
 
 
 def test_what_is_shown_but_not_flattened_is_said(addon):
@@ -43,7 +43,7 @@ def test_what_is_shown_but_not_flattened_is_said(addon):
 def ignored_after(addon, source):
     """What a run says was ignored; the pieces are not ready to cut then."""
     bpy.ops.object.wirewarp_flatten()
-    level, text = addon.solve.report.run_message([addon.flat.reports.last_report(source)])
+    level, text = addon.solve.report.run_message([addon.state.reports.last_report(source)])
     assert level == "WARNING" and "Lengths are exact" not in text
     return text.removesuffix(" were ignored, so sizes differ from what you see.")
 
@@ -65,7 +65,7 @@ def test_modifiers_that_change_nothing_are_not_told(addon):
 
 def message_after(addon, source):
     bpy.ops.object.wirewarp_flatten()
-    return addon.solve.report.run_message([addon.flat.reports.last_report(source)])[1]
+    return addon.solve.report.run_message([addon.state.reports.last_report(source)])[1]
 
 
 def test_shape_keys_are_flattened_with_the_modifiers():

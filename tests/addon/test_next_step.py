@@ -14,12 +14,12 @@ MEND = bpy.ops.object.wirewarp_mend
 
 
 def step_of(addon, source, left_out=()):
-    return addon.ui.next_step.next_step(addon.flat.reports.last_report(source), list(left_out))
+    return addon.report_panel.next_step.next_step(addon.state.reports.last_report(source), list(left_out))
 
 
 def ready(addon, source):
     """Whether all lengths are exact, whatever fabric that takes."""
-    return addon.flat.reports.last_report(source).ok
+    return addon.state.reports.last_report(source).ok
 
 
 def buttons(addon):
@@ -141,7 +141,7 @@ def test_flat_pieces_stand_for_their_model(addon):
     mark(source, on_line(0, 0.0))
     select_only(flat_of(source))
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    assert [wire.name for wire in addon.flat.reports.last_report(source).wires] == ["Wire 1"]
+    assert [wire.name for wire in addon.state.reports.last_report(source).wires] == ["Wire 1"]
     assert bpy.context.active_object == flat_of(source)
     bpy.ops.object.mode_set(mode="EDIT")
     assert bpy.ops.object.wirewarp_flatten(only_active=True, keep_places=False) == {"FINISHED"}
@@ -154,7 +154,7 @@ def test_edges_proposed_for_twins_are_counted_once(addon):
     select_only(source, other)
     bpy.ops.object.join()
     flatten_fails()
-    issues = addon.flat.reports.last_report(source).issues
+    issues = addon.state.reports.last_report(source).issues
     assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # each of both, of six rows
     assert step_of(addon, source).sentence == "12 edges proposed as seam."
 
@@ -174,7 +174,7 @@ def test_vertices_are_merged_by_the_size_of_the_model_wherever_it_lies(addon, sh
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
     left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))
     source = make_object("Squares", left + right, [(0, 1, 2, 3), (4, 5, 6, 7)])
-    assert addon.model.mend.merge_close_vertices(source.data) == merged
+    assert addon.report_panel.mend.merge_close_vertices(source.data) == merged
 
 
 def test_faces_that_look_to_opposite_sides_are_turned_and_flattened(addon):
@@ -235,5 +235,5 @@ def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
         entry("strained", 0, 50),
         entry("strained", 1, 20),
     ]
-    step = addon.ui.next_step.next_step(report, [])
+    step = addon.report_panel.next_step.next_step(report, [])
     assert (step.text, step.settings) == ("Show Strained Place", {"what": "HINT", "index": 3})

@@ -187,13 +187,13 @@ def test_a_missing_map_is_explained(addon, source):
 
     assert notes() == []
     bpy.context.scene.wirewarp.shown_map = "WEFT_STRAIN_COLOR"
-    addon.overlay.cache.forget()
+    addon.state.drawings.forget()
     assert notes() == ["No cloth was chosen: no such map"]
     bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
     source.data.vertices[40].co.z += 0.1
     source.data.update()
     bpy.context.view_layer.update()
-    addon.overlay.cache.forget()
+    addon.state.drawings.forget()
     assert notes() == ["Changed since: flatten again"]
     mark(grid("New", bump), RIGID)
     assert notes() == ["Not flattened yet: no map", "Changed since: flatten again"]
@@ -213,7 +213,7 @@ def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
     mark(source, on_line(1, 0.0))
     with pytest.raises(RuntimeError, match="flipped"):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
-    faces = {face for issue in addon.flat.reports.last_report(source).issues for face in issue.faces}
+    faces = {face for issue in addon.state.reports.last_report(source).issues for face in issue.faces}
     for target in (source, flat_of(source)):
         found = addon.overlay.failures.failures(target)
         assert len(found.triangles) == 3 * 2 * len(faces)  # of quads
@@ -228,7 +228,7 @@ def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
     tube = bpy.context.active_object
     with pytest.raises(RuntimeError, match="tube"):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.flat.reports.last_report(tube).issues
+    (issue,) = addon.state.reports.last_report(tube).issues
     found = addon.overlay.failures.failures(tube)
     assert len(found.triangles) == 3 * 2 * 12
     drawn = found.lines["failed"].reshape(-1, 2, 3)
@@ -283,7 +283,7 @@ def test_a_model_without_marks_of_which_nothing_could_be_flattened_is_drawn(addo
     (drawing,) = addon.overlay.shown.drawings(view_context())
     assert drawing.target == source
     assert len(drawing.failures.triangles) == 3 * 4
-    proposed = addon.flat.reports.last_report(source).issues[0].proposed_seams
+    proposed = addon.state.reports.last_report(source).issues[0].proposed_seams
     ends = [corners[vertex] for pair in proposed for vertex in sorted(pair)]
     assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)
 

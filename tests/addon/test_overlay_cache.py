@@ -30,8 +30,8 @@ def rigid_edges(lines):
 
 
 def test_nothing_is_built_again_until_something_changes(addon, source, monkeypatch):
-    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))
+    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
     by_target = lambda: {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}  # noqa: E731
     first, again = by_target(), by_target()
     for target in (source, flat_of(source)):
@@ -48,8 +48,8 @@ def test_nothing_is_built_again_until_something_changes(addon, source, monkeypat
 
 def test_allowances_are_laid_anew_only_where_they_are_others(addon, source, monkeypatch):
     """Which takes longest of all that is drawn; the model is changed far more often."""
-    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))
+    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
     shown, laid = addon.overlay.shown, []
     cut_lines = shown.cut_lines
     monkeypatch.setattr(shown, "cut_lines", lambda *given: laid.append(given) or cut_lines(*given))
@@ -69,8 +69,8 @@ def test_allowances_are_laid_anew_only_where_they_are_others(addon, source, monk
 
 
 def test_marking_in_edit_mode_is_seen_at_once(addon, source, monkeypatch):
-    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))
+    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
     select_edges(source, on_line(1, 0.25))
     seen = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
     bpy.ops.mesh.wirewarp_mark()
@@ -80,8 +80,8 @@ def test_marking_in_edit_mode_is_seen_at_once(addon, source, monkeypatch):
 
 
 def test_a_selection_in_edit_mode_builds_nothing_new(addon, source, monkeypatch):
-    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))
+    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
     select_edges(source, RIGID)
     first = {drawing.target: drawing.lines for drawing in addon.overlay.shown.drawings(view_context())}
     select_edges(source, RIGID, on_line(1, 0.25))
@@ -120,8 +120,8 @@ def test_batches_are_sent_once_until_marks_change(addon, source, monkeypatch):
     gpu, batches = Gpu(), addon.overlay.batches
     monkeypatch.setattr(batches, "gpu", gpu)
     monkeypatch.setattr(batches, "batch_for_shader", gpu.batch_for_shader)
-    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.overlay.cache, "FELT", float("inf"))
+    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
 
     def redraw():
         gpu.sent.clear()
@@ -159,12 +159,12 @@ class Timers:
 def timers(addon, monkeypatch):
     fake = Timers()
     app = SimpleNamespace(timers=fake, handlers=bpy.app.handlers)
-    monkeypatch.setattr(addon.overlay.cache, "bpy", SimpleNamespace(app=app))
+    monkeypatch.setattr(addon.state.drawings, "bpy", SimpleNamespace(app=app))
     return fake
 
 
 def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
-    cache = addon.overlay.cache
+    cache = addon.state.drawings
     clock = SimpleNamespace(now=100.0)
     monkeypatch.setattr(cache, "time", SimpleNamespace(monotonic=lambda: clock.now))
 
@@ -192,7 +192,7 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
 @pytest.mark.parametrize("of_pieces", [False, True])
 def test_what_is_slow_to_build_waits_in_edit_mode_until_the_user_rests(addon, source, timers, monkeypatch, of_pieces):
     """Also what is drawn over its pieces."""
-    cache = addon.overlay.cache
+    cache = addon.state.drawings
     clock = SimpleNamespace(now=100.0)
     monkeypatch.setattr(cache, "time", SimpleNamespace(monotonic=lambda: clock.now))
     owner, built = flat_of(source) if of_pieces else source, []
@@ -253,7 +253,7 @@ def test_handlers_and_timers_leave_with_the_add_on(addon, timers, monkeypatch):
             )
             addon.register()
             assert len(space.drawn) == len(spaces)
-            addon.overlay.cache._redraw_in(60.0)
+            addon.state.drawings._redraw_in(60.0)
             addon.unregister()
         assert space.drawn == []
         assert sum(handlers_of(addon).values()) == 0 < sum(before.values())
@@ -267,7 +267,7 @@ def test_what_was_kept_of_removed_objects_goes(addon, source):
     """Large models would keep their arrays and batches until another file is opened."""
     list(addon.overlay.shown.drawings(view_context()))
     flat = flat_of(source)
-    states = [addon.blender.memory.state_of(each) for each in (source, source.data, flat, flat.data)]
+    states = [addon.state.memory.state_of(each) for each in (source, source.data, flat, flat.data)]
     assert states[0].drawings and states[2].drawings
     mesh, flat_mesh = source.data, flat.data
     for each in (flat, source):
@@ -275,12 +275,12 @@ def test_what_was_kept_of_removed_objects_goes(addon, source):
     for each in (mesh, flat_mesh):
         bpy.data.meshes.remove(each)
     bpy.context.view_layer.update()
-    present = list(addon.blender.memory.all_states())
+    present = list(addon.state.memory.all_states())
     assert not any(state is each for state in states for each in present)
 
 
 def test_what_is_kept_stays_with_a_renamed_object(addon, source):
-    state = addon.blender.memory.state_of(source)
+    state = addon.state.memory.state_of(source)
     state.suggestions = found = object()
     source.name = "Sleeve"
-    assert addon.blender.memory.state_of(source).suggestions is found
+    assert addon.state.memory.state_of(source).suggestions is found

@@ -87,7 +87,7 @@ def test_what_failed_is_red_in_the_map_too(addon):
         bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
     select_only(source)
     (drawing,) = shown(addon)
-    faces = {face for issue in addon.flat.reports.last_report(source).issues for face in issue.faces}
+    faces = {face for issue in addon.state.reports.last_report(source).issues for face in issue.faces}
     assert len(drawing.failures.triangles) == 3 * 2 * len(faces)  # of quads
     assert len(drawing.failures.lines["failed"]) > 0
 

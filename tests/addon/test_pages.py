@@ -14,7 +14,7 @@ from view_context import view_context
 def source(addon, monkeypatch):
     """Two pieces of about 230 x 115 mm; a Blender unit is 100 mm. What is drawn is made anew at once."""
     for pause in ("IDLE_SHARE", "SOON", "REST"):
-        monkeypatch.setattr(addon.overlay.cache, pause, 0.0)
+        monkeypatch.setattr(addon.state.drawings, pause, 0.0)
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Bump", bump)
     mark_seam(target, on_line(0, 0.0))

@@ -26,7 +26,7 @@ def source():
 
 def parts_of(addon, source, **settings):
     bpy.ops.object.wirewarp_flatten(**settings)
-    return addon.flat.pattern.read_pattern(bpy.context.scene, source)
+    return addon.export.read.read_pattern(bpy.context.scene, source)
 
 
 def lengths_on(source, line):
@@ -68,13 +68,13 @@ def test_allowances_of_edges_sides_and_folds_are_in_millimeters(addon, source):
     select_edges(source, on_line(0, -1.0))
     bpy.ops.mesh.wirewarp_allowance(kind="FOLD")
     bpy.ops.object.mode_set(mode="OBJECT")
-    both, sides, folds = addon.flat.pattern.read_pattern(bpy.context.scene, source).allowances
+    both, sides, folds = addon.export.read.read_pattern(bpy.context.scene, source).allowances
     model = read(source.data.vertices, "co", np.float32, 3)
     assert sides == [] and [width for *_, width in both] == pytest.approx([30.0] * len(both))
     assert all(model[vertex][0] == pytest.approx(1.0) for a, b, _ in both for vertex in (a, b))
     assert folds and all(model[vertex][0] == pytest.approx(-1.0) for pair in folds for vertex in pair)
-    made = addon.run.export.made_pattern(
-        addon.flat.pattern.read_pattern(bpy.context.scene, source), chosen(addon, allowance=10.0)
+    made = addon.export.export.made_pattern(
+        addon.export.read.read_pattern(bpy.context.scene, source), chosen(addon, allowance=10.0)
     )
     widths = {round(line.width) for piece in made.pieces for line in piece.of_role("sew")}
     assert widths == {10, 30} and any(piece.on_fold for piece in made.pieces)
@@ -88,7 +88,7 @@ def test_imperial_scenes_and_pieces_turned_by_hand(addon, source):
     for vertex in flat_of(source).data.vertices:
         x, y, _ = vertex.co
         vertex.co = (-y + 3, x + 1, 0)
-    after = addon.flat.pattern.read_pattern(bpy.context.scene, source)
+    after = addon.export.read.read_pattern(bpy.context.scene, source)
     for then, now in zip(before.pieces, after.pieces, strict=True):
         assert now.vertices == pytest.approx(then.vertices @ [[0, 1], [-1, 0]] + (300, 100), abs=0.01)
 
@@ -106,7 +106,7 @@ def test_each_choice_of_the_dialog_reaches_the_pattern(addon, source):
     parts = parts_of(addon, source)
 
     def made(**settings):
-        return addon.run.export.made_pattern(parts, chosen(addon, **settings))
+        return addon.export.export.made_pattern(parts, chosen(addon, **settings))
 
     plain = made()
     assert plain.allowance_text == "10 mm"
@@ -137,7 +137,7 @@ def test_darts_are_closed_cut_or_slit(addon):
     parts = parts_of(addon, source)
     points = {}
     for darts in ("CLOSE", "CUT", "SLIT"):
-        (piece,) = addon.run.export.made_pattern(parts, chosen(addon, darts=darts)).pieces
+        (piece,) = addon.export.export.made_pattern(parts, chosen(addon, darts=darts)).pieces
         points[darts] = sum(len(line.points) for line in piece.of_role("cut", "inner_cut"))
     assert points["CUT"] > points["CLOSE"]
     assert points["SLIT"] != points["CLOSE"]

@@ -168,7 +168,7 @@ def test_a_linked_mesh_of_the_name_of_the_results_is_no_hindrance(tmp_path):
 
 def test_a_ring_around_the_middle_of_the_model_is_around(addon):
     normals, offsets = np.zeros((2, 3)), np.array([[0, 0, 0], [0, 0, 0.4]])
-    assert addon.solve.piece_names.side_names(normals, offsets) == ["Around", "Top"]
+    assert addon.solve.identity.side_names(normals, offsets) == ["Around", "Top"]
 
 
 def test_more_than_two_of_one_side_are_numbered():
@@ -275,7 +275,7 @@ def test_names_in_the_report_and_the_overlay_follow_a_renaming_at_once(source, a
     assert [piece["name"] for piece in entry["pieces"]] == names
     assert [piece["piece_id"] for piece in entry["pieces"]] == [entry.piece_id for entry in source.wirewarp_pieces]
     rename(source, "Top Left", "Sleeve")
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     assert sorted(piece.name for piece in report.pieces) == ["Sleeve", "Top Right"]
     (row,) = report.tables.seams
     assert sorted(side.label for side in row.sides) == ["Sleeve", "Top Right"]

@@ -97,7 +97,7 @@ def are_apart(first, second):
 
 
 def notes_of(addon, source):
-    return [note.text for note in addon.flat.reports.last_report(source).notes]
+    return [note.text for note in addon.state.reports.last_report(source).notes]
 
 
 def test_pieces_moved_and_turned_by_the_user_stay(source):
@@ -205,7 +205,7 @@ def test_a_piece_that_failed_comes_back_to_its_place(source, addon):
         flip_one(source)
         flatten(source)
         assert_same_places(places_of(source), before)
-    assert addon.flat.record.read_record(flat_of(source).data).away == []
+    assert addon.state.record.read_record(flat_of(source).data).away == []
 
 
 def test_another_piece_in_its_place_is_not_laid_over(source):
@@ -234,7 +234,7 @@ def test_the_button_that_lays_out_anew_is_there_where_places_are_kept(source, ad
     select_only(flat_of(source))
     assert buttons() == with_button  # of their model
 
-    flatten_button = addon.operators.flatten.OBJECT_OT_wirewarp_flatten
+    flatten_button = addon.flatten.operators.OBJECT_OT_wirewarp_flatten
     words = [flatten_button.description(bpy.context, SimpleNamespace(only_active=only)) for only in (False, True)]
     assert "keep the length" in words[0] and "lay out all its pieces again" in words[1]
 
@@ -381,7 +381,7 @@ def test_lengths_are_true_again_after_the_flat_object_was_edited(source, change)
 
 
 def test_the_list_opens_at_the_worst_piece_and_then_stays_where_the_user_is(addon, source):
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     worst = max(report.pieces, key=lambda piece: piece.needed).index
     assert source.wirewarp_active_piece == worst
     source.wirewarp_active_piece = 1 - worst

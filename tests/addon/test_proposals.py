@@ -38,11 +38,11 @@ def test_a_tube_lies_flat_once_the_proposed_seam_is_marked(addon, mode):
     bpy.ops.object.mode_set(mode="OBJECT")
     ends = read(source.data.vertices, "co", np.float32, 3)[seams_of(source)]
     assert {0.0, 3.0} <= set(ends[..., 2].ravel().tolist())  # from one opening to the other
-    assert addon.model.state.has_changed(source, addon.flat.reports.last_report(source).model_state)
+    assert addon.state.changes.has_changed(source, addon.state.reports.last_report(source).model_state)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     ratio = read(flat_of(source).data.attributes["aspect_ratio"].data, "value", np.float32)
     assert ratio == pytest.approx(1, abs=1e-4)  # a tube that is cut open is developable
-    assert addon.flat.reports.last_report(source).issues == []
+    assert addon.state.reports.last_report(source).issues == []
 
 
 def test_what_is_done_already_is_said():
@@ -75,7 +75,7 @@ def test_two_sleeves_are_mended_at_once_as_mirror_images(addon):
             vertex.co.y *= 1 + 0.2 * abs(vertex.co.x)
     joined(source, other)
     flatten_fails()
-    assert [issue.both_sides for issue in addon.flat.reports.last_report(source).issues] == [True, True]
+    assert [issue.both_sides for issue in addon.state.reports.last_report(source).issues] == [True, True]
     assert take(issue=0) == {"FINISHED"}
     ends = read(source.data.vertices, "co", np.float32, 3)[seams_of(source)]
     middles = {tuple(place) for place in ends.mean(axis=1).round(4).tolist()}
@@ -149,7 +149,7 @@ def neighbors(source, pairs):
 def test_a_proposed_diagonal_goes_round_its_face_the_shorter_way(addon):
     """The grid has nine vertices a row; pairs of its cells are one hexagon each."""
     source = grid("Bump", round_bump, faces="ngons")
-    arrays = addon.model.read.object_to_arrays(source, addon.model.marked_mesh.marked_mesh(source), None)
+    arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     around = addon.solve.flatten.seams_on_edges
     assert around([(20, 21), (21, 20)], arrays) == [(20, 21)]
     diagonals = {
@@ -180,7 +180,7 @@ def loosen(addon):
     mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.2)
     source.data.wirewarp_names[0].name = "Bust"
     bpy.ops.object.wirewarp_flatten()
-    arrays = addon.model.read.object_to_arrays(source, addon.model.marked_mesh.marked_mesh(source), None)
+    arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     number = {wire.name: index for index, wire in enumerate(arrays.wires)}
     proposed = [(number["Bust"], 0.012341), (number["Wire 2"], 0.05)]
     error = addon.core.library().FlattenError(
@@ -195,8 +195,8 @@ def loosen(addon):
     issue = addon.solve.flatten.issue_of_piece(piece, 0, arrays)
     assert [(wire.name, wire.tolerance) for wire in issue.proposed_tolerances] == [("Bust", 0.0124), ("Wire 2", 0.05)]
     report = addon.solve.report.failure_report(issue)
-    report.model_state = addon.model.state.present_state(source, False)
-    addon.flat.reports.store(source, report)
+    report.model_state = addon.state.changes.present_state(source, False)
+    addon.state.reports.store(source, report)
     return source
 
 
@@ -216,7 +216,7 @@ def test_the_proposed_tolerances_are_written_and_none_becomes_tighter(loosen, ad
     assert np.all(tolerances_on(loosen, 0.5) == np.float32(0.2))
     assert np.all(tolerances_on(loosen, -0.5) == 0)
     bpy.ops.object.wirewarp_flatten()
-    wires = addon.flat.reports.last_report(loosen).wires
+    wires = addon.state.reports.last_report(loosen).wires
     assert {wire.name: wire.tolerance for wire in wires} == {"Bust": 0.0124, "Wire 2": 0.2}
 
 
@@ -232,7 +232,7 @@ def test_wires_that_contradict_one_another_lie_flat_once_they_are_loosened(addon
     flatten_fails("flat with")
     assert take("TOLERANCES") == {"FINISHED"}
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     assert report.ok
     assert any(wire.tolerance > 0 for wire in report.wires)
 
@@ -247,7 +247,7 @@ def test_wires_of_twins_are_loosened_at_once(addon):
         target.data.transform(Matrix.Translation((place, 0, 0)))
     source = joined(*saddles)
     flatten_fails("flat with")
-    first, second = addon.flat.reports.last_report(source).issues
+    first, second = addon.state.reports.last_report(source).issues
     assert first.both_sides and first.proposed_tolerances == second.proposed_tolerances
     assert len({wire.name for wire in first.proposed_tolerances}) % 2 == 0
     assert take("TOLERANCES") == {"FINISHED"}

@@ -47,16 +47,16 @@ def test_an_owner_of_the_name_beside_our_own_map_is_no_matter(source):
 
 
 def test_what_was_free_when_read_is_asked_again_before_writing(source, addon):
-    models = addon.run.read.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
+    models = addon.flatten.read.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
     for number in range(8):
         source.data.uv_layers.new(name=f"Map {number}")
     with pytest.raises(addon.issues.ObjectError, match="already has 8 UV maps"):
-        addon.run.read.check_current(bpy.context, models, bpy.context.scene.wirewarp)
+        addon.flatten.read.check_current(bpy.context, models, bpy.context.scene.wirewarp)
     source.data.uv_layers.remove(source.data.uv_layers[0])
-    addon.run.read.check_current(bpy.context, models, bpy.context.scene.wirewarp)
+    addon.flatten.read.check_current(bpy.context, models, bpy.context.scene.wirewarp)
     source.data.vertices[0].co.z += 1
     with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the run, so nothing was written'):
-        addon.run.read.check_current(bpy.context, models, bpy.context.scene.wirewarp)
+        addon.flatten.read.check_current(bpy.context, models, bpy.context.scene.wirewarp)
 
 
 def in_another_scene(data):
@@ -83,9 +83,9 @@ def test_flat_pieces_that_are_edited_in_another_scene(source, addon):
     select_only(flat_of(source))
     bpy.ops.object.mode_set(mode="EDIT")
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
-        addon.run.targets.check_target(source, writes_model=True)
+        addon.flatten.targets.check_target(source, writes_model=True)
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
-        addon.flat.pattern.read_pattern(bpy.context.scene, source)
+        addon.export.read.read_pattern(bpy.context.scene, source)
 
 
 def test_no_file_of_ours_takes_the_place_of_a_blender_file(source, tmp_path):

@@ -81,7 +81,7 @@ def test_a_registration_that_fails_leaves_nothing(addon, monkeypatch):
         raise RuntimeError("no keymap")
 
     with monkeypatch.context() as patch:
-        patch.setattr(addon.run.auto_update, "attach", fail)
+        patch.setattr(addon.flatten.auto_update, "attach", fail)
         with pytest.raises(RuntimeError, match="no keymap"):
             addon.register()
     assert set(dir(bpy.types)) <= before
@@ -135,7 +135,7 @@ def test_every_operator_and_its_properties_have_tooltips(addon):
 
 
 def test_each_kind_of_wire_has_a_tooltip_of_its_own(addon):
-    mark = addon.operators.mark.MESH_OT_wirewarp_mark
+    mark = addon.marks.mark_operators.MESH_OT_wirewarp_mark
     kinds = ("RIGID", "ELASTIC", "SUPER_ELASTIC")
     texts = [mark.description(bpy.context, SimpleNamespace(kind=kind)) for kind in kinds]
     assert ["rigid" in texts[0], "elastic" in texts[1], "free" in texts[2]] == [True] * 3
@@ -146,7 +146,7 @@ def test_the_methods_are_those_of_the_library(addon):
     method = bpy.ops.object.wirewarp_flatten.get_rna_type().properties["method"]
     assert method.default == bpy.context.scene.wirewarp.method == "REFINED"
     library = addon.core.library()
-    methods = addon.run.settings.LIBRARY_METHODS
+    methods = addon.state.settings.LIBRARY_METHODS
     assert methods.keys() == set(method.enum_items.keys())
     assert methods[method.default] == library.Options().method
     for name in methods.values():

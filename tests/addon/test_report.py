@@ -77,7 +77,7 @@ def test_tolerances_that_the_method_does_not_use_are_said(source, addon, tmp_pat
     text = "This method keeps every wire rigid, so tolerances were not used."
     assert entry["notes"] == [{"text": text, "is_warning": False, "piece": None}]
     assert entry["wires"][0]["length_2d"][0] == pytest.approx(entry["wires"][0]["length_3d"], rel=1e-9)
-    (row,) = addon.flat.reports.last_report(source).tables.wires
+    (row,) = addon.state.reports.last_report(source).tables.wires
     assert row.note.endswith("; free, kept rigid")
 
 
@@ -88,7 +88,7 @@ def test_an_elastic_wire_at_its_limit_is_marked(source, addon, tmp_path):
     assert [part["at_limit"] for part in (*parts, *entry["wires"])] == [True, True, True]
     assert [part["tolerance"] for part in parts] == [0.001, 0.001]
     assert [abs(part["percent"][0]) for part in parts] == pytest.approx([0.1, 0.1], abs=1e-4)
-    (row,) = addon.flat.reports.last_report(source).tables.wires
+    (row,) = addon.state.reports.last_report(source).tables.wires
     assert (row.ok, row.at_limit) == (True, True)
     assert row.note.endswith("; at its limit of ±0.1%")
 
@@ -102,7 +102,7 @@ def test_a_wire_short_of_its_limit_is_not_marked(source, addon, tmp_path, kind, 
     (entry,) = flatten_with_report(tmp_path)["objects"]
     assert entry["ok"]
     assert not [hint for hint in entry["hints"] if hint["code"] == "wire_at_limit"]
-    (row,) = addon.flat.reports.last_report(source).tables.wires
+    (row,) = addon.state.reports.last_report(source).tables.wires
     assert (row.ok, row.at_limit) == (True, False)
     assert row.note.split("; ")[1:] == ([text] if text else [])
 
@@ -129,9 +129,9 @@ def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):
 
 def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
     target = grid("Bump", bump)
-    arrays = addon.model.read.object_to_arrays(target, addon.model.marked_mesh.marked_mesh(target), None)
+    arrays = addon.state.read_model.object_to_arrays(target, addon.state.marked_mesh.marked_mesh(target), None)
     identities = [addon.solve.identity.PieceIdentity(1, "Top")]
-    choices = addon.run.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
+    choices = addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
 
     library = addon.core.library()
 
@@ -163,7 +163,7 @@ def test_what_is_only_good_to_know_is_no_warning(addon, source):
     """In the message after a run; what may be wrong with the pieces is."""
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     (note,) = report.notes
     assert "from an earlier run without Modifiers" in note.text
     level, text = addon.solve.report.run_message([report])
@@ -188,18 +188,18 @@ def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
 
 def test_the_report_is_saved_with_the_object(source, addon, tmp_path):
     bpy.ops.object.wirewarp_flatten()
-    before = addon.flat.reports.last_report(source)
+    before = addon.state.reports.last_report(source)
     assert before.ok
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "flat.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "flat.blend"))
-    assert addon.flat.reports.last_report(bpy.data.objects["Bump"]) == before
+    assert addon.state.reports.last_report(bpy.data.objects["Bump"]) == before
     assert bpy.data.objects["Bump Flat"].wirewarp_source == bpy.data.objects["Bump"]
 
 
 @pytest.mark.parametrize("stored", ["{", "[]", '{"schema": "older"}', 7])
 def test_a_stored_report_that_cannot_be_read_is_a_sentence(source, addon, stored):
     source["wirewarp_report"] = stored
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     assert not report.ok
     assert "Flatten again" in report.issues[0].sentence
     assert bpy.ops.mesh.wirewarp_select_issues() == {"CANCELLED"}
@@ -239,7 +239,7 @@ def test_joined_wires_have_the_names_they_had_in_the_report_and_in_the_list(sour
     select_only(source, other, third)
     bpy.ops.object.join()  # keeps the names of the first mesh only
     bpy.ops.object.wirewarp_flatten()
-    wires = [wire.name for wire in addon.flat.reports.last_report(source).wires]
+    wires = [wire.name for wire in addon.state.reports.last_report(source).wires]
     assert wires == [entry.name for entry in source.data.wirewarp_names]
     assert sorted(wires) == ["Bust", "Bust (2)", "Hip"]
 
@@ -262,10 +262,10 @@ def test_the_report_follows_the_names_of_wires(addon):
     for line, tolerance in ((0.0, 0.001), (0.5, 0.002)):
         mark(source, on_line(1, line), kind="ELASTIC", tolerance=tolerance)
     bpy.ops.object.wirewarp_flatten()
-    before = copy.deepcopy(addon.flat.reports.last_report(source))
+    before = copy.deepcopy(addon.state.reports.last_report(source))
     for entry in source.data.wirewarp_names:
         entry.name = {"Wire 1": "Wire 2", "Wire 2": "Hip \\1"}[entry.name]
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
 
     def swapped(text):
         return text.replace("Wire 2", "Hip \\1").replace("Wire 1", "Wire 2")
@@ -288,5 +288,5 @@ def test_two_wires_renamed_alike_stay_apart(addon, source):
     bpy.ops.object.wirewarp_flatten()
     for entry in source.data.wirewarp_names:
         entry.name = "Waist"
-    names = [wire.name for wire in addon.flat.reports.last_report(source).wires]
+    names = [wire.name for wire in addon.state.reports.last_report(source).wires]
     assert names == ["Waist", "Waist (2)"]

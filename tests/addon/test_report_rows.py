@@ -20,7 +20,7 @@ def report(addon):
     mark_seam(target, SEAM)
     mark(target, WIRE, kind="SUPER_ELASTIC")
     bpy.ops.object.wirewarp_flatten()
-    return addon.flat.reports.last_report(target)
+    return addon.state.reports.last_report(target)
 
 
 def test_every_kind_of_element_has_its_rows(addon, report):
@@ -45,7 +45,7 @@ def test_rows_are_made_once_a_report(addon, report):
 
 
 def test_the_report_is_parsed_once(addon, report):
-    assert addon.flat.reports.last_report(bpy.data.objects["Bump"]) is report
+    assert addon.state.reports.last_report(bpy.data.objects["Bump"]) is report
 
 
 def table_of(addon, report):
@@ -96,7 +96,7 @@ def test_the_list_of_pieces_has_the_worst_first(addon):
     listed = bpy.types.WIREWARP_UL_pieces
     this = SimpleNamespace(filter_name="", bitflag_filter_item=1 << 30, use_filter_sort_alpha=False)
     shown, places = listed.filter_items(this, bpy.context, source, "wirewarp_pieces")
-    strains = [p.needed for p in addon.flat.reports.last_report(source).pieces]
+    strains = [p.needed for p in addon.state.reports.last_report(source).pieces]
     assert shown == []
     assert sorted(places) == [0, 1]
     assert places.index(0) == np.argmax(strains)

@@ -16,12 +16,12 @@ from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line, rea
 
 
 def read_models(addon, *sources):
-    return addon.run.read.read_models(bpy.context, list(sources), bpy.context.scene.wirewarp)
+    return addon.flatten.read.read_models(bpy.context, list(sources), bpy.context.scene.wirewarp)
 
 
 def solving(addon, *sources):
-    choices = addon.run.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
-    return addon.run.models.solve_models(addon.core.library(), read_models(addon, *sources), choices, 1.0)
+    choices = addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
+    return addon.flatten.models.solve_models(addon.core.library(), read_models(addon, *sources), choices, 1.0)
 
 
 def test_a_run_tells_how_far_it_is(addon):
@@ -79,7 +79,7 @@ class FakeWindow:
 
 
 def begun_run(addon):
-    window_run, window = addon.run.window_run, FakeWindow()
+    window_run, window = addon.ui.window_run, FakeWindow()
     run = window_run.begin(window, window_run.FLATTEN, "Large", solving(addon, grid("Large", bump, size=200)))
     run.go_on()
     assert window_run.is_running() and not run.is_done
@@ -89,14 +89,14 @@ def begun_run(addon):
 def test_another_file_ends_the_run(addon, started):
     window = begun_run(addon)
     bpy.ops.wm.read_homefile(use_empty=True)
-    assert not addon.run.window_run.is_running()
+    assert not addon.ui.window_run.is_running()
     assert [job() for job in started] == [None] and window.timers == []
 
 
 def test_a_run_ends_when_the_add_on_is_disabled(addon, started):
     window = begun_run(addon)
     addon.unregister()
-    assert not addon.run.window_run.is_running()
+    assert not addon.ui.window_run.is_running()
     assert [job() for job in started] == [None] and window.timers == []
     addon.register()
 
@@ -108,9 +108,9 @@ sys.path.insert(0, {folder!r})
 bpy.ops.preferences.addon_enable(module={module!r})
 from surfaces import bump, grid
 addon = sys.modules[{module!r}]
-choices = addon.run.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
-models = addon.run.read.read_models(bpy.context, [grid("Large", bump, size=200)], bpy.context.scene.wirewarp)
-kept = addon.run.models.solve_models(addon.core.library(), models, choices, 1.0)
+choices = addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
+models = addon.flatten.read.read_models(bpy.context, [grid("Large", bump, size=200)], bpy.context.scene.wirewarp)
+kept = addon.flatten.models.solve_models(addon.core.library(), models, choices, 1.0)
 next(kept)
 print("the end")
 """
@@ -129,7 +129,7 @@ def test_blender_ends_during_a_run(addon, tmp_path):
 
 def test_a_run_that_is_done_may_still_be_cancelled(addon):
     """An update that waits for the mouse."""
-    window_run = addon.run.window_run
+    window_run = addon.ui.window_run
     run = window_run.begin(FakeWindow(), window_run.FLATTEN, "Nothing", solving(addon))
     run.go_on()
     assert run.is_done
@@ -166,7 +166,7 @@ def test_a_run_that_cannot_clean_up_is_cancelled_all_the_same(addon):
         finally:
             raise OSError("no disk")
 
-    window_run = addon.run.window_run
+    window_run = addon.ui.window_run
     run = window_run.begin(FakeWindow(), window_run.EXPORT, "Nothing", stubborn())
     run.go_on()
     with pytest.raises(OSError, match="no disk"):
@@ -182,7 +182,7 @@ def test_what_the_work_raises_is_raised_where_the_result_is_asked_for(addon):
         yield 0.5
         raise MemoryError("no room")
 
-    window_run = addon.run.window_run
+    window_run = addon.ui.window_run
     run = window_run.begin(FakeWindow(), window_run.FLATTEN, "Nothing", failing())
     while not run.is_done:
         run.go_on()
@@ -202,7 +202,7 @@ def source():
 
 def taken(addon):
     bpy.context.view_layer.update()
-    return [target.name for target in addon.run.auto_update.take_changed(bpy.context)]
+    return [target.name for target in addon.flatten.auto_update.take_changed(bpy.context)]
 
 
 def move_a_vertex(source):
@@ -233,7 +233,7 @@ def test_changes_are_seen_in_edit_mode(addon, source):
 def test_nothing_is_made_again_after_undo_until_something_changes(addon, source):
     bpy.context.scene.wirewarp.auto_update = True
     move_a_vertex(source)
-    addon.run.auto_update.note_undo()
+    addon.flatten.auto_update.note_undo()
     assert taken(addon) == []
     assert taken(addon) == []
     move_a_vertex(source)
@@ -243,9 +243,9 @@ def test_nothing_is_made_again_after_undo_until_something_changes(addon, source)
 def test_switching_off_and_on_after_undo_does_not_hide_the_next_change(addon, source):
     scene = bpy.context.scene
     scene.wirewarp.auto_update = True
-    addon.run.auto_update.note_undo()
+    addon.flatten.auto_update.note_undo()
     scene.wirewarp.auto_update = False
-    addon.run.auto_update.forget_change(scene)  # as with the next movement of the mouse
+    addon.flatten.auto_update.forget_change(scene)  # as with the next movement of the mouse
     scene.wirewarp.auto_update = True
     move_a_vertex(source)
     assert taken(addon) == ["Bump"]
@@ -253,19 +253,19 @@ def test_switching_off_and_on_after_undo_does_not_hide_the_next_change(addon, so
 
 def test_there_is_no_second_run_beside_another(addon, source, monkeypatch):
     assert bpy.ops.object.wirewarp_update.poll()
-    monkeypatch.setattr(addon.run.window_run, "is_running", lambda: True)
+    monkeypatch.setattr(addon.ui.window_run, "is_running", lambda: True)
     assert not bpy.ops.object.wirewarp_update.poll()
 
 
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
     """No operator is unregistered for it, which would take Adjust Last Operation away; in the end all go."""
-    updating = addon.operators.update.updating_in
+    updating = addon.flatten.update_operators.updating_in
     idnames = [updating(group).idname_py() for group in ("Move", "Mark Seam", "Move", "Update Flat Pieces")]
     assert len(set(idnames)) == 3 and idnames[0] == idnames[2] and idnames[3] == "object.wirewarp_update"
     joining = [getattr(bpy.types, f"OBJECT_OT_wirewarp_update_{number}") for number in (0, 1)]
     assert [cls.bl_undo_group for cls in joining] == ["Move", "Mark Seam"]
     assert all(cls.is_registered and cls.bl_options == {"INTERNAL", "UNDO_GROUPED"} for cls in joining)
-    most = addon.operators.update.MOST
+    most = addon.flatten.update_operators.MOST
     idnames = {updating(f"Group {number}").idname_py() for number in range(2 * most)}
     assert len(idnames) == most - 2 + 1  # the two above are for other groups, and the rest have a step of their own
     addon.unregister()
@@ -296,7 +296,7 @@ def test_what_goes_wrong_while_the_pieces_are_made_leaves_the_file_as_it_was(add
     def fail(*_):
         raise MemoryError("no room")
 
-    monkeypatch.setattr(addon.flat.object, "write_maps", fail)
+    monkeypatch.setattr(addon.flatten.flat_object, "write_maps", fail)
     source.data.vertices[0].co.z += 1
     with pytest.raises(RuntimeError, match="no room"):
         bpy.ops.object.wirewarp_flatten()
@@ -307,14 +307,14 @@ def test_what_goes_wrong_while_the_pieces_are_made_leaves_the_file_as_it_was(add
 
 def test_another_grain_wire_is_due_once(addon, source):
     assert taken(addon) == []
-    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.model.wires.find_wires(source)[0].edges[0])
+    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.state.wires.find_wires(source)[0].edges[0])
     assert taken(addon) == ["Bump"]
     bpy.ops.object.wirewarp_flatten()
     assert taken(addon) == []
 
 
 def test_a_model_that_cannot_be_read_is_tried_once_whatever_its_grain_wire(addon, source):
-    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.model.wires.find_wires(source)[0].edges[0])
+    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.state.wires.find_wires(source)[0].edges[0])
     bpy.ops.object.wirewarp_flatten()
     source.scale.x = 0.0
     assert taken(addon) == ["Bump"]

@@ -29,7 +29,7 @@ def source():
 
 def seams(addon, target):
     """Of the last report: where they run, by name."""
-    report = addon.flat.reports.last_report(target)
+    report = addon.state.reports.last_report(target)
     places = read(target.data.vertices, "co", np.float32, 3)
     return {seam.name: places[seam.edges].mean(axis=(0, 1))[:2].round(2).tolist() for seam in report.seams}
 
@@ -86,7 +86,7 @@ def test_a_seam_that_ends_inside_its_piece_is_a_dart(addon):
     mark_seam(target, dart)
     flatten(target)
     assert list(seams(addon, target)) == ["Dart 1"]
-    assert addon.flat.reports.last_report(target).tables.seams[0].note == "Bump"
+    assert addon.state.reports.last_report(target).tables.seams[0].note == "Bump"
     mark_seam(target, DOWN)  # all the way through: the same seam, and no dart any more
     flatten(target)
     assert list(seams(addon, target)) == ["Seam 1"]
@@ -103,11 +103,11 @@ def test_a_seam_with_both_sides_in_one_piece_that_opens_a_tube_is_no_dart(addon)
 
 
 def test_the_list_and_the_table_say_what_a_seam_joins(addon, source):
-    names = [piece.name for piece in addon.flat.reports.last_report(source).pieces]
+    names = [piece.name for piece in addon.state.reports.last_report(source).pieces]
     joined = " – ".join(names)
     assert joined in draw_panels(addon)
     text = addon.core.report_csv(
-        addon.flat.reports.last_report(source), addon.blender.units.length_text(bpy.context.scene)
+        addon.state.reports.last_report(source), addon.blender.units.length_text(bpy.context.scene)
     )
     assert f"Seam,Seam 1: {joined},{names[0]}," in text
 

@@ -134,7 +134,7 @@ def test_a_wire_on_the_model_and_on_the_flat_pieces(wired, what):
 
 
 def test_an_open_edge_is_one_stretch_of_one_piece(source, addon):
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     for index, (_, _, chain) in enumerate(addon.core.open_edges(report)):
         select_only(source)
         bpy.ops.mesh.wirewarp_select_result(what="OUTLINE", index=index)
@@ -159,7 +159,7 @@ def test_a_piece_on_the_model(source):
 
 @pytest.mark.parametrize("what", ["STRETCH", "EASE"])
 def test_where_the_cloth_is_strained_most(source, addon, what):
-    piece = addon.flat.reports.last_report(source).pieces[1]
+    piece = addon.state.reports.last_report(source).pieces[1]
     bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
     faces = selected(source, "polygons")
     assert faces.tolist() == getattr(piece, f"{what.lower()}_faces")

@@ -95,9 +95,9 @@ def test_after_a_loop_cut_one_side_is_eased_and_what_was_marked_stays(source, ad
     ease(source, SEAM, sides=sides, ease_percent=5.0)
     cut_beside_seam(source)
     mark_seam(source, BESIDE)
-    before = addon.model.sides.SIDE_EASES.read(source.data)
+    before = addon.state.sides.SIDE_EASES.read(source.data)
     ease(source, BESIDE, sides=beside, ease_percent=2.0)
-    after = addon.model.sides.SIDE_EASES.read(source.data)
+    after = addon.state.sides.SIDE_EASES.read(source.data)
     assert np.count_nonzero(before) == 8 and (after[before != 0] == np.float32(0.05)).all()
     assert np.count_nonzero(after == np.float32(0.02)) == 8  # one corner of each edge
 
@@ -118,7 +118,7 @@ def test_an_ease_of_a_side_that_was_copied_to_the_other_is_told_until_it_is_mark
     mark_seam(half, SEAM)
     with pytest.raises(RuntimeError, match='The side of the ease is unknown on 8 edges of "Half", because faces'):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.flat.reports.last_report(half).issues
+    (issue,) = addon.state.reports.last_report(half).issues
     assert len(issue.edges) == 8
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
@@ -133,7 +133,7 @@ def test_an_ease_of_one_side_of_a_middle_that_a_mirror_merges_is_told_what_to_do
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
     with pytest.raises(RuntimeError, match="8 edges .*modifiers copied.*Apply them and mark it again, or mark it on"):
         bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    (issue,) = addon.flat.reports.last_report(half).issues
+    (issue,) = addon.state.reports.last_report(half).issues
     assert (issue.code, len(issue.edges)) == ("side_unknown", 8)
     ease(half, SEAM, sides="NONE")
     ease(half, SEAM, sides="ALL", ease_percent=5.0)
@@ -173,7 +173,7 @@ def test_two_eases_of_one_side_are_told_with_their_edges(source, addon):
     write_corners(source, [0.02, 0.02])
     with pytest.raises(RuntimeError, match='Edges of "Bump" have two eases of one side.*mark their ease again'):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.flat.reports.last_report(source).issues
+    (issue,) = addon.state.reports.last_report(source).issues
     assert len(issue.edges) == 8
     mark(source, HEM)  # which goes on as ever
     ease(source, SEAM, sides="ONE", ease_percent=5.0)  # which takes the other away
@@ -187,7 +187,7 @@ def test_an_ease_where_no_side_is_names_its_edges(source, addon):
     bpy.ops.object.mode_set(mode="OBJECT")
     with pytest.raises(RuntimeError, match="An ease names"):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.flat.reports.last_report(source).issues
+    (issue,) = addon.state.reports.last_report(source).issues
     assert issue.code == "ease_without_side"
     assert len(issue.edges) == 2
 
@@ -205,7 +205,7 @@ def test_an_ease_that_is_none_names_its_wire_or_its_edges(source, addon, name, v
     wire, side = 'Wire "Wire 1" has an invalid ease', "ease of one side is invalid along 8 edges"
     with pytest.raises(RuntimeError, match=wire if name == "wirewarp_ease" else side):
         bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.flat.reports.last_report(source).issues
+    (issue,) = addon.state.reports.last_report(source).issues
     assert len(issue.edges) == 8
 
 

@@ -14,7 +14,7 @@ def sized(addon):
     def make(width):
         source = grid("Chair", lambda x, y: [width / 2 * value for value in bump(x, y)])
         bpy.context.view_layer.update()
-        size = addon.blender.size
+        size = addon.blender.units
         offered = [size.unit_text(source, unit) for unit in size.likely_units(source)]
         return size.strange_size(source, bpy.context.scene), offered
 
@@ -43,7 +43,7 @@ def test_one_click_makes_the_pattern_as_large_as_the_model_was_meant(addon, size
     assert bpy.ops.scene.wirewarp_set_unit(meters=0.01) == {"FINISHED"}
     assert "another unit" not in draw_panels(addon)
     bpy.ops.object.wirewarp_flatten()
-    report = addon.flat.reports.last_report(bpy.data.objects["Chair"])
+    report = addon.state.reports.last_report(bpy.data.objects["Chair"])
     assert report.meters == pytest.approx(0.01)
     assert flat_of(bpy.data.objects["Chair"]).dimensions.x > 77
 
@@ -52,4 +52,4 @@ def test_a_scene_without_units_gets_some(addon, sized):
     bpy.context.scene.unit_settings.system = "NONE"
     assert sized(150)[0]
     bpy.ops.scene.wirewarp_set_unit(meters=0.01)
-    assert addon.blender.size.strange_size(bpy.data.objects["Chair"], bpy.context.scene) == ""
+    assert addon.blender.units.strange_size(bpy.data.objects["Chair"], bpy.context.scene) == ""

@@ -169,7 +169,7 @@ def test_a_suggestion_is_cut_smoothly_and_flattened(addon, kind, faces):
     ends = seam_places(source)
     assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() <= sum(cut.lengths) * (1 + 1e-6)
     assert ends_of(seams_of(source)) == ends_of(cut.edges)
-    pieces = addon.flat.reports.last_report(source).pieces
+    pieces = addon.state.reports.last_report(source).pieces
     assert all(piece.ok for piece in pieces) and flat_of(source)
     assert len(pieces) == (1 if kind == "DARTS" else 1 + len(cut.lengths))
 
@@ -221,7 +221,7 @@ def test_where_a_second_line_fails_the_first_is_not_cut_either(addon, monkeypatc
     stairs(source)
     mark_seam(source, on_line(1, 0.75))
     before = edge_vertices(source.data), seams_of(source), places(source)
-    run, calls = addon.run.smooth_lines, []
+    run, calls = addon.suggest.smooth, []
     cut_line = run.cut_line
 
     def cut_once(*arguments):

@@ -45,7 +45,7 @@ def widespread(addon, source):
     bpy.ops.object.wirewarp_flatten()
     mesh = flat_of(source).data
     ratios = read(mesh.attributes["aspect_ratio"].data, "value", np.float32) - 1
-    arrays = addon.model.read.object_to_arrays(source, addon.model.marked_mesh.marked_mesh(source), None)
+    arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     faces = read(mesh.attributes["source_face"].data, "value", np.int32)
     areas = addon.solve.arrays.triangle_areas(arrays.vertices, arrays.triangles)
     area_of = np.bincount(arrays.triangle_polygons, areas)[faces]
@@ -70,7 +70,7 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert pairs(seams_of(source)) == pairs(suggestions.cuts[0].edges)
     assert pairs(edge_vertices(source.data)) - edges == pairs(suggestions.cuts[0].diagonals)
-    flattened = addon.flat.reports.last_report(source).pieces
+    flattened = addon.state.reports.last_report(source).pieces
     assert len(flattened) == (1 if kind == "DARTS" else 1 + len(suggestions.cuts[0].lengths))
     if faces == "triangles":  # else a face has one figure for two triangles; single precision is worth 1e-6 of .1
         assert widespread(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=1e-5)
@@ -144,8 +144,8 @@ def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, monkeypatch):
     bpy.ops.object.wirewarp_flatten()
     SUGGEST["DARTS"]()
     first, second, *_ = found(addon, source).cuts
-    monkeypatch.setattr(addon.overlay.cache, "IDLE_SHARE", 0)  # else what changes soon after the last time is seen late
-    monkeypatch.setattr(addon.overlay.cache, "FELT", math.inf)
+    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)  # else what changes soon is seen late
+    monkeypatch.setattr(addon.state.drawings, "FELT", math.inf)
 
     def drawn():
         lines = {each.target: each.failures for each in addon.overlay.shown.drawings(view_context())}
@@ -191,7 +191,7 @@ def test_it_is_taken_in_both_modes(addon, mode):
 
 def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
     source = grid("Bump", bump)
-    suggest = addon.run.suggest
+    suggest = addon.suggest.search
     search = suggest.begin_search(bpy.context, source, "DARTS", None)
     cuts = addon.solve.steps.in_one_go(search.steps)
     bpy.data.objects.remove(source)
@@ -275,7 +275,7 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
     assert source.vertex_groups["Half"].weight(1) == 0.5
     kept = mesh.uv_layers["Mine"].data
     assert {tuple(kept[loop.index].uv) for loop in mesh.loops} == set(uv.values())
-    assert addon.flat.reports.last_report(source).pieces[0].ok
+    assert addon.state.reports.last_report(source).pieces[0].ok
 
 
 def write_sides(mesh, name):
@@ -345,7 +345,7 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     assert {tuple(place) for place in places.tolist()} <= proposed
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert pairs(seams_of(source)) == pairs(cuts[0].edges)
-    pieces = addon.flat.reports.last_report(source).pieces
+    pieces = addon.state.reports.last_report(source).pieces
     assert pieces and all(piece.ok for piece in pieces)
     assert widespread(addon, source) <= cuts[0].strain * 1.05  # of all pieces; that of the worst one is claimed
 

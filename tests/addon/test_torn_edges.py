@@ -8,7 +8,7 @@ from surfaces import bump, flatten, grid, on_line, select_edges
 
 
 def hints_of(addon, source):
-    return [hint for hint in addon.flat.reports.last_report(source).hints if hint.code == "torn"]
+    return [hint for hint in addon.state.reports.last_report(source).hints if hint.code == "torn"]
 
 
 def selected_ends(target):
@@ -40,8 +40,8 @@ def test_edges_that_lie_on_each_other_are_told_until_they_are_merged(addon, line
     flatten(source)
     (hint,) = hints_of(addon, source)
     assert hint.short == f"{count} edges"
-    assert addon.flat.reports.last_report(source).notes == []  # for it may be meant
-    index = addon.flat.reports.last_report(source).hints.index(hint)
+    assert addon.state.reports.last_report(source).notes == []  # for it may be meant
+    index = addon.state.reports.last_report(source).hints.index(hint)
     bpy.ops.mesh.wirewarp_select_result(what="HINT", index=index)
     assert len(selected_ends(source)) == count
     assert all(line(*ends) for ends in selected_ends(source))

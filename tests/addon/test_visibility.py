@@ -63,7 +63,7 @@ def test_select_issues_shows_a_hidden_model():
 
 
 def notes(addon, source):
-    return [note.text for note in addon.flat.reports.last_report(source).notes]
+    return [note.text for note in addon.state.reports.last_report(source).notes]
 
 
 def test_flattening_again_makes_the_size_true_and_keeps_the_place(addon):

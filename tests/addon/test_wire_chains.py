@@ -9,7 +9,7 @@ import pytest
 
 @pytest.fixture
 def chains(addon):
-    return addon.pattern.chains
+    return addon.solve.chains
 
 
 def vertices_of(chains, edges, positions):

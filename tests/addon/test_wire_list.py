@@ -28,11 +28,11 @@ def source():
 def listed(addon, target):
     """Name, tolerance and number of edges of each line."""
     bpy.context.view_layer.update()
-    return [(name, wire.tolerance, len(wire.edges)) for name, wire in addon.model.wires.listed_wires(target)]
+    return [(name, wire.tolerance, len(wire.edges)) for name, wire in addon.state.wires.listed_wires(target)]
 
 
 def edge_of(addon, target, wanted):
-    return next(wire.edges[0] for name, wire in addon.model.wires.listed_wires(target) if name == wanted)
+    return next(wire.edges[0] for name, wire in addon.state.wires.listed_wires(target) if name == wanted)
 
 
 def in_edit_mode(target, line, operator, **settings):
@@ -103,7 +103,7 @@ def test_joined_copies_are_wires_of_their_own(addon, source):
     names = ["Bust", "Bust (2)", "Middle", "Middle (2)"]
     assert sorted(name for name, _, _ in listed(addon, source)) == names
     bpy.ops.object.wirewarp_flatten()
-    report = addon.flat.reports.last_report(source)
+    report = addon.state.reports.last_report(source)
     assert sorted(wire.name for wire in report.wires) == names
     flat = bpy.data.objects["Bump Flat"]
     assert sorted(entry.name for entry in flat.data.wirewarp_names) == names
@@ -162,7 +162,7 @@ def test_a_whole_wire_is_selected(addon, source, by):
 
 
 def test_wires_of_one_id_each_get_one_of_their_own(addon):
-    own_ids, last = addon.model.attributes.own_ids, addon.solve.identity.MAX_ID
+    own_ids, last = addon.state.marked_mesh.own_ids, addon.solve.identity.MAX_ID
     assert own_ids([5, 9, 5, 5, 6]) == [5, 9, 7, 8, 6]
     assert own_ids([last, last]) == [last, 1]
 
@@ -190,7 +190,7 @@ class Rows:
 def row_of(addon, target, entry, width=600):
     select_only(target)
     rows = Rows()
-    addon.ui.wire_list.WIREWARP_UL_wires.draw_item(
+    addon.marks.wire_list.WIREWARP_UL_wires.draw_item(
         None, sidebar(width), rows, target.data, entry, 0, target.data, "", 0
     )
     return rows.words
@@ -199,14 +199,14 @@ def row_of(addon, target, entry, width=600):
 def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source):
     bpy.context.scene.unit_settings.length_unit = "CENTIMETERS"
     row = row_of(addon, source, source.data.wirewarp_names[1])
-    length = sum(wire.length(np.eye(3)) for name, wire in addon.model.wires.listed_wires(source) if name == "Middle")
+    length = sum(wire.length(np.eye(3)) for name, wire in addon.state.wires.listed_wires(source) if name == "Middle")
     assert row == ["Middle", f"±5%  {100 * length:.3f} cm"]
     assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle", f"{100 * length:.3f} cm"]
 
 
 def test_what_has_no_row_of_its_own_stands_below_and_what_is_gone_nowhere(addon, source):
     """A wire cut in two by hand, without Mark, and one whose edges were cleared by a script."""
-    wires = dict(addon.model.wires.listed_wires(source))
+    wires = dict(addon.state.wires.listed_wires(source))
     for row in wires["Bust"].edges[3:5]:
         source.data.attributes["wirewarp_wire"].data[row].value = 0
     for row in wires["Middle"].edges:

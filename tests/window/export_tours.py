@@ -11,7 +11,7 @@ import wirewarp_addon
 from stage import flatten, marked_bump, window_run
 from surfaces import select_only
 
-export = wirewarp_addon.run.export
+export = wirewarp_addon.export.export
 Stages = Generator[tuple[str, float], None, object]
 
 

@@ -11,13 +11,13 @@ import wirewarp_addon
 from stage import contents, flatten, hold_runs, marked_bump, redo, remember, undo, window_run
 from surfaces import bump, flat_of, grid, tube
 
-solve_models = wirewarp_addon.run.models
+solve_models = wirewarp_addon.flatten.models
 
 
 def collect_messages() -> list[tuple[str, str]]:
     """What operators tell the user from now on, with their level."""
     messages = []
-    steps = wirewarp_addon.operators.flatten_steps.FlattenSteps
+    steps = wirewarp_addon.flatten.steps.FlattenSteps
     drive.replace(steps, "message", lambda _operator, level, text: messages.append((level, text)))
     return messages
 

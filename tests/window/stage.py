@@ -14,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parent.parent / "addon"))
 import wirewarp_addon
 from surfaces import bump, grid, mark, on_line
 
-window_run = wirewarp_addon.run.window_run
+window_run = wirewarp_addon.ui.window_run
 
 
 def contents(source: bpy.types.Object) -> tuple:
@@ -61,7 +61,7 @@ def marked_bump() -> bpy.types.Object:
 
 def hold_runs() -> Event:
     """From now on a run goes on until the event is set, or until it is cancelled."""
-    solve_models = wirewarp_addon.run.models
+    solve_models = wirewarp_addon.flatten.models
     goes_on, flatten_arrays = Event(), solve_models.flatten_arrays
 
     def wait_and_flatten(*what: object) -> Generator[float, None, object]:

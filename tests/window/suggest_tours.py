@@ -10,7 +10,7 @@ import wirewarp_addon
 from stage import contents, flatten, redo, remember, undo, window_run
 from surfaces import bump, grid, on_line, read, select_edges
 
-current = wirewarp_addon.flat.suggestions.current_suggestions
+current = wirewarp_addon.state.suggestions.current_suggestions
 
 
 def seam_count() -> int:
@@ -94,7 +94,7 @@ def a_model_that_changes_during_the_search_gets_no_suggestion() -> drive.Tour:
     source.data.vertices[400].co.z += 0.01
     source.data.update()
     yield lambda: not window_run.is_running()
-    assert wirewarp_addon.flat.suggestions.suggestions_of(source) is None
+    assert wirewarp_addon.state.suggestions.suggestions_of(source) is None
 
 
 def a_search_ends_under_a_tool() -> drive.Tour:
@@ -102,7 +102,7 @@ def a_search_ends_under_a_tool() -> drive.Tour:
     source = grid("Bump", bump)
     select_edges(source, on_line(0, 0.0))
     remember()
-    run, goes_on = wirewarp_addon.run.suggest, Event()
+    run, goes_on = wirewarp_addon.suggest.search, Event()
     suggest_cuts = run.suggest_cuts
 
     def wait_and_suggest(*what: object) -> Generator[float, None, object]:
@@ -126,7 +126,7 @@ def a_search_ends_under_a_tool() -> drive.Tour:
 def a_fault_of_the_core_ends_the_search() -> drive.Tour:
     """It is told, and another search can begin."""
     source = grid("Bump", bump)
-    run, operators, told = wirewarp_addon.run.suggest, wirewarp_addon.operators.suggest, []
+    run, operators, told = wirewarp_addon.suggest.search, wirewarp_addon.suggest.operators, []
     suggest_cuts, fault_sentence = run.suggest_cuts, operators.fault_sentence
 
     def fail(*_: object) -> Generator[float, None, object]:

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 
 from ..issues import changed_error, object_error
-from ..pattern.chains import edge_keys
+from ..solve.chains import edge_keys
 from .mesh import corner_edges, current_mesh, edge_vertices, face_sizes, read
 from .objects import check_local
 from .views import show_place, work_area

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lengths as text in the scene's units. Unit Scale changes the text, never the numbers behind it."""
+"""Lengths as the scene shows them, and models whose size tells that their unit was lost."""
+
+from collections.abc import Sequence
 
 import bpy
 
@@ -32,3 +34,31 @@ def length_text(scene: bpy.types.Scene) -> LengthText:
 def meters_per_blender_unit(scene: bpy.types.Scene) -> float:
     """What the JSON report states metres by; with no unit system one Blender unit is one metre."""
     return scene.unit_settings.scale_length if scene.unit_settings.system != "NONE" else 1.0
+
+
+SMALLEST, LARGEST = 0.02, 5.0  # meters: from a doll's glove to a sofa's cover
+# What one Blender unit may mean, in meters: the units that files are written in, and a tenth, a hundredth and a
+# thousandth of a model that was scaled down when it was imported.
+UNITS = {1.0: "Meters", 0.01: "Centimeters", 0.001: "Millimeters", 0.0254: "Inches", 10.0: "10 m", 100.0: "100 m"}
+UNITS |= {1000.0: "1000 m"}
+SHOWN = 2  # of the units that would do
+
+
+def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
+    """A sentence on a model that is very large or very small; "" for others."""
+    largest = max(target.dimensions) * meters_per_blender_unit(scene)
+    if largest == 0 or SMALLEST <= largest <= LARGEST:
+        return ""
+    size = LengthText("m", 1.0).rough(largest) if largest > LARGEST else LengthText("mm", 1000.0).rough(largest)
+    return f'"{target.name}" is {size} {"large" if largest > LARGEST else "small"}. Was it made in another unit?'
+
+
+def likely_units(target: bpy.types.Object) -> Sequence[float]:
+    """Meters in a Blender unit with which the model has a size to sew, the likeliest first."""
+    largest = max(target.dimensions)
+    return [unit for unit in UNITS if SMALLEST <= largest * unit <= LARGEST][:SHOWN]
+
+
+def unit_text(target: bpy.types.Object, unit: float) -> str:
+    """The unit, and how large the model is then."""
+    return f"{UNITS[unit]}: {LengthText('cm', 100.0).rough(max(target.dimensions) * unit)}"

@@ -2,16 +2,18 @@
 """The overlay: seams, wires and failures on models, on flat pieces and in the UV editor, with names and a legend; maps.
 
 shown (which objects) -> objects, failures (arrays and names, kept in cache) -> view3d, uv_editor (the handlers).
-May import: flat, model, blender, solve, pattern, core, names, issues, words.
+May import: export, ui, state, solve, blender, core, issues, names, words.
 """
 
 from collections.abc import Callable
 
 import bpy
 
+from . import panel
 from .uv_editor import draw_map, draw_map_names
 from .view3d import draw_screen, draw_space
 
+MODULES = (panel,)
 _HANDLERS = (
     (bpy.types.SpaceView3D, draw_space, "POST_VIEW"),
     (bpy.types.SpaceView3D, draw_screen, "POST_PIXEL"),

@@ -10,7 +10,7 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
-from .cache import Same, kept_drawing
+from ..state.drawings import Same, kept_drawing
 from .failures import Failures
 from .lines import CORES, RIM, RIM_ALPHA, STYLES
 from .objects import Lines

@@ -9,9 +9,9 @@ import numpy as np
 from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import corner_edges, edge_vertices, faces_of_corners, next_loops, vertex_places
 from ..issues import Issue
-from ..model.owners import model_of
 from ..names import SOURCE_FACE, SOURCE_VERTEX
-from ..pattern.chains import edge_keys
+from ..solve.chains import edge_keys
+from ..state.owners import model_of
 from .gather import gather_triangles, uv_places
 from .objects import current_report
 

@@ -26,9 +26,9 @@ from ..blender.mesh import (
     triangle_vertices,
     vertex_places,
 )
-from ..model.attributes import read_ids, read_marks
-from ..model.sides import SIDE_EASES
 from ..names import PIECE, PIECE_INDEX, SEAM, SOURCE_VERTEX, UV_LAYER
+from ..state.marked_mesh import read_ids, read_marks
+from ..state.sides import SIDE_EASES
 from .eases import SideEases
 from .lines import LineEdges
 from .surfaces import Triangles

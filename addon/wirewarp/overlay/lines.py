@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core import pattern
-from ..pattern.chains import EdgeMarks, chains_of_marks
+from ..solve.chains import EdgeMarks, chains_of_marks
 from ..words import wire_text
 
 ALONG = (0.25, 0.5, 0.75)  # of the edges of a line, nearest to its middle first: where else its name may stand

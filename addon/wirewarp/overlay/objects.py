@@ -11,16 +11,15 @@ import numpy as np
 from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import corner_vertices, face_sizes, read, read_attribute, vertex_places
 from ..core import joined_pieces
-from ..flat.pieces import piece_names
-from ..flat.record import grains, read_record
-from ..flat.reports import last_report, pieces_report
-from ..flat.seams import seam_names
-from ..model.owners import find_flat_object, model_of, model_or_self
-from ..model.state import has_changed
-from ..model.wire_names import chain_names
 from ..names import PIECE, PIECE_INDEX, SOURCE_CORNER
 from ..solve.maps import ColorMap
 from ..solve.report import ObjectReport
+from ..state.changes import has_changed
+from ..state.identities import piece_names, seam_names
+from ..state.owners import find_flat_object, model_of, model_or_self
+from ..state.record import grains, read_record
+from ..state.reports import last_report, pieces_report
+from ..state.wires import chain_names
 from .eases import ease_arrows
 from .gather import gather_lines, gather_side_eases, gather_triangles, shown_mesh
 from .lines import (

@@ -7,11 +7,11 @@ import bpy
 import numpy as np
 
 from ..core import FlattenError, pattern
-from ..flat.markers import kept_marker
-from ..flat.pattern import read_outlines
+from ..export.markers import kept_marker
+from ..export.pattern_parts import Cloth, PatternParts, laid_on_kept
+from ..export.read import read_outlines
 from ..issues import ObjectError
 from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
-from ..solve.pattern_parts import Cloth, PatternParts, laid_on_kept
 from ..words import counted
 from .lines import Name
 

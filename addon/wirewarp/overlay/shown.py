@@ -8,21 +8,20 @@ from functools import partial
 import bpy
 import numpy as np
 
-from ..blender.memory import find_objects, stamp
 from ..blender.objects import metric
 from ..blender.units import meters_per_blender_unit
-from ..flat.markers import marker_text
-from ..flat.pieces import piece_names
-from ..flat.reports import last_report, pieces_report
-from ..flat.seams import seam_names
-from ..flat.suggestions import suggestions_of
+from ..export.markers import marker_text
+from ..export.pattern_parts import GRAINS, Cloth
 from ..issues import ObjectError
-from ..model.owners import find_flat_object, model_of, model_or_self
 from ..names import MARKS
 from ..solve.maps import CLOTH_MAPS, COLOR_MAPS, ColorMap
-from ..solve.pattern_parts import GRAINS, Cloth
 from ..solve.report import ObjectReport
-from .cache import Same, kept_drawing
+from ..state.drawings import Same, kept_drawing
+from ..state.identities import piece_names, seam_names
+from ..state.memory import find_objects, stamp
+from ..state.owners import find_flat_object, model_of, model_or_self
+from ..state.reports import last_report, pieces_report
+from ..state.suggestions import suggestions_of
 from .failures import Failures, failures, uv_failures
 from .gather import gather_uv_lines, shows_our_map
 from .objects import Lines, colored_surface, lines_of, marked_lines

@@ -5,12 +5,12 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
-from ..flat.reports import pieces_report
-from ..flat.suggestions import chosen_cut
-from ..model.owners import model_or_self
-from ..model.state import has_changed
 from ..names import SOURCE_VERTEX
-from ..pattern.chains import edge_keys
+from ..solve.chains import edge_keys
+from ..state.changes import has_changed
+from ..state.owners import model_or_self
+from ..state.reports import pieces_report
+from ..state.suggestions import chosen_cut
 from .failures import Failures
 from .gather import gather_triangles, uv_places
 from .objects import is_modified

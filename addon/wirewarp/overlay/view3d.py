@@ -9,7 +9,7 @@ import gpu
 import numpy as np
 from mathutils import Matrix
 
-from ..model.owners import model_of
+from ..state.owners import model_of
 from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
 from .screen import MAX_NAMES, PlacedName, write_over
 from .shown import Drawing, drawings, extremes, missing_maps, shown_map

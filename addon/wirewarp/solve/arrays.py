@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..pattern.chains import WireChain
 from ..words import LengthText
+from .chains import WireChain
 
 ALL_ROUND = 0.3  # of the area: if one side outweighs the others by more, in and out cannot be distinguished
 INWARD = (

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core import FlattenResult
-from ..pattern.chains import EdgeMarks
 from .arrays import MeshArrays, triangle_areas
+from .chains import EdgeMarks
 from .flatten import FlattenChoices, has_cloth, has_layout
 from .identity import PieceIdentity
 from .length_variation import edge_length_variation

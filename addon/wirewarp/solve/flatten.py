@@ -12,9 +12,9 @@ import numpy as np
 
 from ..core import Cache, Cloth, Ease, FlattenError, FlattenResult, Job, Options, Piece, Wire
 from ..issues import Issue, LooserWire, ObjectError
-from ..pattern.chains import edge_keys, shortest_double
 from ..words import counted
 from .arrays import MeshArrays, NamedWire, triangle_areas
+from .chains import edge_keys, shortest_double
 from .error_sentences import ErrorFacts, error_sentence
 from .steps import Steps
 

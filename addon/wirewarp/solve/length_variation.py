@@ -5,8 +5,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..core import FlattenResult
-from ..pattern.chains import edge_keys
 from .arrays import MeshArrays, edge_lengths
+from .chains import edge_keys
 from .flatten import FlattenChoices
 
 

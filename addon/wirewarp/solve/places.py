@@ -8,15 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from ..core import pattern
-from ..pattern.outlines import (
-    FlatPieces,
-    OutlineEdges,
-    number_edges,
-    outline_edges,
-    outline_loops,
-    piece_of_vertices,
-)
 from .flat_mesh import FlatMesh
+from .outlines import FlatPieces, OutlineEdges, number_edges, outline_edges, outline_loops, piece_of_vertices
 
 SAMPLE = 100  # points by which the place of a piece is remembered
 # Points of pieces that have a place but no shape just now: (k,4) float64, piece id, source vertex and place.

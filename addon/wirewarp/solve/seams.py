@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core import FlattenResult, SeamReport
-from ..pattern.chains import edge_keys
 from .arrays import MeshArrays, edge_lengths
+from .chains import edge_keys
 from .identity import assign_ids
 
 GIVEN = re.compile(r"(?:Seam|Dart) (\d+)")  # a name of ours, that the user has not changed

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..issues import ObjectError
-from ..pattern.chains import edge_keys
 from .arrays import MeshArrays
+from .chains import edge_keys
 from .flatten import issue_of_error, polygons_across
 from .suggest import NoSeam, Pairs, diagonals, painted_at_edges
 

@@ -11,8 +11,8 @@ import numpy as np
 from ..core import DartProposal, Job
 from ..issues import ObjectError
 from ..names import NO_SEAM
-from ..pattern.chains import edge_keys
 from .arrays import MeshArrays
+from .chains import edge_keys
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import Steps
 

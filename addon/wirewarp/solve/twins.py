@@ -9,8 +9,8 @@ import numpy as np
 
 from ..core import FlattenResult, Piece
 from ..issues import Issue, LooserWire
-from ..pattern.chains import edge_keys
 from .arrays import MeshArrays, triangle_areas
+from .chains import edge_keys
 
 ALIKE = 1e-3  # of its own size: by so much at most the outlines and areas of twins differ
 IN_PLACE = 1e-4  # of the size of a piece: nearer than this to its mirror image a vertex is that

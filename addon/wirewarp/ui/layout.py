@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sentences, tables and marks in a narrow sidebar."""
+"""Sentences, tables, marks and progress in a narrow sidebar."""
 
 from collections.abc import Callable
 from functools import lru_cache
@@ -11,6 +11,7 @@ import bpy.utils.previews
 import numpy as np
 
 from ..core import Level
+from .window_run import Task, shown_progress
 
 WIDE = 330  # in Blender's own pixels; the sidebar starts at half of it
 BESIDE_TEXT = 90  # of the region's width: icon, margins and the tabs
@@ -140,3 +141,22 @@ def _distance(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Of points (..., 2) from the line between a and b."""
     share = np.clip((points - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
     return np.linalg.norm(points - a - share[..., None] * (b - a), axis=-1)
+
+
+def draw_progress(row: bpy.types.UILayout, task: Task, operator: str) -> bool:
+    """Whether a run of this kind goes on; else nothing is drawn. operator: that the button runs.
+
+    Before Blender 4.0 there is no bar, but the button, gray.
+    """
+    done = shown_progress(task)
+    if done is None:
+        return False
+    text = f"{task.doing} {100 * done:.0f}%" if done < 1 else f"{task.finishing}..."
+    if hasattr(row, "progress"):
+        row.progress(factor=done, text=text)
+    else:
+        bar = row.row(align=True)
+        bar.enabled = False
+        bar.operator(operator, text=text)
+    row.operator("object.wirewarp_cancel", text="", icon="X")
+    return True

@@ -6,7 +6,7 @@ from collections.abc import Callable
 import bpy
 
 from ..core import pattern
-from ..model.owners import model_of
+from ..state.owners import model_of
 
 
 class VIEW3D_MT_wirewarp(bpy.types.Menu):

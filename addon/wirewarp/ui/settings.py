@@ -6,11 +6,11 @@ from dataclasses import asdict, replace
 import bpy
 
 from ..blender.units import meters_per_blender_unit
-from ..flat.suggestions import Suggestions
 from ..properties import EaseAmount, WIREWARP_PG_settings
-from ..run.settings import SETTINGS, FlattenChoices, FlattenSettings, choices_of
 from ..solve.flatten import LAYOUT_OPTIONS
 from ..solve.report import ObjectReport
+from ..state.settings import SETTINGS, FlattenChoices, FlattenSettings, choices_of
+from ..state.suggestions import Suggestions
 
 
 def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:

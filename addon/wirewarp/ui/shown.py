@@ -3,13 +3,13 @@
 
 import bpy
 
-from ..blender.memory import stamp
-from ..flat.read import no_pieces_sentence
-from ..flat.reports import last_report
-from ..model.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
-from ..model.state import has_changed
-from ..overlay.cache import Same, kept_drawing
 from ..solve.report import ObjectReport
+from ..state.changes import has_changed
+from ..state.drawings import Same, kept_drawing
+from ..state.flat_pieces import no_pieces_sentence
+from ..state.memory import stamp
+from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
+from ..state.reports import last_report
 
 CHANGED = "The model has changed since. Flatten again."
 

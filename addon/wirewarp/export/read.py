@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pattern of a model's flat pieces, as they lie in their object; only of pieces that may be cut."""
+
+import datetime
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import bpy
+import numpy as np
+
+from ..blender.attributes import has_attributes
+from ..blender.mesh import current_mesh, evaluated_mesh
+from ..blender.objects import linear_part
+from ..blender.units import meters_per_blender_unit
+from ..core import pattern
+from ..issues import object_error
+from ..names import PIECE_INDEX, SOURCE_VERTEX
+from ..solve.chains import EdgeMarks, chains_of_marks, edge_keys
+from ..solve.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
+from ..solve.report import ObjectReport
+from ..state.allowances import read_allowances
+from ..state.current_pieces import current_pieces
+from ..state.flat_pieces import read_flat_pieces
+from ..state.record import UPRIGHT, grains
+from ..state.reports import pieces_report
+from ..state.wires import names_of
+from .markers import kept_marker, marker_text
+from .pattern_parts import Allowances, PatternParts
+
+EDITED = "The flat pieces were edited by hand, and a seam of the model is missing on them. Flatten the model again."
+
+
+def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternParts:
+    """What the pattern of a model is made of, in Object Mode.
+
+    Raises ObjectError where there are no pieces, or none that are true.
+    """
+    report, flat = current_pieces(source)
+    millimeters = 1000 * meters_per_blender_unit(scene)
+    pieces = read_flat_pieces(flat.data, millimeters)
+    wire_ids = np.unique(pieces.marks.wire_ids[pieces.marks.rows]).tolist()
+    names = names_of(source.data, wire_ids) | {wire.wire_id: wire.name for wire in report.wires}
+    found = _pieces(report, pieces, names, grains(flat.data, pieces.vertices))
+    allowances = _allowances(source, report, millimeters, bpy.context.evaluated_depsgraph_get())
+    return _parts(scene, source, report, found, allowances)
+
+
+def read_outlines(
+    scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
+) -> PatternParts | None:
+    """As read_pattern, but without wires, and whatever was changed since the pieces were made; the model may be in Edit
+    Mode. None where there is no report to these pieces. Raises ObjectError.
+    """
+    report, millimeters = pieces_report(source), 1000 * meters_per_blender_unit(scene)
+    if report is None or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
+        return None
+    pieces = read_flat_pieces(flat.data, millimeters)
+    without_wires = replace(pieces, marks=EdgeMarks.none(len(pieces.edges)))
+    allowances = _allowances(source, report, millimeters, depsgraph)
+    return _parts(scene, source, report, _pieces(report, without_wires, {}, {}), allowances)
+
+
+def _parts(
+    scene: bpy.types.Scene,
+    source: bpy.types.Object,
+    report: ObjectReport,
+    pieces: Sequence[pattern.FlatPiece],
+    allowances: Allowances,
+) -> PatternParts:
+    return PatternParts(
+        title=source.name,
+        pieces=pieces,
+        failed=[piece.name for piece in report.pieces if not piece.ok],
+        seam_names=[seam.name for seam in report.seams],
+        allowances=allowances,
+        units="imperial" if scene.unit_settings.system == "IMPERIAL" else "metric",
+        date=datetime.date.today().isoformat(),
+        kept=kept_marker(marker_text(source)),
+    )
+
+
+def _pieces(
+    report: ObjectReport, flat: FlatPieces, wire_names: Mapping[int, str], grains: Mapping[int, np.ndarray]
+) -> list[pattern.FlatPiece]:
+    """grains: by index of the piece; upright where there is none."""
+    outline = outline_of(flat)
+    wires = _inner_wires(flat, outline, wire_names)
+    found = []
+    for piece in (piece for piece in report.pieces if piece.has_layout):
+        own = outline.edges[outline.piece == piece.index]
+        chains = [pattern.Chain(np.array(chain.vertices), chain.seam) for chain in piece.outline]
+        edges = set(map(tuple, flat.source_vertex[own].tolist()))
+        steps = [step for chain in chains for step in zip(chain.sources[:-1], chain.sources[1:], strict=True)]
+        if not edges.issuperset(steps):  # of a mirrored object faces run the other way round
+            own = own[:, ::-1]
+            if not edges.issuperset(step[::-1] for step in steps):
+                raise object_error("edited_pieces", EDITED)
+        inside, grain = wires.get(piece.index, []), grains.get(piece.index, UPRIGHT)
+        found.append(pattern.FlatPiece(piece.name, flat.vertices, flat.source_vertex, own, chains, inside, grain))
+    return found
+
+
+def _inner_wires(
+    flat: FlatPieces, outline: OutlineEdges, names: Mapping[int, str]
+) -> dict[int, list[pattern.FlatWire]]:
+    """By piece."""
+    count, marks = len(flat.vertices), flat.marks.take(flat.marks.rows)
+    edges = flat.edges[flat.marks.rows]
+    on_outline = np.isin(edge_keys(edges, count), edge_keys(outline.edges, count))
+    piece_of_vertex = piece_of_vertices(count, flat.loop_vertices, flat.face_sizes, flat.face_piece)
+    wires: dict[int, list[pattern.FlatWire]] = {}
+    for chain in chains_of_marks(edges, marks.without(on_outline), flat.vertices):
+        kind = "rigid" if chain.tolerance == 0 else "elastic" if np.isfinite(chain.tolerance) else "super_elastic"
+        wire = pattern.FlatWire(names[chain.wire_id], kind, np.array(chain.vertices))
+        wires.setdefault(int(piece_of_vertex[chain.vertices[0]]), []).append(wire)
+    return wires
+
+
+def _allowances(
+    source: bpy.types.Object, report: ObjectReport, millimeters: float, depsgraph: bpy.types.Depsgraph
+) -> Allowances:
+    """What is marked on the mesh that was flattened. Marks inside of pieces do nothing."""
+    flattened = evaluated_mesh(source, depsgraph) if report.with_modifiers else current_mesh(source)
+    with flattened as mesh:
+        marked = read_allowances(mesh)
+    is_mirrored = bool(np.linalg.det(linear_part(source)) < 0)
+    seams: dict[tuple[int, int], bool] = {}  # of each edge of an outline, in both directions: whether it is sewn
+    chains = [chain for piece in report.pieces if piece.has_layout for chain in piece.outline]
+    for chain in chains:
+        for a, b in zip(chain.vertices[:-1], chain.vertices[1:], strict=True):
+            seams[a, b] = seams[b, a] = chain.seam is not None
+    found = Allowances([], [], [])
+    for (a, b), width in zip(marked.edges.tolist(), marked.widths.tolist(), strict=True):
+        if width < 0 and seams.get((a, b)) is False:
+            found.folds.append((a, b))
+        elif (a, b) in seams:
+            found.both.append((a, b, max(width, 0.0) * millimeters))
+    for (a, b), width in zip(marked.sides.tolist(), marked.side_widths.tolist(), strict=True):
+        if (a, b) in seams:
+            ends = (b, a) if is_mirrored else (a, b)
+            found.sides.append((*ends, max(width, 0.0) * millimeters))
+    return found
+
+
+def pieces_over_others(pieces: Sequence[pattern.PatternPiece]) -> list[str]:
+    """The names of the pieces that would be cut into one another, as they were put by hand."""
+    lines = [[line.points for line in piece.of_role("cut", "inner_cut")] for piece in pieces]
+    low, high = np.array([piece.bounds for piece in pieces]).transpose(1, 0, 2)
+    meet = np.triu(np.all((low[:, None] < high) & (low < high[:, None]), axis=2), 1)
+    over = [pair for pair in np.argwhere(meet).tolist() if pattern.geometry.overlap(*(lines[index] for index in pair))]
+    return [pieces[index].name for index in sorted({index for pair in over for index in pair})]

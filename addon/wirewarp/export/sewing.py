@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A copy of the flat pieces for cloth simulation: loose edges between the sides of seams, and shapes flat and worn."""
+
+from collections.abc import Iterable, Iterator
+
+import bpy
+import numpy as np
+
+from ..blender.mesh import edge_vertices, evaluated_mesh, vertex_places
+from ..blender.modes import in_object_mode
+from ..blender.objects import remove_object
+from ..issues import object_error
+from ..names import FLAT_LENGTH, MARKS, SEAM
+from ..solve.outlines import FlatPieces, outline_of
+from ..state.current_pieces import current_pieces
+from ..state.flat_pieces import OF_ELEMENTS, read_flat_pieces
+from ..state.owners import model_or_self
+from ..ui.editing import reporting_refusals
+from .read import EDITED
+
+FLAT, WORN = "Flat", "On the Model"  # shape keys
+OURS = (*MARKS, *OF_ELEMENTS, SEAM, FLAT_LENGTH)
+
+
+def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
+    """A new object, where the flat pieces are, of a model in Object Mode. Raises ObjectError as current_pieces does."""
+    report, flat = current_pieces(source)
+    pieces = read_flat_pieces(flat.data)
+    is_flat = [piece.has_layout for piece in report.pieces]  # of the others there is nothing to sew
+    seams = [seam.edges for seam in report.seams if any(is_flat[piece] for piece in seam.pieces)]
+    sewn = sewing_edges(pieces, seams)
+    worn = _worn(source, flat, pieces, report.with_modifiers)
+    mesh = flat.data.copy()
+    target = bpy.data.objects.new(f"{source.name} Sewing", mesh)
+    try:
+        _forget_origin(mesh)
+        _add_edges(mesh, sewn)
+        target.matrix_world = flat.matrix_world
+        target.shape_key_add(name=FLAT, from_mix=False)
+        key = target.shape_key_add(name=WORN, from_mix=False)
+        key.data.foreach_set("co", worn.astype(np.float32).ravel())
+        key.value = 0.0  # Blender 5 begins with 1
+        for collection in flat.users_collection:
+            collection.objects.link(target)
+    except BaseException:
+        remove_object(target)
+        raise
+    return target
+
+
+def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
+    """(k,2) pairs of vertices of the pieces that are one on the model; seams: edges as vertex pairs of the model.
+
+    Where several sides meet, each is joined to the next. Raises ObjectError if a seam is not found on the pieces.
+    """
+    outline = outline_of(pieces)
+    sides: dict[tuple[int, int], list[tuple[int, int]]] = {}
+    for ends in outline.edges.tolist():
+        a, b = sorted(ends, key=lambda vertex: int(pieces.source_vertex[vertex]))
+        sides.setdefault((int(pieces.source_vertex[a]), int(pieces.source_vertex[b])), []).append((a, b))
+    found = {pair for seam in seams for edge in seam for pair in _joining(sides, (min(edge), max(edge)))}
+    return np.array(sorted(found), dtype=np.int32).reshape(-1, 2)
+
+
+def _joining(sides: dict[tuple[int, int], list[tuple[int, int]]], edge: tuple[int, int]) -> Iterator[tuple[int, int]]:
+    if edge not in sides:
+        raise object_error("edited_pieces", EDITED)
+    own = sides[edge]
+    for first, second in zip(own[:-1], own[1:], strict=True):
+        for a, b in zip(first, second, strict=True):
+            if a != b:  # the tip of a dart
+                yield min(a, b), max(a, b)
+
+
+def _worn(source: bpy.types.Object, flat: bpy.types.Object, pieces: FlatPieces, with_modifiers: bool) -> np.ndarray:
+    """(n,3) where the vertices of the pieces are on the model, in the space of the flat object."""
+    if with_modifiers:
+        with evaluated_mesh(source, bpy.context.evaluated_depsgraph_get()) as mesh:
+            places = vertex_places(mesh)
+    else:
+        places = vertex_places(source.data)
+    matrix = np.array(flat.matrix_world.inverted() @ source.matrix_world)
+    return places[pieces.source_vertex].astype(np.float64) @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+def _forget_origin(mesh: bpy.types.Mesh) -> None:
+    """Of a copy of the flat mesh: or it would be taken for flat pieces itself."""
+    for attribute in OURS:
+        if attribute.name in mesh.attributes:
+            mesh.attributes.remove(mesh.attributes[attribute.name])
+    for name in [name for name in mesh.keys() if name.startswith("wirewarp_")]:  # noqa: SIM118
+        del mesh[name]
+    mesh.wirewarp_names.clear()
+
+
+def _add_edges(mesh: bpy.types.Mesh, added: np.ndarray) -> None:
+    edges = np.concatenate([edge_vertices(mesh), added]).astype(np.int32)
+    mesh.edges.add(len(added))
+    mesh.edges.foreach_set("vertices", edges.ravel())
+    mesh.update(calc_edges_loose=True)
+
+
+class OBJECT_OT_wirewarp_sewing(bpy.types.Operator):
+    """Copy the flat pieces with sewing edges between the sides of each seam, and a shape key that folds them onto the
+    model"""
+
+    bl_idname = "object.wirewarp_sewing"
+    bl_label = "Add Sewing Edges"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if active is not None and active.type == "MESH" and context.mode == "OBJECT":
+            return True
+        cls.poll_message_set("Select a model that has been flattened, or its flat pieces, in Object Mode")
+        return False
+
+    @reporting_refusals
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        with in_object_mode(context):
+            target = add_sewing_object(model_or_self(context.active_object))
+        context.view_layer.update()  # which does not know the new object yet
+        if target.name not in context.view_layer.objects:  # as its flat pieces, whose collection is not shown here
+            context.scene.collection.objects.link(target)
+        for each in context.selected_objects:
+            each.select_set(False)
+        target.select_set(True)
+        context.view_layer.objects.active = target
+        told = f'"{target.name}" is ready for Physics > Cloth with Shape > Sewing; its shape key "{WORN}" closes it.'
+        self.report({"INFO"}, told)
+        return {"FINISHED"}
+
+
+CLASSES = (OBJECT_OT_wirewarp_sewing,)

@@ -1,0 +1,226 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What exporting operators have in common: a dialog that says the sizes beforehand, and a run that writes the file."""
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+import bpy
+from bpy.props import BoolProperty, FloatProperty, StringProperty
+from bpy_extras.io_utils import ExportHelper
+
+from ..blender.files import (
+    OPTIONS,
+    check_ending,
+    check_file,
+    check_room,
+    file_name,
+    given_file,
+    replaced_file,
+    unwritten,
+)
+from ..blender.modes import in_object_mode
+from ..core import FlattenError, pattern
+from ..issues import ObjectError, object_error
+from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
+from ..state.reports import pieces_report
+from ..ui import window_run
+from ..ui.layout import draw_sentence
+from ..ui.settings import settings_sentence
+from ..ui.window_run import CancelledError
+from ..ui.window_steps import WindowSteps
+from .export import ExportChoices, Exported, PatternParts, export, made_pattern
+from .markers import keep_marker
+from .pattern_parts import KeptMarker
+from .read import read_pattern
+from .sentences import INCH, crossing_sentence
+
+FAULTS = (ObjectError, FlattenError, OSError, RuntimeError)  # with a sentence for the user
+
+
+class _Beforehand(NamedTuple):
+    """What the dialog says, and with which settings."""
+
+    settings: tuple
+    sentences: list[tuple[str, str]]  # with their icons
+
+
+class PatternExport(WindowSteps, ExportHelper):
+    """Mixed into operators. Each has `filename_ext`, and says what it writes."""
+
+    # Skipped when settings are kept for the next time: the next model gets a name of its own.
+    filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
+    report_path: StringProperty(
+        name="Report File",
+        description="For scripts: JSON file for the warnings",
+        subtype="FILE_PATH",
+        options=OPTIONS | {"HIDDEN"},
+    )
+    notch_spacing: FloatProperty(
+        name="Notches Every",
+        description="Distance in millimeters (25.4 to the inch) of notches along seams, from the same end on both "
+        "sides; shorter seams get one near their middle, from 15 mm on. Ends of wires always get one. At least 1 mm; "
+        "0: no others",
+        min=0.0,
+        soft_max=500.0,
+        default=100.0,
+        precision=1,
+        step=1000,
+    )
+    failed_pieces: BoolProperty(
+        name="Failed Pieces",
+        description="Also export failed pieces, for inspection only",
+        default=False,
+    )
+    _has_dialog = False  # in a script there is none
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}:
+            return True
+        cls.poll_message_set("Select a model that has been flattened, or its flat pieces")
+        return False
+
+    def choices(self) -> ExportChoices:
+        raise NotImplementedError
+
+    def size_sentences(self, made: pattern.Pattern) -> list[str]:
+        raise NotImplementedError
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        if not self.filepath:
+            name = file_name(_source(context).name, f" Pattern{self.filename_ext}")
+            self.filepath = str(Path(bpy.data.filepath).parent / name)
+        try:
+            self._parts: PatternParts = _read(context)
+        except ObjectError as error:
+            return self._failed(error)
+        self._has_dialog, self._beforehand = True, _Beforehand((), [])
+        self._look_ahead()
+        return super().invoke(context, event)
+
+    def check(self, context: bpy.types.Context) -> bool:
+        """Blender calls it whenever a setting in the dialog has changed."""
+        super().check(context)
+        self._look_ahead()
+        return True
+
+    def _look_ahead(self) -> None:
+        key = self.choices(), self.filename_ext, self.failed_pieces
+        if key != self._beforehand.settings:
+            self._beforehand = _Beforehand(key, self.beforehand(self._parts))
+
+    def beforehand(self, parts: PatternParts) -> list[tuple[str, str]]:
+        """How large it gets with the present settings, and what is wrong with them: sentences with their icons."""
+        try:
+            choices = self.choices()
+            made = made_pattern(parts, replace(choices, seconds=0.0))
+            sizes = [(sentence, "NONE") for sentence in self.size_sentences(made)]
+        except (ObjectError, FlattenError) as error:
+            return [(str(error), "ERROR")]
+        if made.marker and (parts.kept is None or made.marker != parts.kept.marker) and choices.seconds:
+            sizes.insert(0, ("Without a search:", "NONE"))
+        refusal = "" if self.failed_pieces else parts.refusal
+        return [
+            (sentence, "ERROR") for sentence in (refusal, crossing_sentence(made), *made.warnings) if sentence
+        ] + sizes
+
+    def draw_beforehand(self, context: bpy.types.Context) -> None:
+        for sentence, icon in self._beforehand.sentences:
+            draw_sentence(context, self.layout, sentence, icon)
+
+    def draw_lengths(self, context: bpy.types.Context, *names: str) -> None:
+        """Settings in millimeters."""
+        column, properties = self.layout.column(align=True), self.properties.bl_rna.properties
+        for name in names:
+            column.prop(self, name, text=f"{properties[name].name} (mm)")
+            if context.scene.unit_settings.system == "IMPERIAL":
+                column.label(text=f"That is {getattr(self, name) / INCH:.2f} in")
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        """Reads anew, for behind the dialog the user may have gone on. In a script it waits for the end."""
+        if window_run.is_running():
+            self.report({"ERROR"}, window_run.busy_sentence())
+            return {"CANCELLED"}
+        try:
+            if self.report_path:
+                check_room(given_file(self.report_path))
+        except OSError as error:
+            self.report({"ERROR"}, unwritten(self.report_path, error))
+            return {"CANCELLED"}
+        try:
+            path = given_file(self.filepath)
+            check_ending(path, self.filename_ext)
+            check_file(path)
+            parts = _read(context)
+            if parts.refusal and not self.failed_pieces:
+                raise object_error("failed_pieces", parts.refusal)
+            source = _source(context)
+            self._notes = [
+                f'Exported "{parts.title}" only; export the others separately.' if _has_others(context) else "",
+                settings_sentence(source, pieces_report(source), context.scene.wirewarp),
+            ]
+            self._source_name = source.name_full
+            steps = export(parts, self.choices(), path)
+            if self._has_dialog:
+                return self.begin(context, window_run.EXPORT, parts.title, steps)
+            return self._tell(self.wait_for(context, steps))
+        except FAULTS as error:
+            return self._failed(error)
+
+    def lets_pass(self, event: bpy.types.Event) -> bool:
+        """All but what stops it: everything it needs has been read."""
+        return event.type != "ESC"
+
+    def finish_run(self, context: bpy.types.Context) -> set[str]:
+        try:
+            return self._tell(self._run.result())
+        except CancelledError:
+            self.report({"WARNING"}, "Export was cancelled. Nothing was written.")
+            return {"CANCELLED"}
+        except FAULTS as error:
+            return self._failed(error)
+
+    def _failed(self, error: Exception) -> set[str]:
+        self.report({"ERROR"}, unwritten(self.filepath, error) if isinstance(error, OSError) else str(error))
+        return {"CANCELLED"}
+
+    def _tell(self, exported: Exported) -> set[str]:
+        made, written, cloth = exported.made, exported.written, exported.cloth
+        source = bpy.data.objects.get(self._source_name)  # unless it was deleted or renamed meanwhile
+        if made.marker and source is not None and source.library is None:
+            keep_marker(source, KeptMarker(cloth, made.marker))
+        only, settings = self._notes
+        sizes = " ".join(self.size_sentences(made))
+        said = f'"{written.path.name}": {sizes} Verified to {written.off:.2f} mm. Print at 100% scale.'
+        warnings = [sentence for sentence in [crossing_sentence(made), *written.warnings] if sentence]
+        if self.report_path:
+            try:
+                with replaced_file(given_file(self.report_path)) as unfinished:
+                    unfinished.write_text(json.dumps({"warnings": warnings}), encoding="utf-8")
+            except OSError as error:  # the pattern is written all the same
+                warnings.append(unwritten(self.report_path, error))
+        lines = [*warnings, f"{said} {only}".rstrip(), settings]
+        self.report({"WARNING" if warnings else "INFO"}, "\n".join(filter(None, lines)))
+        return {"FINISHED"}
+
+
+def _read(context: bpy.types.Context) -> PatternParts:
+    """Raises ObjectError."""
+    active = context.active_object
+    if is_earlier(active):
+        raise object_error("earlier_pieces", earlier_sentence(active))
+    with in_object_mode(context):
+        return read_pattern(context.scene, _source(context))
+
+
+def _source(context: bpy.types.Context) -> bpy.types.Object:
+    return model_or_self(context.active_object)
+
+
+def _has_others(context: bpy.types.Context) -> bool:
+    """Whether pieces of other models are selected, too: each has a file of its own."""
+    sources = {model_or_self(each) for each in context.selected_objects} - {_source(context)}
+    return any(map(has_flat_object, sources))

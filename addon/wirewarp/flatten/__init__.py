@@ -1,0 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One run of Flatten: read the models, solve them step by step, write the pieces; when to do so by itself.
+
+May import: ui, state, solve, blender, properties, core, issues, names, words.
+"""
+
+from . import operators, update_operators
+
+MODULES = (
+    operators,
+    update_operators,
+)

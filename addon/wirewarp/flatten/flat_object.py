@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pieces as the object "<name> Flat" in the collection "WireWarp"."""
+
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+
+import bpy
+import numpy as np
+
+from ..blender.attributes import write_marked, write_values
+from ..blender.mesh import add_seams, add_sharp_edges, write_corners, write_edges, write_faces
+from ..blender.objects import remove_object
+from ..blender.selection import deselect_all
+from ..core import Note
+from ..issues import note, warning
+from ..names import (
+    COLLECTION,
+    FAILED_MATERIAL,
+    FLAT_LENGTH,
+    PIECE,
+    PIECE_INDEX,
+    SEAM,
+    SIDE_EASE,
+    SOURCE_CORNER,
+    SOURCE_FACE,
+    SOURCE_VERTEX,
+)
+from ..solve.arrays import MeshArrays, edge_lengths
+from ..solve.flat_mesh import FlatMarks, FlatMesh, flat_marks
+from ..state.current_pieces import is_true_size
+from ..state.flat_maps import write_maps
+from ..state.marked_mesh import write_marks
+from ..state.owners import find_flat_object, flat_name, model_of
+from ..state.record import FlatRecord, write_record
+from ..state.wires import write_names
+from .places import free_place
+from .uv import write_flat_maps
+
+OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # in a second scene, or beside one of another file
+RED = (0.8, 0.02, 0.02, 1.0)
+
+
+def write_flat_object(
+    scene: bpy.types.Scene,
+    source: bpy.types.Object,
+    flat: FlatMesh,
+    arrays: MeshArrays,
+    record: FlatRecord,
+    models: Sequence[bpy.types.Object],
+) -> bpy.types.Object:
+    """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane.
+
+    models: flattened with it, its own included; a new flat object lies clear of all of them.
+    If it raises, the pieces there were are there again.
+    """
+    target = find_flat_object(source)
+    if target is None:
+        return _new_object(scene, source, flat, arrays, record, models)
+    if _is_shared(target):
+        target.data = bpy.data.meshes.new(target.name)
+    with _restored_on_failure(target):
+        _write_mesh(target, source, flat, arrays, record)
+    if scene not in target.users_scene:
+        our_collection(scene).objects.link(target)
+    target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
+    return target
+
+
+def _new_object(
+    scene: bpy.types.Scene,
+    source: bpy.types.Object,
+    flat: FlatMesh,
+    arrays: MeshArrays,
+    record: FlatRecord,
+    models: Sequence[bpy.types.Object],
+) -> bpy.types.Object:
+    name = flat_name(source.name)
+    target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
+    try:
+        _write_mesh(target, source, flat, arrays, record)
+        target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0), models)
+    except BaseException:
+        remove_object(target)
+        raise
+    target.wirewarp_source = source
+    our_collection(scene).objects.link(target)
+    return target
+
+
+@contextmanager
+def _restored_on_failure(target: bpy.types.Object) -> Iterator[None]:
+    """The mesh of the object, whatever was raised while it was written."""
+    earlier = target.data.copy()
+    try:
+        yield
+    except BaseException:
+        written, name = target.data, target.data.name
+        written.user_remap(earlier)
+        bpy.data.meshes.remove(written)
+        earlier.name = name
+        raise
+    bpy.data.meshes.remove(earlier)
+
+
+def _is_shared(flat: bpy.types.Object) -> bool:
+    """Whether its mesh must stay as it is: it is another object's too, the model's for one."""
+    model, users = model_of(flat), (each for each in bpy.data.objects if each.data == flat.data)
+    return flat.data.library is not None or any(model_of(user) != model for user in users)
+
+
+def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[Note]:
+    """Opens the eye in the Outliner. Returns as notes why the object is still not shown in its actual size."""
+    notes = []
+    if target in view_layer.objects.values():
+        target.hide_set(False)
+    if not target.visible_get(view_layer=view_layer):
+        why = "it is disabled in viewports, or its collection is hidden"
+        notes.append(note(f'"{target.name}" is hidden: {why}. Show it in the Outliner.'))
+    if not is_true_size(target):
+        text = f'"{target.name}" is not shown in actual size: its parent or a constraint scales it. Its mesh is right.'
+        notes.append(warning(text))
+    return notes
+
+
+def _write_mesh(
+    target: bpy.types.Object, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays, record: FlatRecord
+) -> None:
+    """And nothing else: shape keys and groups of the former vertices go."""
+    mesh = target.data
+    target.shape_key_clear()
+    target.vertex_groups.clear()
+    _write_faces(mesh, flat)
+    deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
+    _write_attributes(mesh, flat)
+    write_record(mesh, record)
+    write_maps(mesh, flat)
+    _write_marks(mesh, flat_marks(flat.source_edge, arrays))
+    write_marked(mesh, SIDE_EASE, flat.side_eases)
+    write_names(mesh, {wire.chain.wire_id: wire.name for wire in arrays.wires})
+    write_flat_maps(mesh, flat, arrays)
+    _write_materials(mesh, source, flat, arrays)
+
+
+def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
+    """And nothing else: what there was goes."""
+    mesh.clear_geometry()
+    coordinates = np.zeros((len(flat.vertices), 3), dtype=np.float32)
+    coordinates[:, :2] = flat.vertices
+    mesh.vertices.add(len(flat.vertices))
+    mesh.vertices.foreach_set("co", coordinates.ravel())
+    mesh.loops.add(len(flat.loop_vertices))
+    mesh.edges.add(len(flat.edges))
+    write_edges(mesh, flat.edges)
+    write_corners(mesh, flat.loop_vertices, flat.loop_edges)
+    mesh.polygons.add(len(flat.face_starts))
+    write_faces(mesh, flat.face_starts, flat.face_sizes)
+    mesh.update()
+
+
+def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
+    write_values(mesh, SOURCE_VERTEX, flat.source_vertex)
+    write_values(mesh, SOURCE_CORNER, flat.source_corner)
+    write_values(mesh, SOURCE_FACE, flat.source_face)
+    write_values(mesh, PIECE_INDEX, flat.face_piece)
+    write_values(mesh, PIECE, flat.piece_id)
+    write_values(mesh, FLAT_LENGTH, edge_lengths(flat.vertices, flat.edges).astype(np.float32))
+
+
+def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
+    """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
+    add_seams(mesh, np.flatnonzero(marks.seams))
+    add_sharp_edges(mesh, marks.wires.rows)
+    write_marks(mesh, marks.wires)
+    write_values(mesh, SEAM, marks.seam_ids)
+
+
+def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
+    """The scene's collection for flat pieces."""
+    for collection in scene.collection.children_recursive:
+        if OUR_NAMES.fullmatch(collection.name) and not (collection.library or collection.override_library):
+            return collection
+    collection = bpy.data.collections.new(COLLECTION)
+    scene.collection.children.link(collection)
+    return collection
+
+
+def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
+    """Those of the model, on the faces that have them there; on failed ones ours. A model without leaves the user's."""
+    kept = [material for material in mesh.materials if not (material and material.name == FAILED_MATERIAL)]
+    own = [slot.material for slot in source.material_slots]
+    shown = own or kept
+    slots = np.minimum(arrays.materials[flat.source_face], max(len(own) - 1, 0))
+    if flat.failed.any():
+        shown = [*(shown or [None]), bpy.data.materials.get(FAILED_MATERIAL) or _new_material()]
+        slots = np.where(flat.failed, len(shown) - 1, slots)
+    mesh.materials.clear()
+    for material in shown:
+        mesh.materials.append(material)
+    if slots.any():  # new faces have the first
+        indices = mesh.attributes.get("material_index") or mesh.attributes.new("material_index", "INT", "FACE")
+        indices.data.foreach_set("value", slots.astype(np.int32))
+
+
+def _new_material() -> bpy.types.Material:
+    material = bpy.data.materials.new(FAILED_MATERIAL)
+    material.diffuse_color = RED
+    return material
+
+
+def follow_name(source: bpy.types.Object, earlier: str) -> None:
+    """earlier: what the model was called then. What the user has named otherwise stays."""
+    flat = find_flat_object(source)
+    for each in (flat, flat.data) if flat and earlier != source.name else ():  # the mesh has the object's name
+        if each.name == flat_name(earlier) and each.library is None:
+            each.name = flat_name(source.name)

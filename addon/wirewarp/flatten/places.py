@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Where flat pieces lie: at first beside their model, later where the user has put them."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+from ..blender.attributes import has_attributes
+from ..blender.objects import linear_part
+from ..issues import ObjectError
+from ..names import PIECE, SOURCE_VERTEX
+from ..solve.flat_mesh import FlatMesh
+from ..solve.identity import PieceIdentity
+from ..solve.outlines import FlatPieces, piece_of_vertices
+from ..solve.places import NONE_AWAY, find_places, points_of
+from ..state.flat_pieces import read_flat_pieces
+from ..state.owners import model_of
+from ..state.record import layout_of, read_record
+
+GAP = 0.1  # of the model's largest dimension
+LARGE = 5.0  # times that: a room or a landscape, in which the pieces may lie
+SOLID = {"MESH", "CURVE", "SURFACE", "META"}
+Box = np.ndarray  # (2,3), the lowest and the highest corner
+TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
+TURNED_TEXT = (
+    "The model was turned after its pieces were laid out, and Keep Places left them as they were. To set them upright "
+    "again, select the model and press Lay Out Again in the Pieces panel."
+)
+
+
+def free_place(
+    scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarray, models: Sequence[bpy.types.Object]
+) -> Vector:
+    """For the lower left corner of pieces of this size (2,) in Blender units.
+
+    Right of the source and of all flat pieces there are, on the level of the lowest point of the models, which are
+    those of this run, and under none of them.
+    """
+    own, largest = _world_box(source), max(source.dimensions)
+    together = [_world_box(each) for each in models]
+    others = [each for each in scene.objects if each.type in SOLID and each.visible_get() and each not in models]
+    ours = [each for each in scene.objects if model_of(each)]
+    right, floor = max(_world_box(each)[1, 0] for each in (source, *ours)), min(box[0, 2] for box in together)
+    obstacles = [box for box in map(_world_box, others) if np.ptp(box, axis=0).max() <= LARGE * largest]
+    corner = np.array([right + GAP * largest, own[0, 1], floor])
+    obstacles = [box for box in obstacles if _rises(box, floor, GAP * largest)] + together
+    return Vector(_clear_of(obstacles, corner, size, GAP * largest))
+
+
+def _rises(box: Box, floor: float, gap: float) -> bool:
+    """Whether it stands on the floor or cuts through it."""
+    return bool(box[0, 2] <= floor + gap and box[1, 2] > floor)
+
+
+def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap: float) -> np.ndarray:
+    """The place (3,), or the next to the right of it where seen from above no obstacle is."""
+    for low, high in sorted(obstacles, key=lambda box: box[0, 0]):
+        if np.all((low[:2] < place[:2] + size) & (high[:2] > place[:2])):
+            place = np.array([high[0] + gap, *place[1:]])
+    return place
+
+
+def _world_box(target: bpy.types.Object) -> Box:
+    corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])
+    return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+
+def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: float) -> tuple[FlatMesh, list[int]]:
+    """The pieces where they lie in the flat object `earlier`, if there is one.
+
+    Also the ids of those that lie elsewhere now because they have grown into others. spacing: see find_places.
+    """
+    known = _read(earlier.data) if earlier else None
+    if known is None:
+        return flat, []
+    places = find_places(flat, known, _read_away(earlier.data), spacing)
+    vertices = flat.vertices.copy()
+    piece = piece_of_vertices(len(vertices), flat.loop_vertices, flat.face_sizes, flat.piece_id)
+    for piece_id, motion in places.motions.items():
+        own = piece == piece_id
+        vertices[own] = motion(vertices[own])
+    return replace(flat, vertices=vertices), places.crowded
+
+
+def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
+    """Whether a run with these options lays out otherwise than the one that made the flat object `earlier`."""
+    record = read_record(earlier.data)
+    return record is None or record.layout != layout_of(options)
+
+
+def places_of_absent(
+    flat: FlatMesh, earlier: bpy.types.Object | None, identities: Sequence[PieceIdentity]
+) -> np.ndarray:
+    """(k,4), see NONE_AWAY: where those of the pieces that have no flat shape now lay in the flat object `earlier`."""
+    present = set(np.unique(flat.piece_id).tolist())
+    absent = [identity.piece_id for identity in identities if identity.piece_id not in present]
+    known = _read(earlier.data) if earlier and absent else None
+    return points_of(known, _read_away(earlier.data), absent) if known else NONE_AWAY
+
+
+def present_up(source: bpy.types.Object) -> np.ndarray:
+    """(3,) of length 1: the direction in the model's own space that is up in the world."""
+    up = linear_part(source)[2]
+    return up / np.linalg.norm(up)
+
+
+def up_when_laid_out(flat: bpy.types.Object, now: np.ndarray) -> np.ndarray:
+    """(3,) what was up when the pieces were laid out; what is up now, where there is no such note."""
+    record = read_record(flat.data)
+    return np.array(record.up) if record else now
+
+
+def is_turned(up: np.ndarray, then: np.ndarray, options: dict) -> bool:
+    """Whether pieces that stand as the model stood then would stand otherwise if they were laid out anew."""
+    return options["orientation"] == "up" and not float(up @ then) > TURNED
+
+
+def crowded_text(names: list[str]) -> str:
+    if len(names) == 1:
+        return f"{names[0]} no longer fitted its place and was moved aside."
+    return f"{', '.join(names[:-1])} and {names[-1]} no longer fitted their places and were moved aside."
+
+
+def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:
+    """None where the user has left nothing to go by."""
+    if not len(mesh.polygons) or not has_attributes(mesh, SOURCE_VERTEX, PIECE):
+        return None
+    try:
+        pieces = read_flat_pieces(mesh)
+    except ObjectError:  # an attribute of our name is another's
+        return None
+    return pieces if np.isfinite(pieces.vertices).all() else None
+
+
+def _read_away(mesh: bpy.types.Mesh) -> np.ndarray:
+    record = read_record(mesh)
+    return np.array(record.away) if record and record.away else NONE_AWAY

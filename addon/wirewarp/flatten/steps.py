@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What Flatten and its automatic update have in common: read, solve, write; in a window step by step, else at once."""
+
+import json
+from pathlib import Path
+
+import bpy
+
+from .. import core
+from ..blender.files import replaced_file, unwritten
+from ..blender.modes import WORKING_MODES, hold_whole_file, in_object_mode
+from ..blender.units import meters_per_blender_unit
+from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_area
+from ..issues import Issue, ObjectError
+from ..properties import preferences
+from ..solve.report import ObjectReport, run_message
+from ..solve.steps import Steps
+from ..state.owners import find_flat_object
+from ..state.settings import FlattenSettings, choices_of
+from ..ui import window_run
+from ..ui.window_run import CancelledError
+from ..ui.window_steps import WindowSteps, fault_sentence
+from .models import Model, Outcome, failed_report, solve_models
+from .read import check_current, find_source, read_models
+from .write import write_results
+
+# What a user may do during a run: look around.
+HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_PERIOD"} | {
+    f"NUMPAD_{digit}" for digit in range(10)
+}
+HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
+
+
+def write_json(path: Path, report: dict) -> None:
+    """Raises OSError, and leaves the file as it was, if it cannot be written."""
+    with replaced_file(path) as unfinished:
+        unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+class FlattenSteps(WindowSteps, FlattenSettings):
+    """Mixed into operators."""
+
+    @property
+    def report_file(self) -> Path | None:
+        """Where the report goes as JSON."""
+        return None
+
+    def begin_run(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
+        """Reads now and solves while modal() waits for it."""
+        with in_object_mode(context):
+            self._models = read_models(context, sources, self)
+        self._scene, self._view_layer = _place(context)
+        what = sources[0].name if len(sources) == 1 else f"{len(sources)} objects"
+        return self.begin(context, window_run.FLATTEN, what, self._solving(context, self._models))
+
+    def lets_pass(self, event: bpy.types.Event) -> bool:
+        """All else would be lost or make the result untrue."""
+        if event.type == "LEFTMOUSE":
+            return is_over_sidebar(event)  # where Cancel is
+        return event.type in HARMLESS or event.type.startswith(HARMLESS_KINDS)
+
+    def flatten_now(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
+        """All at once; Blender waits."""
+        with in_object_mode(context):
+            models = read_models(context, sources, self)
+            outcomes = self.wait_for(context, self._solving(context, models))
+            self._write(context, outcomes)
+        return self._tell(context, outcomes)
+
+    def message(self, level: str, text: str) -> None:
+        """What became of it, to the user; level: INFO, WARNING or ERROR."""
+        self.report({level}, text)
+
+    def _solving(self, context: bpy.types.Context, models: list[Model]) -> Steps[list[Outcome]]:
+        meters = meters_per_blender_unit(context.scene)
+        return solve_models(core.library(), models, choices_of(self, meters), meters)
+
+    def finish_run(self, context: bpy.types.Context) -> set[str]:
+        try:
+            outcomes = self._run.result()
+        except CancelledError:
+            return self.give_up(context, "cancelled", "Flatten was cancelled. Nothing was written.", "WARNING")
+        except Exception as error:
+            sentence = fault_sentence(error, "Flatten failed, nothing was written")
+            return self.give_up(context, "internal_error", sentence, "ERROR")
+        if context.mode not in WORKING_MODES or _place(context) != (self._scene, self._view_layer):
+            sentence = "The mode or the scene changed during the run, so nothing was written. Flatten again."
+            return self.give_up(context, "elsewhere", sentence, "ERROR")
+        try:
+            with in_object_mode(context):
+                check_current(context, self._models, self)
+                self._write(context, outcomes)
+        except ObjectError as error:
+            return self.give_up(context, error.issue.code, str(error), "ERROR")
+        except Exception as error:  # as on a full memory; with an undo step, so that the user can take it back
+            sentence = fault_sentence(error, "Flatten failed, undo (Ctrl+Z) takes back what was written")
+            self.give_up(context, "internal_error", sentence, "ERROR")
+            hold_whole_file()
+            return {"FINISHED"}
+        self.show(context, outcomes)
+        return self._tell(context, outcomes, "WARNING")  # the window of an error would cover Flatten and its sentence
+
+    def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
+        """Brings into view what the user has not seen yet, or not there."""
+        sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
+        area = work_area(context)
+        if sources and area and preferences(context).moves_view:
+            show_objects(context, area, [each for source in sources for each in (source, find_flat_object(source))])
+
+    def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
+        """Ends a run of which nothing is written but the report file."""
+        redraw_views()
+        self._write_report(context, [failed_report(model, Issue(code, sentence)) for model in self._models])
+        self.message(level, sentence)
+        return {"CANCELLED"}
+
+    def _write(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
+        write_results(context, outcomes, self)
+        hold_whole_file()
+
+    def _tell(self, context: bpy.types.Context, outcomes: list[Outcome], failed: str = "ERROR") -> set[str]:
+        """failed: the level on which pieces that failed are told."""
+        redraw_views()  # Blender does so by itself after a run that changed data, but not after one that failed
+        reports = [outcome.report for outcome in outcomes]
+        self._write_report(context, reports)
+        level, text = run_message(reports)
+        self.message(failed if level == "ERROR" else level, text)
+        return {"FINISHED" if any(outcome.pieces for outcome in outcomes) else "CANCELLED"}
+
+    def _write_report(self, context: bpy.types.Context, reports: list[ObjectReport]) -> None:
+        if self.report_file is None:
+            return
+        units = {
+            "meters_per_blender_unit": meters_per_blender_unit(context.scene),
+            "system": context.scene.unit_settings.system,
+        }
+        try:
+            write_json(self.report_file, core.run_to_dict(core.library().__version__, units, reports))
+        except OSError as error:
+            self.report({"ERROR"}, unwritten(self.report_file, error))
+
+
+def _place(context: bpy.types.Context) -> tuple[str, str]:
+    """Where the results go, by name: undo may replace the scene."""
+    return context.scene.name_full, context.view_layer.name

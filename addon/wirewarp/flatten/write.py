@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writing what was solved, in Object Mode, once all of it is there."""
+
+import bpy
+import numpy as np
+
+from ..blender.objects import show_where_shown
+from ..core import Note
+from ..issues import note, warning
+from ..names import UV_LAYER
+from ..solve.flat_mesh import FlatMesh
+from ..solve.flatten import gap_between
+from ..state.identities import with_new_names, write_pieces, write_seams
+from ..state.marked_mesh import wires_on
+from ..state.owners import earlier_sentence, find_flat_object, has_flat_object, is_earlier, model_of
+from ..state.record import new_record
+from ..state.reports import remember, store, with_names
+from ..state.wires import update_names
+from .flat_object import follow_name, show_flat_object, write_flat_object
+from .models import Outcome
+from .places import (
+    TURNED_TEXT,
+    crowded_text,
+    is_turned,
+    pieces_in_place,
+    places_of_absent,
+    present_up,
+    up_when_laid_out,
+    wants_new_layout,
+)
+from .read import RunSettings, find_source
+from .uv import write_uv
+
+
+def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:
+    """Writes UV layer, flat object, maps and report of every object that has a layout."""
+    models = [model for outcome in outcomes if (model := find_source(outcome.model))]
+    for outcome in outcomes:
+        source = find_source(outcome.model)
+        if outcome.pieces is not None:
+            _write_pieces(context, source, outcome, settings, models)
+            continue
+        if find_flat_object(source):
+            text = "Nothing changed: these are still the earlier pieces."
+            outcome.report.notes.append(warning(text))
+        remember(source, outcome.report)
+
+
+def _write_pieces(
+    context: bpy.types.Context,
+    source: bpy.types.Object,
+    outcome: Outcome,
+    settings: RunSettings,
+    models: list[bpy.types.Object],
+) -> None:
+    """The flat object comes first, for it takes the most: should that fail, all is still as it was.
+
+    models: of this run, all of them.
+    """
+    arrays = outcome.arrays
+    is_new, failed = not has_flat_object(source), [issue.piece for issue in outcome.report.issues]
+    earlier = _kept_object(source, outcome, settings.keep_places)
+    pieces, up = _place(source, outcome, earlier)
+    away = places_of_absent(outcome.pieces, earlier, outcome.identities)
+    record = new_record(outcome.report.options, up, away, outcome.pieces, pieces, arrays)
+    flat = write_flat_object(context.scene, source, pieces, arrays, record, models)
+    follow_name(source, outcome.model.known.model_name)
+    if source.data.library is None:
+        update_names(source.data, wires_on(source.data))
+    outcome.identities = with_new_names(source, outcome.model.known, outcome.identities)
+    write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
+    write_seams(source, arrays, outcome.seams, not settings.use_modifiers)
+    with_names(source, outcome.report)
+    if is_new or failed:  # else the user's choice stays
+        source.wirewarp_active_piece = outcome.report.tables.pieces[0].index
+    if not settings.use_modifiers:
+        uv_scale = write_uv(source.data, outcome.pieces, len(arrays.loop_vertices))
+        outcome.report.uv_layer, outcome.report.uv_scale = UV_LAYER, uv_scale
+    context.view_layer.update()
+    outcome.report.flat_object = flat.name
+    outcome.report.notes += show_flat_object(context.view_layer, flat) + _notes_on_others(source)
+    show_where_shown(source, flat)
+    store(source, outcome.report)
+
+
+def _notes_on_others(source: bpy.types.Object) -> list[Note]:
+    others = [each for each in bpy.data.objects if model_of(each) == source and is_earlier(each)]
+    return [warning(earlier_sentence(each)) for each in others]
+
+
+def _kept_object(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> bpy.types.Object | None:
+    """The flat object in which the pieces stay where they lie; None where all are laid out anew."""
+    earlier = find_flat_object(source)
+    is_kept = keep_places and earlier and not wants_new_layout(outcome.report.options, earlier)
+    return earlier if is_kept else None
+
+
+def _place(source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object | None) -> tuple[FlatMesh, np.ndarray]:
+    """The pieces where they lay in the flat object `earlier`, and what was up then (3,)."""
+    options = outcome.report.options
+    pieces, crowded = pieces_in_place(outcome.pieces, earlier, gap_between(outcome.arrays, options["spacing"]))
+    outcome.is_elsewhere = bool(crowded) or earlier is None
+    if crowded:
+        name_of = {identity.piece_id: identity.name for identity in outcome.identities}
+        outcome.report.notes.append(note(crowded_text([name_of[piece_id] for piece_id in crowded])))
+    up = present_up(source)
+    then = up_when_laid_out(earlier, up) if earlier else up
+    if is_turned(up, then, options):
+        outcome.report.notes.append(note(TURNED_TEXT))
+    return pieces, then

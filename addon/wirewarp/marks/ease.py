@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marking eases on edges of a model in Object Mode: of wires, on all sides alike, or of one side alone.
+
+What is planned writes nothing before it is called: of several objects none is changed where one is refused.
+"""
+
+import math
+from collections.abc import Callable, Collection
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from ..blender.attributes import read_values
+from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, faces_at_edges, read_seams, vertex_places
+from ..blender.objects import linear_part
+from ..issues import object_error
+from ..names import EASE
+from ..solve.arrays import edge_lengths
+from ..solve.chains import split_into_chains
+from ..solve.identity import new_id
+from ..state.marked_mesh import check_attributes, read_marks, write_marks
+from ..state.sides import SIDE_EASES
+from ..state.wires import list_places
+from .change import repair_marks
+
+Amount = Callable[[float], float]  # the ease of a line as a fraction, by its length in Blender units
+
+
+@dataclass(frozen=True)
+class Change:
+    """Of one line; an ease that was cleared is 0."""
+
+    ratio: float
+    length: float  # by how much it is longer, in Blender units
+
+
+@dataclass(frozen=True)
+class Eased:
+    changes: list[Change]
+    left_out: int  # edges
+
+
+Planned = Callable[[], Eased]  # writes, and cannot fail
+
+
+def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError if an attribute of our name has another type or domain."""
+    check_attributes(mesh)
+    SIDE_EASES.check_attributes(mesh)
+
+
+def plan_lines(target: bpy.types.Object, rows: np.ndarray, amount: Amount) -> Planned:
+    """Lines of these edges are to be longer by this, all their sides alike; what is no wire becomes a rigid one.
+
+    Raises ObjectError where a line would have no length left.
+    """
+    mesh = target.data
+    used = rows[faces_at_edges(mesh)[rows] > 0]
+    lengths = _lengths(target)
+    chains = split_into_chains(edge_vertices(mesh)[used], _places(target)) if len(used) else []
+    lines = [used[chain.edges] for chain in chains]
+    changes = [_change(float(lengths[line].sum()), amount) for line in lines]
+
+    def write() -> Eased:
+        if lines:
+            _write_lines(target, lines, changes)
+        return Eased(changes, len(rows) - len(used))
+
+    return write
+
+
+def _write_lines(target: bpy.types.Object, lines: list[np.ndarray], changes: list[Change]) -> None:
+    mesh = target.data
+    marks = read_marks(mesh)
+    for line, change in zip(lines, changes, strict=True):
+        new = line[marks.wire_ids[line] == 0]
+        marks.wire_ids[new], marks.tolerances[new] = new_id(), 0
+        marks.eases[line] = change.ratio
+    write_marks(mesh, marks)
+    wire_id = int(repair_marks(target).wire_ids[min(map(min, lines))])
+    mesh.wirewarp_active_wire = list_places(mesh)[wire_id]  # what was marked last is chosen in the list
+
+
+def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Planned:
+    """The lines of these edges are to be longer by this on one side alone, 0 or 1, and on the other as they would be.
+
+    Of outlines on the only side there is. What is no seam or outline is left out, and where a side has several faces.
+    Raises ObjectError where a line would have no length left.
+    """
+    mesh = target.data
+    lines = _sides_of_lines(mesh, _outline_rows(mesh, rows), _places(target))
+    return _plan(target, [line[side] or line[1 - side] for line in lines], amount, len(rows))
+
+
+def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amount) -> Planned:
+    """The edges that begin at these corners are to be longer by this, on the side of their faces alone.
+
+    Raises ObjectError as plan_sides does, and where both sides of an edge are among them.
+    """
+    mesh, chosen = target.data, set(corners)
+    rows = np.unique(corner_edges(mesh)[list(chosen)])
+    if len(rows) < len(chosen):
+        raise object_error(
+            "both_sides",
+            "Both sides of a seam are selected. Select one; or mark an ease of both sides on the model.",
+        )
+    lines = _sides_of_lines(mesh, _outline_rows(mesh, rows), _places(target))
+    return _plan(
+        target, [[each for side in line for each in side if each in chosen] for line in lines], amount, len(rows)
+    )
+
+
+def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
+    """None of these edges, which may be named twice, has an ease any more.
+
+    On any side. Returns a change for each line that had one.
+    """
+    mesh, rows = target.data, np.unique(edges)
+    marks = read_marks(mesh)
+    had = (marks.eases[rows] != 0) | SIDE_EASES.clear(mesh, rows)
+    if marks.eases[rows].any():
+        marks.eases[rows] = 0
+        write_marks(mesh, marks)
+        repair_marks(target)
+    cleared = rows[had]
+    lines = split_into_chains(edge_vertices(mesh)[cleared], _places(target)) if len(cleared) else []
+    return Eased([Change(0.0, 0.0)] * len(lines), 0)
+
+
+def _plan(target: bpy.types.Object, lines: list[list[int]], amount: Amount, selected: int) -> Planned:
+    """lines: corners at which their edges begin; selected: how many edges were to be eased."""
+    mesh = target.data
+    loop_edges, lengths = corner_edges(mesh), _lengths(target) * (1 + read_values(mesh, EASE))
+    found = [line for line in lines if line]
+    changes = [_change(float(lengths[loop_edges[line]].sum()), amount) for line in found]
+
+    def write() -> Eased:
+        for line, change in zip(found, changes, strict=True):
+            SIDE_EASES.mark(mesh, line, change.ratio)
+        return Eased(changes, selected - sum(map(len, found)))
+
+    return write
+
+
+def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) -> list[tuple[list[int], list[int]]]:
+    """The corners at which the edges of each line begin, on its one and on its other side.
+
+    rows: of edges on seams and outlines; places (n,3): of the vertices as they are seen, where lines go straight on. An
+    edge that has no face on a side, or several, has no corner there.
+    """
+    edges, starts, loop_edges = edge_vertices(mesh), corner_vertices(mesh), corner_edges(mesh)
+    corners_of: dict[tuple[int, int], list[int]] = {}
+    for corner in np.flatnonzero(np.isin(loop_edges, rows)).tolist():
+        corners_of.setdefault((int(loop_edges[corner]), int(starts[corner])), []).append(corner)
+    lines = []
+    for chain in split_into_chains(edges[rows], places):
+        sides: tuple[list[int], list[int]] = ([], [])
+        for side, begins in zip(sides, (chain.vertices[:-1], chain.vertices[1:]), strict=True):
+            for row, vertex in zip(chain.edges, begins, strict=True):
+                found = corners_of.get((int(rows[row]), vertex), [])
+                side += found if len(found) == 1 else []
+        lines.append(sides)
+    return lines
+
+
+def _outline_rows(mesh: bpy.types.Mesh, rows: np.ndarray) -> np.ndarray:
+    """Those of the edges that lie on a seam or outline, where sides are."""
+    counts = np.bincount(corner_edges(mesh), minlength=len(mesh.edges))[rows]
+    return rows[(counts == 1) | (read_seams(mesh)[rows] & (counts > 0))]
+
+
+def _change(length: float, amount: Amount) -> Change:
+    ratio = amount(length) if length > 0 else math.nan
+    if not -1 < ratio < math.inf:
+        raise object_error(
+            "invalid_ease", "Shortened that much, a line would have no length left: choose an ease above -100%."
+        )
+    return Change(ratio, ratio * length)
+
+
+def _places(target: bpy.types.Object) -> np.ndarray:
+    return vertex_places(target.data).astype(np.float64) @ linear_part(target).T
+
+
+def _lengths(target: bpy.types.Object) -> np.ndarray:
+    """(e,) in Blender units."""
+    return edge_lengths(_places(target), edge_vertices(target.data))

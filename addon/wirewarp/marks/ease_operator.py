@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The buttons below Ease: lines that are sewn to shorter or longer ones."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+
+import bpy
+from bpy.props import EnumProperty
+
+from ..blender.mesh import selected_edges
+from ..blender.units import length_text, meters_per_blender_unit
+from ..issues import object_error
+from ..properties import EaseAmount, take_settings
+from ..state.owners import model_of
+from ..ui.editing import change_edited, reporting_refusals
+from ..ui.settings import draw_ease
+from ..words import LengthText, counted, ease_text
+from .ease import Amount, Eased, Planned, check_ease_attributes, clear_eases, plan_corners, plan_lines, plan_sides
+from .flat_sides import selected_sides
+
+SIDES = [
+    ("ALL", "All Sides", "Ease the selected lines, all sides of a seam equally. Lines that are no wires become rigid"),
+    ("ONE", "One Side", "Ease one side of the selected seams only, as for sleeve heads and gathers. An arrow shows it"),
+    ("OTHER", "Other Side", "Ease the other side of the selected seams only"),
+    ("NONE", "Clear Ease", "Remove the ease of the selected lines from all sides"),
+]
+SIDES_APART = "On flat pieces only the selected side can be eased: choose One Side, or ease all sides on the model."
+NO_SIDES = "select edges on a seam or outline, with one face on that side"
+NOTHING = {
+    "ALL": "select the edges of a line first",
+    "ONE": NO_SIDES,
+    "OTHER": NO_SIDES,
+    "NONE": "none of the selected edges has an ease",
+}
+
+
+class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
+    """Make the selected lines longer or shorter than on the model"""
+
+    bl_idname = "mesh.wirewarp_ease"
+    bl_label = "Mark Ease"
+    bl_options = {"REGISTER", "UNDO"}
+
+    sides: EnumProperty(
+        name="Sides", description="Which sides of a seam are eased; an outline has only one", items=SIDES, default="ALL"
+    )
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        return next(description for kind, _, description in SIDES if kind == properties.sides)
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.mode == "EDIT_MESH"
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        take_settings(self, context.scene.wirewarp, EaseAmount)
+        return self.execute(context)
+
+    @reporting_refusals
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        amount = self._amount(context.scene)
+        found = change_edited(context, lambda target: self._plan(target, amount))
+        return self._told(found, length_text(context.scene))
+
+    def _amount(self, scene: bpy.types.Scene) -> Amount:
+        share, length = self.ease_percent / 100, self.ease_length / (1000 * meters_per_blender_unit(scene))
+        return (lambda line: length / line) if self.ease_unit == "LENGTH" else lambda _: share
+
+    def _plan(self, target: bpy.types.Object, amount: Amount) -> Planned:
+        """On flat pieces, where sides lie apart, of the selected side."""
+        planned: Callable[[], Eased]
+        if model_of(target):
+            found = selected_sides(target)
+            check_ease_attributes(found.model.data)
+            if self.sides == "NONE":
+                planned = partial(clear_eases, found.model, found.edges)
+            elif self.sides != "ONE":
+                raise object_error("sides_apart", SIDES_APART)
+            else:
+                planned = plan_corners(found.model, found.corners, amount)
+            return partial(_write, planned, found.model.data, found.left_out)
+        check_ease_attributes(target.data)
+        rows = selected_edges(target.data)
+        if self.sides == "NONE":
+            planned = partial(clear_eases, target, rows)
+        elif self.sides == "ALL":
+            planned = plan_lines(target, rows, amount)
+        else:
+            planned = plan_sides(target, rows, amount, ("ONE", "OTHER").index(self.sides))
+        return partial(_write, planned, target.data, 0)
+
+    def _told(self, found: list[Eased], units: LengthText) -> set[str]:
+        left_out = sum(each.left_out for each in found)
+        changes = [change for each in found for change in each.changes]
+        if not changes:
+            self.report({"ERROR"}, f"Nothing to {'clear' if self.sides == 'NONE' else 'mark'}: {NOTHING[self.sides]}.")
+            return {"CANCELLED"}
+        if self.sides == "NONE":
+            self.report({"INFO"}, f"Ease cleared on {counted(len(changes), 'line')}")
+            return {"FINISHED"}
+        texts = [f"{ease_text(each.ratio)}, {units.difference(each.length)} {units.unit}" for each in changes]
+        changed = "; ".join(dict.fromkeys(texts))
+        sentence = f"{counted(len(changes), 'line')} eased: {changed}"
+        if left_out:
+            self.report({"WARNING"}, f"{sentence}. {counted(left_out, 'selected edge')} left out.")
+        else:
+            self.report({"INFO"}, sentence)
+        return {"FINISHED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        self.layout.use_property_split = True
+        if not model_of(context.object):
+            self.layout.prop(self, "sides")
+        if self.sides != "NONE":
+            draw_ease(self.layout, self)
+
+
+def _write(planned: Planned, mesh: bpy.types.Mesh, left_out: int) -> Eased:
+    eased = planned()
+    mesh.update()
+    return replace(eased, left_out=eased.left_out + left_out)
+
+
+CLASSES = (MESH_OT_wirewarp_ease,)

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marking and clearing seams and wires on the selected edges."""
+
+import math
+from collections.abc import Callable
+
+import bpy
+from bpy.props import EnumProperty, FloatProperty
+
+from ..blender.mesh import selected_edges
+from ..blender.modes import in_object_mode
+from ..blender.units import meters_per_blender_unit
+from ..issues import object_error
+from ..state.allowances import NONE, check_allowances, mark_edges, mark_sides
+from ..state.owners import model_of
+from ..ui.editing import OnModel, change_edited, reporting_refusals
+from ..words import counted, quoted
+from .flat_sides import selected_sides
+from .mark import clear_selected, mark_selected
+from .uv_seams import seams_from_uv
+
+KINDS = [
+    ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
+    ("ELASTIC", "Elastic", "An elastic wire may become longer or shorter, up to the tolerance"),
+    ("SUPER_ELASTIC", "Free", "A free wire gets whatever length distorts the pieces least"),
+]
+ALLOWANCES = [
+    ("WIDTH", "Allowance", "Give the selected edges a seam allowance of their own, on all sides"),
+    ("HEM", "Hem", "Give the selected edges of the outline a hem: allowance that is turned up"),
+    ("FOLD", "Fold", "No allowance at the selected edges: they are cut on the fold, or stay raw"),
+    ("DEFAULT", "Default", "Give the selected edges the default allowance again"),
+]
+DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
+
+
+class WireKind:
+    """Mixed into operators."""
+
+    kind: EnumProperty(name="Kind", description="How strictly the wire keeps its length", items=KINDS, default="RIGID")
+    tolerance: FloatProperty(
+        name="Tolerance",
+        description="Elastic wires: how much the total length may change, as a fraction (0.03 is 3%)",
+        min=0.0,
+        soft_max=0.2,
+        max=0.99,
+        default=0.03,
+        precision=4,
+        step=1,
+    )
+    tolerance_percent: FloatProperty(
+        name="Tolerance ±",
+        description="Elastic wires: how much the total length may become longer or shorter, in percent",
+        subtype="PERCENTAGE",
+        min=0.0,
+        soft_max=20.0,
+        max=99.0,
+        precision=2,
+        get=lambda operator: 100 * operator.tolerance,
+        set=lambda operator, percent: setattr(operator, "tolerance", percent / 100),
+        options={"SKIP_SAVE"},
+    )
+
+    def chosen_tolerance(self) -> float:
+        """As the edges carry it. Raises ObjectError if an elastic wire has none."""
+        if self.kind == "ELASTIC" and not self.tolerance > 0:  # nor is it a number in every script
+            sentence = "An elastic wire needs a tolerance above 0: set one, or make the wire rigid."
+            raise object_error("no_tolerance", sentence)
+        return {"RIGID": 0.0, "ELASTIC": self.tolerance, "SUPER_ELASTIC": math.inf}[self.kind]
+
+    def draw_kind(self, layout: bpy.types.UILayout) -> None:
+        layout.prop(self, "kind")
+        if self.kind == "ELASTIC":
+            layout.prop(self, "tolerance_percent")
+
+
+class MESH_OT_wirewarp_mark(OnModel, WireKind, bpy.types.Operator):
+    """Turn the selected edges into wires, one for each line"""
+
+    bl_idname = "mesh.wirewarp_mark"
+    bl_label = "Mark Wire"
+    bl_options = {"REGISTER", "UNDO"}
+    on_model = "mark the wire"
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        return f"Turn the selected edges into wires, one for each line. {DESCRIPTIONS[properties.kind]}"
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        if not self.properties.is_property_set("tolerance"):
+            self.tolerance = context.scene.wirewarp.tolerance_percent / 100
+        return self.execute(context)
+
+    @reporting_refusals
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        marked = mark_selected(context.objects_in_mode_unique_data, self.chosen_tolerance())
+        if marked.wires == 0:
+            raise object_error("nothing", "Nothing to mark: select the edges of the wire first.")
+        sentence = f"{counted(marked.wires, 'wire')} marked"
+        if marked.lost_eases:
+            lost = counted(marked.lost_eases, "wire")
+            self.report({"WARNING"}, f"{sentence}. {lost} had several eases: mark the ease again.")
+        else:
+            self.report({"INFO"}, sentence)
+        return {"FINISHED"}
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        self.layout.use_property_split = True
+        self.draw_kind(self.layout)
+
+
+class MESH_OT_wirewarp_clear(OnModel, bpy.types.Operator):
+    """Remove wires from the selected edges"""
+
+    bl_idname = "mesh.wirewarp_clear"
+    bl_label = "Clear Wire"
+    bl_options = {"REGISTER", "UNDO"}
+    on_model = "clear the wire"
+
+    @reporting_refusals
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        if not clear_selected(context.objects_in_mode_unique_data):
+            self.report({"WARNING"}, "No selected edge is a wire")
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class MESH_OT_wirewarp_allowance(bpy.types.Operator):
+    """Set the seam allowance of the selected edges on seams and outlines; on flat pieces that of their side alone"""
+
+    bl_idname = "mesh.wirewarp_allowance"
+    bl_label = "Mark Allowance"
+    bl_options = {"REGISTER", "UNDO"}
+
+    kind: EnumProperty(name="Kind", description="What is added outside the edges", items=ALLOWANCES, default="WIDTH")
+    width: FloatProperty(
+        name="Width (mm)",
+        description="Width of the seam allowance",
+        min=0.1,
+        soft_max=50.0,
+        max=1000.0,
+        default=10.0,
+        step=100,
+    )
+    hem: FloatProperty(
+        name="Hem (mm)",
+        description="Width of the hem, which is turned up",
+        min=0.1,
+        soft_max=100.0,
+        max=1000.0,
+        default=30.0,
+        step=100,
+    )
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        return next(description for kind, _, description in ALLOWANCES if kind == properties.kind)
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.mode == "EDIT_MESH"
+
+    @reporting_refusals
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        millimeters = 1000 * meters_per_blender_unit(context.scene)
+        widths = {"WIDTH": self.width / millimeters, "HEM": self.hem / millimeters, "FOLD": NONE, "DEFAULT": 0.0}
+        counts = change_edited(context, lambda target: _plan_allowance(target, widths[self.kind]))
+        count, left_out = map(sum, zip(*counts, strict=True))
+        if count == 0:
+            raise object_error("nothing", "Nothing to mark: select edges on a seam or outline first.")
+        if left_out:
+            lie = counted(left_out, "selected edge lies", "selected edges lie")
+            self.report(
+                {"WARNING"}, f"{counted(count, 'edge')} marked; {lie} inside of a piece, where nothing is added."
+            )
+        else:
+            self.report({"INFO"}, f"{counted(count, 'edge')} marked")
+        return {"FINISHED"}
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        self.layout.use_property_split = True
+        self.layout.prop(self, "kind")
+        if self.kind in {"WIDTH", "HEM"}:
+            self.layout.prop(self, self.kind.lower())
+
+
+def _plan_allowance(target: bpy.types.Object, width: float) -> Callable[[], tuple[int, int]]:
+    """On a model all sides, on flat pieces theirs; what writes returns the numbers of edges marked and left out."""
+    sides = selected_sides(target) if model_of(target) else None
+    mesh = sides.model.data if sides else target.data
+    check_allowances(mesh)
+
+    def write() -> tuple[int, int]:
+        if sides:
+            count, marked = len(sides.edges) + sides.left_out, mark_sides(mesh, sides.corners, width)
+        else:
+            rows = selected_edges(mesh)
+            count, marked = len(rows), mark_edges(mesh, rows, width)
+        mesh.update()
+        return marked, count - marked
+
+    return write
+
+
+class MESH_OT_wirewarp_seams_from_uv_islands(OnModel, bpy.types.Operator):
+    """Mark seams along the island borders of the active UV map, or of your own map while WireWarp's is active"""
+
+    bl_idname = "mesh.wirewarp_seams_from_uv_islands"
+    bl_label = "Seams from UV Islands"
+    bl_options = {"REGISTER", "UNDO"}
+    on_model = "mark seams"
+
+    @reporting_refusals
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        targets = list(context.objects_in_mode_unique_data)
+        with in_object_mode(context):
+            count, maps = seams_from_uv(targets)
+        named = f"{'UV map' if len(maps) == 1 else 'UV maps'} {quoted(maps)}"
+        if count == 0:
+            self.report({"INFO"}, f"No new seams: every island border of the {named} is one already")
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"{counted(count, 'edge')} marked as seam, from the {named}")
+        return {"FINISHED"}
+
+
+CLASSES = (
+    MESH_OT_wirewarp_mark,
+    MESH_OT_wirewarp_clear,
+    MESH_OT_wirewarp_allowance,
+    MESH_OT_wirewarp_seams_from_uv_islands,
+)

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marking, and what the overlay shows."""
+
+from collections.abc import Sequence
+
+import bpy
+
+from ..state.owners import DELETED, is_deleted, model_of
+from ..ui.layout import SidebarPanel, draw_sentence
+from ..ui.settings import draw_ease
+
+SIDES = (("ALL", "All Sides"), ("NONE", "Clear Ease"), ("ONE", "One Side"), ("OTHER", "Other Side"))
+OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # where a side is what is selected
+
+
+class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
+    bl_label = "Mark"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout = self.layout
+        active = context.active_object
+        if active is None or active.type != "MESH":
+            draw_sentence(context, layout, "Select a mesh to mark seams and wires on it.", "INFO")
+            return
+        model = model_of(active)
+        if model:
+            sentence = (
+                f'These are the flat pieces of "{model.name}". Select that to mark seams and wires. In Edit Mode of '
+                "the pieces you can mark the ease and the allowance of one side."
+            )
+            if is_deleted(model):
+                draw_sentence(context, layout, f"These are flat pieces. {DELETED.format(model.name)}", "ERROR")
+            else:
+                draw_sentence(context, layout, sentence, "INFO")
+                if context.mode == "EDIT_MESH":
+                    _draw_ease(layout, context, "Ease of selected sides", OF_PIECES)
+                    _draw_allowances(layout, "Allowance of selected sides")
+            return
+        if context.mode != "EDIT_MESH":
+            layout.operator("object.mode_set", text="Mark in Edit Mode", icon="EDITMODE_HLT").mode = "EDIT"
+            return
+        self._draw_buttons(context, layout)
+
+    def _draw_buttons(self, context: bpy.types.Context, layout: bpy.types.UILayout) -> None:
+        layout.label(text="Seams cut the pieces")
+        row = layout.row(align=True)
+        row.operator("mesh.mark_seam", text="Mark Seam").clear = False
+        row.operator("mesh.mark_seam", text="Clear Seam").clear = True
+        layout.operator("mesh.wirewarp_seams_from_uv_islands", text="From UV Islands")
+        layout.operator("mesh.wirewarp_smooth_seam")
+
+        layout.label(text="Wires control lengths")
+        column = layout.column(align=True)
+        column.operator("mesh.wirewarp_mark", text="Rigid").kind = "RIGID"
+        row = column.row(align=True)
+        row.operator("mesh.wirewarp_mark", text="Elastic").kind = "ELASTIC"
+        row.prop(context.scene.wirewarp, "tolerance_percent", text="±")
+        column.operator("mesh.wirewarp_mark", text="Free").kind = "SUPER_ELASTIC"
+        column.operator("mesh.wirewarp_clear", text="Clear Wire")
+
+        _draw_ease(layout, context, "Ease of selected lines", SIDES)
+        _draw_allowances(layout, "Allowance of selected edges")
+
+
+def _draw_ease(
+    layout: bpy.types.UILayout, context: bpy.types.Context, title: str, buttons: Sequence[tuple[str, str]]
+) -> None:
+    """buttons: sides and text of each, two in a row."""
+    layout.label(text=title)
+    column = layout.column(align=True)
+    draw_ease(column, context.scene.wirewarp)
+    grid = column.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
+    for sides, text in buttons:
+        grid.operator("mesh.wirewarp_ease", text=text).sides = sides
+
+
+def _draw_allowances(layout: bpy.types.UILayout, title: str) -> None:
+    layout.label(text=title)
+    column = layout.column(align=True)
+    row = column.row(align=True)
+    row.operator("mesh.wirewarp_allowance", text="Allowance").kind = "WIDTH"
+    row.operator("mesh.wirewarp_allowance", text="Hem").kind = "HEM"
+    row = column.row(align=True)
+    row.operator("mesh.wirewarp_allowance", text="Fold").kind = "FOLD"
+    row.operator("mesh.wirewarp_allowance", text="Default").kind = "DEFAULT"
+
+
+CLASSES = (VIEW3D_PT_wirewarp_mark,)

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What became of a run and what to do next: the panels of Flatten, pieces and the report, and what their buttons do.
+
+May import: suggest, flatten, marks, overlay, ui, state, solve, blender, properties, core, issues, words.
+"""
+
+from . import flatten_panel, mend, operators, panel, piece_list
+
+MODULES = (
+    operators,
+    mend,
+    flatten_panel,
+    piece_list,
+    panel,
+)

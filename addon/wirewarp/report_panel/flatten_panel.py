@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Flatten, what became of it, and what to do next: together, at the top of the sidebar."""
+
+import bpy
+
+from ..blender.units import likely_units, strange_size, unit_text
+from ..core import as_seen
+from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
+from ..issues import ObjectError
+from ..marks.wire_list import shown_wires
+from ..solve.report import ObjectReport
+from ..state.changes import shows_modified
+from ..state.drawings import kept_drawing
+from ..state.memory import stamp
+from ..state.modifiers import shaped_by
+from ..state.owners import find_flat_object, has_flat_object, model_of, model_or_self
+from ..state.reports import last_report
+from ..suggest.panel import draw_suggest
+from ..ui.layout import LEVEL_ICONS, SidebarPanel, draw_progress, draw_sentence
+from ..ui.settings import draw_settings, settings_sentence
+from ..ui.shown import untrue_sentence
+from ..ui.window_run import FLATTEN
+from .next_step import next_step
+
+LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
+WAITS = f"Of more than {EDIT_LIMIT:,} vertices: Auto waits until you leave Edit Mode."
+
+
+class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
+    bl_label = "Flatten"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        layout, settings = self.layout, context.scene.wirewarp
+        row = layout.row(align=True)
+        row.scale_y = 1.5
+        if draw_progress(row, FLATTEN, "object.wirewarp_flatten"):
+            return
+        row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
+        row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
+        active = context.active_object
+        if active is None or active.type != "MESH":
+            draw_sentence(context, layout, "Select a mesh.", "INFO")
+            return
+        source = model_or_self(active)
+        _draw_size(context, layout, source)
+        report = last_report(source)
+        if report:
+            _draw_state(context, layout, source, report)
+        if report and settings.auto_update and waits_for_object_mode(source):
+            draw_sentence(context, layout, WAITS, "INFO")
+        if report and find_flat_object(source):
+            layout.operator("view3d.wirewarp_frame", icon="VIEWZOOM")
+        if settings.method == "WIREWARPING" and _has_loose_wires(active):
+            draw_sentence(context, layout, "This method keeps elastic and free wires rigid too.", "INFO")
+
+
+def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
+    """A model that nobody could sew has mostly lost its unit on the way through a file."""
+    sentence = strange_size(source, context.scene)
+    if not sentence:
+        return
+    column = layout.column(align=True)
+    draw_sentence(context, column, sentence, "AMBER")
+    for unit in likely_units(source):
+        column.operator("scene.wirewarp_set_unit", text=unit_text(source, unit)).meters = unit
+
+
+def _draw_state(
+    context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, report: ObjectReport
+) -> None:
+    untrue = untrue_sentence(context.active_object, source, report)
+    if untrue:
+        warning = layout.column()
+        warning.alert = True
+        draw_sentence(context, warning, untrue, "ERROR")
+        if context.scene.wirewarp.auto_update and is_left(source):
+            draw_sentence(context, layout, LEFT, "INFO")
+        return
+    left_out = _left_out(context, source, report)
+    for line in as_seen(report.tables.verdict, left_out).lines:
+        draw_sentence(context, layout, line.text, LEVEL_ICONS[line.kind.level])
+    step = next_step(report, left_out)
+    if step:
+        if step.sentence:
+            draw_sentence(context, layout, step.sentence, "INFO")
+        button = layout.row()
+        button.scale_y = 1.2
+        asked = button.operator(step.operator, text=step.text, icon=step.icon)
+        for name, value in step.settings.items():
+            setattr(asked, name, value)
+        if step.settings.get("what") == "HINT":  # the verdict has said to add a dart or seam there
+            draw_suggest(layout, context.scene.wirewarp, report.hints[step.settings["index"]].piece)
+        if step.settings.get("what") == "SEAMS":  # others, with what they cost and leave
+            draw_suggest(layout, context.scene.wirewarp, -1, ["seams"])
+    # Of the last run, though it may have left the earlier pieces: to flatten again would change nothing.
+    sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
+    if sentence:
+        draw_sentence(context, layout, sentence, "INFO")
+
+
+def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
+    """As it is now, where that can be seen; else as it was in the run."""
+    if report.with_modifiers or not shows_modified(source):
+        return report.left_out
+    if not source.modifiers and not source.data.shape_keys:
+        return []
+    depsgraph = context.view_layer.depsgraph
+    made_of = stamp(source), stamp(source.data)
+    return kept_drawing(source, "shaped by", made_of, lambda: shaped_by(source, depsgraph))
+
+
+def _has_loose_wires(active: bpy.types.Object) -> bool:
+    try:
+        return not model_of(active) and any(wire.tolerance > 0 for _, wire in shown_wires(active))
+    except ObjectError:
+        return False  # the list of wires says what is wrong
+
+
+class VIEW3D_PT_wirewarp_settings(SidebarPanel, bpy.types.Panel):
+    bl_label = "Settings"
+    bl_parent_id = "VIEW3D_PT_wirewarp_flatten"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        draw_settings(self.layout, context.scene.wirewarp)
+
+
+class VIEW3D_PT_wirewarp_advanced(SidebarPanel, bpy.types.Panel):
+    bl_label = "Advanced"
+    bl_parent_id = "VIEW3D_PT_wirewarp_settings"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context: bpy.types.Context) -> None:
+        draw_settings(self.layout, context.scene.wirewarp, advanced=True)
+
+
+CLASSES = (
+    VIEW3D_PT_wirewarp_flatten,
+    VIEW3D_PT_wirewarp_settings,
+    VIEW3D_PT_wirewarp_advanced,
+)

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fixing what a report complains about: proposed seams and tolerances, suggested cuts, modifiers, normals."""
+
+from collections.abc import Callable
+
+import bmesh
+import bpy
+import numpy as np
+from bpy.props import EnumProperty
+
+from ..blender.modes import WORKING_MODES, in_object_mode
+from ..blender.objects import check_local
+from ..flatten.steps import FlattenSteps
+from ..flatten.targets import active_target, nothing_to_flatten
+from ..issues import ObjectError, object_error
+from ..marks.change import mark_seams
+from ..properties import take_settings
+from ..state.memory import read_anew
+from ..state.modifiers import apply_modifiers
+from ..state.owners import check_not_edited, model_or_self
+from ..state.reports import last_report
+from ..state.suggestions import chosen_cut
+from ..suggest.cut_lines import cut_across_faces
+from ..suggest.smooth import cut_smooth_lines
+from ..ui import window_run
+from ..ui.settings import draw_settings
+from .operators import PROPOSALS, take_proposals
+
+CLOSE = 1e-5  # of the model's size; files write coordinates to five or six digits
+ROUNDED = 5e-7  # of the largest coordinate: two roundings to single precision on either side
+
+
+def dissolve_faces_without_area(mesh: bpy.types.Mesh) -> int:
+    """Returns by how many vertices and faces there are less, as the next does."""
+    return _mend(mesh, lambda edit, close: bmesh.ops.dissolve_degenerate(edit, dist=close, edges=edit.edges))
+
+
+def merge_close_vertices(mesh: bpy.types.Mesh) -> int:
+    return _mend(mesh, lambda edit, close: bmesh.ops.remove_doubles(edit, verts=edit.verts, dist=close))
+
+
+def recalculate_normals(mesh: bpy.types.Mesh) -> int:
+    """Turns faces so that all look to one side, outward if they enclose something. Returns how many were turned."""
+    edit = bmesh.new()
+    try:
+        edit.from_mesh(mesh)
+        before = [face.normal.copy() for face in edit.faces]
+        bmesh.ops.recalc_face_normals(edit, faces=edit.faces)
+        edit.to_mesh(mesh)
+        mesh.update()
+        return sum(face.normal.dot(normal) < 0 for face, normal in zip(edit.faces, before, strict=True))
+    finally:
+        edit.free()
+
+
+def _mend(mesh: bpy.types.Mesh, act: Callable[[bmesh.types.BMesh, float], object]) -> int:
+    edit = bmesh.new()
+    try:
+        edit.from_mesh(mesh)
+        before = len(edit.verts) + len(edit.faces)
+        act(edit, _close_distance(edit))
+        edit.to_mesh(mesh)
+        mesh.update()
+        return before - len(edit.verts) - len(edit.faces)
+    finally:
+        edit.free()
+
+
+def _close_distance(edit: bmesh.types.BMesh) -> float:
+    """By the size of the model, wherever it lies, but no less than the rounding of coordinates so large."""
+    places = np.array([vertex.co for vertex in edit.verts]).reshape(-1, 3)
+    if not len(places):
+        return 0.0
+    return max(CLOSE * float(np.ptp(places, axis=0).max()), ROUNDED * float(np.abs(places).max()))
+
+
+NOTHING = {  # by kind
+    "SEAMS": "Already marked. Flatten again.",
+    "SUGGESTION": "Already marked. Flatten again.",
+    "TOLERANCES": "Already as loose, or no wires any more. Flatten again.",
+    "DISSOLVE": 'Nothing to dissolve: no face of "{}" is without area.',
+    "MERGE": 'No two vertices lie in one place: the faces of "{}" are apart.',
+    "NORMALS": 'The faces of "{}" cannot all look to one side: mark a seam where they change.',
+}
+CLEAN_UP = {"DISSOLVE": dissolve_faces_without_area, "MERGE": merge_close_vertices, "NORMALS": recalculate_normals}
+
+
+class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
+    """Mend the model and flatten it again"""
+
+    bl_idname = "object.wirewarp_mend"
+    bl_label = "Mend and Flatten"
+    bl_options = {"REGISTER", "UNDO"}
+
+    what: EnumProperty(
+        name="What",
+        description="What to do before flattening again",
+        items=[
+            *PROPOSALS,
+            ("SUGGESTION", "Suggestion", "Mark the cut that is chosen in the list of suggestions as seam"),
+            ("SMOOTH", "Smooth Suggestion", "Cut the chosen suggestion into the faces as a smooth line, as seam"),
+            ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
+            ("MERGE", "Merge", "Merge vertices of the model that lie in one place"),
+            ("NORMALS", "Normals", "Turn faces of the model so that all look to one side"),
+            ("APPLY", "Apply Modifiers", "Make what modifiers show the model itself, with edges that can be marked"),
+            ("MODIFIERS", "Modifiers", "Take the mesh as modifiers and shape keys leave it, from now on"),
+        ],
+        options={"HIDDEN"},
+    )
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        what = properties.rna_type.properties["what"].enum_items[properties.what]
+        return f"{what.description}, and flatten again"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        is_mesh = active is not None and active.type == "MESH"
+        return is_mesh and context.mode in WORKING_MODES and not window_run.is_running()
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        take_settings(self, context.scene.wirewarp)
+        if bpy.app.background:
+            return self.execute(context)
+        return self.begin_run(context, [self._model(context)]) if self._mend(context) else {"CANCELLED"}
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        """In a script and for Adjust Last Operation."""
+        if not self._mend(context):
+            return {"CANCELLED"}
+        self.flatten_now(context, [self._model(context)])
+        return {"FINISHED"}
+
+    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+        """What was mended stays, and can be undone, whatever becomes of the run."""
+        result = super().modal(context, event)
+        return {"FINISHED"} if result == {"CANCELLED"} else result
+
+    def _model(self, context: bpy.types.Context) -> bpy.types.Object:
+        return model_or_self(context.active_object)
+
+    def _mend(self, context: bpy.types.Context) -> bool:
+        """Whether it was; says why not."""
+        refusal = nothing_to_flatten(context, active_target(context))
+        if refusal:
+            self.report({"ERROR"}, refusal)
+            return False
+        source = self._model(context)
+        try:
+            if self.what == "MODIFIERS":
+                self.use_modifiers = context.scene.wirewarp.use_modifiers = True
+                return True
+            if context.mode == "EDIT_MESH" and source.mode != "EDIT":
+                bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
+            with in_object_mode(context):
+                count = self._change(source)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return False
+        if count == 0:
+            self.report({"ERROR"}, NOTHING[self.what].format(source.name))
+        return count > 0
+
+    def _change(self, source: bpy.types.Object) -> int:
+        """Returns how many elements changed. Raises ObjectError, with nothing changed."""
+        if self.what in CLEAN_UP:
+            check_local(source, source.data)
+            check_not_edited(source)
+            return CLEAN_UP[self.what](source.data)
+        if self.what == "APPLY":
+            check_local(source, source.data)
+            check_not_edited(source)
+            apply_modifiers(source)
+            self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
+            return 1
+        if self.what in {"SUGGESTION", "SMOOTH"}:
+            return _take_suggestion(source, is_smooth=self.what == "SMOOTH")
+        report = last_report(source)
+        if report is None:
+            raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
+        return take_proposals(source, report, self.what)
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        draw_settings(self.layout, self)
+        draw_settings(self.layout, self, advanced=True)
+
+
+def _take_suggestion(source: bpy.types.Object, *, is_smooth: bool) -> int:
+    """Returns how many edges were marked. Raises ObjectError."""
+    check_local(source, source.data)
+    check_not_edited(source)
+    cut = chosen_cut(source, read_anew)
+    if cut is None:
+        sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'
+        raise object_error("no_suggestion", sentence)
+    if is_smooth:
+        return len(cut_smooth_lines(source, cut.edges))
+    if cut.diagonals:
+        cut_across_faces(source.data, cut.diagonals)
+    return mark_seams(source.data, cut.edges)
+
+
+CLASSES = (OBJECT_OT_wirewarp_mend,)

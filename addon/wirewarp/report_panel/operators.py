@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The buttons beside the report: select and show what it names, take what it proposes, copy it; and the view of all."""
+
+import bpy
+from bpy.props import EnumProperty, IntProperty
+
+from ..blender.mesh import current_mesh, element_counts
+from ..blender.modes import in_object_mode
+from ..blender.objects import check_local
+from ..blender.selection import select_elements
+from ..blender.units import length_text
+from ..blender.views import redraw_views, show_objects
+from ..core import Elements, elements_of, report_csv
+from ..issues import ObjectError, changed_error, object_error
+from ..marks.change import loosen_wires, mark_seams
+from ..solve.report import ObjectReport
+from ..state.changes import has_changed, has_moved
+from ..state.elements import faces_of_piece, on_flat
+from ..state.flat_pieces import pieces_of_report
+from ..state.owners import check_not_edited, find_flat_object, model_or_self
+from ..state.reports import last_report, pieces_report
+from ..words import counted
+
+PROPOSALS = [
+    ("SEAMS", "Mark as Seam", "Mark the proposed edges as seams on the model"),
+    ("TOLERANCES", "Loosen Wires", "Give the named wires the proposed tolerances"),
+]
+
+
+def check_indices(target: bpy.types.Object, report: ObjectReport) -> None:
+    """Raises ObjectError if the report's elements are not, or no longer, those of the object's own mesh."""
+    check_local(target, target.data)
+    if report.with_modifiers:
+        raise object_error(
+            "with_modifiers",
+            "This report is about the mesh after its modifiers. To mark the model itself, flatten without Modifiers.",
+        )
+    with current_mesh(target) as mesh:
+        counts = element_counts(mesh)
+    if report.counts not in (None, counts):
+        raise changed_error(target.name)
+
+
+class ReportOperator:
+    """Acts on a report of the active model, or of the model of active flat pieces. Subclasses say how."""
+
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        """Of the chosen item; "" where there is no choice, for Blender to show the class's own sentence."""
+        what = properties.rna_type.properties.get("what")
+        return what.enum_items[properties.what].description if what else ""
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
+
+    def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
+        """The one that is shown."""
+        return last_report(source)
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        source = model_or_self(context.active_object)
+        report = self.report_of(source)
+        try:
+            if report is None:
+                raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
+            return self.act(context, source, report)
+        except ObjectError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+
+
+class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
+    """Copy all lengths and areas of the report to the clipboard, as a table in the scene's units for spreadsheets"""
+
+    bl_idname = "object.wirewarp_copy_report"
+    bl_label = "Copy as CSV"
+    bl_options = {"REGISTER"}
+
+    def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
+        """Of the flat pieces, if there are any."""
+        return pieces_report(source) or last_report(source)
+
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
+        table = report_csv(report, length_text(context.scene))
+        context.window_manager.clipboard = table
+        lines = table.count("\n") - 1
+        if has_changed(source, report.model_state):
+            self.report({"WARNING"}, f'{lines} lines copied. "{source.name}" has changed since they were measured')
+        else:
+            self.report({"INFO"}, f"{lines} lines copied")
+        return {"FINISHED"}
+
+
+class MESH_OT_wirewarp_select_issues(ReportOperator, bpy.types.Operator):
+    """Select, in Edit Mode, the vertices, edges and faces that the last run complained about"""
+
+    bl_idname = "mesh.wirewarp_select_issues"
+    bl_label = "Select Problems"
+
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
+        check_indices(source, report)
+        vertices = [vertex for issue in report.issues for vertex in issue.vertices]
+        edges = [edge for issue in report.issues for edge in issue.edges]
+        faces = [face for issue in report.issues for face in issue.faces]
+        if not (vertices or edges or faces):
+            self.report({"INFO"}, "The last run found nothing wrong with particular elements")
+            return {"CANCELLED"}
+        select_elements(context, source, vertices, edges, faces)
+        return {"FINISHED"}
+
+
+class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
+    """Select this part of the report in Edit Mode and show it"""
+
+    bl_idname = "mesh.wirewarp_select_result"
+    bl_label = "Select in Report"
+
+    what: EnumProperty(
+        name="What",
+        description="What to select",
+        items=[
+            ("SEAM", "Seam", "Select and show the seam: on the model, or all its sides if flat pieces are active"),
+            ("WIRE", "Wire", "Select and show the wire: on the model, or on the flat pieces if these are active"),
+            ("OUTLINE", "Open Edge", "Select and show this stretch of outline: on the model, or on active flat pieces"),
+            ("PIECE", "Piece", "Select and show the piece: on the model, or on the flat pieces if these are active"),
+            ("STRETCH", "Largest Stretch", "Select and show where the cloth of this piece must stretch most"),
+            ("EASE", "Largest Ease", "Select and show where the cloth of this piece must be eased in most"),
+            ("ISSUE", "Issue", "Select and show what the sentence is about"),
+            ("HINT", "Hint", "Select and show the place: on the model, or on the flat pieces if these are active"),
+        ],
+        options={"HIDDEN"},
+    )
+    index: IntProperty(name="Index", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
+
+    def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
+        """Of the list of pieces, or of all else in the panel."""
+        return (pieces_report if self.what in {"PIECE", "STRETCH", "EASE"} else last_report)(source)
+
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
+        elements = elements_of(report, self.what, self.index)
+        if elements is None:
+            raise object_error("not_in_report", "That line is gone. Flatten again.")
+        # The elements of a mesh with modifiers are to be had on the flat pieces only.
+        wants_flat = context.active_object != source or report.with_modifiers
+        if wants_flat and self._lies_flat(report, elements):
+            with in_object_mode(context):
+                flat, pieces = pieces_of_report(source, report)
+            _select(context, flat, on_flat(elements, pieces))
+            return {"FINISHED"}
+        check_indices(source, report)
+        if elements.whole_piece:
+            with in_object_mode(context):
+                _, pieces = pieces_of_report(source, report)
+            elements = Elements(faces=faces_of_piece(elements.piece, pieces))
+        _select(context, source, elements)
+        return {"FINISHED"}
+
+    def _lies_flat(self, report: ObjectReport, elements: Elements) -> bool:
+        """What failed may be about a piece, or a whole model, that has no flat shape."""
+        if self.what != "ISSUE":
+            return True
+        return elements.piece is not None and report.pieces[elements.piece].has_layout
+
+
+def _select(context: bpy.types.Context, target: bpy.types.Object, elements: Elements) -> None:
+    select_elements(context, target, elements.vertices, elements.edges, elements.faces)
+
+
+def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, issues: slice = slice(None)) -> int:
+    """Writes what these issues of the report propose, SEAMS or TOLERANCES. Returns how many edges were changed.
+
+    Raises ObjectError. Of a model in Object Mode.
+    """
+    chosen = report.issues[issues]
+    seams = [edge for issue in chosen for edge in issue.proposed_seams] if what == "SEAMS" else []
+    wires = [wire for issue in chosen for wire in issue.proposed_tolerances] if what == "TOLERANCES" else []
+    if not (seams or wires):
+        proposal = "seam" if what == "SEAMS" else "tolerance"
+        sentence = f'The report of "{source.name}" proposes no {proposal} here: flatten again to see what helps.'
+        raise object_error("not_in_report", sentence)
+    check_not_edited(source)
+    check_indices(source, report)
+    if has_moved(source, report.model_state):
+        raise changed_error(source.name)
+    return mark_seams(source.data, seams) if seams else loosen_wires(source.data, wires)
+
+
+class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
+    """Mend the model as the report proposes"""
+
+    bl_idname = "mesh.wirewarp_take_proposal"
+    bl_label = "Take Proposal"
+
+    what: EnumProperty(
+        name="What",
+        description="What to take from the report",
+        items=PROPOSALS,
+        options={"HIDDEN"},
+    )
+    issue: IntProperty(name="Issue", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
+
+    def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
+        edits_others = context.mode == "EDIT_MESH" and source.mode != "EDIT"
+        with in_object_mode(context):
+            count = take_proposals(source, report, self.what, slice(self.issue, self.issue + 1))
+        if count == 0:
+            self.report({"INFO"}, "Already done. Flatten again")
+            return {"CANCELLED"}
+        if edits_others:
+            bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
+        redraw_views()
+        done = "marked as seam" if self.what == "SEAMS" else "made more elastic"
+        self.report({"INFO"}, f"{counted(count, 'edge')} {done}: flatten again")
+        return {"FINISHED"}
+
+
+class VIEW3D_OT_wirewarp_frame(bpy.types.Operator):
+    """Move the view so that the model and its flat pieces are in sight"""
+
+    bl_idname = "view3d.wirewarp_frame"
+    bl_label = "Show Model and Pieces"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.area is not None and context.area.type == "VIEW_3D" and len(_objects(context)) == 2
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        show_objects(context, context.area, _objects(context))
+        return {"FINISHED"}
+
+
+def _objects(context: bpy.types.Context) -> list[bpy.types.Object]:
+    """The active model and its flat pieces, as far as they are there."""
+    active = context.active_object
+    if active is None:
+        return []
+    source = model_or_self(active)
+    return [each for each in (source, find_flat_object(source)) if each is not None]
+
+
+CLASSES = (
+    MESH_OT_wirewarp_select_issues,
+    MESH_OT_wirewarp_select_result,
+    MESH_OT_wirewarp_take_proposal,
+    OBJECT_OT_wirewarp_copy_report,
+    VIEW3D_OT_wirewarp_frame,
+)

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The list of flat pieces, the worst first: a double click renames, the arrow selects. Below it, the chosen one."""
+
+import bpy
+
+from ..blender.units import length_text
+from ..core import PieceRow, needs_text, percent_text
+from ..overlay.shown import shown_pages
+from ..solve.report import ObjectReport
+from ..state.owners import find_flat_object
+from ..state.reports import pieces_report
+from ..suggest.panel import draw_suggest
+from ..ui.layout import SidebarPanel, draw_cells, draw_progress, draw_sentence, mark_of
+from ..ui.shown import shown_source
+from ..ui.window_run import EXPORT
+from .table import draw_select
+
+NO_STRAIN = 5e-4  # what is shown as 0.0%
+WORTH_A_CUT = 0.005  # of the strain: with less the library proposes nothing (CutWishes::strain)
+
+
+class WIREWARP_UL_pieces(bpy.types.UIList):
+    """Entries of the report's pieces, in its order."""
+
+    def draw_item(
+        self,
+        context: bpy.types.Context,
+        layout: bpy.types.UILayout,
+        _source: bpy.types.Object,
+        entry: bpy.types.PropertyGroup,
+        _icon: int,
+        _active_source: bpy.types.Object,
+        _active_name: str,
+        index: int,
+    ) -> None:
+        line, row = layout.row(align=True), _row_of(context, index)
+        if row is None:
+            line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
+            return
+        line.prop(entry, "name", text="", emboss=False, **mark_of(row.ok, row.is_strained))
+        if row.has_layout:
+            figure = line.row()
+            figure.alignment = "RIGHT"
+            figure.label(text=percent_text(row.needed))
+            draw_select(line, "PIECE", index)
+
+    def filter_items(
+        self, context: bpy.types.Context, source: bpy.types.Object, entries_name: str
+    ) -> tuple[list[int], list[int]]:
+        """Which entries are shown (empty: all), and the place of each."""
+        entries, helper = getattr(source, entries_name), bpy.types.UI_UL_list
+        shown = []
+        if self.filter_name:
+            shown = helper.filter_items_by_name(self.filter_name, self.bitflag_filter_item, entries, "name")
+        if self.use_filter_sort_alpha:
+            return shown, helper.sort_items_by_name(entries, "name")
+        places = {row.index: place for place, row in enumerate(_shown_pieces(context).tables.pieces)}
+        if places.keys() != set(range(len(entries))):
+            return shown, []
+        return shown, [places[index] for index in range(len(entries))]
+
+
+def _shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
+    """The report of the pieces there are, whatever has failed since."""
+    source = shown_source(context)
+    return pieces_report(source) if source else None
+
+
+def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
+    """None where the report is of other pieces than the list."""
+    return next((row for row in _shown_pieces(context).tables.pieces if row.index == index), None)
+
+
+class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
+    bl_label = "Pieces"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        report = _shown_pieces(context)
+        return report is not None and report.flat_object is not None and len(shown_source(context).wirewarp_pieces) > 0
+
+    def draw(self, context: bpy.types.Context) -> None:
+        source = shown_source(context)
+        rows = min(len(source.wirewarp_pieces), 8)
+        self.layout.template_list(
+            "WIREWARP_UL_pieces", "", source, "wirewarp_pieces", source, "wirewarp_active_piece", rows=rows
+        )
+        chosen = _row_of(context, source.wirewarp_active_piece)
+        if chosen:
+            draw_figures(context, self.layout, chosen)
+            if chosen.ok and chosen.needed >= WORTH_A_CUT:
+                draw_suggest(self.layout, context.scene.wirewarp, chosen.index)
+        if context.scene.wirewarp.keep_places:
+            button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
+            button.keep_places, button.only_active = False, True
+        settings = context.scene.wirewarp
+        self.layout.prop(settings, "allowance", text="Allowance (mm)")
+        row = self.layout.row(align=True)
+        if not draw_progress(row, EXPORT, "object.wirewarp_export"):
+            row.operator("object.wirewarp_export", icon="EXPORT")
+            row.prop(settings, "show_pages", text="", icon="DOCUMENTS")
+        if settings.show_pages:
+            draw_pages(context, self.layout, source)
+
+
+def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
+    """What the pages drawn over the pieces are of, and how many they are."""
+    settings, column = context.scene.wirewarp, layout.column(align=True)
+    column.prop(settings, "arrangement", text="")
+    if settings.arrangement == "MARKER":
+        column.prop(settings, "cloth_width", text="Cloth Width (mm)")
+    else:
+        column.prop(settings, "paper", text="")
+        if settings.paper == "ROLL":
+            column.prop(settings, "roll_width", text="Roll Width (mm)")
+    flat = find_flat_object(source)
+    if flat is not None and not flat.data.is_editmode:
+        preview = shown_pages(context, source, flat)
+        draw_sentence(context, layout, preview.sentence, "NONE" if preview.is_good else "ERROR")
+
+
+def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: PieceRow) -> None:
+    text, column = length_text(context.scene), layout.column(align=True)
+    draw_cells(column, "Area, model", [text.area(row.area_3d)], 0.45)
+    if not row.has_layout:
+        draw_cells(column, "Area, flat", ["not laid flat"], 0.45)
+        return
+    draw_cells(column, "Area, flat", [text.area(row.area_2d)], 0.45)
+    change = row.area_2d / row.area_3d - 1
+    draw_cells(column, " diff.", [f"{100 * change:+.2f}%" if abs(change) >= 5e-5 else "0.00%"], 0.45)
+    if row.threads:
+        draw_sentence(context, column, f"{needs_text(row.threads)}, in {row.threads.cloth}")
+    elif max(row.stretch_max, row.ease_max) < NO_STRAIN:
+        draw_sentence(context, column, "Lies flat without any stretch")
+    if row.stretch_max >= NO_STRAIN:
+        _draw_place(column, "Stretch up to", row.stretch_max, "STRETCH", row.index)
+    if row.ease_max >= NO_STRAIN:
+        _draw_place(column, "Compress up to", row.ease_max, "EASE", row.index)
+
+
+def _draw_place(column: bpy.types.UILayout, label: str, share: float, what: str, index: int) -> None:
+    row = column.row(align=True)
+    draw_cells(row, label, [percent_text(share)], 0.5)
+    draw_select(row, what, index)
+
+
+CLASSES = (
+    WIREWARP_UL_pieces,
+    VIEW3D_PT_wirewarp_pieces,
+)

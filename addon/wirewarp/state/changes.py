@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All of a model that its flat pieces depend on, in short: by it a report sees that the model has changed since."""
+
+import hashlib
+
+import bpy
+import numpy as np
+
+from ..blender.objects import metric
+from ..issues import ObjectError
+from .marked_mesh import MarkedMesh, marked_mesh, read_marked
+from .memory import Take, kept, read_anew
+
+SHAPE, MARKS, SCALE = "shape", "marks", "metric"
+MODIFIED = "modified"  # of reports with modifiers
+BLOCKS = 64  # of vertices: one number for each of them and each axis
+ROUNDING = 1e-6  # of coordinates in single precision that went through matrices, by their size
+
+
+def model_state(source: bpy.types.Object, base: MarkedMesh, with_modifiers: bool) -> dict:
+    """For the report; base: the object's base mesh."""
+    return _state(source, _digests(base), with_modifiers, read_anew)
+
+
+def present_state(source: bpy.types.Object, with_modifiers: bool, take: Take = read_anew) -> dict:
+    """As model_state, in Edit Mode too; take: read_anew, or kept. Raises ObjectError."""
+    digests = take(source.data, "digests", lambda _: _digests(marked_mesh(source, take)))
+    return _state(source, digests, with_modifiers, take)
+
+
+def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: Take) -> dict:
+    state = digests | {SCALE: metric(source).tolist()}
+    return state | {MODIFIED: _modified(source, take)} if with_modifiers else state
+
+
+def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept) -> bool:
+    """Whether geometry, seams, wires or scale are other than in a report's model_state; take: kept, or read_anew.
+
+    Of a report with modifiers, also whether these make another mesh; not where that cannot be seen: see shows_modified.
+    """
+    return state is not None and bool(_changes(source, state, take))
+
+
+def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
+    """Whether geometry or scale are other than when the report was made, whatever its seams and wires are now.
+
+    A report without a state counts as one of another model.
+    """
+    return state is None or bool(_changes(source, state, read_anew) & {SHAPE, SCALE})
+
+
+def shows_modified(source: bpy.types.Object) -> bool:
+    """Whether what modifiers make can be seen: Blender makes nothing of hidden objects, and less in Edit Mode."""
+    return source.mode == "OBJECT" and source.visible_get()
+
+
+def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
+    """What is other than in the state `then`."""
+    if source.data.is_editmode and source.data.shape_keys:  # Edit Mode shows the active shape key, not the base mesh
+        return {SCALE} if _is_scaled(source, then) else set()
+    try:
+        now = present_state(source, MODIFIED in then, take)
+    except ObjectError:  # an attribute of our name that was none then
+        return {SHAPE, MARKS}
+    changes = {part for part in (SHAPE, MARKS) if then.get(part) != now[part]}
+    if _is_scaled(source, then):
+        changes.add(SCALE)
+    if now.get(MODIFIED) and not _is_same(then[MODIFIED], now[MODIFIED]):
+        changes.add(MODIFIED)
+    return changes
+
+
+def _is_scaled(source: bpy.types.Object, then: dict) -> bool:
+    was = np.array(then[SCALE])
+    return not np.allclose(metric(source), was, rtol=1e-5, atol=1e-5 * np.abs(was).max())
+
+
+def _digests(mesh: MarkedMesh) -> dict[str, str]:
+    return {SHAPE: _digest([mesh.places, *_faces(mesh)]), MARKS: _digest(_marks(mesh))}
+
+
+def _modified(source: bpy.types.Object, take: Take) -> dict | None:
+    """Of the mesh as modifiers and shape keys leave it; None where that cannot be seen."""
+    return take(source, MODIFIED, _modified_state) if shows_modified(source) else None
+
+
+def _modified_state(source: bpy.types.Object) -> dict:
+    """From what Blender has made already: evaluated_mesh would make it once more, for layers that are not asked for.
+
+    Its places are no digest: where a modifier refers to another object they are rounded anew when both are moved, and
+    up to Blender 3.6 those along normals are other ones each time, for threads sum these up as they come.
+    """
+    evaluated = source.evaluated_get(bpy.context.view_layer.depsgraph)
+    try:
+        mesh = read_marked(evaluated.to_mesh())
+        rounding = rounding_of_sums(mesh.places, source.matrix_world.translation.length)
+        return {"faces": _digest(_faces(mesh) + _marks(mesh)), "sums": place_sums(mesh.places), "rounding": rounding}
+    finally:
+        evaluated.to_mesh_clear()
+
+
+def _is_same(then: dict | None, now: dict) -> bool:
+    """But for rounding."""
+    return (
+        then is not None
+        and then["faces"] == now["faces"]
+        and np.allclose(then["sums"], now["sums"], rtol=0, atol=then["rounding"] + now["rounding"])
+    )
+
+
+def _digest(arrays: list[np.ndarray]) -> str:
+    digest = hashlib.blake2b(digest_size=12)
+    for values in arrays:
+        digest.update(np.ascontiguousarray(values).data)
+    return digest.hexdigest()
+
+
+def _faces(mesh: MarkedMesh) -> list[np.ndarray]:
+    return [mesh.corner_vertices, mesh.face_sizes]
+
+
+def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
+    """Seams, wires and eases."""
+    seams, rows, eased = (np.flatnonzero(each) for each in (mesh.seams, mesh.marks.wire_ids, mesh.side_eases))
+    wires = mesh.marks.take(rows)
+    numbers = (each.astype(np.int32) for each in (seams, rows, eased))
+    return [*numbers, wires.wire_ids, wires.tolerances, wires.eases, mesh.side_eases[eased]]
+
+
+def place_sums(points: np.ndarray) -> list[float]:
+    """Of points (n,3): numbers that move by at least half as much as any one of them."""
+    numbers = np.arange(len(points))
+    blocks = numbers * BLOCKS // max(len(points), 1)
+    wave = np.cos(2.4 * numbers)
+    weights = (wave + np.sign(wave)) / 2  # none near 0, and together near 0: what rounding does to all alike cancels
+    sums = [np.bincount(blocks, weights * column, minlength=BLOCKS) for column in _finite(points).T]
+    return np.concatenate(sums).tolist()
+
+
+def rounding_of_sums(points: np.ndarray, distance: float) -> float:
+    """How far rounding of the points (n,3) may take their sums; distance: of the object from the world's origin."""
+    size = float(np.abs(_finite(points)).max(initial=0)) + distance
+    return ROUNDING * size * float(np.sqrt(max(len(points) / BLOCKS, 1)))
+
+
+def _finite(points: np.ndarray) -> np.ndarray:
+    return np.nan_to_num(points.astype(np.float64), posinf=0, neginf=0)

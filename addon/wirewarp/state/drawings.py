@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is drawn, kept until what it was made of changes, so that a redraw costs nothing."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, fields, is_dataclass, replace
+from typing import Any, TypeVar
+
+import bpy
+import numpy as np
+
+from ..blender.views import redraw_views
+from .memory import all_states, state_of
+
+T = TypeVar("T")
+IDLE_SHARE = 9  # after a build there is none for so many times as long: building takes a tenth of the time, or
+MAX_IDLE = 1.0  # more where it is slow, for after so many seconds what is seen would be old
+FELT = 0.03  # seconds: what took longer to build is seen one redraw later, so that the screen moves with the hand
+SOON = 0.01  # seconds until that redraw
+REST = 0.2  # seconds without a change until it is built in Edit Mode, where the user may be dragging
+
+
+@dataclass(frozen=True)
+class Same:
+    """Equal only to what holds the very same object."""
+
+    value: object
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Same) and self.value is other.value
+
+    __hash__ = None
+
+
+@dataclass(frozen=True)
+class _Entry:
+    made_of: tuple
+    value: Any
+    rests_until: float  # seconds of the monotonic clock
+    is_slow: bool
+    awaited: tuple | None = None  # what it was to be made of when that was put off
+    since: float = 0.0  # when
+
+
+def kept_drawing(
+    owner: bpy.types.Object, what: str, made_of: tuple, build: Callable[[], T], model: bpy.types.Object | None = None
+) -> T:
+    """build(), from the last time if `made_of` is the same as then, or if building again just now would be felt.
+
+    model: in whose Edit Mode that is, too.
+    """
+    drawings, now = state_of(owner).drawings, time.monotonic()
+    entry: _Entry | None = drawings.get(what)
+    if entry and entry.made_of == made_of:
+        return entry.value
+    if entry:
+        is_edited = "EDIT" in (owner.mode, model.mode if model else "")
+        if entry.awaited is None or (is_edited and entry.awaited != made_of):
+            entry = replace(entry, awaited=made_of, since=now)
+        pause = (REST if is_edited else SOON) if entry.is_slow else 0.0
+        wait = max(entry.rests_until, entry.since + pause) - now
+        if wait > 0:
+            drawings[what] = entry
+            _redraw_in(wait)
+            return entry.value
+    value = build()
+    if entry:
+        value = reused(entry.value, value)  # nothing is made anew of what a selection in Edit Mode leaves as it is
+    done = time.monotonic()
+    drawings[what] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE), done - now > FELT)
+    return value
+
+
+def reused(old: Any, new: Any) -> Any:  # noqa: ANN401
+    """new, but with all parts of old that are the same."""
+    if is_same(old, new):
+        return old
+    if isinstance(old, dict) and isinstance(new, dict):
+        return {key: reused(old[key], value) if key in old else value for key, value in new.items()}
+    if is_dataclass(new) and not isinstance(new, type) and type(old) is type(new):
+        names = [each.name for each in fields(new)]
+        return replace(new, **{name: reused(getattr(old, name), getattr(new, name)) for name in names})
+    return new
+
+
+def is_same(first: Any, second: Any) -> bool:  # noqa: ANN401
+    """Equal, arrays in dataclasses, dicts and lists included."""
+    if type(first) is not type(second):
+        return False
+    if isinstance(first, np.ndarray):
+        return np.array_equal(first, second)
+    if isinstance(first, dict):
+        return first.keys() == second.keys() and all(is_same(value, second[key]) for key, value in first.items())
+    if isinstance(first, list | tuple):
+        return len(first) == len(second) and all(map(is_same, first, second))
+    if is_dataclass(first):
+        return all(is_same(getattr(first, each.name), getattr(second, each.name)) for each in fields(first))
+    return first == second
+
+
+def _redraw_in(seconds: float) -> None:
+    if not bpy.app.timers.is_registered(redraw_views):
+        bpy.app.timers.register(redraw_views, first_interval=seconds)
+
+
+def forget(*_: object) -> None:
+    if bpy.app.timers.is_registered(redraw_views):
+        bpy.app.timers.unregister(redraw_views)
+    for state in all_states():
+        state.drawings.clear()

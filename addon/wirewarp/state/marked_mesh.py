@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A mesh with its wires and ids as arrays: all that flat pieces depend on, read alike in either mode."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import bmesh
+import bpy
+import numpy as np
+
+from ..blender.attributes import check_attribute, check_room, has_attributes, read_values, write_marked, write_values
+from ..blender.mesh import (
+    corner_edges,
+    corner_vertices,
+    current_mesh,
+    edge_vertices,
+    face_sizes,
+    read_seams,
+    vertex_places,
+)
+from ..names import EASE, PIECE, SEAM, TOLERANCE, WIRE, Attribute
+from ..solve.chains import EdgeMarks
+from ..solve.identity import MAX_ID
+from .memory import Take, read_anew
+from .sides import SIDE_EASES
+
+OF_WIRES = (WIRE, TOLERANCE, EASE)
+
+
+def check_attributes(mesh: bpy.types.Mesh) -> None:
+    """Raises ObjectError if an attribute of our name has another type or domain."""
+    for attribute in OF_WIRES:
+        check_attribute(mesh, attribute)
+
+
+def has_marks(mesh: bpy.types.Mesh) -> bool:
+    """Whether our attributes are there and are ours."""
+    present = [each for each in OF_WIRES if each.name in mesh.attributes]
+    return WIRE in present and has_attributes(mesh, *present)
+
+
+def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
+    """The marks of a mesh that is not in Edit Mode."""
+    check_attributes(mesh)
+    return EdgeMarks(*(read_values(mesh, each) for each in OF_WIRES))
+
+
+def write_marks(mesh: bpy.types.Mesh, marks: EdgeMarks) -> None:
+    """To a mesh that is not in Edit Mode."""
+    write_values(mesh, WIRE, marks.wire_ids)
+    write_values(mesh, TOLERANCE, marks.tolerances)
+    write_marked(mesh, EASE, marks.eases)
+    mesh.update()
+
+
+def wires_on(mesh: bpy.types.Mesh) -> list[int]:
+    """The ids of a mesh that is not in Edit Mode, in its order."""
+    marks = read_marks(mesh)
+    return list(dict.fromkeys(marks.wire_ids[marks.rows].tolist()))
+
+
+def edit_layers(mesh: bpy.types.Mesh) -> tuple:
+    """(bmesh, wire layer, tolerance layer, ease layer) of a mesh in Edit Mode; missing layers are made.
+
+    But for that of eases, which is None where no wire has had one.
+
+    Making a layer invalidates every edge reference taken before. Attributes of our names are ours: check_attributes.
+    """
+    edit = bmesh.from_edit_mesh(mesh)
+    layers = edit.edges.layers
+    if WIRE.name not in layers.int:
+        layers.int.new(WIRE.name)
+    if TOLERANCE.name not in layers.float:
+        layers.float.new(TOLERANCE.name)
+    return edit, layers.int[WIRE.name], layers.float[TOLERANCE.name], layers.float.get(EASE.name)
+
+
+def own_ids(wire_ids: Sequence[int]) -> list[int]:
+    """An id for each wire, its own where it is the first with that: a wire that was copied or cut in two has several.
+
+    The others get the next number that is no wire's; the same ones each time.
+    """
+    taken, own = set(wire_ids), dict[int, None]()
+    for wire_id in wire_ids:
+        free = wire_id
+        while free in own or (free != wire_id and free in taken):
+            free = free % MAX_ID + 1
+        own[free] = None
+    return list(own)
+
+
+def check_id_room(target: bpy.types.Object) -> None:
+    """Raises ObjectError where the ids of pieces and seams cannot be written to the object's mesh."""
+    check_room(target, PIECE, "the id of pieces")
+    check_room(target, SEAM, "the id of seams")
+
+
+def read_ids(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
+    """PIECE: (f,), SEAM: (e,) int32, 0 none, of a mesh that is not in Edit Mode. Raises ObjectError."""
+    check_attribute(mesh, attribute)
+    return read_values(mesh, attribute)
+
+
+@dataclass(frozen=True)
+class MarkedMesh:
+    places: np.ndarray  # (n,3) float32, in the mesh's own space
+    edges: np.ndarray  # (e,2) int32
+    corner_vertices: np.ndarray  # (l,) int32
+    corner_edges: np.ndarray  # (l,) int32, the edge from each corner to the next of its face
+    face_sizes: np.ndarray  # (f,) int32
+    seams: np.ndarray  # (e,) bool
+    marks: EdgeMarks  # (e,)
+    side_eases: np.ndarray  # (l,) float32, of the edge that begins at each corner, on the side of its face; 0 none
+
+
+def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
+    """Of a mesh that is not in Edit Mode. Raises ObjectError if an attribute of our name is another's."""
+    return MarkedMesh(
+        vertex_places(mesh),
+        edge_vertices(mesh),
+        corner_vertices(mesh),
+        corner_edges(mesh),
+        face_sizes(mesh),
+        read_seams(mesh),
+        read_marks(mesh),
+        SIDE_EASES.read(mesh),
+    )
+
+
+def marked_mesh(target: bpy.types.Object, take: Take = read_anew) -> MarkedMesh:
+    """The object's own mesh in either mode, as read_marked; take: read_anew, or kept."""
+
+    def gather(_mesh: bpy.types.Mesh) -> MarkedMesh:
+        with current_mesh(target) as mesh:
+            return read_marked(mesh)
+
+    # Outside Edit Mode reading is quick, and not worth the memory.
+    return take(target.data, "marked mesh", gather) if target.data.is_editmode else gather(target.data)

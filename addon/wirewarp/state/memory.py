@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All that is kept in memory of objects, meshes and scenes, in one place: it goes with each of them, and with the file.
+
+What was gathered from geometry to be shown is kept until that changes, so that drawing need not read it again. Which
+objects concern us is asked again only for those that Blender has updated: a file may have thousands of others.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+import bpy
+
+T = TypeVar("T")
+Owner = TypeVar("Owner", bpy.types.Mesh, bpy.types.Object)
+Take = Callable[[bpy.types.ID, str, Callable], Any]  # kept or read_anew
+Place = tuple[str, str | None]  # name and library, by which bpy.data.objects finds an object
+
+
+@dataclass
+class ObjectState:
+    """What is kept of one object, mesh or scene."""
+
+    name: str  # Blender's name_full at the last call of state_of
+    gathered: dict[str, Any] = field(default_factory=dict)  # from its geometry, by what it is; see kept
+    drawings: dict[str, Any] = field(default_factory=dict)  # by what they are; see overlay.cache
+    parsed: Any = None  # the stored report: its text and what that says; see flat.reports
+    failure: Any = None  # the report of a run that wrote nothing; see flat.reports
+    suggestions: Any = None  # see flat.suggestions
+    solved: Any = None  # the wirewarp.Cache of its solved pieces; see run.read
+    tried: dict | None = None  # the state of the model in which Auto left its pieces as they are; see run.auto_update
+    is_due: bool = False  # of a scene: Auto has to look for changes
+    is_undone: bool = False  # of a scene: the last change was taken back
+
+
+@dataclass
+class _Memory:
+    states: dict[object, ObjectState] = field(default_factory=dict)  # by _key
+    counts: tuple[int, ...] = ()  # numbers of objects and meshes when the states of removed ones were last dropped
+    ours: set[Place] | None = None  # the objects that concern us; None: find_objects asks all of them
+    updated: set[Place] = field(default_factory=set)  # the objects that find_objects asks again
+
+
+_memory = _Memory()
+
+
+def state_of(owner: bpy.types.ID) -> ObjectState:
+    """Returns the state that is kept of this data-block, a new one if there is none."""
+    key, name = _key(owner), owner.name_full
+    state = _memory.states.get(key)
+    if state is None:
+        state = _memory.states[key] = ObjectState(name)
+    elif state.name != name:  # before Blender 4.1 it may be another one at the same address
+        state.name = name
+        state.gathered.clear()
+        state.drawings.clear()
+    return state
+
+
+def all_states() -> Iterator[ObjectState]:
+    return iter(_memory.states.values())
+
+
+def _key(owner: bpy.types.ID) -> object:
+    """Returns what stays the same when the data-block is renamed. Before Blender 4.1 a later one may get it, too."""
+    return owner.session_uid if hasattr(owner, "session_uid") else owner.as_pointer()
+
+
+def note_change(scene: bpy.types.Scene) -> None:
+    """Notes that something may have changed in this scene, for Auto to look into it soon."""
+    state_of(scene).is_due = True
+
+
+def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
+    """Returns gather(owner), from the last time if the geometry has not changed since. A selection may count as one."""
+    found = state_of(owner).gathered
+    if what not in found:
+        found[what] = gather(owner)
+    return found[what]
+
+
+def read_anew(owner: Owner, _what: str, gather: Callable[[Owner], T]) -> T:
+    """Returns gather(owner), whatever was kept: scripts may change a mesh behind Blender's back."""
+    return gather(owner)
+
+
+def stamp(owner: bpy.types.Mesh | bpy.types.Object) -> object:
+    """Returns the same object until the owner's geometry changes, and never again the same after that."""
+    return kept(owner, "stamp", lambda _: object())
+
+
+def find_objects(concerns_us: Callable[[bpy.types.Object], bool]) -> list[bpy.types.Object]:
+    """Returns all objects of the file for which concerns_us holds. It must be the same function each time."""
+    if _memory.ours is not None:
+        asked = {place: bpy.data.objects.get(place) for place in _memory.updated}
+        _memory.ours -= asked.keys()
+        _memory.ours |= {place for place, target in asked.items() if target and concerns_us(target)}
+    _memory.updated.clear()
+    found = [None] if _memory.ours is None else [bpy.data.objects.get(place) for place in _memory.ours]
+    if None in found:  # removed or renamed
+        found = [target for target in bpy.data.objects if concerns_us(target)]
+        _memory.ours = set(map(_place, found))
+    return found
+
+
+def note(target: bpy.types.Object) -> None:
+    """Notes that something of ours on the object has changed that Blender need not know of."""
+    _memory.updated.add(_place(target))
+
+
+def _place(target: bpy.types.Object) -> Place:
+    return target.name, target.library.filepath if target.library else None
+
+
+def note_updates(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
+    """Handler after an update of the depsgraph. Also drops the states of removed data-blocks."""
+    _memory.updated.update(_place(update.id) for update in depsgraph.updates if isinstance(update.id, bpy.types.Object))
+    drop_changed(scene, depsgraph)
+    counts = len(bpy.data.objects), len(bpy.data.meshes)
+    if counts != _memory.counts:
+        _memory.counts = counts
+        present = {_key(each) for each in (*bpy.data.objects, *bpy.data.meshes, *bpy.data.scenes)}
+        for key in _memory.states.keys() - present:
+            del _memory.states[key]
+
+
+def drop_changed(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
+    """Handler after an update or another frame: in playback only what is animated is read again."""
+    for update in depsgraph.updates:
+        changed = update.id.original
+        if isinstance(changed, bpy.types.Mesh):
+            _drop(changed)
+        elif isinstance(changed, bpy.types.Object) and update.is_updated_geometry and changed.type == "MESH":
+            _drop(changed)
+            _drop(changed.data)
+
+
+def _drop(owner: bpy.types.ID) -> None:
+    if state := _memory.states.get(_key(owner)):
+        state.gathered.clear()
+
+
+def drop_gathered(*_: object) -> None:
+    """Handler after undo and redo, which may change anything."""
+    for state in all_states():
+        state.gathered.clear()
+    _memory.ours = None
+
+
+def forget(*_: object) -> None:
+    global _memory
+    _memory = _Memory()

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""An object's mesh to plain arrays, with its seams, wires and the regions that pieces are named after."""
+
+from dataclasses import replace
+
+import bpy
+import numpy as np
+
+from ..blender.mesh import evaluated_mesh, face_starts, read_attribute, read_uv, triangle_corners
+from ..blender.objects import linear_part
+from ..issues import object_error
+from ..names import PIECE, SEAM, UV_LAYER
+from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
+from ..solve.chains import WireChain, chains_of_marks
+from .allowances import widest_allowance
+from .marked_mesh import MarkedMesh, own_ids, read_ids, read_marked
+from .sides import SIDE_EASES
+from .wires import chain_names
+
+LARGEST = 1e18  # Blender units
+SAMPLE = 5_000  # faces that are looked at: Blender lists groups vertex by vertex only, which is slow on large meshes
+CARRIED = 0.5  # weight from which on a vertex is in its group
+
+
+def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:
+    """The object's base mesh, or with a depsgraph the mesh that its modifiers make. Raises ObjectError."""
+    linear = linear_part(source)
+    if depsgraph is None:
+        return _to_arrays(source.data, base, source, linear, has_modifiers=False)
+    with evaluated_mesh(source, depsgraph) as mesh:
+        return _to_arrays(mesh, read_marked(mesh), source, linear, has_modifiers=True)
+
+
+def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
+    """Areas must be numbers in single precision. What is no number at all the core names by its vertex."""
+    if LARGEST < np.abs(vertices).max(initial=0) < np.inf:
+        raise object_error(
+            "too_large",
+            f'"{source.name}" is more than {LARGEST:.0e} Blender units wide, too large for true areas: scale it down.',
+        )
+
+
+def _to_arrays(
+    mesh: bpy.types.Mesh, marked: MarkedMesh, source: bpy.types.Object, linear: np.ndarray, *, has_modifiers: bool
+) -> MeshArrays:
+    """marked: what is read of the mesh already; has_modifiers: it is what they made."""
+    mirrored = bool(np.linalg.det(linear) < 0)
+    mesh.calc_loop_triangles()
+    # A mirrored object's faces still look outward in Blender, but their corners run the other way round.
+    loops = triangle_corners(mesh)
+    if mirrored:
+        loops = np.ascontiguousarray(loops[:, ::-1])
+    vertices = marked.places.astype(np.float64) @ linear.T
+    _check_size(source, vertices)
+    SIDE_EASES.check(mesh, has_modifiers=has_modifiers)
+    edges, sizes = marked.edges, marked.face_sizes
+    face_count = np.bincount(marked.corner_edges, minlength=len(edges))
+    in_face = face_count > 0
+    seams = np.flatnonzero(marked.seams & in_face)  # a loose edge cuts nothing
+    return MeshArrays(
+        vertices=vertices,
+        triangles=marked.corner_vertices[loops],
+        triangle_loops=loops,
+        # Blender keeps the triangles in the order of their polygons: n - 2 of each.
+        triangle_polygons=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
+        loop_vertices=marked.corner_vertices,
+        loop_edges=marked.corner_edges,
+        polygon_starts=face_starts(mesh),
+        polygon_sizes=sizes,
+        edges=edges,
+        seam_edges=seams,
+        seams=edges[seams],
+        seam_ids=read_ids(mesh, SEAM)[seams],
+        outline=edges[face_count == 1],
+        wires=_name_wires(source.data, chains_of_marks(edges, marked.marks.without(~in_face), vertices)),
+        side_eases=marked.side_eases,
+        grain_wire=source.data.wirewarp_grain,
+        piece_ids=read_ids(mesh, PIECE),
+        regions=face_regions(source, mesh),
+        materials=_slots(mesh),
+        uv_maps={layer.name: read_uv(layer) for layer in mesh.uv_layers if layer.name != UV_LAYER},
+        allowance=widest_allowance(mesh),
+        loose_marks=len(marked.marks.take(~in_face).rows),
+        loose_eases=int(np.count_nonzero(marked.marks.eases[~marked.marks.are_wires])),
+        mirrored=mirrored,
+    )
+
+
+def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWire]:
+    """Each with a name and an id of its own."""
+    ids = [chain.wire_id for chain in chains]
+    return [
+        NamedWire(name, replace(chain, wire_id=own), chain.wire_id)
+        for name, own, chain in zip(chain_names(named, ids), own_ids(ids), chains, strict=True)
+    ]
+
+
+def face_regions(source: bpy.types.Object, mesh: bpy.types.Mesh) -> FaceRegions:
+    """Of the mesh, which is the object's own or what its modifiers make of it."""
+    count = len(mesh.polygons)
+    sample = np.arange(0, count, max(1, -(-count // SAMPLE)))
+    return FaceRegions(sample, _groups(source, mesh, sample), _materials(source, mesh, sample))
+
+
+def _slots(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(f,) int32"""
+    slots = read_attribute(mesh, "material_index", "INT", "FACE")
+    return np.zeros(len(mesh.polygons), dtype=np.int32) if slots is None else slots
+
+
+def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
+    """A face is in the groups that all its vertices are in."""
+    if not source.vertex_groups:
+        return []
+    groups_of: dict[int, set[int]] = {}
+    members: list[list[int]] = [[] for _ in source.vertex_groups]
+    for face in sample.tolist():
+        corners = mesh.polygons[face].vertices
+        for vertex in corners:
+            if vertex not in groups_of:
+                elements = mesh.vertices[vertex].groups
+                groups_of[vertex] = {element.group for element in elements if element.weight >= CARRIED}
+        for group in set.intersection(*(groups_of[vertex] for vertex in corners)):
+            if group < len(members):  # a group that was removed may have left weights
+                members[group].append(face)
+    named = zip(source.vertex_groups, members, strict=True)
+    return [Region(group.name, np.array(faces, dtype=np.int64)) for group, faces in named if faces]
+
+
+def _materials(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
+    of_sample = _slots(mesh)[sample]
+    materials = [slot.material for slot in source.material_slots]
+    present = [(material, sample[of_sample == index]) for index, material in enumerate(materials) if material]
+    return [Region(material.name, faces) for material, faces in present if len(faces)]

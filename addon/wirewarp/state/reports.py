@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The reports of each object: that of its flat pieces, and that of a run since then that wrote nothing.
+
+A run that wrote something leaves its report on the object, so that it is saved with it. A run that wrote nothing leaves
+the file alone: its report is kept here, until the next run or file. A report that was changed by anything else is not
+shown: what it says need not be true, nor can it be read safely.
+"""
+
+import hashlib
+import json
+
+import bpy
+
+from ..blender.mesh import element_counts
+from ..core import ReportError, from_dict, rename_wires, to_dict
+from ..issues import Issue
+from ..names import REPORT, REPORT_SEAL
+from ..solve.report import ObjectReport, failure_report
+from .identities import piece_names, seam_names
+from .memory import all_states, note, state_of
+from .wires import present_names
+
+
+def store(source: bpy.types.Object, report: ObjectReport) -> None:
+    """Keeps the report of a run that wrote results."""
+    note(source)
+    state_of(source).failure = None
+    text = json.dumps(to_dict(report))
+    source[REPORT], source[REPORT_SEAL] = text, _digest(text)
+
+
+def remember(source: bpy.types.Object, report: ObjectReport) -> None:
+    """Keeps the report of a run that wrote nothing for this object."""
+    note(source)
+    state_of(source).failure = report
+
+
+def last_report(source: bpy.types.Object) -> ObjectReport | None:
+    """The report of the last run, its pieces and wires by the names they have now. None if there was none."""
+    return with_names(source, _failure(source)) or pieces_report(source)
+
+
+def pieces_report(source: bpy.types.Object) -> ObjectReport | None:
+    """The report of the run that wrote the flat pieces, whatever has failed since. None if there was none."""
+    return with_names(source, _read(source))
+
+
+def flattened_name(source: bpy.types.Object) -> str:
+    """What the model was called when its flat pieces were made; its present name where there are none."""
+    report = _read(source)
+    return report.object if report and report.object else source.name
+
+
+def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectReport | None:
+    """The report itself, its pieces, seams and wires called as in the lists of the model."""
+    if report and report.pieces:
+        names, named_seams = piece_names(source), seam_names(source)
+        for seam in report.seams:
+            seam.name = named_seams.get(seam.seam_id, seam.name)
+        for piece in report.pieces:
+            piece.name = names.get(piece.piece_id, piece.name)
+        rename_wires(report, present_names(source.data, report))
+    return report
+
+
+def _failure(source: bpy.types.Object) -> ObjectReport | None:
+    """Before Blender 4.1 a later object may be at the same address: their meshes tell them apart."""
+    failure = state_of(source).failure
+    if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):
+        return None
+    return failure
+
+
+def _read(source: bpy.types.Object) -> ObjectReport | None:
+    if REPORT not in source:
+        return None
+    stored, state = (_text(source, REPORT), _text(source, REPORT_SEAL)), state_of(source)
+    if state.parsed is None or state.parsed[0] != stored:
+        state.parsed = stored, _parse(*stored)  # so that drawing the panel need not do it
+    return state.parsed[1]
+
+
+def _text(source: bpy.types.Object, name: str) -> str:
+    """Of a custom property; "" where it is no text."""
+    stored = source.get(name)
+    return stored if isinstance(stored, str) else ""
+
+
+def _digest(text: str) -> str:
+    return hashlib.blake2b(text.encode(errors="replace"), digest_size=12).hexdigest()
+
+
+def _parse(text: str, seal: str) -> ObjectReport:
+    try:
+        return from_dict(json.loads(text) if seal == _digest(text) else None, ObjectReport)
+    except ReportError:
+        sentence = "The stored report is from another version of WireWarp. Flatten again."
+        return failure_report(Issue("unreadable_report", sentence))
+
+
+def forget_incomparable(*_: object) -> None:
+    """After undo: a report stays if it can tell whether the model is still, or again, the one it is of."""
+    for state in all_states():
+        if state.failure and state.failure.model_state is None:
+            state.failure = None

@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Cuts that were suggested for each object, until it changes, and where no cut is wanted."""
+
+from dataclasses import dataclass, replace
+
+import bpy
+import numpy as np
+
+from ..blender.mesh import read_attribute
+from ..issues import ObjectError, object_error
+from ..names import NO_SEAM
+from ..solve.flatten import FlattenChoices
+from ..solve.suggest import Aim, Cut, NoSeam
+from .changes import has_changed
+from .memory import Take, kept, note, state_of
+
+NUMBERS = ("BOOLEAN", "INT8", "INT", "FLOAT")
+OTHER_KIND = (
+    'The attribute "{}" of mesh "{}" is not of type BOOLEAN, INT8, INT or FLOAT on faces: '
+    "rename or delete it under Object Data > Attributes."
+)
+LEAST_WEIGHT = 0.5  # of a vertex in the group: painted with half the strength, or more
+
+
+def read_no_seam(source: bpy.types.Object) -> NoSeam:
+    """Of an object in Object Mode. Raises ObjectError if the attribute is of another type or domain."""
+    mesh, group = source.data, source.vertex_groups.get(NO_SEAM)
+    found = (read_attribute(mesh, NO_SEAM, kind, "FACE") for kind in NUMBERS)
+    values = next((each for each in found if each is not None), None)
+    if values is None:
+        if NO_SEAM in mesh.attributes:
+            raise object_error("attribute_type", OTHER_KIND.format(NO_SEAM, mesh.name))
+        values = np.zeros(len(mesh.polygons))
+    vertices = np.zeros(len(mesh.vertices), dtype=bool)
+    if group is not None:
+        vertices[:] = [
+            any(each.group == group.index and each.weight >= LEAST_WEIGHT for each in vertex.groups)
+            for vertex in mesh.vertices
+        ]
+    return NoSeam(values > 0, vertices)
+
+
+@dataclass(frozen=True)
+class Suggestions:
+    kind: str  # DARTS or SEAMS
+    cuts: list[Cut]  # to choose one from; towards an aim each with all before it
+    aim: Aim | None
+    names: list[str]  # of the piece that each of them cuts
+    choices: FlattenChoices  # with which they were measured
+    grain_wire: int  # the id that the mesh had for it; 0: none
+    wire_ids: set[int]  # of the wires that there were
+    state: dict  # of the model, see model_state
+    no_seam: NoSeam  # along which none runs
+    chosen: int  # of the cuts
+
+
+def keep(source: bpy.types.Object, suggestions: Suggestions) -> None:
+    note(source)
+    state_of(source).suggestions = suggestions
+
+
+def choose(source: bpy.types.Object, index: int) -> None:
+    """Which cut is drawn and may be taken. Without suggestions, or with fewer, nothing happens."""
+    found = suggestions_of(source)
+    if found and index < len(found.cuts):
+        keep(source, replace(found, chosen=index))
+
+
+def drop(source: bpy.types.Object) -> None:
+    state_of(source).suggestions = None
+
+
+def chosen_cut(source: bpy.types.Object, take: Take = kept) -> Cut | None:
+    """None where there are no current suggestions."""
+    found = current_suggestions(source, take)
+    return found.cuts[found.chosen] if found else None
+
+
+def suggestions_of(source: bpy.types.Object) -> Suggestions | None:
+    """The last ones, whatever has changed since."""
+    return state_of(source).suggestions
+
+
+def current_suggestions(source: bpy.types.Object, take: Take = kept) -> Suggestions | None:
+    """The last ones, if the model is as it was; take: kept, or read_anew."""
+    found = suggestions_of(source)
+    return found if found and are_current(source, found, take) else None
+
+
+def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept) -> bool:
+    """Whether the model is as it was, and so is where no seam is wanted: in Edit Mode that is not seen."""
+    if has_changed(source, found.state, take):
+        return False
+    if source.data.is_editmode:
+        return True
+    try:
+        return found.no_seam.is_same(take(source, "no seam", read_no_seam))
+    except ObjectError:  # it was readable then
+        return False

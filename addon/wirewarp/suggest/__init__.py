@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Suggested cuts, and smooth lines in place of edges.
+
+May import: flatten, marks, ui, state, solve, blender, properties, core, issues, names, words.
+"""
+
+from . import operators, panel, smooth
+
+MODULES = (
+    operators,
+    smooth,
+    panel,
+)

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The buttons that suggest darts and seams, and the list of what they found: the chosen cut is drawn in the views."""
+
+from collections.abc import Sequence
+
+import bpy
+
+from ..blender.units import length_text
+from ..solve.suggestion_words import row_text, shortfall
+from ..state.drawings import Same, kept_drawing
+from ..state.memory import stamp
+from ..state.settings import AimSettings
+from ..state.suggestions import Suggestions, current_suggestions, suggestions_of
+from ..ui.layout import SidebarPanel, draw_progress, draw_sentence
+from ..ui.settings import figures_sentence
+from ..ui.shown import shown_source
+from ..ui.window_run import SUGGEST
+from ..words import counted
+
+KINDS = ("darts", "seams")
+LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
+AIM_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
+AIM = ("aim_stretch", "aim_cuts", "aim_length")
+
+
+def draw_suggest(layout: bpy.types.UILayout, settings: AimSettings, piece: int, kinds: Sequence[str] = KINDS) -> None:
+    """The buttons and what is aimed at, or how far a search is; piece: in the report, -1 for any."""
+    row = layout.row(align=True)
+    if draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts"):
+        return
+    for kind in kinds:
+        row.operator(f"object.wirewarp_suggest_{kind}").piece = piece
+    layout.prop(settings, "suggest_together")
+    if settings.suggest_together:
+        column = layout.column(align=True)
+        for name in AIM:
+            column.prop(settings, name)
+
+
+class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
+    bl_label = "Suggestions"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return _shown(context) is not None
+
+    def draw_header_preset(self, _context: bpy.types.Context) -> None:
+        self.layout.operator("object.wirewarp_drop_suggestions", text="", icon="X", emboss=False)
+
+    def draw(self, context: bpy.types.Context) -> None:
+        found, layout = _shown(context), self.layout
+        lengths, labels = length_text(context.scene), AIM_LABELS if found.aim else LABELS
+        column = layout.column(align=True)
+        for name in dict.fromkeys(found.names):
+            column.label(text=f"{labels[found.kind]}, {name}")
+            for index in (index for index, own in enumerate(found.names) if own == name):
+                cut, is_chosen = found.cuts[index], index <= found.chosen if found.aim else index == found.chosen
+                text = row_text(found.kind, cut, found.aim, lengths)
+                button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
+                button.index = index
+        missed = shortfall(found.kind, found.cuts, found.aim) if found.aim else ""
+        if missed:
+            draw_sentence(context, layout, missed, "INFO")
+        sentence = figures_sentence(shown_source(context), found, context.scene.wirewarp)
+        if sentence:
+            draw_sentence(context, layout, sentence, "INFO")
+        new = len(found.cuts[found.chosen].diagonals)
+        if new:
+            draw_sentence(context, layout, f"Marking it adds {counted(new, 'edge')} across faces of the model.", "INFO")
+        take = layout.column(align=True)
+        take.scale_y = 1.2
+        take.operator("object.wirewarp_mend", text="Mark and Flatten", icon="EDGESEL").what = "SUGGESTION"
+        if not found.cuts[found.chosen].is_first:  # which have lines without ends
+            take.operator("object.wirewarp_mend", text="Cut Smoothly and Flatten", icon="MOD_SMOOTH").what = "SMOOTH"
+
+
+def _shown(context: bpy.types.Context) -> Suggestions | None:
+    """Of the active model, or of that of active flat pieces, while it is as it was."""
+    source = shown_source(context)
+    found = suggestions_of(source) if source else None
+    if found is None:
+        return None
+    seen = stamp(source), stamp(source.data), source.mode, source.matrix_world.copy(), Same(found)
+    return kept_drawing(source, "suggestions", seen, lambda: current_suggestions(source))
+
+
+CLASSES = (VIEW3D_PT_wirewarp_suggestions,)

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What operators that change models have in common: they refuse flat pieces, report what is refused, and plan first."""
+
+from collections.abc import Callable
+from functools import wraps
+from typing import TypeVar
+
+import bpy
+
+from ..blender.modes import hold_whole_file, in_object_mode
+from ..blender.objects import check_local
+from ..issues import ObjectError
+from ..state.owners import model_of
+
+T = TypeVar("T")
+Operator = TypeVar("Operator", bound=bpy.types.Operator)
+Execute = Callable[[Operator, bpy.types.Context], set[str]]
+
+
+class OnModel:
+    """Mixed into operators. Subclasses say in `on_model` what to do on the model instead."""
+
+    on_model = ""
+    modes = frozenset({"EDIT_MESH"})
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if active is None or active.type != "MESH" or context.mode not in cls.modes:
+            return False
+        if model_of(active):
+            cls.poll_message_set(f"These are flat pieces: {cls.on_model} on the model")
+            return False
+        if any(map(model_of, context.objects_in_mode_unique_data)):
+            cls.poll_message_set("Leave Edit Mode of the flat pieces first")
+            return False
+        return True
+
+
+def reporting_refusals(execute: Execute) -> Execute:
+    """An ObjectError that execute() raises becomes the operator's report."""
+
+    @wraps(execute)
+    def execute_or_report(operator: Operator, context: bpy.types.Context) -> set[str]:
+        try:
+            return execute(operator, context)
+        except ObjectError as error:
+            operator.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+
+    return execute_or_report
+
+
+def change_edited(context: bpy.types.Context, plan: Callable[[bpy.types.Object], Callable[[], T]]) -> list[T]:
+    """Plans for each object in Edit Mode, and then writes what was planned: if one is refused, none is changed.
+
+    plan() and what it returns are called in Object Mode. Raises ObjectError.
+    """
+    targets = list(context.objects_in_mode_unique_data)
+    for target in targets:
+        check_local(target, target.data)
+    with in_object_mode(context):
+        planned = [plan(target) for target in targets]
+        written = [write() for write in planned]
+        hold_whole_file()
+    return written
