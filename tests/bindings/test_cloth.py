@@ -128,3 +128,22 @@ def test_metrics_tell_the_strain_of_threads_with_and_without_a_cloth():
             assert np.isfinite(measured).all()
     assert np.abs(woven.face_shear_angle).max() > np.abs(plain.face_shear_angle).max()
     assert np.square(woven.face_weft_strain).sum() < np.square(plain.face_weft_strain).sum()
+
+
+def test_a_piece_that_only_the_stretch_spoils_is_cut_at_its_stretched_lengths():
+    """A slim triangle hangs on a square by a seam that runs across the one and along the other. The stretch leaves a
+    fifth of the triangle's legs, but three times as much of the seam."""
+    around = [(i / 4, 0, 0) for i in range(5)] + [(0.5, 0.08, 0)]
+    vertices = [*around, *((i / 4, 0, -1) for i in range(5))]
+    faces = [(i, i + 1, 5) for i in range(4)]
+    faces += [face for i in range(4) for face in ((i, 6 + i, 7 + i), (i, 7 + i, i + 1))]
+    seams = [(i, i + 1) for i in range(4)]
+    fabric = {"orientation": "up", "up": (0.1, 1, 0)}
+    stretched = Options(**fabric, cloth=Cloth(stretch=(4, 0)))
+    plain = Options(**fabric, cloth=Cloth())
+    assert all(piece.error is None for piece in flatten(vertices, faces, seams=seams, options=plain).pieces)
+    error = flatten(vertices, faces, seams=seams, options=stretched).pieces[0].error
+    assert error.arguments["reason"] == "stretch"
+    assert "use less stretch, or mark a seam, such as along edge" in str(error)
+    cut = flatten(vertices, faces, seams=[*seams, *error.proposed_seams], options=stretched)
+    assert [piece.error for piece in cut.pieces] == [None, None, None]
