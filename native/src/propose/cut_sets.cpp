@@ -206,11 +206,12 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
   return std::nullopt;
 }
 
-/// But for those that are hardly better than one with fewer cuts. A set that meets the target is better. That with most
-/// cuts first; of too many, those whose strains are about evenly apart, as ratios.
+/// sets: the shortest first. Those that are hardly better than a shorter one are left out, and those longer than one that
+/// meets the target. The longest comes first; of too many, those whose strains are about evenly apart, as ratios.
 std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
+    if (!best.empty() && best.back().strain <= target_) break;
     const double strain = set.proposal.strain;
     const bool meets_target = !best.empty() && strain <= target_ && best.back().strain > target_;
     if (best.empty() || meets_target || strain <= (1 - kWorthSewing) * best.back().strain) best.push_back(set.proposal);
