@@ -206,8 +206,8 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
   return std::nullopt;
 }
 
-/// sets: the shortest first. Those that are hardly better than a shorter one are left out, and those longer than one that
-/// meets the target. The longest comes first; of too many, those whose strains are about evenly apart, as ratios.
+/// sets: the shortest first. Those that are hardly better than a shorter one are left out, and those longer than one
+/// that meets the target. The longest comes first; of too many, those whose strains are about evenly apart, as ratios.
 std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
