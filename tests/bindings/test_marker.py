@@ -165,7 +165,7 @@ def test_a_marker_is_kept_as_json_and_fits_no_other_pieces():
     assert again == marker
     with pytest.raises(wirewarp.FlattenError, match="have changed since the marker was made"):
         sample("Hat", allowance=12.0).laid_on(again)
-    with pytest.raises(wirewarp.FlattenError, match="on a marker already"):
+    with pytest.raises(wirewarp.FlattenError, match="already laid out on a marker"):
         pattern.laid_on(again).laid_on(again)
 
 
