@@ -33,7 +33,6 @@ void report_shape(const RefinedShape& shape, bool was_stopped, PieceReport& repo
 }  // namespace
 
 void report_refinement(const RefineResult& refined, bool was_stopped, PieceReport& report) {
-  report.inner_solves = refined.inner.num_solves;
   report.outer_iterations = refined.shape.iterations;
   report.factorizations = refined.factorizations;
   report.start = refined.start;

@@ -28,7 +28,7 @@ namespace {
 FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
                                 const StopToken& stop) {
   LengthDiagnosis found;
-  if (run.options.with_proposals) found = diagnose_lengths(chart, run.options, refined, stop);
+  if (run.options.with_proposals) found = diagnose_lengths(chart, run.options, stop);
   stop.check();
   const bool ran_out = refined.ran_out && !found.lengths_conflict;
   if (found.tolerances.empty()) return infeasible_outline(chart, run.options, propose_seams(chart, run, stop), ran_out);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp_random_cases FIRST COUNT: flattens the random cases with the seeds FIRST, FIRST + 1, ..., and judges each.
-// Exit 1 if a promise was broken or an expected error did not come; a case that takes too much of the processor
-// ends the program.
+// wirewarp_random_cases [--list] FIRST COUNT: flattens the random cases with the seeds FIRST, FIRST + 1, ..., and
+// judges each. Exit 1 if a promise was broken or an expected error did not come; a case that takes too much of the
+// processor ends the program. At the end it prints how often each verdict came and how often each start of the refined
+// method led to a good piece (PieceReport::start).
+// --list: judges nothing, and prints a line for each piece instead, so that two builds can be compared piece by piece.
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -36,9 +38,12 @@ void give_up(int) {
   _exit(written > 0 ? 2 : 3);
 }
 
+using Counts = std::map<std::string, int>;
+
 struct Outcome {
   std::string name;  // "flat", or the code of the error
   std::vector<std::string> broken;
+  Counts starts = {};  // of the pieces without an error
 
   void add(std::vector<std::string> sentences) {
     for (std::string& sentence : sentences) broken.push_back(std::move(sentence));
@@ -89,6 +94,9 @@ Outcome run(const RandomCase& random_case) {
     const std::optional<FlattenResult> unstretched = without_stretch(input, options, cache);
     const FlattenResult* relaxed = unstretched ? &*unstretched : nullptr;
     Outcome outcome = judge_errors(random_case, result);
+    for (const Piece& piece : result.pieces) {
+      if (!piece.error && !piece.report.start.empty()) ++outcome.starts[piece.report.start];
+    }
     outcome.add(broken_promises(input, options, result, relaxed));
     outcome.add(broken_demands(input, options, result, random_case.fault, relaxed));
     outcome.add(differences_of_layout(input, options, result, again));
@@ -104,8 +112,12 @@ Outcome run(const RandomCase& random_case) {
   }
 }
 
+void print(const Counts& counts) {
+  for (const auto& [name, times] : counts) std::printf("%6d %s\n", times, name.c_str());
+}
+
 int run_all(std::uint64_t first, std::uint64_t count) {
-  std::map<std::string, int> outcomes;
+  Counts outcomes, starts;
   int failures = 0;
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // so that nothing is lost when a case is given up
   std::signal(SIGPROF, give_up);
@@ -116,25 +128,50 @@ int run_all(std::uint64_t first, std::uint64_t count) {
     const RandomCase random_case = make_random_case(seed);
     const Outcome outcome = run(random_case);
     ++outcomes[outcome.name];
+    for (const auto& [name, times] : outcome.starts) starts[name] += times;
     if (outcome.broken.empty()) continue;
     ++failures;
     std::printf("seed %llu:%s\n", static_cast<unsigned long long>(seed), (" " + random_case.description).c_str());
     for (const std::string& sentence : outcome.broken) std::printf("    %s\n", sentence.c_str());
   }
   limit_time(0);
-  for (const auto& [name, times] : outcomes) std::printf("%6d %s\n", times, name.c_str());
+  print(outcomes);
+  std::puts("good pieces by start:");
+  print(starts);
   std::printf("%llu passed, %d failed\n", static_cast<unsigned long long>(count) - static_cast<unsigned>(failures),
               failures);
   return failures > 0 ? 1 : 0;
+}
+
+/// Seed, number of the piece, verdict, start, objective, factorizations.
+int list_all(std::uint64_t first, std::uint64_t count) {
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const RandomCase random_case = make_random_case(seed);
+    const auto number = static_cast<unsigned long long>(seed);
+    try {
+      const FlattenResult result = flatten_with(random_case.input, random_case.options);
+      for (std::size_t i = 0; i < result.pieces.size(); ++i) {
+        const Piece& piece = result.pieces[i];
+        const PieceReport& report = piece.report;
+        std::printf("%llu %zu %s %s %.12g %d\n", number, i, piece.error ? describe(piece.error->code).name : "flat",
+                    report.start.empty() ? "-" : report.start.c_str(), report.objective, report.factorizations);
+      }
+    } catch (const FlattenError& error) {
+      std::printf("%llu - %s - - -\n", number, describe(error.code).name);
+    }
+  }
+  return 0;
 }
 
 }  // namespace
 }  // namespace wirewarp::test
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: wirewarp_random_cases FIRST_SEED COUNT\n");
+  const bool is_list = argc > 1 && std::string(argv[1]) == "--list";
+  if (argc != (is_list ? 4 : 3)) {
+    std::fprintf(stderr, "usage: wirewarp_random_cases [--list] FIRST_SEED COUNT\n");
     return 2;
   }
-  return wirewarp::test::run_all(std::strtoull(argv[1], nullptr, 10), std::strtoull(argv[2], nullptr, 10));
+  const auto number = [&](int index) { return std::strtoull(argv[index], nullptr, 10); };
+  return is_list ? wirewarp::test::list_all(number(2), number(3)) : wirewarp::test::run_all(number(1), number(2));
 }

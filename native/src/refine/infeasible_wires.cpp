@@ -220,9 +220,7 @@ class ToleranceSearch {
 };
 
 /// The shape that breaks lengths at the least price; none if a factorization fails.
-std::optional<RelaxedShape> relax(const Chart& chart, const InternalOptions& options, const RefineResult& refined,
-                                  const StopToken& stop) {
-  if (refined.relaxed && refined.relaxed->is_minimum) return refined.relaxed;
+std::optional<RelaxedShape> relax(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
   RefineBudget budget(kMaxRelaxFactorizations);
   try {
     const Positions2 free = free_boundary_arap(chart, kFreeSteps, {}, stop).uv;
@@ -284,9 +282,8 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
 
 }  // namespace
 
-LengthDiagnosis diagnose_lengths(const Chart& chart, const InternalOptions& options, const RefineResult& refined,
-                                 const StopToken& stop) {
-  const std::optional<RelaxedShape> relaxed = relax(chart, options, refined, stop);
+LengthDiagnosis diagnose_lengths(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
+  const std::optional<RelaxedShape> relaxed = relax(chart, options, stop);
   if (!relaxed) return {};
   return {propose_tolerances(chart, options, *relaxed, stop), shows_conflict(*relaxed)};
 }

@@ -18,8 +18,7 @@ struct LengthDiagnosis {
 };
 
 /// Diagnoses a chart for which no shape with exact lengths was found. options.max_factorizations does not count here.
-/// refined: of the chart, not exact. Throws Stopped.
-LengthDiagnosis diagnose_lengths(const Chart& chart, const InternalOptions& options, const RefineResult& refined,
-                                 const StopToken& stop);
+/// Throws Stopped.
+LengthDiagnosis diagnose_lengths(const Chart& chart, const InternalOptions& options, const StopToken& stop);
 
 }  // namespace wirewarp

@@ -9,7 +9,6 @@
 #include "refine/open_slits.h"
 #include "refine/starts.h"
 #include "refine/unfold.h"
-#include "topology/unjoined_wires.h"
 
 namespace wirewarp {
 namespace {
@@ -17,25 +16,23 @@ namespace {
 constexpr Start kUnfolded{"unfolded", unfolded};
 constexpr Start kCoarse{"coarse", coarse_shape};
 constexpr Start kFree{"free", free_shape};
-constexpr Start kWiresAlone{"wires", wires_alone};
+constexpr Start kProjected{"projected", projected_shape};
 constexpr Start kInjective{"injective", injective_shape, Injectivity::local};
-constexpr Start kRelaxed{"relaxed", relaxed_shape};
 
-constexpr std::initializer_list<Start> kAll{kUnfolded, kCoarse, kFree, kWiresAlone, kInjective, kRelaxed};
+/// In the order in which they are tried; native/README.md says how often each won.
+constexpr std::initializer_list<Start> kStarts{kUnfolded, kCoarse, kFree, kProjected, kInjective};
 
-/// The first exact shape, of starts in the order given.
-RefineResult try_starts(StartProblem problem, std::initializer_list<Start> starts) {
+/// Returns the first exact shape.
+RefineResult try_starts(StartProblem problem) {
   RefineResult result;
   bool is_any_made = false;
-  for (const Start& start : starts) {
+  for (const Start& start : kStarts) {
     try {
       const std::optional<RefinementStart> made = start.make(problem);
       if (!made) continue;
       is_any_made = true;
       result.shape = refine_shape(problem.task, *made, {problem.budget, problem.stop.in("shape"), start.injectivity});
     } catch (const FactorizationFailed&) {  // other starts may serve
-      continue;
-    } catch (const UnjoinedWires&) {
       continue;
     }
     if (result.shape.is_exact) {
@@ -44,9 +41,7 @@ RefineResult try_starts(StartProblem problem, std::initializer_list<Start> start
     }
   }
   if (!is_any_made) throw FactorizationFailed("no start can be made in double precision");
-  result.inner = std::move(problem.inner);
   result.factorizations = problem.budget.spent();
-  result.relaxed = std::move(problem.relaxed);
   result.ran_out = problem.budget.ran_out();
   return result;
 }
@@ -62,7 +57,7 @@ RefineResult refine_with_slits(const StartProblem& problem, const std::vector<Sl
   }
   const auto refine_sewn = [&](const RefineTask& sewn) {
     try {
-      return try_starts({sewn, problem.budget, problem.stop, problem.large_chart}, kAll).shape;
+      return try_starts({sewn, problem.budget, problem.stop, problem.large_chart}).shape;
     } catch (const FactorizationFailed&) {  // the open chart has starts of its own
       return RefinedShape{};
     }
@@ -90,7 +85,7 @@ RefineResult refine_chart(const Chart& chart, const InternalOptions& options, co
   const StartProblem problem{{chart, network, options.fairness, nullptr, aim}, budget, stop, options.large_chart};
   RefineResult result;
   if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) result = refine_with_slits(problem, slits);
-  if (!result.shape.is_exact) result = try_starts(problem, kAll);
+  if (!result.shape.is_exact) result = try_starts(problem);
   if (options.mends_folds) return without_flips_and_overlaps(std::move(result), problem);
   result.factorizations = budget.spent();
   result.ran_out = budget.ran_out();
@@ -99,7 +94,7 @@ RefineResult refine_chart(const Chart& chart, const InternalOptions& options, co
 
 RefineResult refine_from_scratch(const RefineTask& task, RefineBudget& budget, const StopToken& stop) {
   const StartProblem problem{task, budget, stop};
-  return without_flips_and_overlaps(try_starts(problem, {kFree, kWiresAlone, kInjective}), problem);
+  return without_flips_and_overlaps(try_starts(problem), problem);
 }
 
 }  // namespace wirewarp

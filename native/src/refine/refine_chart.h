@@ -4,12 +4,8 @@
 // throw FactorizationFailed where no start could be made.
 #pragma once
 
-#include <optional>
-
-#include "inner/inner_problem.h"
 #include "internal_options.h"
 #include "refine/refine_shape.h"
-#include "refine/relax_lengths.h"
 #include "stop_token.h"
 
 namespace wirewarp {
@@ -17,10 +13,8 @@ namespace wirewarp {
 struct RefineResult {
   RefinedShape shape;      // of the last start that was tried; not exact: no flat shape with these lengths was found
   const char* start = "";  // the one that led to an exact shape
-  InnerSolution inner;     // of the wires alone, if that start was tried; not feasible where even they do not close
-  std::optional<RelaxedShape> relaxed;  // if that start was tried
-  int factorizations = 0;               // of all starts
-  bool ran_out = false;                 // of factorizations: more were wanted
+  int factorizations = 0;  // of all starts
+  bool ran_out = false;    // of factorizations: more were wanted
 };
 
 /// Unfolded; else with slits sewn up first, where there are any (refine/open_slits.h); else from a coarser chart or
@@ -28,7 +22,7 @@ struct RefineResult {
 /// (refine/injective_shape.h), unless options say otherwise. stop: asked in the stages "start" and "shape".
 RefineResult refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
-/// From the free shape, from the wires alone, from an injective one.
+/// Tries all starts but a coarser chart, and not slit by slit.
 RefineResult refine_from_scratch(const RefineTask& task, RefineBudget& budget, const StopToken& stop = {});
 
 }  // namespace wirewarp

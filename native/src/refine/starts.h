@@ -2,11 +2,11 @@
 // Where the refined method may begin. Each start is a layout near exact lengths, or none where it does not serve.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 
-#include "inner/inner_problem.h"
 #include "refine/refine_shape.h"
-#include "refine/relax_lengths.h"
 #include "stop_token.h"
 
 namespace wirewarp {
@@ -16,10 +16,8 @@ struct StartProblem {
   RefineTask task;
   RefineBudget& budget;
   StopToken stop;
-  std::size_t large_chart = 0;                // faces, from which on a coarser chart is a start
-  std::optional<Positions2> free_shape = {};  // once it was asked for
-  std::optional<RelaxedShape> relaxed = {};   // once it was made
-  InnerSolution inner = {};                   // of the wires alone, once they were flattened
+  std::size_t large_chart = std::numeric_limits<std::size_t>::max();  // faces from which on a coarser chart is a start
+  std::optional<Positions2> free_shape = {};                          // once it was asked for
 };
 
 struct Start {
@@ -38,16 +36,11 @@ std::optional<RefinementStart> coarse_shape(StartProblem& problem);
 /// A free ARAP flattening: one step from exact lengths on most pieces.
 std::optional<RefinementStart> free_shape(StartProblem& problem);
 
-/// The wires flattened alone: the angles of Eq. (1) on the network that process_topology prepares, the other vertices
-/// by interior placement (paper II-A). It has exact lengths; none where even the wires do not close, or no topology
-/// serves them.
-std::optional<RefinementStart> wires_alone(StartProblem& problem);
+/// The free ARAP flattening, moved to exact lengths by the least change (refine/project_to_lengths.h): for nets that a
+/// single step does not take to exact lengths. None where no exact lengths are near.
+std::optional<RefinementStart> projected_shape(StartProblem& problem);
 
 /// A shape that no triangle is turned over in, reached without turning any (refine/injective_shape.h).
 std::optional<RefinementStart> injective_shape(StartProblem& problem);
-
-/// The shape that breaks lengths at the least price (refine/relax_lengths.h), where it finds that they can be kept: of
-/// 1,000 random charts 2 begin here, nets of short wires that the other starts are too far from.
-std::optional<RefinementStart> relaxed_shape(StartProblem& problem);
 
 }  // namespace wirewarp
