@@ -23,7 +23,7 @@ namespace {
 void report_shape(const RefinedShape& shape, bool was_stopped, PieceReport& report) {
   report.constraint_residual = shape.length_error;
   report.objective = shape.objective;
-  if (!was_stopped && !shape.converged) {
+  if (!was_stopped && !shape.is_converged()) {
     report.warnings.push_back("The shape stopped short of the least distortion.");
   }
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
@@ -36,7 +36,7 @@ void report_refinement(const RefineResult& refined, bool was_stopped, PieceRepor
   report.outer_iterations = refined.shape.iterations;
   report.factorizations = refined.factorizations;
   report.start = refined.start;
-  if (refined.shape.is_exact) report_shape(refined.shape, was_stopped, report);
+  if (refined.shape.is_exact()) report_shape(refined.shape, was_stopped, report);
 }
 
 void report_next_refinement(const RefinedShape& shape, bool was_stopped, PieceReport& report) {
@@ -46,9 +46,9 @@ void report_next_refinement(const RefinedShape& shape, bool was_stopped, PieceRe
   report_shape(shape, was_stopped, report);
 }
 
-void report_settled(PieceReport& report) {
+void report_fixed_seams(PieceReport& report) {
   report.warnings.push_back(
-      "No good shapes were found with other lengths of the seams that give: they have those of their ease.");
+      "No good shapes were found with other lengths of the elastic seams: they keep their nominal lengths.");
   report.termination = Termination::stalled;
 }
 

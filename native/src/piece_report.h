@@ -14,8 +14,8 @@ void report_refinement(const RefineResult& refined, bool was_stopped, PieceRepor
 /// Of an exact shape that was refined from that of the report.
 void report_next_refinement(const RefinedShape& shape, bool was_stopped, PieceReport& report);
 
-/// Of a piece that has the seams that give at their ease, as nothing better was found.
-void report_settled(PieceReport& report);
+/// For a piece whose elastic seams keep their nominal lengths because nothing better was found.
+void report_fixed_seams(PieceReport& report);
 
 /// Of a shape that has exact lengths when the caller stops.
 void report_cancelled(PieceReport& report);

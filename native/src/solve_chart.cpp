@@ -4,8 +4,9 @@
 #include <map>
 #include <utility>
 
+#include "attempt.h"
 #include "chart_errors.h"
-#include "charts/seams_that_give.h"
+#include "charts/elastic_seams.h"
 #include "factorization_failed.h"
 #include "feasibility/folded_faces.h"
 #include "feasibility/isoperimetric.h"
@@ -27,6 +28,7 @@ namespace {
 /// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
 FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
                                 const StopToken& stop) {
+  if (refined.shape.status == ShapeStatus::singular) return not_solvable(chart);
   LengthDiagnosis found;
   if (run.options.with_proposals) found = diagnose_lengths(chart, run.options, stop);
   stop.check();
@@ -65,7 +67,7 @@ void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& sto
     const StopToken in_no_other_stage([&](const char*) { return at_lengths.may_go_on(); });
     const RefineResult refined = refine_chart(chart, run.options, in_no_other_stage);
     if (stop.is_stopped()) throw Stopped();
-    if (refined.shape.is_exact) throw needs_refinement(chart);
+    if (refined.shape.is_exact()) throw needs_refinement(chart);
     throw explain_infeasible(chart, run, refined, in_no_other_stage);
   }
   solved.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
@@ -82,9 +84,10 @@ void flatten_by_refining(const Chart& chart, const Run& run, const StopToken& st
   const StageTimer timer(solved.report.seconds, "shape");
   solved.network = build_wire_network(chart);
   RefineResult refined = refine_chart(chart, run.options, stop);
-  if (run.options.cloth && refined.shape.is_exact) refine_cloth(chart, run.options, stop.in("shape"), refined);
+  if (refined.shape.status == ShapeStatus::cancelled) throw Stopped();
+  if (run.options.cloth && refined.shape.is_exact()) refine_cloth(chart, run.options, stop.in("shape"), refined);
   report_refinement(refined, stop.is_stopped(), solved.report);
-  if (!refined.shape.is_exact) throw explain_infeasible(chart, run, refined, stop.in("shape"));
+  if (!refined.shape.is_exact()) throw explain_infeasible(chart, run, refined, stop.in("shape"));
   solved.variation = variations_of(chart, refined.shape.variation);
   solved.multipliers = std::move(refined.shape.multipliers);
   solved.uv = std::move(refined.shape.uv);
@@ -104,6 +107,12 @@ std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const 
     if (cut[e.idx()] != 0) seams.push_back(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
   }
   return seams;
+}
+
+void propose_seams_for_layout(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {
+  if (stop.is_stopped()) return;
+  solved.proposed_seams = attempt([&] { return propose_seams(chart, run, stop); });
+  if (stop.is_stopped()) report_cancelled(solved.report);
 }
 
 SolvedChart cancelled_chart() {
@@ -131,8 +140,8 @@ SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& sto
   return solved;
 }
 
-SolvedChart solve_settled(const Chart& chart, const Run& run, const StopToken& stop) {
-  SolvedChart solved = solve_chart(with_settled_seams(chart), run, stop);
+SolvedChart solve_with_fixed_seams(const Chart& chart, const Run& run, const StopToken& stop) {
+  SolvedChart solved = solve_chart(with_fixed_seams(chart), run, stop);
   if (solved.network) solved.network = build_wire_network(chart);
   return solved;
 }

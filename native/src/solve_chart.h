@@ -25,12 +25,15 @@ FlattenResult flatten_charts(Charts charts, const Run& run, const StopToken& sto
 /// The layout of a chart with a mesh, or why it has none.
 SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& stop);
 
-/// The same with the seams beside it that give at h = ease.
-SolvedChart solve_settled(const Chart& chart, const Run& run, const StopToken& stop);
+/// The same with its elastic seams at h = ease.
+SolvedChart solve_with_fixed_seams(const Chart& chart, const Run& run, const StopToken& stop);
 
 /// Seams along which a chart lies flat that has no good shape without. Throws Stopped: what was found by then is not
 /// what a whole search finds.
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop);
+
+/// Adds such seams to a layout that is flipped or overlaps itself. If the caller stops, it stays without.
+void propose_seams_for_layout(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved);
 
 /// A chart that the caller's no came before.
 SolvedChart cancelled_chart();

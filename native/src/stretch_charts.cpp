@@ -5,17 +5,17 @@
 #include <map>
 #include <utility>
 
+#include "attempt.h"
 #include "chart_errors.h"
-#include "charts/seams_that_give.h"
+#include "charts/elastic_seams.h"
+#include "couple_charts.h"
 #include "errors/sentence.h"
-#include "factorization_failed.h"
-#include "join_charts.h"
 #include "mesh/geometry.h"
 #include "network/length_variation.h"
 #include "piece_report.h"
 #include "refine/injective_shape.h"
 #include "refine/refine_cloth.h"
-#include "refine/refine_together.h"
+#include "refine/refine_coupled.h"
 
 namespace wirewarp {
 namespace {
@@ -135,14 +135,14 @@ void lie_flat(const Chart& chart, const Cloth& cloth, SolvedChart& solved) {
   }
 }
 
-/// Charts that seams which give hold together, or one; with layouts that turn no triangle over.
+/// A coupled group, or one chart; with layouts in which no triangle is flipped.
 class GroupToStretch {
  public:
   GroupToStretch(std::vector<int> members, const std::vector<PerEdge>& ratios, const Run& run,
                  std::vector<Chart>& charts, std::vector<SolvedChart>& solved)
       : members_(std::move(members)), run_(run), charts_(charts), solved_(solved) {
     for (const int c : members_) {
-      loose_.push_back(solved[c]);
+      unstretched_.push_back(solved[c]);
       cloths_.push_back({*run.options.cloth, {hold_upright(charts[c], solved[c].uv, run.options)}, ratios[c]});
       const std::vector<WirePart>& parts = charts[c].wire_parts;
       gives_ = gives_ || std::any_of(parts.begin(), parts.end(), gives_on_boundary);
@@ -150,68 +150,63 @@ class GroupToStretch {
   }
 
   void stretch(const StopToken& stop) {
-    for (const int c : members_) solved_[c].multipliers.resize(0);  // told for other lengths
-    std::vector<ChartToJoin> together;
-    for (std::size_t k = 0; k < members_.size(); ++k) together.push_back(to_join(k, charts_[members_[k]], gives_));
-    const std::optional<JoinOutcome> outcome = join(together, 0, stop);
+    std::vector<CoupledChart> together;
+    for (std::size_t k = 0; k < members_.size(); ++k) together.push_back(coupled(k, charts_[members_[k]], gives_));
+    const std::optional<CouplingOutcome> outcome = couple(together, 0, stop);
     for (std::size_t k = 0; k < members_.size(); ++k) {
       if (outcome) {
         finish(k, outcome->is_folded[k] != 0, stop);
       } else {
-        stretch_settled(k, stop);
+        stretch_with_fixed_seams(k, stop);
       }
     }
   }
 
  private:
-  ChartToJoin to_join(std::size_t k, const Chart& chart, bool may_be_settled) {
-    return {chart, solved_[members_[k]], may_be_settled, cloths_[k]};
+  CoupledChart coupled(std::size_t k, const Chart& chart, bool may_be_nominal) {
+    const int most = unstretched_[k].report.factorizations + run_.options.max_factorizations;
+    return {chart, solved_[members_[k]], may_be_nominal, cloths_[k], most};
   }
 
-  /// first: of the members. None: not joined.
-  std::optional<JoinOutcome> join(const std::vector<ChartToJoin>& charts, std::size_t first, const StopToken& stop) {
+  /// first: of the members. None: not coupled.
+  std::optional<CouplingOutcome> couple(const std::vector<CoupledChart>& charts, std::size_t first,
+                                        const StopToken& stop) {
     if (!stop.may_go_on()) return std::nullopt;
-    const auto alone = [&](std::size_t index, const Chart& settled, const StopToken& in_shape) {
-      return refine_apart(first + index, settled, in_shape);
+    const auto alone = [&](std::size_t index, const Chart& fixed, int max_factorizations, const StopToken& in_shape) {
+      return refine_apart(first + index, fixed, max_factorizations, in_shape);
     };
-    JoinOutcome outcome = join_charts(charts, run_.options, alone, stop);
-    charts.front().solved.report.factorizations += outcome.factorizations;
-    return outcome.is_joined ? std::optional(std::move(outcome)) : std::nullopt;
+    CouplingOutcome outcome = couple_charts(charts, run_.options, alone, stop);
+    return outcome.is_coupled ? std::optional(std::move(outcome)) : std::nullopt;
   }
 
-  /// From the layout without the stretch, by no way that lies over itself.
-  std::optional<RefineResult> refine_apart(std::size_t k, const Chart& settled, const StopToken& stop) const {
-    if (injectivity_of(settled, loose_[k].uv) != Injectivity::global) return std::nullopt;
-    RefineBudget budget(run_.options.max_factorizations);
+  /// Starts from the unstretched layout and never overlaps on the way.
+  std::optional<RefineResult> refine_apart(std::size_t k, const Chart& fixed, int max_factorizations,
+                                           const StopToken& stop) const {
+    if (injectivity_of(fixed, unstretched_[k].uv) != Injectivity::global) return std::nullopt;
+    RefineBudget budget(max_factorizations);
     RefineResult refined;
-    try {
-      refined.shape = refine_together({settled}, run_.options.fairness, {cloths_[k]}, {RefinementStart(loose_[k].uv)},
-                                      {budget, stop, Injectivity::global})
-                          .shapes.front();
-    } catch (const Stopped&) {
+    refined.shape = refine_coupled({fixed}, run_.options.fairness, {cloths_[k]}, {RefinementStart(unstretched_[k].uv)},
+                                   {budget, stop, Injectivity::global})
+                        .shapes.front();
+    if (!refined.shape.is_exact() || injectivity_of(fixed, refined.shape.uv) != Injectivity::global)
       return std::nullopt;
-    } catch (const FactorizationFailed&) {
-      return std::nullopt;
-    }
-    if (!refined.shape.is_exact || injectivity_of(settled, refined.shape.uv) != Injectivity::global)
-      return std::nullopt;
-    refined.start = loose_[k].report.start.c_str();
-    refined.shape.iterations += loose_[k].report.outer_iterations;
+    refined.start = unstretched_[k].report.start.c_str();
+    refined.shape.iterations += unstretched_[k].report.outer_iterations;
     refined.factorizations = budget.spent();
     return refined;
   }
 
-  /// With the seams beside it that give at h = ease.
-  void stretch_settled(std::size_t k, const StopToken& stop) {
+  /// With its elastic seams at h = ease.
+  void stretch_with_fixed_seams(std::size_t k, const StopToken& stop) {
     const int c = members_[k];
-    const Chart settled = with_settled_seams(charts_[c]);
-    const std::optional<JoinOutcome> outcome = gives_ ? join({to_join(k, settled, false)}, k, stop) : std::nullopt;
+    const Chart fixed = with_fixed_seams(charts_[c]);
+    const std::optional<CouplingOutcome> outcome = gives_ ? couple({coupled(k, fixed, false)}, k, stop) : std::nullopt;
     if (outcome) {
       finish(k, outcome->is_folded.front() != 0, stop);
-      if (solved_[c].report.termination != Termination::cancelled) report_settled(solved_[c].report);
+      if (solved_[c].report.termination != Termination::cancelled) report_fixed_seams(solved_[c].report);
     } else if (stop.is_stopped()) {
       lose_layout(cancelled(), Termination::cancelled, solved_[c]);
-    } else if (injectivity_of(charts_[c], loose_[k].uv) == Injectivity::global) {
+    } else if (injectivity_of(charts_[c], unstretched_[k].uv) == Injectivity::global) {
       explain_infeasible(k, stop);
     }  // else its error is that it overlaps itself, stretched or not
   }
@@ -219,12 +214,13 @@ class GroupToStretch {
   /// The proposed seams are judged at the lengths that the stretch sets: others would not help.
   void explain_infeasible(std::size_t k, const StopToken& stop) {
     const int c = members_[k];
-    try {
-      Chart stretched = charts_[c];
-      ask_for(cloths_[k].flat_ratio, stretched);
-      lose_layout(infeasible_stretch(stretched, propose_seams(stretched, run_, stop)), Termination::failed, solved_[c]);
-    } catch (const Stopped&) {
+    Chart stretched = charts_[c];
+    ask_for(cloths_[k].flat_ratio, stretched);
+    const std::vector<VertexPair> seams = attempt([&] { return propose_seams(stretched, run_, stop); });
+    if (stop.is_stopped()) {
       lose_layout(cancelled(), Termination::cancelled, solved_[c]);
+    } else {
+      lose_layout(infeasible_stretch(stretched, seams), Termination::failed, solved_[c]);
     }
   }
 
@@ -232,25 +228,17 @@ class GroupToStretch {
     SolvedChart& solved = solved_[members_[k]];
     Chart& chart = charts_[members_[k]];
     ask_for(cloths_[k].flat_ratio, chart);
-    if (is_folded && solved.proposed_seams.empty() && !stop.is_stopped()) propose_seams_for(chart, solved, stop);
+    if (is_folded) propose_seams_for_layout(chart, run_, stop, solved);
     lie_flat(chart, *run_.options.cloth, solved);
-  }
-
-  void propose_seams_for(const Chart& chart, SolvedChart& solved, const StopToken& stop) const {
-    try {
-      solved.proposed_seams = propose_seams(chart, run_, stop);
-    } catch (const Stopped&) {
-      report_cancelled(solved.report);
-    }
   }
 
   std::vector<int> members_;
   const Run& run_;
   std::vector<Chart>& charts_;
   std::vector<SolvedChart>& solved_;
-  std::vector<SolvedChart> loose_;    // without the stretch, per member
-  std::vector<ClothOnChart> cloths_;  // per member
-  bool gives_ = false;                // it has seams or outlines that do
+  std::vector<SolvedChart> unstretched_;  // without the stretch, per member
+  std::vector<ClothOnChart> cloths_;      // per member
+  bool gives_ = false;                    // it has elastic seams or outlines
 };
 
 }  // namespace
@@ -262,7 +250,7 @@ void stretch_charts(Charts& charts, const Run& run, ChartsProgress& progress, st
   }
   const std::vector<std::vector<std::string>> warnings = warn_of_sides(charts, ratios);
   share_among_sides(charts.charts, ratios);
-  const std::vector<std::vector<int>> groups = group_by_seams_that_give(charts.charts);
+  const std::vector<std::vector<int>> groups = group_by_elastic_seams(charts.charts);
   progress.run(groups.size(), [&](std::size_t g) {
     const std::vector<int>& group = groups[g];
     std::vector<int> members;

@@ -17,8 +17,8 @@
 namespace wirewarp {
 
 /// solved: upright, without the stretch; then flat pieces with it, and a warning where the sides of a seam would have
-/// shrunk by different shares. charts: ask for the flat lengths from then on. The lengths of seams that give are found
-/// anew, in the same ways (join_charts.h). Charts without a layout or turned over are left alone, which have an
+/// shrunk by different shares. charts: ask for the flat lengths from then on. The lengths of elastic seams are found
+/// anew, in the same ways (couple_charts.h). Charts without a layout or turned over are left alone, which have an
 /// error as they are; another one without a shape for the flat lengths, or stopped before it has it, loses its layout
 /// to an error.
 void stretch_charts(Charts& charts, const Run& run, ChartsProgress& progress, std::vector<SolvedChart>& solved);

@@ -40,7 +40,7 @@ double shut_objective(const FlattenInput& input, const Options& options) {
   const Chart& chart = charts.charts.at(0);
   const SewnChart sewn = *sew(chart, find_slits(chart));
   const RefinedShape shape = refine_chart(sewn.chart, options).shape;
-  EXPECT_TRUE(shape.is_exact && shape.converged);
+  EXPECT_TRUE(shape.is_exact() && shape.is_converged());
   const FairShapeError objective({chart, build_held_network(chart), options.fairness});
   return objective.value(shape.uv(sewn.vertex, Eigen::all)) / surface_area(chart.mesh);
 }

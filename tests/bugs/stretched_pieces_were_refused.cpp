@@ -75,7 +75,7 @@ TEST(Bugs, StretchedSeamsThatGiveHaveTheirEaseWhereNoOtherLengthIsFound) {
     EXPECT_EQ(piece.report.termination, Termination::stalled);
     const std::vector<std::string>& warnings = piece.report.warnings;
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
-      return warning.find("they have those of their ease") != std::string::npos;
+      return warning.find("keep their nominal lengths") != std::string::npos;
     }));
   }
 }

@@ -295,8 +295,8 @@ void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int m
   ASSERT_TRUE(start);
   const RefinedShape shape = refine_shape({chart, network, fairness}, *start, {budget});
   const RefinedShape from_scratch = refine_from_scratch({chart, network, fairness}, budget_from_scratch).shape;
-  EXPECT_TRUE(shape.is_exact);
-  EXPECT_TRUE(shape.converged);
+  EXPECT_TRUE(shape.is_exact());
+  EXPECT_TRUE(shape.is_converged());
   EXPECT_LT(shape.length_error, 1e-12);
   EXPECT_LE(shape.factorizations, max_factorizations);
   EXPECT_NEAR(shape.objective, from_scratch.objective, 1e-9 * from_scratch.objective);
@@ -311,7 +311,7 @@ TEST(CoarseStart, ReachesTheSameMinimumWithElasticWires) {
 }
 
 /// Far from developable: 13 factorizations from scratch.
-TEST(CoarseStart, ReachesTheSameMinimumOnAQuarterSphere) { expect_same_minimum(test::quarter_sphere(40), 0.1, 3); }
+TEST(CoarseStart, ReachesTheSameMinimumOnAQuarterSphere) { expect_same_minimum(test::quarter_sphere(40), 0.1, 4); }
 
 TEST(CoarseStart, ReachesTheSameMinimumWithJaggedWires) {
   expect_same_minimum(with_cross(jittered_grid(64, 0.25, dome), 64, 0.05));
@@ -331,7 +331,7 @@ TEST(CoarseStart, LargeChartsTakeOneFactorization) {
   int asked = 0;
   const RefineResult refined =
       refine_chart(charts.charts.at(0), Options{}, StopToken([&](const char*) { return ++asked > 0; }));
-  EXPECT_TRUE(refined.shape.converged);
+  EXPECT_TRUE(refined.shape.is_converged());
   EXPECT_EQ(refined.shape.factorizations, 1);
   EXPECT_GE(asked, refined.shape.factorizations);
 }
@@ -348,13 +348,10 @@ TEST(CoarseStart, StopsWhenAsked) {
   for (int last = 0; last < asked; ++last) {  // in the coarse chart, too
     int count = 0;
     const StopToken stop([&](const char*) { return ++count <= last; });
-    try {
-      const RefinedShape stopped = refine_chart(charts.charts.at(0), options, stop).shape;
-      EXPECT_TRUE(stopped.is_exact && stopped.length_error < 1e-10);
-      was_exact = true;
-    } catch (const Stopped&) {
-      EXPECT_FALSE(was_exact) << "an exact shape is not lost again";
-    }
+    const RefinedShape stopped = refine_chart(charts.charts.at(0), options, stop).shape;
+    EXPECT_TRUE(stopped.is_exact() ? stopped.length_error < 1e-10 : stopped.status == ShapeStatus::cancelled);
+    EXPECT_TRUE(stopped.is_exact() || !was_exact) << "an exact shape is not lost again";
+    was_exact = stopped.is_exact();
     EXPECT_TRUE(stop.is_stopped());
     EXPECT_EQ(count, last + 1);
   }
@@ -393,7 +390,7 @@ TEST(CoarseStart, AFalseClaimIsNoticed) {
   RefineBudget budget(100);
   const RefinedShape shape = refine_shape(
       {chart, network, 0.1}, {point, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(network.edges.size()))}, {budget});
-  EXPECT_FALSE(shape.is_exact);
+  EXPECT_FALSE(shape.is_exact());
 }
 
 }  // namespace

@@ -252,7 +252,7 @@ TEST(InfeasibleWires, ThePapersMethodsProposeWhatTheRefinedOneKeeps) {
 TEST(InfeasibleWires, ALongerSearchIsAdvisedOnlyIfTheLengthsDoNotContradict) {
   const auto conflict = [](const FlattenInput& input) {
     const Charts charts = test::charts_of(input);
-    return diagnose_lengths(charts.charts.at(0), {}, {}, {}).lengths_conflict;
+    return diagnose_lengths(charts.charts.at(0), {}, {}).lengths_conflict;
   };
   EXPECT_TRUE(conflict(test::saddle_of_wires(4, 0)));
   EXPECT_FALSE(conflict(test::quarter_sphere(4)));

@@ -61,7 +61,7 @@ TEST(InjectiveShape, NothingTurnsOverOrOverlapsWhereAShapeWithoutThatExists) {
     const Charts charts = test::charts_of(input);
     const Chart& chart = charts.charts.at(0);
     const RefinedShape shape = refine(input).shape;
-    ASSERT_TRUE(shape.is_exact);
+    ASSERT_TRUE(shape.is_exact());
     EXPECT_LT(shape.length_error, 1e-10);
     EXPECT_EQ(injectivity_of(chart, shape.uv), Injectivity::global);
     EXPECT_FALSE(flatten(input).pieces.at(0).error);
@@ -74,7 +74,9 @@ TEST(InjectiveShape, WhatIsInjectiveStaysAsItIs) {
   const RefinedShape shape = refine(test::quarter_sphere(12)).shape;
   RefineBudget budget(100);
   RefinedShape same = shape;
-  EXPECT_FALSE(make_injective({chart, build_held_network(chart), Options{}.fairness}, {budget}, same));
+  const HeldNetwork network = build_held_network(chart);
+  StartProblem problem{{chart, network, Options{}.fairness}, budget, {}};
+  EXPECT_FALSE(make_injective(problem, same));
   EXPECT_EQ(same.uv, shape.uv);
   EXPECT_EQ(budget.spent(), 0);
 }

@@ -54,7 +54,7 @@ TEST(OpenSlits, OneOpensAndOneStaysShut) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
   const RefinedShape shape = refine_chart(chart, Options{}).shape;
-  EXPECT_TRUE(shape.is_exact && shape.converged);
+  EXPECT_TRUE(shape.is_exact() && shape.is_converged());
   EXPECT_LE(shape.factorizations, 15);
   std::vector<double> gaps;
   for (const Slit& slit : find_slits(chart)) gaps.push_back(gap(chart, slit, shape.uv));
@@ -77,8 +77,8 @@ TEST(OpenSlits, StopAtAnyBudgetWithExactLengths) {
   const RefinedShape whole = refined(100);
   for (int most = 1; most < whole.factorizations; ++most) {
     const RefinedShape shape = refined(most);
-    EXPECT_TRUE(shape.is_exact) << most;
-    EXPECT_FALSE(shape.converged) << most;
+    EXPECT_TRUE(shape.is_exact()) << most;
+    EXPECT_FALSE(shape.is_converged()) << most;
     EXPECT_EQ(shape.factorizations, most);
     EXPECT_GE(shape.objective, whole.objective * (1 - 1e-9)) << most;
   }
@@ -151,7 +151,7 @@ TEST(OpenSlits, AsFarOnFineMeshesAsOnCoarseOnes) {
     const Charts charts = test::charts_of(input);
     const Chart& chart = charts.charts.at(0);
     const RefinedShape shape = refine_chart(chart, Options{}).shape;
-    EXPECT_TRUE(shape.is_exact && shape.converged) << n;
+    EXPECT_TRUE(shape.is_exact() && shape.is_converged()) << n;
     EXPECT_LE(shape.factorizations, 8) << n << ": a face that turns over takes many";
     gaps.push_back(gap(chart, find_slits(chart).at(0), shape.uv));
     objectives.push_back(shape.objective);

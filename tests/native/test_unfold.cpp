@@ -54,7 +54,7 @@ TEST(Unfold, AnUnfoldedChartNeedsNoFactorization) {
   test::add_wire(input, test::grid_column(20, 8, 7), 0.05);
   const Charts charts = test::charts_of(input);
   const RefinedShape shape = refine_chart(charts.charts.at(0), Options{}).shape;
-  EXPECT_TRUE(shape.is_exact && shape.converged);
+  EXPECT_TRUE(shape.is_exact() && shape.is_converged());
   EXPECT_EQ(shape.factorizations, 0);
   EXPECT_LE(shape.objective, 1e-20);
 }

@@ -62,10 +62,10 @@ struct Options {
   static constexpr double least_fairness = 0.001;
   static constexpr double most_fairness = 10;
 
-  /// Of the refined method: after so many factorizations of its Newton systems, those of the coarser mesh of a large
-  /// piece and of a piece with slits sewn up among them, a piece stops at the shape it has. Those that find out which
-  /// wires contradict have limits of their own; so have seams that give, for all pieces they join, and the stretch of a
-  /// cloth, which begins where the piece without it ends: each time as many again. >= 1.
+  /// For the refined method: after so many factorizations of its Newton systems, a piece stops at the shape it has. All
+  /// starts and stages count: a coarser mesh, closed slits and elastic seams. A factorization of several pieces coupled
+  /// by elastic seams counts for each of them. The stretch of a fabric, which begins where the piece without it ends,
+  /// has the same limit once more. The search for wires that contradict one another has limits of its own. >= 1.
   int max_factorizations = 100;
 
   /// Of the refined method: what the pieces are cut from, x along its weft, y along its warp. None: a material that

@@ -17,12 +17,12 @@ struct DartProposal {
   int piece = -1;                 // the piece that it cuts, as flatten() numbers them without it
   std::vector<VertexPair> edges;  // (k, 2) in order from the outline, to be added to the input's seams; of a cut set
                                   // one line after the other
-  double length = 0;                       // of its edges on the surface, scene units
-  double energy = 0;                       // of the piece with the cut: Eq. (4), or of the cloth, over its 3D area
-  double energy_before = 0;                // the same without the cut; infinite if there is no flat shape without it
-  double strain = 0;                       // with the cut: 99% of the area stay below this max(sigma_1, 1/sigma_2) - 1
-  double strain_before = 0;                // the same without the cut; infinite if there is no flat shape without it
-  std::optional<int> twin;                 // index of the proposal that is its mirror image; none if there is none
+  double length = 0;              // of its edges on the surface, scene units
+  double energy = 0;              // of the piece with the cut: Eq. (4), or of the cloth, over its 3D area
+  double energy_before = 0;       // the same without the cut; infinite if there is no flat shape without it
+  double strain = 0;              // with the cut: 99% of the area stay below this max(sigma_1, 1/sigma_2) - 1
+  double strain_before = 0;       // the same without the cut; infinite if there is no flat shape without it
+  std::optional<int> twin;        // index of the proposal that is its mirror image; none if there is none
   std::optional<double> energy_with_twin;  // of the piece with both cuts; none unless that is less, or if they meet
   std::optional<double> strain_with_twin;  // the strain with both cuts
   std::optional<double> strain_left;  // of a plan: most strain of a part that lies flat, after this cut, the one that

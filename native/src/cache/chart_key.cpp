@@ -70,7 +70,7 @@ void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
   for (const WirePart& part : chart.wire_parts) key.write(part.wire_index == options.grain);
 }
 
-/// Numbers the runs along seams that give: their sides have one length.
+/// Numbers the runs along elastic seams: their sides have one length.
 class SharedLengths {
  public:
   int number_of(const WirePart& part) {

@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "arap/free_boundary_arap.h"
+#include "attempt.h"
 #include "charts/chart_faults.h"
-#include "factorization_failed.h"
 #include "feasibility/bisect.h"
 #include "feasibility/cut_apart.h"
 #include "feasibility/cut_to_disk.h"
@@ -49,14 +50,11 @@ Proxy evaluate_proxy(const Chart& chart) {
   const double area = surface_area(chart.mesh);
   const Proxy nothing{area, area};
   if (chart.error || is_outline_too_short(chart)) return nothing;
-  try {
-    const FreeBoundaryArap free = free_boundary_arap(chart, kFreeSteps);
-    Proxy proxy{0, free.energy};
-    for (const int f : find_folded_faces(chart.mesh, free.uv)) proxy.covered += face_area(chart.mesh, FaceHandle(f));
-    return proxy;
-  } catch (const FactorizationFailed&) {
-    return nothing;
-  }
+  const auto free = attempt([&] { return std::optional(free_boundary_arap(chart, kFreeSteps)); });
+  if (!free) return nothing;
+  Proxy proxy{0, free->energy};
+  for (const int f : find_folded_faces(chart.mesh, free->uv)) proxy.covered += face_area(chart.mesh, FaceHandle(f));
+  return proxy;
 }
 
 /// A cut, and what comes of it.

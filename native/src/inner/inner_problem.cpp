@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "optimize/line_search.h"
+
 namespace wirewarp {
 namespace {
 
@@ -12,7 +14,6 @@ constexpr double kRounding = 2e-15;     // no better can be had in double precis
 constexpr double kStationary = 1e-10;   // projected gradient
 constexpr int kMaxSteps = 100;          // 3 to 16 are usual
 constexpr double kSmallestStep = 1e-6;  // twenty halvings
-constexpr double kSufficient = 1e-4;    // share of the promised decrease
 constexpr double kBend = 0.3;           // radians at the edge that turns most
 constexpr double kLongestTurn = 2;      // radians of two edges against each other: beyond, no gap is linear in headings
 constexpr double kStalledRatio = 0.4;   // share of the gap that a whole step leaves only where symmetry is in the way
@@ -176,7 +177,7 @@ bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::Vec
     fall = -turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
   }
   for (double t = kBend; fall * t * t > at_least && t > kSmallestStep; t /= 2) {
-    const double promised = kSufficient * fall * t * t / 2;
+    const double promised = kSufficientDecrease * fall * t * t / 2;
     if (move(lengths, turn, t, promised, psi, value) || move(lengths, turn, -t, promised, psi, value)) return true;
   }
   return false;
@@ -204,7 +205,7 @@ bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solut
     const auto step = [&](const Eigen::VectorXd& direction) {
       const double slope = gradient.dot(direction);
       for (double t = 1; t > kSmallestStep; t /= 2) {
-        if (move(lengths, direction, t, -kSufficient * t * slope, psi, value)) return true;
+        if (move(lengths, direction, t, -kSufficientDecrease * t * slope, psi, value)) return true;
       }
       return false;
     };

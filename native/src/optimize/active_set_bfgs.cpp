@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "optimize/box_quadratic.h"
+#include "optimize/line_search.h"
 
 namespace wirewarp {
 namespace {
@@ -28,7 +29,6 @@ double shorter_by(double slope, double rise) { return std::clamp(-slope / (2 * (
 BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                            const Eigen::VectorXd& start, double tolerance, int max_evaluations,
                            const std::optional<Eigen::MatrixXd>& hessian) {
-  constexpr double kDecrease = 1e-4;      // of the slope, in the line search
   constexpr double kFirstStep = 0.02;     // largest entry of the first steepest descent step
   constexpr double kSmallestStep = 1e-5;  // seventeen halvings
   BoxMinimum best;
@@ -57,7 +57,7 @@ BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& l
       trial = (best.x + t * direction).cwiseMax(lower).cwiseMin(upper);
       there = function(trial);
       ++best.evaluations;
-      if (there && there->value <= best.value + kDecrease * t * slope) break;
+      if (there && there->value <= best.value + kSufficientDecrease * t * slope) break;
       t *= there ? shorter_by(slope * t, there->value - best.value) : 0.5;
       there.reset();
     }

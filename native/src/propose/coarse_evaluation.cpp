@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "arap/shape_error.h"
-#include "factorization_failed.h"
 #include "feasibility/cut_apart.h"
 #include "feasibility/folded_faces.h"
 #include "mesh/geometry.h"
@@ -33,7 +32,7 @@ InternalOptions brief(InternalOptions options) {
 }
 
 double energy_of(const Chart& piece, const RefinedShape& shape) {
-  const bool lies_flat = shape.is_exact && find_folded_faces(piece.mesh, shape.uv).empty();
+  const bool lies_flat = shape.is_exact() && find_folded_faces(piece.mesh, shape.uv).empty();
   return lies_flat ? ShapeError(piece).energy(shape.uv) : kDoesNotLieFlat;
 }
 
@@ -50,28 +49,22 @@ RefinedShape refine_from(const Positions2& whole, const Chart& piece, const Inte
 }  // namespace
 
 CoarseEvaluation::CoarseEvaluation(const Chart& chart, const InternalOptions& options, const StopToken& stop)
-    : chart_(chart), options_(brief(options)), uncut_(kDoesNotLieFlat) {
-  try {
-    RefinedShape shape = refine_chart(chart, options_, stop).shape;
-    uncut_ = energy_of(chart, shape);
-    if (uncut_ < kNearFlat * surface_area(chart.mesh)) start_ = std::move(shape.uv);
-  } catch (const FactorizationFailed&) {
-    uncut_ = kDoesNotLieFlat;
-  }
+    : chart_(chart), options_(brief(options)) {
+  RefinedShape shape = refine_chart(chart, options_, stop).shape;
+  stop.check();
+  uncut_ = energy_of(chart, shape);
+  if (uncut_ < kNearFlat * surface_area(chart.mesh)) start_ = std::move(shape.uv);
 }
 
 double CoarseEvaluation::energy_when_cut(const CutMask& cut, const StopToken& stop) const {
   double energy = 0;
   for (const Chart& piece : cut_apart(chart_, cut)) {
     if (piece.error) return kDoesNotLieFlat;
-    try {
-      RefinedShape shape;
-      if (start_) shape = refine_from(*start_, piece, options_, stop);
-      if (!shape.is_exact) shape = refine_chart(piece, options_, stop).shape;
-      energy += energy_of(piece, shape);
-    } catch (const FactorizationFailed&) {
-      return kDoesNotLieFlat;
-    }
+    RefinedShape shape;
+    if (start_) shape = refine_from(*start_, piece, options_, stop);
+    if (!shape.is_exact()) shape = refine_chart(piece, options_, stop).shape;
+    stop.check();
+    energy += energy_of(piece, shape);
   }
   return energy;
 }

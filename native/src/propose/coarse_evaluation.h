@@ -26,7 +26,7 @@ class CoarseEvaluation {
  private:
   const Chart& chart_;
   InternalOptions options_;
-  double uncut_;
+  double uncut_ = 0;
   std::optional<Positions2> start_;  // the uncut shape, where that is near those of the cut chart
 };
 

@@ -30,8 +30,8 @@ std::optional<RefinementStart> start_from_coarse(const RefineTask& task, RefineB
   RefineBudget coarse_budget(budget, std::min(kMaxCoarseFactorizations, budget.left() / 2));
   const RefinedShape shape =
       refine_from_scratch({coarse.chart, coarse.network, task.fairness}, coarse_budget, at_start).shape;
-  if (!shape.is_exact) return std::nullopt;
   at_start.check();
+  if (!shape.is_exact()) return std::nullopt;
   return RefinementStart{prolong_positions(chart, task.network, coarse, shape.uv),
                          prolong_multipliers(coarse, shape.multipliers)};
 }

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "arap/free_boundary_arap.h"
-#include "factorization_failed.h"
+#include "attempt.h"
 #include "refine/lies_flat.h"
 #include "refine/project_to_lengths.h"
 #include "refine/relax_lengths.h"
@@ -222,12 +222,12 @@ class ToleranceSearch {
 /// The shape that breaks lengths at the least price; none if a factorization fails.
 std::optional<RelaxedShape> relax(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
   RefineBudget budget(kMaxRelaxFactorizations);
-  try {
+  auto relaxed = attempt([&] {
     const Positions2 free = free_boundary_arap(chart, kFreeSteps, {}, stop).uv;
-    return relax_lengths({chart, build_held_network(chart), options.fairness}, free, budget, stop);
-  } catch (const FactorizationFailed&) {
-    return std::nullopt;
-  }
+    return std::optional(relax_lengths({chart, build_held_network(chart), options.fairness}, free, budget, stop));
+  });
+  stop.check();
+  return relaxed;
 }
 
 /// Returns whether even the cheapest way to break lengths breaks some: a longer search would not keep them.
@@ -242,14 +242,9 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   if (all.empty()) return {};
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFreeFactorizations;
-  RefinedShape free;
-  try {
-    free = refine_chart(with_tolerances(chart, all), brief, stop).shape;
-  } catch (const FactorizationFailed&) {
-    return {};
-  }
-  if (!free.is_exact) return {};
+  const RefinedShape free = refine_chart(with_tolerances(chart, all), brief, stop).shape;
   stop.check();
+  if (!free.is_exact()) return {};
   ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.uv}, stop);
   const auto lie_flat = [&](const Tolerances& tolerances) {
     stop.check();

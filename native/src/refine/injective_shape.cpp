@@ -3,9 +3,8 @@
 
 #include <utility>
 
-#include "arap/free_boundary_arap.h"
 #include "arap/tutte_embedding.h"
-#include "factorization_failed.h"
+#include "attempt.h"
 #include "mesh/geometry.h"
 #include "mesh/overlap.h"
 #include "planar.h"
@@ -31,48 +30,40 @@ Injectivity injectivity_of(const Chart& chart, const Positions2& uv) {
   return overlaps ? Injectivity::local : Injectivity::global;
 }
 
-std::optional<RefinementStart> reach_injectively(const RefineTask& task, const RefinementLimits& limits) {
-  if (!limits.budget.allows()) return std::nullopt;
-  Positions2 map = free_boundary_arap(task.chart, kFreeSteps, {}, limits.stop.in("start")).uv;
-  if (injectivity_of(task.chart, map) < limits.injectivity) map = tutte_embedding(task.chart, limits.stop.in("start"));
-  if (injectivity_of(task.chart, map) < limits.injectivity) return std::nullopt;  // rounding spoils the embedding
-  RefinementLimits in_shape = limits;
-  in_shape.stop = limits.stop.in("shape");
-  return injective_start(task, map, in_shape);
+std::optional<RefinementStart> reach_injectively(StartProblem& problem, Injectivity injectivity) {
+  if (!problem.budget.allows()) return std::nullopt;
+  const Chart& chart = problem.task.chart;
+  Positions2 map = problem.free_map();
+  if (injectivity_of(chart, map) < injectivity) map = tutte_embedding(chart, problem.stop.in("start"));
+  if (injectivity_of(chart, map) < injectivity) return std::nullopt;  // rounding spoils the embedding
+  return injective_start(problem.task, map, {problem.budget, problem.stop.in("shape"), injectivity});
 }
 
 namespace {
 
-/// The least distorted shape with exact lengths and the injectivity of the limits. Not exact where it is not found.
-RefinedShape refine_injectively(const RefineTask& task, const RefinementLimits& limits) {
-  const std::optional<RefinementStart> start = reach_injectively(task, limits);
+/// The least distorted shape with exact lengths and the given injectivity. Not exact if it is not found.
+RefinedShape refine_injectively(StartProblem& problem, Injectivity injectivity) {
+  const auto start = attempt([&] { return reach_injectively(problem, injectivity); });
   if (!start) return {};
-  RefinementLimits in_shape = limits;
-  in_shape.stop = limits.stop.in("shape");
-  return refine_shape(task, *start, in_shape);
+  return refine_shape(problem.task, *start, {problem.budget, problem.stop.in("shape"), injectivity});
 }
 
 }  // namespace
 
-bool make_injective(const RefineTask& task, const RefinementLimits& limits, RefinedShape& shape) {
-  if (!shape.is_exact || !limits.stop.in("shape").may_go_on()) return false;
+bool make_injective(StartProblem& problem, RefinedShape& shape) {
+  if (!shape.is_exact() || !problem.stop.in("shape").may_go_on()) return false;
+  const Chart& chart = problem.task.chart;
   bool is_other = false;
-  shape.injectivity = injectivity_of(task.chart, shape.uv);
+  shape.injectivity = injectivity_of(chart, shape.uv);
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
-    const bool is_disk = task.chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
+    const bool is_disk = chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
     if (injectivity == Injectivity::global && !is_disk) continue;
-    if (limits.stop.is_stopped() || shape.injectivity >= injectivity) continue;
-    try {
-      RefinedShape injective = refine_injectively(task, {limits.budget, limits.stop, injectivity});
-      if (!injective.is_exact) continue;
-      shape = std::move(injective);
-      is_other = true;
-      shape.injectivity = injectivity_of(task.chart, shape.uv);
-    } catch (const Stopped&) {  // the shape at hand has exact lengths
-      break;
-    } catch (const FactorizationFailed&) {
-      break;
-    }
+    if (problem.stop.is_stopped() || shape.injectivity >= injectivity) continue;
+    RefinedShape injective = refine_injectively(problem, injectivity);
+    if (!injective.is_exact()) continue;
+    shape = std::move(injective);
+    is_other = true;
+    shape.injectivity = injectivity_of(chart, shape.uv);
   }
   return is_other;
 }

@@ -5,19 +5,21 @@
 #include <optional>
 
 #include "refine/refine_shape.h"
+#include "refine/start_problem.h"
 
 namespace wirewarp {
 
 /// How injective a layout of the chart is, one row per vertex.
 Injectivity injectivity_of(const Chart& chart, const Positions2& uv);
 
-/// A start with exact lengths and the injectivity of the limits, reached through nothing but such shapes: from the free
-/// ARAP shape where that has it, else from the embedding on a circle. None where it is not found. stop: asked in the
-/// stages "start" and "shape". Throws Stopped and FactorizationFailed.
-std::optional<RefinementStart> reach_injectively(const RefineTask& task, const RefinementLimits& limits);
+/// A start with exact lengths and the given injectivity, reached through nothing but such shapes: from the free ARAP
+/// map if that has it, else from the embedding on a circle. None if it is not found. The token is polled in the stages
+/// "start" and "shape". Throws Stopped and FactorizationFailed.
+std::optional<RefinementStart> reach_injectively(StartProblem& problem, Injectivity injectivity);
 
-/// Puts the least distorted injective shape, or the most injective one that is found, in place of an exact shape that
-/// is not: flips are mended first, then what overlaps is moved apart. False where the shape stays. Stopped, it stays.
-bool make_injective(const RefineTask& task, const RefinementLimits& limits, RefinedShape& shape);
+/// Replaces an exact shape that is not injective by the least distorted injective one, or by the most injective one
+/// that is found: first without flips, then without overlaps. Returns false if the shape stays, as it does if the
+/// caller stops.
+bool make_injective(StartProblem& problem, RefinedShape& shape);
 
 }  // namespace wirewarp

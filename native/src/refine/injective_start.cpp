@@ -6,6 +6,7 @@
 
 #include "mesh/geometry.h"
 #include "optimize/box_quadratic.h"
+#include "optimize/line_search.h"
 #include "refine/newton_system.h"
 #include "refine/retract_to_lengths.h"
 
@@ -19,7 +20,6 @@ constexpr double kStiff = 1e4;          // lengths that are not kept to kHopeles
 constexpr double kHopeless = 1e-2;      // strain
 constexpr int kStepsPerMultiplier = 5;  // at most: λ far from its end needs no minimum
 constexpr double kEnough = 1e-2;        // slope over Φ from where on the minimum is near enough for the next λ
-constexpr double kSufficient = 1e-4;    // share of the promised decrease that a step must bring
 constexpr double kShortestStep = 1e-9;  // thirty halvings
 constexpr double kInside = 0.9;         // of the way to where the injectivity is lost
 constexpr double kRetractable =
@@ -56,7 +56,7 @@ class MultiplierMethod {
   bool retract();
   bool factorize(const Eigen::VectorXd& multipliers);
 
-  const RefineTask& task_;
+  const RefineTask task_;
   RefinementLimits limits_;
   LengthConstraints constraints_;
   const Eigen::SparseMatrix<double>& lengths_;  // T
@@ -134,7 +134,7 @@ MultiplierMethod::Outcome MultiplierMethod::take_step() {
   const double before = value(now_), longest = objective_->longest_step(now_.uv, step->d);
   for (double t = longest < 1 ? kInside * longest : 1; t > kShortestStep; t /= 2) {
     Iterate trial{now_.uv + t * step->d, now_.variation + t * step->variation};
-    if (!(value(trial) <= before + kSufficient * t * step->slope)) continue;
+    if (!(value(trial) <= before + kSufficientDecrease * t * step->slope)) continue;
     now_ = std::move(trial);
     return t >= 0.5 && -step->slope < kEnough * std::abs(before) ? Outcome::near_minimum : Outcome::on_the_way;
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "refine/lies_flat.h"
 
-#include "factorization_failed.h"
 #include "feasibility/folded_faces.h"
 #include "feasibility/isoperimetric.h"
 
@@ -19,14 +18,8 @@ bool lies_flat(const Chart& chart, const InternalOptions& options, const StopTok
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFactorizations;  // whatever the user allows the piece itself
   brief.cloth.reset();                            // what lies flat does so in any cloth
-  try {
-    const RefinedShape shape = refine_chart(chart, brief, stop).shape;
-    return shape.is_exact && find_folded_faces(chart.mesh, shape.uv).empty();
-  } catch (const FactorizationFailed&) {
-    return false;
-  } catch (const Stopped&) {
-    return false;
-  }
+  const RefinedShape shape = refine_chart(chart, brief, stop).shape;
+  return shape.is_exact() && find_folded_faces(chart.mesh, shape.uv).empty();
 }
 
 }  // namespace wirewarp

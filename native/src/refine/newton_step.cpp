@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "optimize/box_quadratic.h"
+#include "optimize/line_search.h"
 #include "refine/refine_constants.h"
 
 namespace wirewarp {
@@ -116,7 +117,7 @@ StepOutcome take_newton_step(RefineState& state) {
   const NewtonStep step = newton_step(state);
   const bool is_last = std::abs(step.slope) < state.worthwhile_decrease();
   RefineIterate trial = end_of(step, state.now);
-  const double enough = state.now.value + RefineConstants::sufficient_ratio * step.slope;
+  const double enough = state.now.value + kSufficientDecrease * step.slope;
   const bool goes_down = state.evaluate(trial) && trial.value <= enough;
   if (goes_down) {
     state.now = std::move(trial);

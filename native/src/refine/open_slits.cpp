@@ -80,24 +80,12 @@ RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
     if (!sewn) return std::nullopt;
     return SewnProblem(task, std::move(*sewn));
   };
-  const auto as_open = [&](const SewnProblem& problem, const RefinedShape& sewn) {
-    RefinedShape shape = evaluate_shape(task, problem.to_open(sewn));
-    shape.converged = sewn.converged;
-    shape.iterations = sewn.iterations;
-    return shape;
-  };
-  const auto refine = [&](const SewnProblem& problem, const RefinementStart& start) {
-    try {
-      return refine_shape(problem.task(), start, limits);
-    } catch (const Stopped&) {  // the best shape so far is exact
-      return RefinedShape{};
-    }
-  };
   const std::optional<SewnProblem> all_shut = sewn_problem(slits);
   if (!all_shut || is_outline_too_short(all_shut->task().chart)) return {};
   const RefinedShape whole = refine_sewn(all_shut->task());
-  if (!whole.is_exact) return {};
-  RefinedShape best = as_open(*all_shut, whole);
+  if (!whole.is_exact()) return {};
+  RefinedShape best = all_shut->as_open(task, whole);
+  if (!best.is_exact()) return best;
 
   std::vector<Slit> shut, open;
   for (const Slit& slit : slits) (slit.rims.size() == 2 ? shut : open).push_back(slit);
@@ -107,14 +95,14 @@ RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
     if (!problem) return best;
     RefinementStart start{best.uv, best.multipliers};
     for (const Slit& slit : open) open_a_little(chart, slit, start.uv);
-    RefinedShape trial = refine(*problem, problem->to_sewn(start));
-    if (!may_go_on() && !trial.converged) best.converged = false;
-    if (!trial.is_exact) return best;
+    RefinedShape trial = refine_shape(problem->task(), problem->to_sewn(start), limits);
+    if (!may_go_on() && !trial.is_converged()) best.status = ShapeStatus::stalled;
+    if (!trial.is_exact()) return best;
     const std::vector<int> overlapping_faces = find_overlapping_faces(
         triangles_of(chart.mesh), faces_on_boundary(chart.mesh), problem->to_open(trial).uv, kOverlapDepth);
     if (overlapping_faces.empty()) {
-      trial = as_open(*problem, trial);
-      return trial.is_exact && trial.objective < best.objective ? trial : best;
+      trial = problem->as_open(task, trial);
+      return trial.is_exact() && trial.objective < best.objective ? trial : best;
     }
     const auto crossed = std::stable_partition(
         open.begin(), open.end(), [&](const Slit& slit) { return !touches(chart, slit, overlapping_faces); });
@@ -122,7 +110,7 @@ RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
     shut.insert(shut.end(), crossed, open.end());
     open.erase(crossed, open.end());
   }
-  best.converged = best.converged && open.empty();
+  if (!open.empty()) best.status = ShapeStatus::stalled;
   return best;
 }
 

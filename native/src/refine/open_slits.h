@@ -20,7 +20,7 @@ namespace wirewarp {
 
 /// The better one of the shapes of step 1 and of the last step 3; not exact where the sewn chart has no flat shape.
 /// slits: of the chart, one or more. refine_sewn: the least distorted
-/// shape of a chart from scratch. Stopped before there is an exact shape: throws Stopped.
+/// shape of a chart from scratch.
 RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
                         const std::function<RefinedShape(const RefineTask& sewn)>& refine_sewn,
                         const RefinementLimits& limits);

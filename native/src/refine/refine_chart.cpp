@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "factorization_failed.h"
+#include "attempt.h"
 #include "refine/injective_shape.h"
 #include "refine/open_slits.h"
 #include "refine/starts.h"
@@ -23,24 +23,25 @@ constexpr Start kInjective{"injective", injective_shape, Injectivity::local};
 constexpr std::initializer_list<Start> kStarts{kUnfolded, kCoarse, kFree, kProjected, kInjective};
 
 /// Returns the first exact shape.
-RefineResult try_starts(StartProblem problem) {
+RefineResult try_starts(StartProblem& problem) {
   RefineResult result;
   bool is_any_made = false;
   for (const Start& start : kStarts) {
-    try {
-      const std::optional<RefinementStart> made = start.make(problem);
-      if (!made) continue;
-      is_any_made = true;
-      result.shape = refine_shape(problem.task, *made, {problem.budget, problem.stop.in("shape"), start.injectivity});
-    } catch (const FactorizationFailed&) {  // other starts may serve
-      continue;
-    }
-    if (result.shape.is_exact) {
+    const std::optional<RefinementStart> made = attempt([&] { return start.make(problem); });
+    if (problem.stop.is_stopped()) break;
+    if (!made) continue;
+    is_any_made = true;
+    result.shape = refine_shape(problem.task, *made, {problem.budget, problem.stop.in("shape"), start.injectivity});
+    if (result.shape.is_exact()) {
       result.start = start.name;
       break;
     }
   }
-  if (!is_any_made) throw FactorizationFailed("no start can be made in double precision");
+  if (!result.shape.is_exact()) {
+    result.shape.status = problem.stop.is_stopped() ? ShapeStatus::cancelled
+                          : is_any_made             ? ShapeStatus::infeasible
+                                                    : ShapeStatus::singular;
+  }
   result.factorizations = problem.budget.spent();
   result.ran_out = problem.budget.ran_out();
   return result;
@@ -48,28 +49,25 @@ RefineResult try_starts(StartProblem problem) {
 
 /// The unfolded chart where it has no strain: its slits are shut. Else sewn up and opened. Not exact where neither
 /// serves.
-RefineResult refine_with_slits(const StartProblem& problem, const std::vector<Slit>& slits) {
+RefineResult refine_with_slits(StartProblem& problem, const std::vector<Slit>& slits) {
   RefineResult result;
   if (const std::optional<Positions2> flat = unfold(problem.task.chart)) {
     result.shape = evaluate_shape(problem.task, *flat);
-    if (result.shape.converged) result.start = kUnfolded.name;
-    if (result.shape.converged) return result;
+    if (result.shape.is_converged()) result.start = kUnfolded.name;
+    if (result.shape.is_converged()) return result;
   }
   const auto refine_sewn = [&](const RefineTask& sewn) {
-    try {
-      return try_starts({sewn, problem.budget, problem.stop, problem.large_chart}).shape;
-    } catch (const FactorizationFailed&) {  // the open chart has starts of its own
-      return RefinedShape{};
-    }
+    StartProblem closed{sewn, problem.budget, problem.stop, problem.large_chart};
+    return try_starts(closed).shape;
   };
   result.shape = open_slits(problem.task, slits, refine_sewn, {problem.budget, problem.stop.in("shape")});
-  result.start = result.shape.is_exact ? "sewn" : "";
+  result.start = result.shape.is_exact() ? "sewn" : "";
   return result;
 }
 
 /// Another shape where triangles are turned over or the piece covers itself, if one is found.
-RefineResult without_flips_and_overlaps(RefineResult result, const StartProblem& problem) {
-  const bool is_other = make_injective(problem.task, {problem.budget, problem.stop}, result.shape);
+RefineResult without_flips_and_overlaps(RefineResult result, StartProblem& problem) {
+  const bool is_other = make_injective(problem, result.shape);
   if (is_other) result.start = kInjective.name;
   result.factorizations = problem.budget.spent();
   result.ran_out = problem.budget.ran_out();
@@ -82,10 +80,10 @@ RefineResult refine_chart(const Chart& chart, const InternalOptions& options, co
   const HeldNetwork network = build_held_network(chart);
   RefineBudget budget(options.max_factorizations);
   const Aim aim = options.cloth ? Aim::rough : options.aim;
-  const StartProblem problem{{chart, network, options.fairness, nullptr, aim}, budget, stop, options.large_chart};
+  StartProblem problem{{chart, network, options.fairness, nullptr, aim}, budget, stop, options.large_chart};
   RefineResult result;
   if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) result = refine_with_slits(problem, slits);
-  if (!result.shape.is_exact) result = try_starts(problem);
+  if (!result.shape.is_exact()) result = try_starts(problem);
   if (options.mends_folds) return without_flips_and_overlaps(std::move(result), problem);
   result.factorizations = budget.spent();
   result.ran_out = budget.ran_out();
@@ -93,7 +91,7 @@ RefineResult refine_chart(const Chart& chart, const InternalOptions& options, co
 }
 
 RefineResult refine_from_scratch(const RefineTask& task, RefineBudget& budget, const StopToken& stop) {
-  const StartProblem problem{task, budget, stop};
+  StartProblem problem{task, budget, stop};
   return without_flips_and_overlaps(try_starts(problem), problem);
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The refined method for one chart: its starts, one after the other, until one has exact lengths. All of them together
-// keep to one budget. Stopped before lengths are exact, all throw Stopped; later they return the shape at hand. They
-// throw FactorizationFailed where no start could be made.
+// keep to one budget. How that ended is in the shape's status: nothing is thrown.
 #pragma once
 
 #include "internal_options.h"
@@ -11,7 +10,7 @@
 namespace wirewarp {
 
 struct RefineResult {
-  RefinedShape shape;      // of the last start that was tried; not exact: no flat shape with these lengths was found
+  RefinedShape shape;      // of the last start that was tried; singular: no start could be made
   const char* start = "";  // the one that led to an exact shape
   int factorizations = 0;  // of all starts
   bool ran_out = false;    // of factorizations: more were wanted

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "factorization_failed.h"
 #include "mesh/geometry.h"
 #include "orientation/upright_direction.h"
 #include "planar.h"
@@ -54,7 +53,7 @@ class ClothRefinement {
   RefinedShape refine_turning(const RefinedShape& upright, RefineBudget& budget) const;
   double slope_of(const RefinedShape& shape) const;
   /// No less than the shape without a cloth: its promises come first.
-  bool is_sound(const RefinedShape& shape) const { return shape.is_exact && shape.injectivity >= injectivity_; }
+  bool is_sound(const RefinedShape& shape) const { return shape.is_exact() && shape.injectivity >= injectivity_; }
   bool may_go_on(RefineBudget& budget) const { return !stop_.is_stopped() && budget.allows(); }
 
   const Chart& chart_;
@@ -124,10 +123,10 @@ RefinedShape ClothRefinement::refine_turning(const RefinedShape& upright, Refine
     const double slope = slope_of(best);
     double angle = curvature > 0 ? -slope / curvature : -std::copysign(longest, slope);
     angle = std::clamp(angle, -longest, longest);
-    if (std::abs(slope * angle) < RefineConstants::worthwhile * best.objective || !best.converged) return best;
+    if (std::abs(slope * angle) < RefineConstants::worthwhile * best.objective || !best.is_converged()) return best;
     if (!may_go_on(budget)) break;
     RefinedShape trial = refine_held({turned(best.uv, angle), best.multipliers}, budget);
-    if (trial.converged && is_sound(trial) && trial.objective < best.objective) {
+    if (trial.is_converged() && is_sound(trial) && trial.objective < best.objective) {
       const double change = (slope_of(trial) - slope) / angle;
       curvature = change > 0 ? change : 0;
       best = std::move(trial);
@@ -135,13 +134,13 @@ RefinedShape ClothRefinement::refine_turning(const RefinedShape& upright, Refine
       curvature = kShorter * std::abs(slope / angle);
     }
   }
-  best.converged = false;
+  best.status = ShapeStatus::stalled;
   return best;
 }
 
 std::optional<RefinedShape> ClothRefinement::refine(const RefinedShape& upright, RefineBudget& budget) {
   pair_ = upright_pair(chart_, upright.uv, options_);
-  injectivity_ = upright.injectivity;
+  injectivity_ = *upright.injectivity;
   RefinementStart start{upright.uv, Eigen::VectorXd(upright.multipliers.size() + 1)};
   start.multipliers << upright.multipliers, 0;
   const bool is_turned = options_.orientation == Orientation::best;
@@ -155,19 +154,6 @@ std::optional<RefinedShape> ClothRefinement::refine(const RefinedShape& upright,
   return shape;
 }
 
-/// None, too, where the caller stops or a factorization fails.
-std::optional<RefinedShape> refine_from_upright(const Chart& chart, const InternalOptions& options,
-                                                const StopToken& stop, const RefinedShape& upright,
-                                                RefineBudget& budget) {
-  try {
-    return ClothRefinement(chart, options, stop).refine(upright, budget);
-  } catch (const Stopped&) {
-    return std::nullopt;
-  } catch (const FactorizationFailed&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& options) {
@@ -176,11 +162,12 @@ GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& o
 
 void refine_cloth(const Chart& chart, const InternalOptions& options, const StopToken& stop, RefineResult& result) {
   stand_upright(result.shape.uv, upright_direction(chart, result.shape.uv, options));
-  result.shape.converged = false;  // until its energy is least for the cloth
+  result.shape.status = ShapeStatus::stalled;  // until its energy is least for the cloth
+  if (!result.shape.injectivity) result.shape.injectivity = injectivity_of(chart, result.shape.uv);
   if (result.shape.injectivity == Injectivity::none) return;
   RefineBudget budget(std::max(0, options.max_factorizations - result.factorizations));
   if (stop.is_stopped() || !budget.allows()) return;
-  if (std::optional<RefinedShape> shape = refine_from_upright(chart, options, stop, result.shape, budget)) {
+  if (std::optional<RefinedShape> shape = ClothRefinement(chart, options, stop).refine(result.shape, budget)) {
     shape->iterations += result.shape.iterations;
     result.shape = std::move(*shape);
   }

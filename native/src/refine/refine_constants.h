@@ -30,9 +30,6 @@ struct RefineConstants {
 
   // Newton steps.
 
-  /// Share of the promised decrease that a step must bring: that of line searches everywhere (J. Nocedal, S. J. Wright,
-  /// Numerical Optimization, section 3.1).
-  static constexpr double sufficient_ratio = 1e-4;
   /// Slope over f, below which the Hessian hardly changes along a step: the factor serves the next step, too. A tenth
   /// of it takes 1 % more factorizations.
   static constexpr double near_minimum = 1e-2;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "factorization_failed.h"
 #include "refine/newton_step.h"
 #include "refine/refine_constants.h"
 #include "refine/trust_region.h"
@@ -16,22 +17,13 @@ bool stays_flipped(const RefineState& state) {
          state.problem.objective().count_flips(state.now.uv) > 0;
 }
 
-}  // namespace
-
-RefinedShape refine_shape(const RefineTask& task, const RefinementStart& start, const RefinementLimits& limits) {
-  RefineState state(task, start, limits);
-  const auto is_isometric = [&] {
-    return state.problem.is_isometric(state.now);
-  };  // f is at least 0: nothing is left to gain
-
-  // 1. Exact lengths, which all steps keep from here on.
-  StepOutcome outcome = reach_exact_lengths(state, start.multipliers.size() > 0);
-  const bool is_exact = outcome != StepOutcome::rejected;
-
+/// Steps from exact lengths, which all of them keep, to the least f. outcome: of the step to exact lengths.
+ShapeStatus minimize(RefineState& state, StepOutcome outcome) {
+  // f is at least 0, so nothing is left to gain.
+  const auto is_isometric = [&] { return state.problem.is_isometric(state.now); };
   const auto is_enough = [&] {
-    return task.aim == Aim::newton_step && state.problem.objective().count_flips(state.now.uv) == 0;
+    return state.task.aim == Aim::newton_step && state.problem.objective().count_flips(state.now.uv) == 0;
   };
-
   TrustRegion trust_region;
   bool try_newton = true;
   while (outcome == StepOutcome::accepted && !is_isometric() && !stays_flipped(state) && state.may_go_on()) {
@@ -47,13 +39,32 @@ RefinedShape refine_shape(const RefineTask& task, const RefinementStart& start, 
       try_newton = trust_region.was_inside();
     }
   }
+  return outcome == StepOutcome::converged || is_isometric() ? ShapeStatus::converged : ShapeStatus::stalled;
+}
 
+}  // namespace
+
+RefinedShape refine_shape(const RefineTask& task, const RefinementStart& start, const RefinementLimits& limits) {
+  RefineState state(task, start, limits);
+  ShapeStatus status = ShapeStatus::infeasible;
+  const auto ended_early = [&](ShapeStatus reason) { return status == ShapeStatus::stalled ? status : reason; };
+  try {
+    // 1. Exact lengths.
+    const StepOutcome outcome = reach_exact_lengths(state, start.multipliers.size() > 0);
+    if (outcome != StepOutcome::rejected) {
+      status = ShapeStatus::stalled;
+      status = minimize(state, outcome);
+    }
+  } catch (const Stopped&) {
+    status = ended_early(ShapeStatus::cancelled);
+  } catch (const FactorizationFailed&) {
+    status = ended_early(ShapeStatus::singular);
+  }
   RefinedShape shape = state.problem.describe(state.now);
   shape.multipliers = std::move(state.multipliers);
   shape.iterations = state.iterations;
   shape.factorizations = state.num_factorizations();
-  shape.is_exact = is_exact;
-  shape.converged = is_exact && (outcome == StepOutcome::converged || is_isometric());
+  shape.status = status;
   return shape;
 }
 
@@ -63,8 +74,9 @@ RefinedShape evaluate_shape(const RefineTask& task, const RefinementStart& start
   RefinedShape shape = problem.describe(at_start);
   shape.multipliers = start.multipliers;
   if (shape.multipliers.size() == 0) shape.multipliers.setZero(problem.constraints().size());
-  shape.is_exact = shape.length_error <= LengthConstraints::kept;
-  shape.converged = problem.is_isometric(at_start);
+  if (shape.length_error <= LengthConstraints::kept) {
+    shape.status = problem.is_isometric(at_start) ? ShapeStatus::converged : ShapeStatus::stalled;
+  }
   return shape;
 }
 

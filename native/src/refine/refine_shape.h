@@ -8,6 +8,7 @@
 // them, and from there every iterate has exact lengths, so that it can stop anywhere.
 #pragma once
 
+#include <optional>
 #include <utility>
 
 #include "refine/fair_shape_error.h"
@@ -18,17 +19,29 @@
 
 namespace wirewarp {
 
+/// How an attempt at a flat shape with exact lengths ended.
+enum class ShapeStatus {
+  infeasible,  // no exact lengths from this start, or the budget was spent before that
+  singular,    // a matrix had no factor in double precision before lengths were exact
+  cancelled,   // the caller stopped before lengths were exact
+  stalled,     // exact lengths; another step could reduce f
+  converged,   // exact lengths; another step promises less than 1e-9 of f, or than rounding makes of f
+};
+
 struct RefinedShape {
-  Positions2 uv;                // one row per chart vertex, scene units
-  Eigen::VectorXd variation;    // h, one per wire part of the chart; on super-elastic ones what came out
-  Eigen::VectorXd multipliers;  // λ, one per edge of the network
-  double objective = 0;         // f over the 3D area
-  double length_error = 0;      // LengthConstraints::largest_error
-  Injectivity injectivity = Injectivity::none;  // once make_injective() has looked
+  Positions2 uv;                           // one row per chart vertex, scene units
+  Eigen::VectorXd variation;               // h, one per wire part of the chart; on super-elastic ones what came out
+  Eigen::VectorXd multipliers;             // λ, one per edge of the network
+  double objective = 0;                    // f over the 3D area
+  double length_error = 0;                 // LengthConstraints::largest_error
+  std::optional<Injectivity> injectivity;  // once it was computed
   int iterations = 0;
   int factorizations = 0;
-  bool is_exact = false;   // the lengths are: uv is a flat shape to cut
-  bool converged = false;  // another step promises less than 1e-9 of f, or than rounding makes of f
+  ShapeStatus status = ShapeStatus::infeasible;
+
+  /// uv is a flat shape to cut.
+  bool is_exact() const { return status >= ShapeStatus::stalled; }
+  bool is_converged() const { return status == ShapeStatus::converged; }
 };
 
 struct RefinementLimits {
@@ -46,9 +59,8 @@ struct RefinementStart {
   Eigen::VectorXd multipliers;  // λ, one per edge of the network; empty: not known
 };
 
-/// Not exact where the start is too far from exact lengths for one step, or the budget is spent
-/// before that. Stopped with exact lengths: the shape at hand; before: throws Stopped. Where flips are not forbidden
-/// and stay, it gives up.
+/// Infeasible if the start is too far from exact lengths for one step, or if the budget is spent before that. If the
+/// caller stops once lengths are exact, returns the shape at hand. Gives up if flips are not forbidden and stay.
 RefinedShape refine_shape(const RefineTask& task, const RefinementStart& start, const RefinementLimits& limits);
 
 /// The start as a shape: its f, and whether its lengths are exact. Converged where it is isometric.

@@ -39,7 +39,7 @@ struct RefineState {
   /// way, or the caller stopped.
   bool evaluate(RefineIterate& trial) const;
 
-  const RefineTask& task;
+  const RefineTask task;
   RefineProblem problem;
   std::optional<NewtonSystem> system;  // from the first factorization on: shapes without strain need none
   RefinementLimits limits;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mesh/geometry.h"
+#include "optimize/line_search.h"
 #include "refine/newton_system.h"
 
 namespace wirewarp {
@@ -18,7 +19,6 @@ constexpr double kWithinTolerance = 0.99;                    // of it, so that w
 constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};          // σ
 constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
 constexpr double kWorthwhile = 1e-5;                         // promised decrease over Φ
-constexpr double kSufficientRelaxStep = 1e-4;                // share of it that a step must bring
 constexpr double kShortestRelaxStep = 1e-3;                  // ten halvings
 
 /// The chart with those wire parts elastic whose edges share a variation, whatever their tolerance. A single edge needs
@@ -199,7 +199,7 @@ bool RelaxedLengths::minimize(double smoothing, RefineBudget& budget, const Stop
     for (; t > kShortestRelaxStep; t /= 2) {
       trial = {now_.uv + t * full.d, now_.variation + t * full.variation};
       reached = value(trial, smoothing);
-      if (reached <= now + kSufficientRelaxStep * t * full.slope) break;
+      if (reached <= now + kSufficientDecrease * t * full.slope) break;
     }
     if (t <= kShortestRelaxStep) return true;
     now_ = std::move(trial);

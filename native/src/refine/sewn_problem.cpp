@@ -50,4 +50,11 @@ RefinementStart SewnProblem::to_open(const RefinedShape& sewn) const {
   return start;
 }
 
+RefinedShape SewnProblem::as_open(const RefineTask& open, const RefinedShape& sewn) const {
+  RefinedShape shape = evaluate_shape(open, to_open(sewn));
+  if (shape.is_exact() || !sewn.is_exact()) shape.status = sewn.status;
+  shape.iterations = sewn.iterations;
+  return shape;
+}
+
 }  // namespace wirewarp

@@ -22,6 +22,9 @@ class SewnProblem {
 
   RefinementStart to_open(const RefinedShape& sewn) const;
 
+  /// A shape of this problem as one of the open chart. open: the task this was made of.
+  RefinedShape as_open(const RefineTask& open, const RefinedShape& sewn) const;
+
  private:
   SewnChart sewn_;
   HeldNetwork network_;

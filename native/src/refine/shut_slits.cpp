@@ -38,11 +38,7 @@ RefinedShape refine_with_shut_slits(const RefineTask& task, const RefinementStar
   if (!slits.empty()) sewn = sew(task.chart, slits);
   if (!sewn) return refine_shape(task, start, limits);
   const SewnProblem problem(task, std::move(*sewn));
-  const RefinedShape of_sewn = refine_shape(problem.task(), problem.to_sewn(start), limits);
-  RefinedShape shape = evaluate_shape(task, problem.to_open(of_sewn));
-  shape.converged = of_sewn.converged;
-  shape.iterations = of_sewn.iterations;
-  return shape;
+  return problem.as_open(task, refine_shape(problem.task(), problem.to_sewn(start), limits));
 }
 
 }  // namespace wirewarp

@@ -12,14 +12,14 @@
 namespace wirewarp {
 namespace {
 
-const Positions2& free_uv(StartProblem& problem) {
-  if (!problem.free_shape) {
-    problem.free_shape = free_boundary_arap(problem.task.chart, kFreeSteps, {}, problem.stop.in("start")).uv;
-  }
-  return *problem.free_shape;
-}
+constexpr int kMaxStepsToStart = 10;  // nets that take more to exact lengths are better left to the injective start
 
 }  // namespace
+
+const Positions2& StartProblem::free_map() {
+  if (!known_free_map) known_free_map = free_boundary_arap(task.chart, kFreeSteps, {}, stop.in("start")).uv;
+  return *known_free_map;
+}
 
 std::optional<RefinementStart> unfolded(StartProblem& problem) {
   std::optional<Positions2> uv = unfold(problem.task.chart);
@@ -32,18 +32,18 @@ std::optional<RefinementStart> coarse_shape(StartProblem& problem) {
   return start_from_coarse(problem.task, problem.budget, problem.stop);
 }
 
-std::optional<RefinementStart> free_shape(StartProblem& problem) { return RefinementStart(free_uv(problem)); }
+std::optional<RefinementStart> free_shape(StartProblem& problem) { return RefinementStart(problem.free_map()); }
 
 std::optional<RefinementStart> projected_shape(StartProblem& problem) {
   if (!problem.budget.allows()) return std::nullopt;
-  Positions2 uv = free_uv(problem);
-  RefineBudget budget(problem.budget, kMaxProjectFactorizations);
+  Positions2 uv = problem.free_map();
+  RefineBudget budget(problem.budget, kMaxStepsToStart);
   if (!project_to_lengths(problem.task, uv, budget, problem.stop.in("shape"))) return std::nullopt;
   return RefinementStart(std::move(uv));
 }
 
 std::optional<RefinementStart> injective_shape(StartProblem& problem) {
-  return reach_injectively(problem.task, {problem.budget, problem.stop, Injectivity::local});
+  return reach_injectively(problem, Injectivity::local);
 }
 
 }  // namespace wirewarp

@@ -2,23 +2,12 @@
 // Where the refined method may begin. Each start is a layout near exact lengths, or none where it does not serve.
 #pragma once
 
-#include <cstddef>
-#include <limits>
 #include <optional>
 
 #include "refine/refine_shape.h"
-#include "stop_token.h"
+#include "refine/start_problem.h"
 
 namespace wirewarp {
-
-/// A chart to refine, and what its starts share.
-struct StartProblem {
-  RefineTask task;
-  RefineBudget& budget;
-  StopToken stop;
-  std::size_t large_chart = std::numeric_limits<std::size_t>::max();  // faces from which on a coarser chart is a start
-  std::optional<Positions2> free_shape = {};                          // once it was asked for
-};
 
 struct Start {
   const char* name;  // PieceReport::start

@@ -114,7 +114,7 @@ RefinementCost cost_of_refinement(const FlattenInput& input) {
   RefineBudget budget(100);
   const RefinedShape shape = refine_shape({chart, network, 0.1}, start, {budget});
   const FrontCounts after = count_fronts();
-  EXPECT_TRUE(shape.converged);
+  EXPECT_TRUE(shape.is_converged());
   const auto fronts = static_cast<double>(after.factored - before.factored) / shape.factorizations;
   const auto visited = static_cast<double>(after.substituted_forward - before.substituted_forward +
                                            after.substituted_back - before.substituted_back);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "refine/refine_together.h"
+#include "refine/refine_coupled.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "charts/seams_that_give.h"
+#include "attempt.h"
+#include "charts/elastic_seams.h"
 #include "mesh/geometry.h"
 #include "refine/injective_start.h"
 #include "refine/length_constraints.h"
@@ -15,15 +16,15 @@
 namespace wirewarp {
 namespace {
 
-/// The cloths of all charts as that of the united one.
-std::optional<ClothOnChart> unite_cloths(const UnitedCharts& united, const std::vector<Chart>& charts,
-                                         const std::vector<ClothOnChart>& cloths) {
+/// The cloths of all charts as that of the combined one.
+std::optional<ClothOnChart> combine_cloths(const CombinedCharts& combined, const std::vector<Chart>& charts,
+                                           const std::vector<ClothOnChart>& cloths) {
   if (cloths.empty()) return std::nullopt;
   ClothOnChart all{cloths.front().cloth, {}, {}};
   for (std::size_t c = 0; c < charts.size(); ++c) {
     for (GrainRow grain : cloths[c].grains) {
-      grain.a += united.first_vertex[c];
-      grain.b += united.first_vertex[c];
+      grain.a += combined.first_vertex[c];
+      grain.b += combined.first_vertex[c];
       all.grains.push_back(grain);
     }
     std::vector<double> ratios = cloths[c].flat_ratio;
@@ -33,20 +34,16 @@ std::optional<ClothOnChart> unite_cloths(const UnitedCharts& united, const std::
   return all;
 }
 
-/// All starts side by side, so that the order of elimination tells the charts apart.
-RefinementStart place_side_by_side(const UnitedCharts& united, const HeldNetwork& network,
-                                   const std::vector<HeldNetwork>& networks, const std::vector<ClothOnChart>& cloths,
-                                   const std::vector<RefinementStart>& starts) {
+/// The starts of all charts, each where it is: charts have no entry of the matrix in common.
+RefinementStart combine_starts(const CombinedCharts& combined, const HeldNetwork& network,
+                               const std::vector<HeldNetwork>& networks, const std::vector<ClothOnChart>& cloths,
+                               const std::vector<RefinementStart>& starts) {
   std::size_t num_rows = network.edges.size(), next_row = num_rows;
   for (const ClothOnChart& cloth : cloths) num_rows += cloth.grains.size();
-  RefinementStart all{Positions2(static_cast<Eigen::Index>(united.chart.mesh.n_vertices()), 2),
+  RefinementStart all{Positions2(static_cast<Eigen::Index>(combined.chart.mesh.n_vertices()), 2),
                       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(num_rows))};
-  double right = 0;
   for (std::size_t c = 0; c < starts.size(); ++c) {
-    const Eigen::RowVector2d low = starts[c].uv.colwise().minCoeff();
-    const Positions2 uv = starts[c].uv.rowwise() + (Eigen::RowVector2d(right, 0) - low);
-    right = uv.col(0).maxCoeff();
-    all.uv.middleRows(united.first_vertex[c], uv.rows()) = uv;
+    all.uv.middleRows(combined.first_vertex[c], starts[c].uv.rows()) = starts[c].uv;
     const HeldNetwork& own = networks[c];
     const Eigen::VectorXd& multipliers = starts[c].multipliers;
     const auto multiplier = [&](std::size_t row) {
@@ -54,7 +51,7 @@ RefinementStart place_side_by_side(const UnitedCharts& united, const HeldNetwork
       return index < multipliers.size() ? multipliers[index] : 0;
     };
     for (std::size_t e = 0; e < own.edges.size(); ++e) {
-      const int there = network.wire_edge_of_edge[united.first_edge[c] + own.edges[e].edge.idx()];
+      const int there = network.wire_edge_of_edge[combined.first_edge[c] + own.edges[e].edge.idx()];
       all.multipliers[there] = multiplier(e);
     }
     for (std::size_t g = 0; g < (cloths.empty() ? 0 : cloths[c].grains.size()); ++g) {
@@ -89,8 +86,8 @@ RefinedShape refine_near(const RefineTask& task, const RefinementStart& start, b
   const int spent_before = limits.budget.spent();
   RefinedShape shape = is_one ? refine_with_shut_slits(task, start, limits) : refine_shape(task, start, limits);
   const bool may_not_turn_over = limits.injectivity != Injectivity::none;
-  if (!shape.is_exact && may_not_turn_over && FairShapeError(task).count_flips(start.uv) == 0) {
-    const std::optional<RefinementStart> exact = injective_start(task, start.uv, limits);
+  if (!shape.is_exact() && may_not_turn_over && FairShapeError(task).count_flips(start.uv) == 0) {
+    const std::optional<RefinementStart> exact = attempt([&] { return injective_start(task, start.uv, limits); });
     if (exact) shape = refine_shape(task, *exact, limits);
   }
   shape.factorizations = limits.budget.spent() - spent_before;
@@ -99,30 +96,29 @@ RefinedShape refine_near(const RefineTask& task, const RefinementStart& start, b
 
 }  // namespace
 
-JoinedShapes refine_together(const std::vector<Chart>& charts, double fairness, const std::vector<ClothOnChart>& cloths,
+CoupledShapes refine_coupled(const std::vector<Chart>& charts, double fairness, const std::vector<ClothOnChart>& cloths,
                              const std::vector<RefinementStart>& starts, const RefinementLimits& limits) {
-  const UnitedCharts united = unite(charts);
-  const HeldNetwork network = build_held_network(united.chart);
+  const CombinedCharts combined = combine(charts);
+  const HeldNetwork network = build_held_network(combined.chart);
   std::vector<HeldNetwork> networks;
   for (const Chart& chart : charts) networks.push_back(build_held_network(chart));
-  const std::optional<ClothOnChart> cloth = unite_cloths(united, charts, cloths);
-  const RefineTask task{united.chart, network, fairness, cloth ? &*cloth : nullptr};
-  const RefinementStart start = place_side_by_side(united, network, networks, cloths, starts);
+  const std::optional<ClothOnChart> cloth = combine_cloths(combined, charts, cloths);
+  const RefineTask task{combined.chart, network, fairness, cloth ? &*cloth : nullptr};
+  const RefinementStart start = combine_starts(combined, network, networks, cloths, starts);
   const RefinedShape whole = refine_near(task, start, charts.size() == 1, limits);
-  JoinedShapes joined;
-  joined.projected_gradient = projected_gradient(task, whole);
+  CoupledShapes coupled;
+  coupled.projected_gradient = projected_gradient(task, whole);
   for (std::size_t c = 0; c < charts.size(); ++c) {
     RefinedShape shape = whole;
     shape.multipliers.resize(0);
-    if (c > 0) shape.factorizations = 0;  // told once
-    shape.uv = whole.uv.middleRows(united.first_vertex[c], starts[c].uv.rows());
+    shape.uv = whole.uv.middleRows(combined.first_vertex[c], starts[c].uv.rows());
     shape.variation =
-        whole.variation.segment(united.first_part[c], static_cast<Eigen::Index>(charts[c].wire_parts.size()));
+        whole.variation.segment(combined.first_part[c], static_cast<Eigen::Index>(charts[c].wire_parts.size()));
     const RefineTask alone{charts[c], networks[c], fairness, cloth ? &cloths[c] : nullptr};
     shape.objective = FairShapeError(alone).value(shape.uv) / surface_area(charts[c].mesh);
-    joined.shapes.push_back(std::move(shape));
+    coupled.shapes.push_back(std::move(shape));
   }
-  return joined;
+  return coupled;
 }
 
 }  // namespace wirewarp

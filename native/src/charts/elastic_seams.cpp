@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "charts/seams_that_give.h"
+#include "charts/elastic_seams.h"
 
 #include <map>
 #include <utility>
@@ -41,7 +41,7 @@ HalfEdgeChain moved(HalfEdgeChain chain, int first_half_edge) {
 
 }  // namespace
 
-std::vector<std::vector<int>> group_by_seams_that_give(const std::vector<Chart>& charts) {
+std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& charts) {
   DisjointSets sets(charts.size());
   std::map<std::pair<int, int>, int> first_with_run;  // by wire and part
   for (int c = 0; c < static_cast<int>(charts.size()); ++c) {
@@ -57,7 +57,7 @@ std::vector<std::vector<int>> group_by_seams_that_give(const std::vector<Chart>&
   return groups;
 }
 
-Chart with_settled_seams(Chart chart, const std::vector<double>& variation) {
+Chart with_fixed_seams(Chart chart, const std::vector<double>& variation) {
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     WirePart& part = chart.wire_parts[i];
     if (!gives_on_boundary(part)) continue;
@@ -71,34 +71,34 @@ Chart with_settled_seams(Chart chart, const std::vector<double>& variation) {
   return chart;
 }
 
-Chart with_settled_seams(Chart chart) {
+Chart with_fixed_seams(Chart chart) {
   std::vector<double> eases;
   for (const WirePart& part : chart.wire_parts) eases.push_back(part.ease);
-  return with_settled_seams(std::move(chart), eases);
+  return with_fixed_seams(std::move(chart), eases);
 }
 
-UnitedCharts unite(const std::vector<Chart>& charts) {
-  UnitedCharts united;
+CombinedCharts combine(const std::vector<Chart>& charts) {
+  CombinedCharts combined;
   for (const Chart& chart : charts) {
-    const auto first_half_edge = static_cast<int>(united.chart.mesh.n_halfedges());
-    united.first_vertex.push_back(static_cast<int>(united.chart.mesh.n_vertices()));
-    united.first_edge.push_back(static_cast<int>(united.chart.mesh.n_edges()));
-    united.first_part.push_back(static_cast<int>(united.chart.wire_parts.size()));
-    append_mesh(chart.mesh, united.chart.mesh);
-    united.chart.source_vertex.insert(united.chart.source_vertex.end(), chart.source_vertex.begin(),
-                                      chart.source_vertex.end());
+    const auto first_half_edge = static_cast<int>(combined.chart.mesh.n_halfedges());
+    combined.first_vertex.push_back(static_cast<int>(combined.chart.mesh.n_vertices()));
+    combined.first_edge.push_back(static_cast<int>(combined.chart.mesh.n_edges()));
+    combined.first_part.push_back(static_cast<int>(combined.chart.wire_parts.size()));
+    append_mesh(chart.mesh, combined.chart.mesh);
+    combined.chart.source_vertex.insert(combined.chart.source_vertex.end(), chart.source_vertex.begin(),
+                                        chart.source_vertex.end());
     std::vector<double> ratios = chart.length_ratio;
     ratios.resize(chart.mesh.n_edges(), 1);
-    united.chart.length_ratio.insert(united.chart.length_ratio.end(), ratios.begin(), ratios.end());
+    combined.chart.length_ratio.insert(combined.chart.length_ratio.end(), ratios.begin(), ratios.end());
     for (WirePart part : chart.wire_parts) {
       part.half_edges = moved(std::move(part.half_edges), first_half_edge);
-      united.chart.wire_parts.push_back(std::move(part));
+      combined.chart.wire_parts.push_back(std::move(part));
     }
     for (const HalfEdgeChain& loop : chart.boundary_loops) {
-      united.chart.boundary_loops.push_back(moved(loop, first_half_edge));
+      combined.chart.boundary_loops.push_back(moved(loop, first_half_edge));
     }
   }
-  return united;
+  return combined;
 }
 
 }  // namespace wirewarp

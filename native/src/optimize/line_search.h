@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace wirewarp {
+
+/// Share of the decrease predicted by the slope that a step must bring, in all line searches (J. Nocedal, S. J. Wright,
+/// Numerical Optimization, section 3.1).
+inline constexpr double kSufficientDecrease = 1e-4;
+
+}  // namespace wirewarp
