@@ -16,6 +16,8 @@ constexpr double kMostLeft = 0.9;  // of the error after a step: with 0.45, 5 % 
 /// Anderson's acceleration: of the steps before, what made the error smallest by linear extrapolation.
 class StepsBefore {
  public:
+  bool is_empty() const { return size_ == 0; }
+
   void add(const Eigen::VectorXd& step, const Eigen::VectorXd& change) {
     if (size_ < kRemembered) ++size_;
     steps_[next_] = step;
@@ -25,7 +27,7 @@ class StepsBefore {
 
   /// Moves along them, and the residual with it as if it were linear.
   void extrapolate(Eigen::VectorXd& moved, Eigen::VectorXd& residual) const {
-    if (size_ == 0) return;
+    if (is_empty()) return;
     Eigen::MatrixXd changes(residual.size(), size_);
     for (int i = 0; i < size_; ++i) changes.col(i) = changes_[i];
     const Eigen::VectorXd shares = changes.colPivHouseholderQr().solve(residual);
@@ -54,7 +56,11 @@ bool retract_to_lengths(const LengthConstraints& constraints, const NewtonSystem
     Eigen::VectorXd trial_residual =
         constraints.residual(uv + Eigen::Map<const Positions2>(trial.data(), uv.rows(), 2), variation);
     const double trial_error = constraints.largest_error(trial_residual);
-    if (!(trial_error < kMostLeft * error)) break;
+    if (!(trial_error < kMostLeft * error)) {
+      if (before.is_empty()) break;
+      before = {};  // extrapolated too far: a plain step may still get nearer
+      continue;
+    }
     before.add(trial - moved, trial_residual - residual);
     moved = std::move(trial);
     residual = std::move(trial_residual);
