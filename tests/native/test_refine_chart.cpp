@@ -36,7 +36,7 @@ TEST(RefineChart, CountsStartsThatFail) {
 }
 
 /// A strongly curved net: one step does not lead from the free shape to exact lengths.
-TEST(RefineChart, ANetFarFromTheFreeShapeStartsProjected) {
+TEST(RefineChart, ANetFarFromTheFreeShapeStartsFromItsWires) {
   const int n = 12;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double longitude = 2 * (s - 0.5), latitude = 2 * (t - 0.5);
@@ -49,7 +49,7 @@ TEST(RefineChart, ANetFarFromTheFreeShapeStartsProjected) {
   }
   const RefineResult refined = refine_chart(test::charts_of(input).charts.at(0), Options{});
   EXPECT_TRUE(refined.shape.is_exact() && refined.shape.is_converged());
-  EXPECT_STREQ(refined.start, "projected");
+  EXPECT_STREQ(refined.start, "wires");
 }
 
 TEST(RefineChart, LengthsThatContradictDoSoWhateverTheLimit) {
@@ -102,7 +102,7 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   const RefineTask task{chart, network, Options{}.fairness};
   RefineBudget budget(100);
   StartProblem problem{task, budget, {}};
-  std::optional<RefinementStart> start = projected_shape(problem);
+  std::optional<RefinementStart> start = wires_alone(problem);
   ASSERT_TRUE(start);
   RefinedShape saddle;
   for (int i = 0; i < 5; ++i) {
@@ -137,8 +137,9 @@ TEST(RefineChart, StartsCoarselyFromTheTunedSizeOn) {
   EXPECT_NEAR(from_coarse.shape.objective, from_scratch.shape.objective, 1e-9 * from_scratch.shape.objective);
 }
 
-/// One step does not lead to exact lengths of so dense a net: the coarse chart goes on to its next starts.
-TEST(RefineChart, ADenseNetStartsFromItsCoarseChart) {
+/// The wires contradict one another, and one of them ends inside: the coarse chart goes through all its starts,
+/// topology processing included.
+TEST(RefineChart, WiresThatContradictOnTheCoarseChartAreLeftToTheFineOne) {
   const int n = 48;
   FlattenInput input = test::make_grid(
       n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 1.2 * std::sin(kPi * s) * std::sin(kPi * t)); });
@@ -150,11 +151,11 @@ TEST(RefineChart, ADenseNetStartsFromItsCoarseChart) {
   test::add_wire(input, {row.begin() + 20, row.begin() + 29});
   InternalOptions options;
   options.large_chart = static_cast<std::size_t>(input.faces.rows());
-  options.max_factorizations = 20;
+  options.max_factorizations = 5;
   const Charts charts = test::charts_of(input);
   const RefineResult refined = refine_chart(charts.charts.at(0), options);
-  EXPECT_TRUE(refined.shape.is_exact() && refined.ran_out) << "exact lengths, and far from the minimum";
-  EXPECT_STREQ(refined.start, "coarse");
+  EXPECT_TRUE(refined.shape.is_exact() && refined.ran_out) << "exact lengths, and no more in five steps";
+  EXPECT_STREQ(refined.start, "wires");
 }
 
 }  // namespace

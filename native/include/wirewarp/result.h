@@ -103,8 +103,8 @@ struct PieceReport {
   std::string message;                            // one sentence
   std::vector<std::string> warnings;              // sentences
   std::string start;     // refined: where the shape began: "unfolded", "sewn" (slits sewn up first), "coarse", "free"
-                         // (ARAP without wires), "projected" (the same, moved to exact lengths by the least change),
-                         // "injective" (nothing flipped on the way). Empty: no shape was found, or another method
+                         // (ARAP without wires), "wires" (flattened alone first), "injective" (nothing flipped on the
+                         // way). Empty: no shape was found, or another method
   int inner_solves = 0;  // factorizations of the inner problem (Eq. 1); refined: 0
   int outer_iterations = 0;      // steps over the lengths of wires; refined: steps of the start that led to the shape
   int gradient_evaluations = 0;  // gradients of the shape error by these lengths

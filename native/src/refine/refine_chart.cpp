@@ -16,11 +16,11 @@ namespace {
 constexpr Start kUnfolded{"unfolded", unfolded};
 constexpr Start kCoarse{"coarse", coarse_shape};
 constexpr Start kFree{"free", free_shape};
-constexpr Start kProjected{"projected", projected_shape};
+constexpr Start kWiresAlone{"wires", wires_alone};
 constexpr Start kInjective{"injective", injective_shape, Injectivity::local};
 
 /// In the order in which they are tried; native/README.md says how often each won.
-constexpr std::initializer_list<Start> kStarts{kUnfolded, kCoarse, kFree, kProjected, kInjective};
+constexpr std::initializer_list<Start> kStarts{kUnfolded, kCoarse, kFree, kWiresAlone, kInjective};
 
 /// Returns the first exact shape.
 RefineResult try_starts(StartProblem& problem) {

@@ -4,17 +4,14 @@
 #include <utility>
 
 #include "arap/free_boundary_arap.h"
+#include "outer/choose_variation.h"
 #include "refine/coarse_start.h"
 #include "refine/injective_shape.h"
-#include "refine/project_to_lengths.h"
 #include "refine/unfold.h"
+#include "topology/process_topology.h"
+#include "topology/unjoined_wires.h"
 
 namespace wirewarp {
-namespace {
-
-constexpr int kMaxStepsToStart = 10;  // nets that take more to exact lengths are better left to the injective start
-
-}  // namespace
 
 const Positions2& StartProblem::free_map() {
   if (!known_free_map) known_free_map = free_boundary_arap(task.chart, kFreeSteps, {}, stop.in("start")).uv;
@@ -34,12 +31,25 @@ std::optional<RefinementStart> coarse_shape(StartProblem& problem) {
 
 std::optional<RefinementStart> free_shape(StartProblem& problem) { return RefinementStart(problem.free_map()); }
 
-std::optional<RefinementStart> projected_shape(StartProblem& problem) {
-  if (!problem.budget.allows()) return std::nullopt;
-  Positions2 uv = problem.free_map();
-  RefineBudget budget(problem.budget, kMaxStepsToStart);
-  if (!project_to_lengths(problem.task, uv, budget, problem.stop.in("shape"))) return std::nullopt;
-  return RefinementStart(std::move(uv));
+std::optional<RefinementStart> wires_alone(StartProblem& problem) {
+  const Chart& chart = problem.task.chart;
+  const Options plain;  // those of Eq. (1) are not the refined method's
+  const StopToken stop = problem.stop.in("start");
+  stop.check();
+  std::optional<Chart> split;
+  try {
+    split = process_topology(chart, stop);
+  } catch (const UnjoinedWires&) {
+    return std::nullopt;
+  }
+  const Chart& prepared = split ? *split : chart;
+  const WireNetwork network = build_wire_network(prepared);
+  stop.check();
+  Warp warp(prepared, network, plain.node_weight, plain.inner, stop);
+  WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, plain)).shape;
+  if (!shape.inner.is_feasible) return std::nullopt;
+  shape.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+  return RefinementStart(std::move(shape.uv));
 }
 
 std::optional<RefinementStart> injective_shape(StartProblem& problem) {

@@ -25,9 +25,10 @@ std::optional<RefinementStart> coarse_shape(StartProblem& problem);
 /// A free ARAP flattening: one step from exact lengths on most pieces.
 std::optional<RefinementStart> free_shape(StartProblem& problem);
 
-/// The free ARAP flattening, moved to exact lengths by the least change (refine/project_to_lengths.h): for nets that a
-/// single step does not take to exact lengths. None where no exact lengths are near.
-std::optional<RefinementStart> projected_shape(StartProblem& problem);
+/// The wires flattened alone: the angles of Eq. (1) on the network that process_topology prepares, the other vertices
+/// by interior placement (paper II-A). It has exact lengths at no factorization of the whole chart. None
+/// where even the wires do not close, or no topology serves them.
+std::optional<RefinementStart> wires_alone(StartProblem& problem);
 
 /// A shape that no triangle is turned over in, reached without turning any (refine/injective_shape.h).
 std::optional<RefinementStart> injective_shape(StartProblem& problem);
