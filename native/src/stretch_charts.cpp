@@ -164,7 +164,7 @@ class GroupToStretch {
 
  private:
   CoupledChart coupled(std::size_t k, const Chart& chart, bool may_be_nominal) {
-    const int most = unstretched_[k].report.factorizations + run_.options.max_factorizations;
+    const int most = solved_[members_[k]].report.factorizations + run_.options.max_factorizations;
     return {chart, solved_[members_[k]], may_be_nominal, cloths_[k], most};
   }
 

@@ -72,7 +72,7 @@ class Options:
         node_weight: Literal["length", "uniform"] = "length",
         inner: Literal["minimum", "least-norm"] = "minimum",
         fairness: float = 0.05,
-        max_factorizations: int = 100,
+        max_factorizations: int = 200,
         layout: Literal["packed", "row"] = "packed",
         orientation: Literal["wire", "boundary", "up", "best"] = "wire",
         grain: int = -1,

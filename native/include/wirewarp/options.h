@@ -65,8 +65,9 @@ struct Options {
   /// For the refined method: after so many factorizations of its Newton systems, a piece stops at the shape it has. All
   /// starts and stages count: a coarser mesh, closed slits and elastic seams. A factorization of several pieces coupled
   /// by elastic seams counts for each of them. The stretch of a fabric, which begins where the piece without it ends,
-  /// has the same limit once more. The search for wires that contradict one another has limits of its own. >= 1.
-  int max_factorizations = 100;
+  /// has the same limit once more; so has each of several coupled pieces for itself, if no stretched shapes with common
+  /// lengths are found. The search for wires that contradict one another has limits of its own. >= 1.
+  int max_factorizations = 200;
 
   /// Of the refined method: what the pieces are cut from, x along its weft, y along its warp. None: a material that
   /// resists alike in all directions, Eq. (4). The piece is turned as orientation says and then held so; under wire,
