@@ -2,9 +2,10 @@
 #include "cpu_quota.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
+#include <sstream>
 #include <string>
 
 namespace wirewarp {
@@ -14,9 +15,12 @@ using Folder = std::filesystem::path;
 using Cores = std::optional<std::size_t>;
 
 std::string text_of(const Folder& file) {
-  std::ifstream stream(file);
-  std::string text;
-  std::getline(stream, text, '\0');  // these files have no such character
+  std::string text;  // read by C's functions, because file streams of libstdc++ need a newer glibc than the wheels do
+  if (std::FILE* const stream = std::fopen(file.string().c_str(), "r")) {
+    std::array<char, 4096> part{};  // a page; these files mostly take less
+    while (const std::size_t count = std::fread(part.data(), 1, part.size(), stream)) text.append(part.data(), count);
+    std::fclose(stream);
+  }
   return text;
 }
 
@@ -49,7 +53,7 @@ Cores quota_in_tree(const Folder& mount, Folder group) {
 Cores cpu_quota(const Folder& root) {
   const Folder mount = root / "sys/fs/cgroup";
   Cores least;
-  std::ifstream groups(root / "proc/self/cgroup");
+  std::istringstream groups(text_of(root / "proc/self/cgroup"));
   for (std::string line; std::getline(groups, line);) {  // "0::/user.slice" (version 2), "4:cpu,cpuacct:/docker/1a"
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (second == std::string::npos) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error of a ring that is turned over somewhere proposed the seam that opens it and nothing else, though a dart or
-// a looser wire may do.
+// The error of a ring that is flipped somewhere proposed the seam that opens it and nothing else, although a dart
+// or a wire with tolerance may do.
 #include <gtest/gtest.h>
 
 #include "metrics/guarantee.h"
@@ -26,7 +26,7 @@ TEST(Bugs, ARingIsToldEveryRemedy) {
   ASSERT_TRUE(error);
   EXPECT_EQ(error->code, ErrorCode::flipped_faces);
   EXPECT_EQ(error->elements.proposed_seams, (std::vector<VertexPair>{{begin, end}}));
-  for (const char* remedy : {"mark seams, such as along edge", "add a seam or a dart there", "loosen a wire nearby"}) {
+  for (const char* remedy : {"mark seams, such as along edge", "add a seam or a dart there", "remove a wire nearby or give it tolerance"}) {
     EXPECT_NE(std::string(error->what()).find(remedy), std::string::npos) << remedy << " in: " << error->what();
   }
 }

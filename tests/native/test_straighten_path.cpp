@@ -161,13 +161,16 @@ TEST(StraightenPath, GoesAroundASeam) {
 TEST(StraightenPath, RefusesWhatIsNoPath) {
   FlattenInput input = grid();
   test::add_seam(input, test::grid_row(kN, 6));
-  EXPECT_EQ(message_of(input, {5}), "path must have two vertices or more.");
-  EXPECT_EQ(message_of(input, {5, 999}), "path has vertex 999, but the mesh has vertices 0 to 168.");
-  EXPECT_EQ(message_of(input, {14, 17}), "path has the pair 14, 17, which is no edge of the mesh.");
-  EXPECT_EQ(message_of(input, {0, 1}), "path has the pair 0, 1, which is on a seam or an outline.");
+  EXPECT_EQ(message_of(input, {5}), "The option path is too short: it must have two vertices or more.");
+  EXPECT_EQ(message_of(input, {5, 999}), "The option path is through vertex 999: it must use the vertices of the mesh, 0 to 168.");
+  EXPECT_EQ(message_of(input, {14, 17}),
+            "The option path is through 14, 17: it must run along edges of the mesh, and these vertices have no edge.");
+  EXPECT_EQ(message_of(input, {0, 1}),
+            "The option path is through 0, 1: it must run inside a piece, and this edge is on a seam or an outline.");
   EXPECT_EQ(message_of(input, {vertex(3, 6), vertex(4, 6)}),
-            "path has the pair 81, 82, which is on a seam or an outline.");
-  EXPECT_EQ(message_of(input, {14, 15, 14}), "path passes vertex 14 twice: straighten it in parts.");
+            "The option path is through 81, 82: it must run inside a piece, and this edge is on a seam or an outline.");
+  EXPECT_EQ(message_of(input, {14, 15, 14}),
+            "The option path is through vertex 14 twice: it must pass each vertex once: straighten it in parts.");
 }
 
 TEST(StraightenPath, SaysWhatIsWrongWithThePiece) {
@@ -175,7 +178,7 @@ TEST(StraightenPath, SaysWhatIsWrongWithThePiece) {
   input.faces.conservativeResize(input.faces.rows() + 1, 3);
   input.faces.row(input.faces.rows() - 1) = input.faces.row(30);
   const int a = input.faces(30, 0), b = input.faces(30, 1);
-  EXPECT_EQ(message_of(input, {a, b}), "The vertices of face 288 are those of another face: delete the copies.");
+  EXPECT_EQ(message_of(input, {a, b}), "Face 288 has the vertices of another face: delete the copies.");
 }
 
 }  // namespace

@@ -140,7 +140,7 @@ FlattenError wrong_path(const std::string& value, const std::string& allowed) {
 }
 
 void check_path(const std::vector<int>& path, int count) {
-  if (path.size() < 2) throw wrong_path(std::to_string(path.size()) + " vertices long", "have two vertices or more");
+  if (path.size() < 2) throw wrong_path("too short", "have two vertices or more");
   std::set<int> passed;
   for (const int v : path) {
     const std::string value = "through vertex " + std::to_string(v);
