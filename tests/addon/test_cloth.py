@@ -127,8 +127,8 @@ def test_what_unfolds_asks_nothing_of_any_cloth(addon):
 @pytest.mark.parametrize(
     ("settings", "said"),
     [
-        ({"cloth": "WOVEN", "method": "WIREWARPING"}, "know no cloth"),
-        ({"orientation": "BEST"}, "needs a cloth"),
+        ({"cloth": "WOVEN", "method": "WIREWARPING"}, "must be refined if there is a cloth"),
+        ({"orientation": "BEST"}, "another one without a cloth"),
     ],
 )
 def test_what_does_not_go_together_is_a_sentence(source, settings, said):

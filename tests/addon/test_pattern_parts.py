@@ -95,10 +95,10 @@ def test_imperial_scenes_and_pieces_turned_by_hand(addon, source):
 
 def chosen(addon, **settings):
     """The choices of a dialog with these settings, all others as they are at first."""
-    module, properties = addon.operators, bpy.ops.object.wirewarp_export.get_rna_type().properties
+    module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
     defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
-    defaults["drawn"] = module.export.ALL_DRAWN
-    bases = vars(module.export_steps.PatternExport) | vars(module.export.OBJECT_OT_wirewarp_export)
+    defaults["drawn"] = module.operators.ALL_DRAWN
+    bases = vars(module.steps.PatternExport) | vars(module.operators.OBJECT_OT_wirewarp_export)
     return type("Dialog", (), {**bases, **defaults, **settings})().choices()
 
 

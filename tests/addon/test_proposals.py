@@ -229,7 +229,7 @@ def test_wires_that_contradict_one_another_lie_flat_once_they_are_loosened(addon
     """A saddle all edges of which are rigid cannot lie flat: no triangle could change."""
     source = grid("Saddle", lambda x, y: (x, y, 0.25 * x * y), size=4, faces="triangles")
     mark(source, inside)
-    flatten_fails("flat with")
+    flatten_fails("can be flattened with")
     assert take("TOLERANCES") == {"FINISHED"}
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     report = addon.state.reports.last_report(source)
@@ -246,7 +246,7 @@ def test_wires_of_twins_are_loosened_at_once(addon):
         mark(target, inside)
         target.data.transform(Matrix.Translation((place, 0, 0)))
     source = joined(*saddles)
-    flatten_fails("flat with")
+    flatten_fails("can be flattened with")
     first, second = addon.state.reports.last_report(source).issues
     assert first.both_sides and first.proposed_tolerances == second.proposed_tolerances
     assert len({wire.name for wire in first.proposed_tolerances}) % 2 == 0
@@ -258,7 +258,7 @@ def test_a_wire_that_must_be_free_is_proposed_as_free(addon, tmp_path):
     """Rigid lines over a steep peak contradict one another beyond any tolerance."""
     source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6, faces="triangles")
     mark(source, inside)
-    with pytest.raises(RuntimeError, match="flat with"):
+    with pytest.raises(RuntimeError, match="can be flattened with"):
         bpy.ops.object.wirewarp_flatten(report_path=str(tmp_path / "report.json"))
     (entry,) = json.loads((tmp_path / "report.json").read_text())["objects"]
     (issue,) = entry["issues"]

@@ -353,7 +353,7 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
 def test_where_all_is_painted_there_are_no_first_cuts(addon):
     source = ball()
     source.vertex_groups.new(name="wirewarp_no_seam").add(range(len(source.data.vertices)), 1.0, "REPLACE")
-    with pytest.raises(RuntimeError, match='no set of seams was found.* Nor may a seam run where "wirewarp_no_seam"'):
+    with pytest.raises(RuntimeError, match='no seams were found.* Nor may a seam run where "wirewarp_no_seam"'):
         SUGGEST["SEAMS"]()
 
 
