@@ -334,7 +334,7 @@ def test_several_at_a_time_and_the_worst_counts(model, tmp_path):
         ("a.obj", FOLDED, ("--wires", "lines.json"), "must be a JSON list of wires"),
         ("a.obj", FOLDED, ("--wires", "wire.json"), "Wire 1 of"),
         ("a.obj", FOLDED, ("--wires", "ease.json"), "Ease 1 of \"ease.json\" has 'tolerance': give ease, side"),
-        ("a.obj", FOLDED, ("--orientation", "best"), "needs a cloth"),
+        ("a.obj", FOLDED, ("--orientation", "best"), "another one without a cloth"),
         ("a.obj", FOLDED, ("--marker", "1in", "--imperial"), "too large for a roll of 1 in"),
         ("a.obj", FOLDED, ("--page", "120mm", "--format", "pdf"), "too large for a roll of 120 mm"),
     ],

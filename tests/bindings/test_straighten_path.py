@@ -23,11 +23,11 @@ def test_a_dart_gets_shorter_with_the_same_ends_and_can_be_cut_again():
 @pytest.mark.parametrize(
     ("path", "code", "sentence"),
     [
-        ([0], "invalid_option", "path must have two vertices or more."),
+        ([0], "invalid_option", "The option path is too short: it must have two vertices or more."),
         ([0, 1.5], "invalid_type", "Path vertex 1 must be a whole number, not float."),
         ("01", "invalid_type", "Path vertices must be a sequence of whole numbers, not str."),
-        (np.zeros((2, 2), dtype=int), "invalid_shape", "Path vertices have the shape (2, 2); they must be one row."),
-        ([0, 1], "invalid_option", "path has the pair 0, 1, which is on a seam or an outline."),
+        (np.zeros((2, 2), dtype=int), "invalid_shape", "Path vertices has the shape (2, 2): it must be (n,)."),
+        ([0, 1], "invalid_option", "The option path is through 0, 1: it must run inside a piece"),
         ([0, 10**12], "vertex_out_of_range", "Path vertex 1 names vertex 1000000000000"),
     ],
 )
