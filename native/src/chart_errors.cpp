@@ -160,10 +160,10 @@ void check_outline_is_settled(const Chart& chart, const std::vector<Wire>& wires
 }
 
 FlattenError not_solvable(const Chart& chart) {
-  std::vector<int> small = small_faces(chart);
+  const std::vector<int> small = small_faces(chart);
   const char* reason = small.empty() ? "precision" : "sizes";
   return FlattenError(ErrorCode::not_solvable, ErrorArguments{{"reason", reason}, {"face", chart.source_face.front()}},
-                      {{}, {}, small.empty() ? chart.source_face : std::move(small)});
+                      {{}, {}, small.empty() ? chart.source_face : small});
 }
 
 FlattenError not_joined(const Chart& chart) {

@@ -27,7 +27,7 @@ std::string text_of(const Folder& file) {
 /// text: microseconds of work and of the period. "max" (version 2) and -1 (version 1) mean no quota.
 Cores cores_of(const std::string& text) {
   double work = 0, period = 0;
-  if (std::sscanf(text.c_str(), "%lf %lf", &work, &period) != 2 || !(work > 0 && period > 0)) return std::nullopt;
+  if (!(std::istringstream(text) >> work >> period) || !(work > 0 && period > 0)) return std::nullopt;
   return static_cast<std::size_t>(std::ceil(work / period));
 }
 

@@ -103,7 +103,7 @@ Sentences faults_of_error(const FlattenError& error, const FlattenInput& input) 
   if (sentence.size() < 20 || sentence.back() != '.') faults.push_back(name + " has no sentence: " + sentence);
   for (const auto& [argument, value] : error.arguments) {
     const std::string documented = describe(error.code).arguments;
-    if (documented.find(argument) == std::string::npos) faults.push_back(name + " does not document " + argument);
+    if (documented.find(argument) == std::string::npos) faults.push_back("undocumented argument: " + argument);
   }
   const ErrorElements& named = error.elements;
   const std::set<ErrorCode> of_no_element{ErrorCode::empty_mesh, ErrorCode::invalid_option, ErrorCode::wire_too_short,

@@ -130,8 +130,8 @@ class PlanOfCuts {
   /// Of the pieces that lie flat.
   double most_strain() const {
     double most = -1;
-    for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
-      if (!pieces_[i]->error && may_be_cut(*pieces_[i])) most = std::max(most, pieces_[i]->strain);
+    for (const auto& piece : pieces_) {
+      if (!piece->error && may_be_cut(*piece)) most = std::max(most, piece->strain);
     }
     if (most < 0) throw std::logic_error("A cut was taken under which no part lies flat.");
     return most;
