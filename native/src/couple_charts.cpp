@@ -13,6 +13,7 @@
 #include "network/length_variation.h"
 #include "piece_report.h"
 #include "progress_report.h"
+#include "refine/injective_shape.h"
 #include "refine/refine_chart.h"
 #include "refine/refine_cloth.h"
 #include "refine/refine_coupled.h"
@@ -85,6 +86,9 @@ std::optional<RefineResult> refine_injective(const Chart& chart, const InternalO
   InternalOptions limited = options;
   limited.max_factorizations = max_factorizations;
   RefineResult refined = refine_chart(chart, limited, stop);
+  if (refined.shape.is_exact() && !refined.shape.injectivity) {  // not known without mends_folds
+    refined.shape.injectivity = injectivity_of(chart, refined.shape.uv);
+  }
   const bool is_good = refined.shape.is_exact() && refined.shape.injectivity == Injectivity::global;
   if (is_good && options.cloth) refine_cloth(chart, limited, stop.in("shape"), refined);
   return is_good ? std::optional(std::move(refined)) : std::nullopt;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "arap/free_boundary_arap.h"
+#include "couple_charts.h"
 #include "internal_options.h"
 #include "planar.h"
 #include "refine/injective_shape.h"
@@ -32,6 +33,15 @@ TEST(RefineChart, CountsStartsThatFail) {
     const RefineResult brief = refine_chart(chart, options);
     EXPECT_EQ(brief.factorizations, most);
     EXPECT_TRUE(brief.ran_out);
+  }
+}
+
+TEST(RefineChart, AnInjectiveShapeIsOneWhetherOrNotFoldsAreMended) {
+  const Charts charts = test::charts_of(test::quarter_sphere(8));
+  InternalOptions options;
+  for (const bool mends_folds : {true, false}) {
+    options.mends_folds = mends_folds;
+    EXPECT_TRUE(refine_injective(charts.charts.at(0), options, options.max_factorizations, {})) << mends_folds;
   }
 }
 
