@@ -21,7 +21,7 @@ class ProgressReport {
   bool go_on(const std::string& stage, double fraction) {
     if (is_cancelled_ || !progress_) return !is_cancelled_;
     try {
-      is_cancelled_ = !progress_(stage, fraction);
+      if (!progress_(stage, fraction)) is_cancelled_ = true;  // never false again: another thread may have cancelled
     } catch (...) {
       is_cancelled_ = true;  // for the charts in other threads
       throw;

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "in_threads.h"
+#include "progress_report.h"
 
 namespace wirewarp {
 namespace {
@@ -33,6 +34,18 @@ TEST(InThreads, NothingIsBegunOnceWorkHasThrown) {
     EXPECT_EQ(thrown, "work " + std::to_string(failing));
     EXPECT_LT(done, 999);
   }
+}
+
+TEST(ProgressReport, StaysCancelledIfTheCallerWouldGoOn) {
+  ProgressReport* report = nullptr;
+  const Progress progress = [&](const std::string&, double) {
+    report->cancel();  // as another thread may while the caller is asked
+    return true;
+  };
+  ProgressReport cancelled(progress);
+  report = &cancelled;
+  EXPECT_FALSE(cancelled.go_on("shape", 0));
+  EXPECT_TRUE(cancelled.is_cancelled());
 }
 
 }  // namespace
