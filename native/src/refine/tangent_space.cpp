@@ -3,12 +3,15 @@
 
 #include <utility>
 
+#include "factorization_failed.h"
+
 namespace wirewarp {
 
 TangentSpace::TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free)
     : system_(system), constraints_(constraints), free_(std::move(free)) {
   if (free_.empty()) return;
   factor_h_.compute(make_positive(system.stiffness_by_variation()(free_, free_)));
+  if (factor_h_.info() != Eigen::Success) throw FactorizationFailed("TangentSpace: S is not positive definite");
 }
 
 /// Stationary are G d + Jᵀλ = r_u and -Tᵀλ = r_h: S Δh = r_h + Tᵀλ with the λ of Δh = 0. One solve holds lengths to

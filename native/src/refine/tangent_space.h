@@ -13,7 +13,7 @@ namespace wirewarp {
 class TangentSpace {
  public:
   /// system: factored, with a convex H = G; it and the constraints must outlive the space, unchanged. free:
-  /// elastic parts of the constraints.
+  /// elastic parts of the constraints. Throws FactorizationFailed.
   TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free);
 
   const std::vector<int>& free() const { return free_; }
