@@ -25,21 +25,21 @@ constexpr std::initializer_list<Start> kStarts{kUnfolded, kCoarse, kFree, kWires
 /// Returns the first exact shape.
 RefineResult try_starts(StartProblem& problem) {
   RefineResult result;
-  bool is_any_made = false;
+  bool is_any_infeasible = false;
   for (const Start& start : kStarts) {
     const std::optional<RefinementStart> made = attempt([&] { return start.make(problem); });
     if (problem.stop.is_stopped()) break;
     if (!made) continue;
-    is_any_made = true;
     result.shape = refine_shape(problem.task, *made, {problem.budget, problem.stop.in("shape"), start.injectivity});
     if (result.shape.is_exact()) {
       result.start = start.name;
       break;
     }
+    is_any_infeasible = is_any_infeasible || result.shape.status == ShapeStatus::infeasible;
   }
   if (!result.shape.is_exact()) {
     result.shape.status = problem.stop.is_stopped() ? ShapeStatus::cancelled
-                          : is_any_made             ? ShapeStatus::infeasible
+                          : is_any_infeasible       ? ShapeStatus::infeasible
                                                     : ShapeStatus::singular;
   }
   result.factorizations = problem.budget.spent();

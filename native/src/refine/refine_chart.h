@@ -10,7 +10,7 @@
 namespace wirewarp {
 
 struct RefineResult {
-  RefinedShape shape;      // of the last start that was tried; singular: no start could be made
+  RefinedShape shape;      // of the last start that was tried; singular: none could be made or refined
   const char* start = "";  // the one that led to an exact shape
   int factorizations = 0;  // of all starts
   bool ran_out = false;    // of factorizations: more were wanted
