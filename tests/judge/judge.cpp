@@ -2,6 +2,7 @@
 #include "judge.h"
 
 #include <algorithm>
+#include <regex>
 
 #include "check_errors.h"
 #include "check_layout.h"
@@ -96,14 +97,22 @@ Sentences differences_of_layout(const FlattenInput& input, const Options& option
   return judged.take_sentences();
 }
 
+namespace {
+
+bool has_word(const std::string& text, const std::string& word) {
+  const std::regex whole("\\b" + word + "\\b");  // arguments are of letters and underscores alone
+  return std::regex_search(text, whole);
+}
+
+}  // namespace
+
 Sentences faults_of_error(const FlattenError& error, const FlattenInput& input) {
   Sentences faults;
   const std::string name = describe(error.code).name;
   const std::string sentence = error.what();
   if (sentence.size() < 20 || sentence.back() != '.') faults.push_back(name + " has no sentence: " + sentence);
   for (const auto& [argument, value] : error.arguments) {
-    const std::string documented = describe(error.code).arguments;
-    if (documented.find(argument) == std::string::npos) faults.push_back("undocumented argument: " + argument);
+    if (!has_word(describe(error.code).arguments, argument)) faults.push_back("undocumented argument: " + argument);
   }
   const ErrorElements& named = error.elements;
   const std::set<ErrorCode> of_no_element{ErrorCode::empty_mesh, ErrorCode::invalid_option, ErrorCode::wire_too_short,

@@ -331,6 +331,11 @@ TEST(ErrorCodes, InfeasibleLengths) {
   // Two wires are enough: which two, rounding decides.
   EXPECT_GE(error.elements.edges.size(), 2u);
   expect_names(error, "wires ");
+  for (const ProposedTolerance& proposed : error.elements.proposed_tolerances) {
+    input.wires.at(proposed.wire).tolerance = proposed.tolerance;
+  }
+  const Piece flat = flatten(input).pieces.at(0);
+  EXPECT_FALSE(flat.error) << flat.error->what();
 }
 
 TEST(ErrorCodes, AChartThatIsNotSolvableSparesTheOthers) {

@@ -89,6 +89,16 @@ TEST(Judge, TellsOfSeamsThatAreNotProposed) {
       "wrong about whether the piece is closed");
 }
 
+TEST(Judge, TellsOfArgumentsThatAreNotDocumented) {
+  const FlattenInput input = test::flat_rectangle(2, 2, 1, 1);
+  FlattenError error(ErrorCode::infeasible_lengths, "The wires contradict one another.", {{0}, {}, {}});
+  using Sentences = std::vector<std::string>;
+  error.arguments = ErrorArguments{{"reason", "outline"}, {"has_wires", false}};
+  EXPECT_EQ(test::faults_of_error(error, input), Sentences{});
+  error.arguments = ErrorArguments{{"factorizations", 1}};  // part of a documented one
+  EXPECT_EQ(test::faults_of_error(error, input), Sentences{"undocumented argument: factorizations"});
+}
+
 TEST(Judge, TellsOfErrorsWithoutSentenceOrElements) {
   const FlattenInput input = test::flat_rectangle(2, 2, 1, 1);
   const auto told = [&](const std::string& message, const ErrorElements& elements) {
