@@ -70,7 +70,11 @@ def test_the_stub_knows_the_default_options():
 
 def test_the_stub_of_the_errors_names_every_code_and_attribute():
     classes = {node.name: node for node in stub("_errors.pyi").body if isinstance(node, ast.ClassDef)}
-    assert names(classes["ErrorCode"].body) == {code.name for code in _errors.ErrorCode} | {"meaning", "remedy", "arguments"}
+    assert names(classes["ErrorCode"].body) == {code.name for code in _errors.ErrorCode} | {
+        "meaning",
+        "remedy",
+        "arguments",
+    }
     error = wirewarp.FlattenError("cancelled", "Cancelled.")
     assert names(classes["FlattenError"].body) == set(vars(error)) | {"to_dict"}
 
