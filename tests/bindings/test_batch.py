@@ -9,6 +9,7 @@ import sys
 import time
 from multiprocessing import active_children
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import psutil
@@ -19,8 +20,9 @@ from wirewarp import flatten
 from wirewarp.command import run as command_run
 from wirewarp.command.apart import CONTEXT, Limits, Stopped, each_apart
 from wirewarp.command.arguments import parsed
+from wirewarp.command.figures import figures_of
 from wirewarp.command.staged import staged_folder
-from wirewarp.report import Note, make_report, to_dict
+from wirewarp.report import Issue, Note, Report, failure_report, make_report, to_dict
 from works_apart import hang_or_wait, square_or_crash, take_memory_and_hang
 
 pytest.importorskip("trimesh")
@@ -286,8 +288,9 @@ if kind == "hangs":
 if kind == "crashes":
     print("Segmentation fault")
     sys.exit(11)
-report = json.loads({report!r})
-answer = {{"refusal": "No mesh." if kind == "empty" else "", "report": {{"objects": [report]}}, "files": []}}
+reports = json.loads({reports!r})
+objects = reports if kind == "partly" else reports[:1]
+answer = {{"refusal": "No mesh." if kind == "empty" else "", "report": {{"objects": objects}}, "files": []}}
 answer["warnings"] = ["It is cut small."]
 for form in job["formats"]:
     answer["files"].append(job["stem"] + "." + form)
@@ -304,11 +307,15 @@ def bag():
     return to_dict(report)
 
 
+def refused_bag():
+    return to_dict(failure_report(Issue("no_faces", "It has no faces."), "Empty bag"))
+
+
 @pytest.fixture
 def blender(tmp_path):
     """Answers as flatten_in_blender.py does, whose own test is in tests/addon."""
     program = tmp_path / "blender"
-    program.write_text(BLENDER.format(python=sys.executable, report=json.dumps(bag())))
+    program.write_text(BLENDER.format(python=sys.executable, reports=json.dumps([bag(), refused_bag()])))
     program.chmod(0o755)
     return program
 
@@ -329,6 +336,21 @@ def test_files_of_blender_are_flattened_there(blender, tmp_path):
     assert (empty["verdict"], empty["problems"]) == ("refused", ["No mesh."])
     assert files(tmp_path / "out") == ["bag.json", "bag.svg"] == sorted(bag["files"])
     assert run(paths[0], *words[3:])[0][0]["skipped"]
+
+
+@posix
+def test_a_model_of_several_that_failed_as_a_whole_makes_the_file_not_ready(blender, tmp_path):
+    (tmp_path / "partly.blend").write_bytes(b"BLENDER")
+    words = (tmp_path / "partly.blend", "--out", tmp_path / "out", "--format", "svg", "--blender", blender)
+    ((line,), _) = run(*words, code=1)
+    assert (line["verdict"], line["pieces"], line["codes"]) == ("not ready to cut", 2, ["no_faces"])
+    assert (line["says"][0], line["problems"]) == ("Do not cut: Empty bag failed", ["Empty bag: It has no faces."])
+
+
+def test_no_figure_stands_for_seams_of_which_one_has_no_length():
+    for mismatches, figure in {(None, 0.1): None, (0.1, None): None, (0.1, 0.2): 0.2, (): 0.0}.items():
+        report = Report(seams=[SimpleNamespace(mismatch=mismatch) for mismatch in mismatches])
+        assert figures_of([report])["seam_mismatch_m"] == figure
 
 
 @posix

@@ -16,6 +16,7 @@ from wirewarp.report import (
     Level,
     Report,
     as_seen,
+    failure_report,
     make_report,
     verdict,
 )
@@ -65,6 +66,15 @@ def test_pieces_are_ready_only_if_there_is_a_fabric_for_them(stretches, limits, 
     found = verdict(report_of_pieces(*stretches, limits=limits))
     assert [line.kind for line in found.lines] == expected
     assert found.is_ready == all(kind in (Kind.READY, Kind.READY_FOR_ANY) for kind in expected)
+
+
+def test_a_model_that_failed_as_a_whole_keeps_the_others_from_being_ready():
+    good, failed = report_of_pieces(0.0, name="A"), failure_report(Issue("no_faces", "It has no faces."), "B")
+    for reports in ((good, failed), (failed, good)):
+        found = verdict(*reports)
+        assert [line.kind for line in found.lines] == [Kind.FAILED, Kind.READY_FOR_ANY]
+        assert (found.lines[0].text, found.is_ready) == ("Do not cut: B failed", False)
+    assert kinds(failed) == [Kind.NOT_FLATTENED]
 
 
 def test_levels_go_with_kinds():

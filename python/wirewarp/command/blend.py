@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
-from ..report import Report, ReportError, from_dict, verdict
+from ..report import Report, ReportError, from_dict, place_name, verdict
 from ..report.names import note_text
 from .figures import figures_of
 from .input_error import InputError
@@ -68,7 +68,7 @@ def _told(request: Request, told: dict[str, Any]) -> tuple[Line, dict[str, Any]]
         "says": [each.text for each in found.lines],
         "pieces": sum(len(report.pieces) for report in reports),
         "figures": figures_of(reports),
-        "problems": [f"{report.object}: {issue.sentence}" for report, issue in issues],
+        "problems": [f"{place_name(report, issue.piece)}: {issue.sentence}" for report, issue in issues],
         "codes": [issue.code for _, issue in issues],
         "warnings": [*notes, *told["warnings"]],  # those of the export come last
         "files": [request.report_path.name, *told["files"]],

@@ -15,7 +15,8 @@ def figures_of(reports: Sequence[Report]) -> Figures:
     areas = [_number(piece.area_3d) * report.meters**2 for report, piece in pieces]
     area = sum(areas)
     energy = sum(own * _number(piece.arap_energy) for own, (_, piece) in zip(areas, pieces, strict=True))
-    mismatches = [_number(seam.mismatch) * report.meters for report in reports for seam in report.seams]
+    seams = [(report, seam) for report in reports for seam in report.seams]
+    mismatches = [math.inf if seam.mismatch is None else seam.mismatch * report.meters for report, seam in seams]
     return {
         "triangles": sum(piece.triangles for _, piece in pieces),
         "area_m2": _finite(area),

@@ -87,7 +87,8 @@ def verdict(*reports: Report) -> Verdict:
         by_kind[Kind.FAILED] += by_kind.pop(Kind.CLOSED)
     if Kind.NEEDS_STRETCH in by_kind:  # one fabric for all pieces
         by_kind[Kind.NEEDS_STRETCH] += by_kind.pop(Kind.READY_FOR_ANY, [])
-    lines: list[Line] = []
+    whole = [report.object or "the model" for report in reports if any(issue.piece is None for issue in report.issues)]
+    lines = [Line(Kind.FAILED, wording.failed_models(_listed(whole, ", ")))] if whole else []
     for kind in Kind:
         own = sorted(by_kind.get(kind, []), key=lambda entry: -entry.piece.needed)
         if own:
@@ -161,13 +162,18 @@ def _needs_stretch(own: list[_Entry], names: str) -> str:
 
 
 def _names(entries: Sequence[_Entry], with_objects: bool) -> str:
+    every = [entry.place if with_objects else entry.piece.name for entry in entries]
+    return _listed(every, "; " if with_objects else ", ")
+
+
+def _listed(names: Iterable[str], between: str) -> str:
     """Each once, the first ones by name."""
-    every = list(dict.fromkeys(entry.place if with_objects else entry.piece.name for entry in entries))
+    every = list(dict.fromkeys(names))
     shown, hidden = every[:SHOWN_NAMES], len(every) - SHOWN_NAMES
     if hidden > 0:
-        return f"{'; '.join(shown) if with_objects else ', '.join(shown)} and {hidden} more"
-    if with_objects:
-        return "; ".join(shown)
+        return f"{between.join(shown)} and {hidden} more"
+    if between != ", ":  # names of objects with pieces have commas in them
+        return between.join(shown)
     *others, last = shown
     return f"{', '.join(others)} and {last}" if others else last
 

@@ -22,6 +22,11 @@ def failed(count: int, of: int) -> str:
     return f"Do not cut: {count} of {counted(of, 'piece')} failed" if of > 1 else "Do not cut: the piece failed"
 
 
+def failed_models(names: str) -> str:
+    """names: of the models that have no pieces because flattening failed."""
+    return f"Do not cut: {names} failed"
+
+
 def no_fabric(names: str) -> str:
     return f"{names}: no fabric stretches that far. Add seams."
 
