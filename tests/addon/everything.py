@@ -145,7 +145,7 @@ def stored():
 def _stored_on(target):
     mesh = target.data
     return (
-        [_values(each) for each in mesh.attributes if each.name.startswith(OURS)],
+        sorted(_values(each) for each in mesh.attributes if each.name.startswith(OURS)),  # Edit Mode may reorder them
         read(mesh.edges, "use_seam", bool).tobytes(),
         [(entry.wire_id, entry.name) for entry in mesh.wirewarp_names],
         mesh.wirewarp_grain,
