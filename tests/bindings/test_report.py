@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """wirewarp.report: how far fabric must stretch, the verdict on it, and where a dart would help."""
 
+import json
 import math
 from dataclasses import replace
 from types import SimpleNamespace
@@ -17,7 +18,9 @@ from wirewarp.report import (
     Report,
     as_seen,
     failure_report,
+    from_dict,
     make_report,
+    to_dict,
     verdict,
 )
 from wirewarp.report.asked import asked_of_outline
@@ -239,6 +242,21 @@ def test_stretch_and_ease_are_the_principal_ones_of_flat_fabric(flat, stretch, e
     strain = piece_strain(triangle_metrics(flat))
     assert strain.stretch == pytest.approx([stretch], abs=1e-12)
     assert strain.ease == pytest.approx([ease], abs=1e-12)
+
+
+def test_threads_of_a_collapsed_piece_are_stretched_without_limit():
+    vertices, faces = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]), np.array([[0, 1, 2]])
+    result, cloth = measure(vertices, faces, np.array([[[0.0, 0], [1, 0], [2, 0]]])), Cloth.preset("denim")
+    (threads,) = [piece.threads for piece in make_report(result, vertices, faces, cloth=cloth).pieces]
+    assert (threads.across, threads.along, threads.shear) == (math.inf, math.inf, math.pi / 2) and threads.over
+    written = json.dumps(to_dict(make_report(result, vertices, faces, cloth=cloth)), allow_nan=False)
+    assert from_dict(json.loads(written), Report).pieces[0].threads == threads
+
+
+def test_a_good_piece_that_has_collapsed_under_a_fabric_is_beyond_it():
+    report = report_of_pieces(math.inf, limits=0.2)
+    assert kinds(report) == [Kind.BEYOND_FABRIC]
+    assert "unlimited across" in verdict(report).lines[0].text
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import numpy as np
 
 from .. import Piece
 from .model import Hint, Pairs, Threads, Wire
-from .strain import PieceStrain, connected_regions, edge_keys
+from .strain import PieceStrain, connected_regions, edge_keys, thread_strains
 from .wording import needs_text, strain_figures, strain_words
 from .words import tolerance_text
 
@@ -138,7 +138,7 @@ def _limit(threads: Threads, way: str) -> float:
 
 def _thread_hint(index: int, piece: Piece, threads: Threads, places: Places) -> Hint:
     """At the place where a dart would have most to take up."""
-    strains = {"across": piece.metrics.face_weft_strain, "along": piece.metrics.face_warp_strain}
+    strains = thread_strains(piece.metrics)
     beyond = np.max([strain - _limit(threads, way) for way, strain in strains.items()], axis=0)
     amounts = beyond * places.areas[piece.source_face]
     worst = max(connected_regions(piece, beyond > 0), key=lambda members: float(amounts[members].sum()))

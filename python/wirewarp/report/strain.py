@@ -96,19 +96,29 @@ def threads_of(metrics: Metrics, areas: np.ndarray, wanted: Wanted, cloth: Cloth
 
     name: of the fabric's preset, or "custom"; limits: its maximum stretch.
     """
-    needs = (
-        max((1 + widespread(strain, areas)) / wanted.stretch - 1, 0.0)
-        for strain in (metrics.face_weft_strain, metrics.face_warp_strain)
+    across, along = (
+        max((1 + widespread(strain, areas)) / wanted.stretch - 1, 0.0) for strain in thread_strains(metrics).values()
     )
-    across, along = needs
     return Threads(
         cloth=NAMES.get(name, "fabric" if name == "custom" else name),
         across=across,
         along=along,
-        shear=widespread(np.abs(metrics.face_shear_angle), areas),
+        shear=widespread(_numbers(np.abs(metrics.face_shear_angle), math.pi / 2), areas),
         gives=Ways(across=limits[0], along=limits[1]),
         worn=Ways(across=max(cloth.stretch[0], 0.0), along=max(cloth.stretch[1], 0.0)),
     )
+
+
+def thread_strains(metrics: Metrics) -> dict[str, np.ndarray]:
+    """(q,) of the threads across and along the grain; inf where the flat triangle has no area."""
+    strains = {"across": metrics.face_weft_strain, "along": metrics.face_warp_strain}
+    return {way: _numbers(strain, math.inf) for way, strain in strains.items()}
+
+
+def _numbers(values: np.ndarray, collapsed: float) -> np.ndarray:
+    """With this value for triangles that have none."""
+    found: np.ndarray = np.where(np.isfinite(values), values, collapsed)
+    return found
 
 
 def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
