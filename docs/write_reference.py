@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the reference of the Python package as HTML into a folder: pdoc's, with the types of the stub for wirewarp;
-wirewarp.pattern is Python and has its own.
+wirewarp.pattern and wirewarp.report are Python and have their own.
 
 Usage: python write_reference.py FOLDER. pdoc by itself shows what pybind11 makes of signatures and getters.
 """
@@ -14,6 +14,7 @@ import pdoc.doc
 import pdoc.render
 import wirewarp
 import wirewarp.pattern
+import wirewarp.report
 
 
 class Plain(str):
@@ -76,7 +77,8 @@ def main() -> None:
         arguments = f"\n\nArguments: {code.arguments}." if code.arguments else ""
         codes.members[code.name].docstring = f"{code.meaning} {code.remedy}{arguments}"
     pdoc.render.configure(docformat="markdown", show_source=False)
-    modules = {"wirewarp": module, "wirewarp.pattern": pdoc.doc.Module(wirewarp.pattern)}
+    described = {each.__name__: pdoc.doc.Module(each) for each in (wirewarp.pattern, wirewarp.report)}
+    modules = {"wirewarp": module, **described}
     (folder / "wirewarp").mkdir(exist_ok=True)
     (folder / "index.html").write_text(pdoc.render.html_index(modules))
     for name, each in modules.items():
