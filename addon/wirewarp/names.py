@@ -29,11 +29,11 @@ WIRE = Mark("wirewarp_wire", "INT", "EDGE", is_drawn=True)  # random 31-bit id o
 TOLERANCE = Mark("wirewarp_tolerance", "FLOAT", "EDGE")  # 0 rigid, finite elastic, inf super-elastic
 EASE = Mark("wirewarp_ease", "FLOAT", "EDGE")  # how much longer the wire becomes, as a fraction: 0.05 is 5%
 SIDE_EASE = Mark("wirewarp_side_ease", "FLOAT", "CORNER", is_drawn=True)  # as EASE; of the edge that begins there
-SIDE_RATIO = Mark("wirewarp_side_ratio", "FLOAT", "EDGE", is_drawn=True)  # as EASE; of one side, see model.sides
+SIDE_RATIO = Mark("wirewarp_side_ratio", "FLOAT", "EDGE", is_drawn=True)  # as EASE; of one side, see state.sides
 EASED_SIDE = Mark("wirewarp_eased_side", "INT", "EDGE")  # the number of the face on that side, 0 none
-ALLOWANCE = Mark("wirewarp_allowance", "FLOAT", "EDGE", is_length=True)  # see model.allowances
+ALLOWANCE = Mark("wirewarp_allowance", "FLOAT", "EDGE", is_length=True)  # see state.allowances
 SIDE_ALLOWANCE = Mark("wirewarp_side_allowance", "FLOAT", "CORNER", is_length=True)  # of the edge that begins there
-SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # of one side, see model.sides
+SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # of one side, see state.sides
 SIDE = Mark("wirewarp_side", "INT", "EDGE")  # the number of the face on that side, 0 none
 FACE = Mark("wirewarp_face", "INT", "FACE")  # random 31-bit number of faces beside edges with a marked side, 0 none
 MARKS = (
@@ -70,7 +70,7 @@ PIECE_INDEX = Attribute("piece", "INT", "FACE")  # index of the piece in the rep
 
 # On the flat mesh: how it was laid out, and by what it is seen that it was changed by hand.
 FLAT_LENGTH = Attribute("flat_length", "FLOAT", "EDGE")  # as laid out
-FLAT_RECORD = "wirewarp_flat"  # custom property: how the pieces were laid out, see flat.record
+FLAT_RECORD = "wirewarp_flat"  # custom property: how the pieces were laid out, see state.record
 
 # Data-blocks.
 COLLECTION = "WireWarp"  # of the flat objects of a scene

@@ -68,7 +68,7 @@ class PageChoices:
     roll_width: float  # of "ROLL", in millimeters
     arrangement: str  # "IN_ROWS", "AS_LAID_OUT" or "MARKER"
     cloth: Cloth  # of a marker
-    marker: str  # that is kept, see flat.markers
+    marker: str  # that is kept, see export.markers
 
 
 def page_preview(cut: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:

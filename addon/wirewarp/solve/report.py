@@ -48,7 +48,7 @@ class ObjectReport(Report):
     with_modifiers: bool = False
     shaped_by: list[str] = field(default_factory=list)
     counts: dict[str, Any] | None = None
-    model_state: dict[str, Any] | None = None  # see model/state.py; None if it could not be read
+    model_state: dict[str, Any] | None = None  # see state.changes; None if it could not be read
     options: dict[str, Any] | None = None  # of FlattenChoices, and the grain wire; None for an object that was not read
     uv_layer: str | None = None
     uv_scale: float | None = None  # Blender units per UV unit

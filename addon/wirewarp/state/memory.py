@@ -23,12 +23,12 @@ class ObjectState:
 
     name: str  # Blender's name_full at the last call of state_of
     gathered: dict[str, Any] = field(default_factory=dict)  # from its geometry, by what it is; see kept
-    drawings: dict[str, Any] = field(default_factory=dict)  # by what they are; see overlay.cache
-    parsed: Any = None  # the stored report: its text and what that says; see flat.reports
-    failure: Any = None  # the report of a run that wrote nothing; see flat.reports
-    suggestions: Any = None  # see flat.suggestions
-    solved: Any = None  # the wirewarp.Cache of its solved pieces; see run.read
-    tried: dict | None = None  # the state of the model in which Auto left its pieces as they are; see run.auto_update
+    drawings: dict[str, Any] = field(default_factory=dict)  # by what they are; see state.drawings
+    parsed: Any = None  # the stored report: its text and what that says; see state.reports
+    failure: Any = None  # the report of a run that wrote nothing; see state.reports
+    suggestions: Any = None  # see state.suggestions
+    solved: Any = None  # the wirewarp.Cache of its solved pieces; see flatten.read
+    tried: dict | None = None  # the state of the model in which Auto left its pieces as they are; see flatten.auto_update
     is_due: bool = False  # of a scene: Auto has to look for changes
     is_undone: bool = False  # of a scene: the last change was taken back
 

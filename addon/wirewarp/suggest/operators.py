@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggest Darts and Suggest Seams: where to cut a piece, each with what it gains. Taken by operators/mend.py."""
+"""Suggest Darts and Suggest Seams: where to cut a piece, each with what it gains. Taken by report_panel/mend.py."""
 
 import bpy
 from bpy.props import IntProperty
