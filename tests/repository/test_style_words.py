@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Old words: documents, comments, messages and the window use one word for one thing.
 
-Files that still have old words are listed in old_words.txt, by name, because folders change. The list only becomes
-shorter: python3 tests/repository/test_style_words.py writes it anew.
+Files that still have old words are listed in old_words.txt. The list only becomes shorter:
+python3 tests/repository/test_style_words.py writes it anew, as after moves.
 """
 
 import io
@@ -53,12 +53,11 @@ def old_words() -> dict[str, list[str]]:
 
 
 def test_clean_files_stay_clean() -> None:
-    listed = LIST.read_text().split()
+    listed = set(LIST.read_text().splitlines())
     found = old_words()
-    assert {file: words for file, words in found.items() if Path(file).name not in listed} == {}, OLD_WORDS
-    clean = set(listed) - {Path(file).name for file in found}
-    assert clean == set(), "take them off the list"
+    assert {file: words for file, words in found.items() if file not in listed} == {}, OLD_WORDS
+    assert listed - found.keys() == set(), "take them off the list"
 
 
 if __name__ == "__main__":
-    LIST.write_text("".join(f"{name}\n" for name in sorted({Path(file).name for file in old_words()})))
+    LIST.write_text("".join(f"{file}\n" for file in sorted(old_words())))
