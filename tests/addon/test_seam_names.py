@@ -137,3 +137,13 @@ def test_names_stay_in_view_when_a_run_is_refused(addon, source):
         flatten(source)
     lines = addon.overlay.objects.marked_lines(source, bpy.context.evaluated_depsgraph_get())
     assert [name.texts for name in lines.names] == [("Seam 1",)]
+
+
+def test_names_are_written_however_many_are_new(addon, source):
+    """New entries move the earlier ones in memory."""
+    (known,) = source.wirewarp_seams
+    identity = addon.solve.seams.SeamIdentity
+    seam_id, new = known.seam_id, [identity(number, f"Seam {number}", False) for number in range(2, 500)]
+    write_seams = addon.state.identities.write_seams
+    write_seams(source, None, [*new, identity(seam_id, "Seam 500", False)], on_model=False)
+    assert addon.state.identities.seam_names(source) == {seam_id: "Seam 500"} | {n: f"Seam {n}" for n in range(2, 500)}

@@ -106,9 +106,10 @@ def write_seams(
 
     Names that the user has given since the model was read stay.
     """
-    entries = {entry.seam_id: entry for entry in source.wirewarp_seams}
-    for identity in identities:
-        entry = entries.get(identity.seam_id) or source.wirewarp_seams.add()
+    places = {entry.seam_id: place for place, entry in enumerate(source.wirewarp_seams)}
+    for identity in identities:  # by place, because add() moves the entries in memory
+        place = places.get(identity.seam_id)
+        entry = source.wirewarp_seams.add() if place is None else source.wirewarp_seams[place]
         if not entry.name or GIVEN.fullmatch(entry.name):
             entry.seam_id, entry.name = identity.seam_id, identity.name
     if on_model:
