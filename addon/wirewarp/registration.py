@@ -13,7 +13,17 @@ from .state import drawings, memory, reports, wires
 from .ui import window_run
 
 ROOMS = (ui, marks, flatten, suggest, export, report_panel, overlay)
-CLASSES = (*properties.CLASSES, *(cls for room in ROOMS for module in room.MODULES for cls in module.CLASSES))
+SIDEBAR = (  # Blender shows panels in the order in which they are registered
+    report_panel.flatten_panel,
+    suggest.panel,
+    marks.panel,
+    marks.wire_list,
+    report_panel.piece_list,
+    report_panel.panel,
+    overlay.panel,
+)
+OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)
+CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
 PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # attach() of each returns what takes it back
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),

@@ -19,12 +19,12 @@ MODEL, PIECES, BOTH = 480, 420, 110  # pixels at the left of the view, beside wh
 
 def open_sample(*opened: str) -> drive.Tour:
     """The sample in a window that is all 3D view; only these panels of ours are open (the first at once)."""
-    for panel in wirewarp_addon.ui.CLASSES:
+    panels = [cls for cls in wirewarp_addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
+    for panel in panels:
         bpy.utils.unregister_class(panel)
-    for panel in wirewarp_addon.ui.CLASSES:
-        if issubclass(panel, bpy.types.Panel):
-            name = panel.__name__.removeprefix(PANEL)
-            panel.bl_options = set() if name in opened else {"DEFAULT_CLOSED"}
+    for panel in panels:
+        name = panel.__name__.removeprefix(PANEL)
+        panel.bl_options = set() if name in opened else {"DEFAULT_CLOSED"}
         bpy.utils.register_class(panel)
     bpy.ops.wm.open_mainfile(filepath=str(SAMPLE), load_ui=False)
     yield from drive.ticks(5)
