@@ -100,6 +100,16 @@ def test_sheets_and_sizes_are_told_before_anything_is_written(source, tmp_path, 
     assert re.fullmatch(r"Largest piece: Top (?:Left|Right), \d+ × \d+ mm\.", largest)
 
 
+def test_a_proof_sheet_is_told_and_comes_last(source, tmp_path, addon):
+    sheets, _ = told(addon, format="PDF", paper="A4", proof_sheet=True)
+    assert sheets.endswith("one of them the map and a proof sheet.")
+    without, proved = (
+        export(tmp_path, f"{name}.pdf", paper="A4", proof_sheet=name == "proved") for name in ("without", "proved")
+    )
+    pages = [len(re.findall(rb"/Type /Page\b", path.read_bytes())) for path in (without, proved)]
+    assert pages[1] == pages[0] + 1
+
+
 @pytest.mark.parametrize(
     ("system", "roll"),
     [("METRIC", "[0-9.]+ m?m of a roll of 914.4 mm"), ("IMPERIAL", "[0-9/ ]+ in of a roll of 36 in")],

@@ -25,6 +25,7 @@ DRAWN = [  # kinds of the library, upper case and with underscores
     ("TEXTS", "Texts", "Name, number and how often to cut the piece"),
     ("LINE_NAMES", "Line Names", "Numbers of seams, which are the same on both sides, and names of wires"),
 ]
+PROPERTIES = {"proof": "proof_sheet"}  # of the operator, for options of formats where it has another name
 ALL_DRAWN = {kind for kind, _, _ in DRAWN}
 ALL_KINDS = frozenset(kind.lower().replace("_", " ") for kind in ALL_DRAWN)
 
@@ -96,7 +97,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
                 self.draw_lengths(context, "roll_width")
         for option in chosen.options:
             if not (option.unless and self._chosen(option.unless[0]) == option.unless[1]):
-                layout.prop(self, option.name)
+                layout.prop(self, _property_name(option.name))
         layout.prop(self, "arrangement")
         if self.arrangement == "MARKER":
             self.draw_lengths(context, "cloth_width", "gap")
@@ -131,7 +132,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
 
     def _chosen(self, name: str) -> str | bool:
         """The value of an option of the format, as the library has it."""
-        value = getattr(self, name)
+        value = getattr(self, _property_name(name))
         return value.lower() if isinstance(value, str) else value
 
     def size_sentences(self, made: pattern.Pattern) -> list[str]:
@@ -145,9 +146,13 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
             return [f"{count} on {length} of a roll of {width}, {counted(len(pages), 'page')}."]
         if self.paper == ONE_PAGE:
             return size_sentences(made, pages[0])
-        proofs = " and a proof sheet" if self.proof else ""
+        proofs = " and a proof sheet" if self.proof_sheet else ""
         sheets = f"{counted(len(pages), 'sheet')} of {PAPERS[self.paper][1]}, one of them the map{proofs}"
         return [f"{count} on {sheets}.", largest_sentence(made)]
+
+
+def _property_name(option: str) -> str:
+    return PROPERTIES.get(option, option)
 
 
 def _option_property(option: pattern.Option) -> Any:  # noqa: ANN401
@@ -158,7 +163,7 @@ def _option_property(option: pattern.Option) -> Any:  # noqa: ANN401
 
 
 OBJECT_OT_wirewarp_export.__annotations__ |= {
-    option.name: _option_property(option) for each in FORMATS.values() for option in each.options
+    _property_name(option.name): _option_property(option) for each in FORMATS.values() for option in each.options
 }
 
 
