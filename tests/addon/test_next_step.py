@@ -121,6 +121,16 @@ def test_what_only_can_be_looked_at_is_shown(addon):
     assert step_of(addon, source).text == "Show Failed Place"
 
 
+def test_a_piece_strained_too_evenly_for_a_place_is_suggested_a_cut(addon):
+    """More than every fabric takes, but nowhere as much as a hint is worth."""
+    source = grid("Low", lambda x, y: (x, y, 0.3 * (1 - x * x) * (1 - y * y)), size=6)
+    bpy.ops.object.wirewarp_flatten()
+    report = addon.state.reports.last_report(source)
+    assert report.pieces[0].is_strained and not report.hints and step_of(addon, source) is None
+    shown = buttons(addon).count("object.wirewarp_suggest_darts")
+    assert shown == 2 * 2  # beside the verdict and the piece; in a narrow and in a wide sidebar
+
+
 def test_nothing_to_mend_is_said(addon):
     source = grid("Bump", bump)
     with pytest.raises(RuntimeError, match="has not been flattened yet"):

@@ -20,7 +20,7 @@ from ..ui.layout import LEVEL_ICONS, SidebarPanel, draw_progress, draw_sentence
 from ..ui.settings import draw_settings, settings_sentence
 from ..ui.shown import untrue_sentence
 from ..ui.window_run import FLATTEN
-from .next_step import next_step
+from .next_step import next_step, piece_to_cut
 
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
 WAITS = f"Of more than {EDIT_LIMIT:,} vertices: Auto waits until you leave Edit Mode."
@@ -88,10 +88,11 @@ def _draw_state(
         asked = button.operator(step.operator, text=step.text, icon=step.icon)
         for name, value in step.settings.items():
             setattr(asked, name, value)
-        if step.settings.get("what") == "HINT":  # the verdict has said to add a dart or seam there
-            draw_suggest(layout, context.scene.wirewarp, report.hints[step.settings["index"]].piece)
         if step.settings.get("what") == "SEAMS":  # others, with what they cost and leave
             draw_suggest(layout, context.scene.wirewarp, -1, ["seams"])
+    piece = piece_to_cut(report, step)
+    if piece is not None:
+        draw_suggest(layout, context.scene.wirewarp, piece)
     # Of the last run, though it may have left the earlier pieces: to flatten again would change nothing.
     sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if sentence:

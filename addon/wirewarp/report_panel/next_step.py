@@ -42,11 +42,16 @@ def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
         return _show("ISSUE", "Show Failed Place", _shown(report, report.issues))
     if left_out:
         return NextStep("", "Flatten with Modifiers", "MODIFIER", MEND, {"what": "MODIFIERS"})
-    return _show("HINT", "Show Strained Place", _strained_places(report)) if _any_strained(report) else None
+    is_strained = any(piece.is_strained for piece in report.pieces)
+    return _show("HINT", "Show Strained Place", _strained_places(report)) if is_strained else None
 
 
-def _any_strained(report: ObjectReport) -> bool:
-    return any(piece.is_strained for piece in report.pieces)
+def piece_to_cut(report: ObjectReport, step: NextStep | None) -> int | None:
+    """The piece that darts or seams are suggested for beside the next step: where there is none, the worst."""
+    if step:
+        return report.hints[step.settings["index"]].piece if step.settings["what"] == "HINT" else None
+    strained = [piece for piece in report.pieces if piece.is_strained]
+    return max(strained, key=lambda piece: piece.needed).index if strained else None
 
 
 def _show(what: str, text: str, places: list[int]) -> NextStep | None:
