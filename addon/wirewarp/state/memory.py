@@ -28,7 +28,7 @@ class ObjectState:
     failure: Any = None  # the report of a run that wrote nothing; see state.reports
     suggestions: Any = None  # see state.suggestions
     solved: Any = None  # the wirewarp.Cache of its solved pieces; see flatten.read
-    tried: dict | None = None  # the state of the model in which Auto left its pieces as they are; see flatten.auto_update
+    tried: dict | None = None  # the model when Auto left its pieces as they were; see flatten.auto_update
     is_due: bool = False  # of a scene: Auto has to look for changes
     is_undone: bool = False  # of a scene: the last change was taken back
 
