@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Seams are numbered once: what is chalked on cloth stays true, whatever else is marked or changed."""
 
+from copy import copy
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
@@ -139,11 +142,17 @@ def test_names_stay_in_view_when_a_run_is_refused(addon, source):
     assert [name.texts for name in lines.names] == [("Seam 1",)]
 
 
-def test_names_are_written_however_many_are_new(addon, source):
-    """New entries move the earlier ones in memory."""
-    (known,) = source.wirewarp_seams
-    identity = addon.solve.seams.SeamIdentity
-    seam_id, new = known.seam_id, [identity(number, f"Seam {number}", False) for number in range(2, 500)]
-    write_seams = addon.state.identities.write_seams
-    write_seams(source, None, [*new, identity(seam_id, "Seam 500", False)], on_model=False)
-    assert addon.state.identities.seam_names(source) == {seam_id: "Seam 500"} | {n: f"Seam {n}" for n in range(2, 500)}
+class MovingEntries(list):
+    """As Blender's collections: add() may move all entries, and those taken before are no longer in it."""
+
+    def add(self):
+        self[:] = [*map(copy, self), SimpleNamespace(seam_id=0, name="")]
+        return self[-1]
+
+
+def test_names_are_written_where_entries_are_after_new_ones(addon):
+    source = SimpleNamespace(wirewarp_seams=MovingEntries([SimpleNamespace(seam_id=1, name="Seam 1")]))
+    names = {2: "Seam 2", 1: "Seam 3"}
+    identities = [addon.solve.seams.SeamIdentity(seam_id, name, is_dart=False) for seam_id, name in names.items()]
+    addon.state.identities.write_seams(source, None, identities, on_model=False)
+    assert addon.state.identities.seam_names(source) == names
