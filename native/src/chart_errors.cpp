@@ -114,11 +114,14 @@ FlattenError infeasible_outline(const Chart& chart, const Options& options, std:
   return FlattenError(ErrorCode::infeasible_lengths, std::move(arguments), std::move(elements));
 }
 
-FlattenError infeasible_stretch(const Chart& chart, std::vector<VertexPair> proposed_seams) {
+FlattenError infeasible_stretch(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
+                                bool ran_out) {
   ErrorElements elements;
   elements.faces = chart.source_face;
   elements.proposed_seams = std::move(proposed_seams);
-  return FlattenError(ErrorCode::infeasible_lengths, ErrorArguments{{"reason", "stretch"}}, std::move(elements));
+  ErrorArguments arguments{{"reason", "stretch"}};
+  add_limit(options, ran_out, arguments);
+  return FlattenError(ErrorCode::infeasible_lengths, std::move(arguments), std::move(elements));
 }
 
 FlattenError needs_refinement(const Chart& chart) {

@@ -26,7 +26,8 @@ FlattenError infeasible_outline(const Chart& chart, const Options& options, std:
                                 bool ran_out);
 
 /// Returns the error of a chart that can be flattened only without the lengths that the fabric's stretch sets.
-FlattenError infeasible_stretch(const Chart& chart, std::vector<VertexPair> proposed_seams);
+FlattenError infeasible_stretch(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
+                                bool ran_out);
 
 /// Returns the error of a chart whose wires the paper's methods cannot close, while the refined one keeps the lengths.
 FlattenError needs_refinement(const Chart& chart);

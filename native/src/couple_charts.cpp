@@ -48,13 +48,14 @@ std::optional<CoupledShapes> find_shapes(const std::vector<CoupledChart>& charts
 
 /// The chart alone with its seams at these lengths, if that shape is good. Whether it is.
 bool replace_folded(const std::vector<CoupledChart>& charts, std::size_t index, const RefineAlone& refine_alone,
-                    const StopToken& stop) {
+                    RefineBudget& budget, const StopToken& stop) {
   if (stop.is_stopped()) return false;
   SolvedChart& solved = charts[index].solved;
   const Chart fixed = with_fixed_seams(charts[index].chart, solved.variation);
-  std::optional<RefineResult> refined = refine_alone(index, fixed, charts[index].factorizations_left(), stop);
+  std::optional<RefineResult> refined = refine_alone(index, fixed, budget, stop);
+  solved.report.factorizations += budget.spent();
   if (!refined) return false;
-  refined->factorizations += solved.report.factorizations;
+  refined->factorizations = solved.report.factorizations;
   solved.report.warnings.clear();
   report_refinement(*refined, stop.is_stopped(), solved.report);
   solved.report.projected_gradient = std::numeric_limits<double>::quiet_NaN();
@@ -81,16 +82,14 @@ bool were_good(const std::vector<CoupledChart>& charts, const std::vector<Solved
 
 }  // namespace
 
-std::optional<RefineResult> refine_injective(const Chart& chart, const InternalOptions& options, int max_factorizations,
+std::optional<RefineResult> refine_injective(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
                                              const StopToken& stop) {
-  InternalOptions limited = options;
-  limited.max_factorizations = max_factorizations;
-  RefineResult refined = refine_chart(chart, limited, stop);
+  RefineResult refined = refine_chart(chart, options, budget, stop);
   if (refined.shape.is_exact() && !refined.shape.injectivity) {  // not known without mends_folds
     refined.shape.injectivity = injectivity_of(chart, refined.shape.uv);
   }
   const bool is_good = refined.shape.is_exact() && refined.shape.injectivity == Injectivity::global;
-  if (is_good && options.cloth) refine_cloth(chart, limited, stop.in("shape"), refined);
+  if (is_good && options.cloth) refine_cloth(chart, options, budget, stop.in("shape"), refined);
   return is_good ? std::optional(std::move(refined)) : std::nullopt;
 }
 
@@ -110,15 +109,19 @@ CouplingOutcome couple_charts(const std::vector<CoupledChart>& charts, const Int
   charts.front().solved.report.seconds["shape"] += seconds["shape"];
   if (!coupled) {
     for (const CoupledChart& one : charts) one.solved.report.factorizations += budget.spent();
-    return {false, {}};
+    return {false, budget.ran_out(), {}};
   }
+  bool ran_out = budget.ran_out();
   for (std::size_t k = 0; k < charts.size(); ++k) {
     const double gradient = charts.size() > 1 ? coupled->projected_gradient : std::numeric_limits<double>::quiet_NaN();
     take_shape(std::move(coupled->shapes[k]), gradient, stop.is_stopped(), charts[k]);
   }
   std::vector<char> is_folded = find_folded(charts);
   for (std::size_t k = 0; k < charts.size(); ++k) {
-    if (is_folded[k] != 0 && replace_folded(charts, k, refine_alone, stop)) is_folded[k] = 0;
+    if (is_folded[k] == 0) continue;
+    RefineBudget own(charts[k].factorizations_left());
+    if (replace_folded(charts, k, refine_alone, own, stop)) is_folded[k] = 0;
+    ran_out = ran_out || own.ran_out();
   }
   const bool is_any_folded =
       std::count(is_folded.begin(), is_folded.end(), 0) < static_cast<std::ptrdiff_t>(is_folded.size());
@@ -127,13 +130,13 @@ CouplingOutcome couple_charts(const std::vector<CoupledChart>& charts, const Int
       before[k].report.factorizations = charts[k].solved.report.factorizations;
       charts[k].solved = std::move(before[k]);
     }
-    return {false, {}};
+    return {false, ran_out, {}};
   }
   for (const CoupledChart& one : charts) {  // also of those that were done: together they are not
     const bool is_told = one.solved.report.termination == Termination::cancelled;
     if (stop.is_stopped() && !is_told) report_cancelled(one.solved.report);
   }
-  return {true, std::move(is_folded)};
+  return {true, ran_out, std::move(is_folded)};
 }
 
 }  // namespace wirewarp

@@ -26,21 +26,23 @@ struct CoupledChart {
 /// Refines one of the charts, by index, with these seams at the lengths that the given chart asks for. Returns an
 /// injective shape, or none.
 using RefineAlone = std::function<std::optional<RefineResult>(std::size_t index, const Chart& fixed,
-                                                              int max_factorizations, const StopToken& stop)>;
+                                                              RefineBudget& budget, const StopToken& stop)>;
 
 /// From scratch, without the cloth's stretch.
-std::optional<RefineResult> refine_injective(const Chart& chart, const InternalOptions& options, int max_factorizations,
+std::optional<RefineResult> refine_injective(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
                                              const StopToken& stop);
 
 struct CouplingOutcome {
   bool is_coupled;
+  bool ran_out;                 // of factorizations: more were wanted
   std::vector<char> is_folded;  // per chart, if coupled: flipped or overlapping
 };
 
 /// Finds the lengths of these seams, and the shapes with them, of the least objective together. A chart that is flipped
-/// or overlaps with the lengths found is refined again with them by refine_alone. The charts are not coupled, and stay
-/// as they are, if no common lengths are found, or if a chart stays so although all were good at h = ease: good pieces
-/// come before less distortion. Every factorization of the coupled charts counts for each of them.
+/// or overlaps with the lengths found is refined again with them by refine_alone. The charts are not coupled, and keep
+/// their shapes, if no common lengths are found, or if a chart stays so although all were good at h = ease: good pieces
+/// come before less distortion. Their reports count what was spent in any case: each factorization of the coupled
+/// charts counts for each of them.
 CouplingOutcome couple_charts(const std::vector<CoupledChart>& charts, const InternalOptions& options,
                               const RefineAlone& refine_alone, const StopToken& stop);
 

@@ -38,7 +38,8 @@ FlattenError explain_infeasible(const Chart& chart, const Run& run, const Refine
 }
 
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).
-void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {
+void flatten_by_warping(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop,
+                        SolvedChart& solved) {
   std::map<std::string, double>& seconds = solved.report.seconds;
   if (run.options.method == Method::wirewarp_plus_plus) check_outline_is_settled(chart, run.input.wires);
   stop.in("wires").check();
@@ -65,7 +66,7 @@ void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& sto
   report_solution(solution, solved.report);
   if (!solution.shape.inner.is_feasible) {
     const StopToken in_no_other_stage([&](const char*) { return at_lengths.may_go_on(); });
-    const RefineResult refined = refine_chart(chart, run.options, in_no_other_stage);
+    const RefineResult refined = refine_chart(chart, run.options, budget, in_no_other_stage);
     if (stop.is_stopped()) throw Stopped();
     if (refined.shape.is_exact()) throw needs_refinement(chart);
     throw explain_infeasible(chart, run, refined, in_no_other_stage);
@@ -79,13 +80,16 @@ void flatten_by_warping(const Chart& chart, const Run& run, const StopToken& sto
 
 /// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
 /// leaves the piece at the best shape so far.
-void flatten_by_refining(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {
+void flatten_by_refining(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop,
+                         SolvedChart& solved) {
   stop.in("start").check();
   const StageTimer timer(solved.report.seconds, "shape");
   solved.network = build_wire_network(chart);
-  RefineResult refined = refine_chart(chart, run.options, stop);
+  RefineResult refined = refine_chart(chart, run.options, budget, stop);
   if (refined.shape.status == ShapeStatus::cancelled) throw Stopped();
-  if (run.options.cloth && refined.shape.is_exact()) refine_cloth(chart, run.options, stop.in("shape"), refined);
+  if (run.options.cloth && refined.shape.is_exact()) {
+    refine_cloth(chart, run.options, budget, stop.in("shape"), refined);
+  }
   report_refinement(refined, stop.is_stopped(), solved.report);
   if (!refined.shape.is_exact()) throw explain_infeasible(chart, run, refined, stop.in("shape"));
   solved.variation = variations_of(chart, refined.shape.variation);
@@ -122,12 +126,13 @@ SolvedChart cancelled_chart() {
   return solved;
 }
 
-SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& stop) {
+SolvedChart solve_chart(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop) {
   SolvedChart solved;
   try {
     if (chart.error) throw with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
     if (is_outline_too_short(chart)) throw outline_too_short(chart, propose_seams(chart, run, stop));
-    (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, stop, solved);
+    (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, budget, stop,
+                                                                                       solved);
   } catch (const FlattenError& error) {
     solved.error = error;
   } catch (const Stopped&) {
@@ -140,8 +145,8 @@ SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& sto
   return solved;
 }
 
-SolvedChart solve_with_fixed_seams(const Chart& chart, const Run& run, const StopToken& stop) {
-  SolvedChart solved = solve_chart(with_fixed_seams(chart), run, stop);
+SolvedChart solve_with_fixed_seams(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop) {
+  SolvedChart solved = solve_chart(with_fixed_seams(chart), run, budget, stop);
   if (solved.network) solved.network = build_wire_network(chart);
   return solved;
 }

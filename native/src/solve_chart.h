@@ -4,6 +4,7 @@
 #include "charts/chart.h"
 #include "internal_options.h"
 #include "mesh/edge_table.h"
+#include "refine/refine_budget.h"
 #include "solved_chart.h"
 #include "stop_token.h"
 
@@ -22,11 +23,12 @@ EdgeTable check_request(const FlattenInput& input, const Options& options);
 /// Throws Stopped.
 FlattenResult flatten_charts(Charts charts, const Run& run, const StopToken& stop);
 
-/// The layout of a chart with a mesh, or why it has none.
-SolvedChart solve_chart(const Chart& chart, const Run& run, const StopToken& stop);
+/// The layout of a chart with a mesh, or why it has none. budget: what several trials of the chart may spend together,
+/// of which the error names options.max_factorizations.
+SolvedChart solve_chart(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop);
 
 /// The same with its elastic seams at h = ease.
-SolvedChart solve_with_fixed_seams(const Chart& chart, const Run& run, const StopToken& stop);
+SolvedChart solve_with_fixed_seams(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop);
 
 /// Seams along which a chart lies flat that has no good shape without. Throws Stopped: what was found by then is not
 /// what a whole search finds.

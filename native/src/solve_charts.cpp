@@ -2,13 +2,13 @@
 #include "solve_charts.h"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "charts/elastic_seams.h"
 #include "couple_charts.h"
+#include "feasibility/folded_faces.h"
 #include "in_threads.h"
 #include "piece_report.h"
 #include "refine/refine_cloth.h"
@@ -110,23 +110,17 @@ class ChartsSolver {
     InternalOptions trial = options;
     trial.with_proposals = false;  // its errors are not reported
     const StopToken stop = stop_token(c);
-    solved_[c] = solve_with_fixed_seams(charts_[c], {run_.input, trial}, stop);
+    RefineBudget budget(options.max_factorizations);
+    solved_[c] = solve_with_fixed_seams(charts_[c], {run_.input, trial}, budget, stop);
     stage_[c] = solved_[c].error ? Stage::elastic : Stage::nominal;
     if (stage_[c] == Stage::nominal || stop.is_stopped()) return;
-    solve_again(c, options, [&](const Run& run) { return solve_chart(charts_[c], run, stop); });
-  }
-
-  /// Solves a chart from scratch with what is left of its factorizations.
-  void solve_again(std::size_t c, InternalOptions options, const std::function<SolvedChart(const Run& run)>& solve) {
-    const int spent = solved_[c].report.factorizations;
-    options.max_factorizations -= spent;
-    solved_[c] = solve({run_.input, options});
-    solved_[c].report.factorizations += spent;
+    solved_[c] = solve_chart(charts_[c], {run_.input, options}, budget, stop);
+    solved_[c].report.factorizations = budget.spent();  // also if an error came before any of its own
   }
 
   RefineAlone from_scratch() const {
-    return [&](std::size_t, const Chart& fixed, int max_factorizations, const StopToken& stop) {
-      return refine_injective(fixed, run_.options, max_factorizations, stop);
+    return [&](std::size_t, const Chart& fixed, RefineBudget& budget, const StopToken& stop) {
+      return refine_injective(fixed, run_.options, budget, stop);
     };
   }
 
@@ -135,7 +129,8 @@ class ChartsSolver {
       solved_[c] = std::move(known->front());
       return;
     }
-    solved_[c] = report_.is_cancelled() ? cancelled_chart() : solve_chart(charts_[c], run_, stop_token(c));
+    RefineBudget budget(run_.options.max_factorizations);
+    solved_[c] = report_.is_cancelled() ? cancelled_chart() : solve_chart(charts_[c], run_, budget, stop_token(c));
     solved_[c].multipliers.resize(0);
     session_.keep({&charts_[c]}, {&solved_[c]});
   }
@@ -186,20 +181,25 @@ class ChartsSolver {
     solved.multipliers.resize(0);
   }
 
-  /// From the shape at hand, if that has its seams at h = ease; else from scratch.
+  /// From the shape at hand, if that has its seams at h = ease; else from scratch. That shape stays if the
+  /// factorizations are spent.
   void finish_with_fixed_seams(std::size_t c) {
     SolvedChart& solved = solved_[c];
     const StopToken stop = stop_token(c);
     const Chart fixed = with_fixed_seams(charts_[c]);
-    CouplingOutcome outcome{false, {}};
+    CouplingOutcome outcome{false, false, {}};
     if (stage_[c] == Stage::nominal) {
       const std::vector<CoupledChart> alone{
           {fixed, solved, false, cloth_on(static_cast<int>(c)), run_.options.max_factorizations}};
       outcome = couple_charts(alone, run_.options, from_scratch(), stop);
     }
-    if (!outcome.is_coupled) {
-      solve_again(c, run_.options, [&](const Run& run) { return solve_with_fixed_seams(charts_[c], run, stop); });
-    } else if (outcome.is_folded.front() != 0) {
+    const bool stays = !outcome.is_coupled && outcome.ran_out;  // from scratch, too little is left for any shape
+    if (!outcome.is_coupled && !stays) {
+      RefineBudget budget(run_.options.max_factorizations);
+      budget.spend(solved.report.factorizations);
+      solved = solve_with_fixed_seams(charts_[c], run_, budget, stop);
+      solved.report.factorizations = budget.spent();
+    } else if (stays ? !find_folded_faces(fixed.mesh, solved.uv).empty() : outcome.is_folded.front() != 0) {
       propose_seams_for_layout(fixed, run_, stop, solved);
     }
     if (solved.error || solved.report.termination == Termination::cancelled) return;

@@ -152,12 +152,12 @@ class GroupToStretch {
   void stretch(const StopToken& stop) {
     std::vector<CoupledChart> together;
     for (std::size_t k = 0; k < members_.size(); ++k) together.push_back(coupled(k, charts_[members_[k]], gives_));
-    const std::optional<CouplingOutcome> outcome = couple(together, 0, stop);
+    const CouplingOutcome outcome = couple(together, 0, stop);
     for (std::size_t k = 0; k < members_.size(); ++k) {
-      if (outcome) {
-        finish(k, outcome->is_folded[k] != 0, stop);
+      if (outcome.is_coupled) {
+        finish(k, outcome.is_folded[k] != 0, stop);
       } else {
-        stretch_with_fixed_seams(k, stop);
+        stretch_with_fixed_seams(k, outcome.ran_out, stop);
       }
     }
   }
@@ -168,22 +168,19 @@ class GroupToStretch {
     return {chart, solved_[members_[k]], may_be_nominal, cloths_[k], most};
   }
 
-  /// first: of the members. None: not coupled.
-  std::optional<CouplingOutcome> couple(const std::vector<CoupledChart>& charts, std::size_t first,
-                                        const StopToken& stop) {
-    if (!stop.may_go_on()) return std::nullopt;
-    const auto alone = [&](std::size_t index, const Chart& fixed, int max_factorizations, const StopToken& in_shape) {
-      return refine_apart(first + index, fixed, max_factorizations, in_shape);
+  /// first: of the members.
+  CouplingOutcome couple(const std::vector<CoupledChart>& charts, std::size_t first, const StopToken& stop) {
+    if (!stop.may_go_on()) return {false, false, {}};
+    const auto alone = [&](std::size_t index, const Chart& fixed, RefineBudget& budget, const StopToken& in_shape) {
+      return refine_apart(first + index, fixed, budget, in_shape);
     };
-    CouplingOutcome outcome = couple_charts(charts, run_.options, alone, stop);
-    return outcome.is_coupled ? std::optional(std::move(outcome)) : std::nullopt;
+    return couple_charts(charts, run_.options, alone, stop);
   }
 
   /// Starts from the unstretched layout and never overlaps on the way.
-  std::optional<RefineResult> refine_apart(std::size_t k, const Chart& fixed, int max_factorizations,
+  std::optional<RefineResult> refine_apart(std::size_t k, const Chart& fixed, RefineBudget& budget,
                                            const StopToken& stop) const {
     if (injectivity_of(fixed, unstretched_[k].uv) != Injectivity::global) return std::nullopt;
-    RefineBudget budget(max_factorizations);
     RefineResult refined;
     refined.shape = refine_coupled({fixed}, run_.options.fairness, {cloths_[k]}, {RefinementStart(unstretched_[k].uv)},
                                    {budget, stop, Injectivity::global})
@@ -196,23 +193,24 @@ class GroupToStretch {
     return refined;
   }
 
-  /// With its elastic seams at h = ease.
-  void stretch_with_fixed_seams(std::size_t k, const StopToken& stop) {
+  /// With its elastic seams at h = ease. ran_out: so did the coupled group.
+  void stretch_with_fixed_seams(std::size_t k, bool ran_out, const StopToken& stop) {
     const int c = members_[k];
     const Chart fixed = with_fixed_seams(charts_[c]);
-    const std::optional<CouplingOutcome> outcome = gives_ ? couple({coupled(k, fixed, false)}, k, stop) : std::nullopt;
-    if (outcome) {
-      finish(k, outcome->is_folded.front() != 0, stop);
+    CouplingOutcome outcome{false, false, {}};
+    if (gives_) outcome = couple({coupled(k, fixed, false)}, k, stop);
+    if (outcome.is_coupled) {
+      finish(k, outcome.is_folded.front() != 0, stop);
       if (solved_[c].report.termination != Termination::cancelled) report_fixed_seams(solved_[c].report);
     } else if (stop.is_stopped()) {
       lose_layout(cancelled(), Termination::cancelled, solved_[c]);
     } else if (injectivity_of(charts_[c], unstretched_[k].uv) == Injectivity::global) {
-      explain_infeasible(k, stop);
+      explain_infeasible(k, ran_out || outcome.ran_out, stop);
     }  // else its error is that it overlaps itself, stretched or not
   }
 
   /// The proposed seams are judged at the lengths that the stretch sets: others would not help.
-  void explain_infeasible(std::size_t k, const StopToken& stop) {
+  void explain_infeasible(std::size_t k, bool ran_out, const StopToken& stop) {
     const int c = members_[k];
     Chart stretched = charts_[c];
     ask_for(cloths_[k].flat_ratio, stretched);
@@ -220,7 +218,7 @@ class GroupToStretch {
     if (stop.is_stopped()) {
       lose_layout(cancelled(), Termination::cancelled, solved_[c]);
     } else {
-      lose_layout(infeasible_stretch(stretched, seams), Termination::failed, solved_[c]);
+      lose_layout(infeasible_stretch(stretched, run_.options, seams, ran_out), Termination::failed, solved_[c]);
     }
   }
 

@@ -265,6 +265,8 @@ TEST(InfeasibleWires, ALongerSearchIsAdvisedOnlyIfTheLengthsDoNotContradict) {
   };
   EXPECT_NE(sentence(true).find(advice), std::string::npos) << sentence(true);
   EXPECT_EQ(sentence(false).find("max_factorizations"), std::string::npos) << sentence(false);
+  const FlattenError stretch = infeasible_stretch(charts.charts.at(0), options, {}, true);
+  EXPECT_NE(std::string(stretch.what()).find(advice), std::string::npos) << stretch.what();
 }
 
 TEST(InfeasibleWires, CancellingTheSearchCancelsThePiece) {

@@ -41,7 +41,8 @@ TEST(RefineChart, AnInjectiveShapeIsOneWhetherOrNotFoldsAreMended) {
   InternalOptions options;
   for (const bool mends_folds : {true, false}) {
     options.mends_folds = mends_folds;
-    EXPECT_TRUE(refine_injective(charts.charts.at(0), options, options.max_factorizations, {})) << mends_folds;
+    RefineBudget budget(options.max_factorizations);
+    EXPECT_TRUE(refine_injective(charts.charts.at(0), options, budget, {})) << mends_folds;
   }
 }
 

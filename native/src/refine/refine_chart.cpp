@@ -76,9 +76,9 @@ RefineResult without_flips_and_overlaps(RefineResult result, StartProblem& probl
 
 }  // namespace
 
-RefineResult refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
+RefineResult refine_chart(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
+                          const StopToken& stop) {
   const HeldNetwork network = build_held_network(chart);
-  RefineBudget budget(options.max_factorizations);
   const Aim aim = options.cloth ? Aim::rough : options.aim;
   StartProblem problem{{chart, network, options.fairness, nullptr, aim}, budget, stop, options.large_chart};
   RefineResult result;
@@ -88,6 +88,11 @@ RefineResult refine_chart(const Chart& chart, const InternalOptions& options, co
   result.factorizations = budget.spent();
   result.ran_out = budget.ran_out();
   return result;
+}
+
+RefineResult refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
+  RefineBudget budget(options.max_factorizations);
+  return refine_chart(chart, options, budget, stop);
 }
 
 RefineResult refine_from_scratch(const RefineTask& task, RefineBudget& budget, const StopToken& stop) {

@@ -12,13 +12,17 @@ namespace wirewarp {
 struct RefineResult {
   RefinedShape shape;      // of the last start that was tried; singular: none could be made or refined
   const char* start = "";  // the one that led to an exact shape
-  int factorizations = 0;  // of all starts
+  int factorizations = 0;  // that the budget has spent: of all starts, and what came before
   bool ran_out = false;    // of factorizations: more were wanted
 };
 
 /// Unfolded; else with slits sewn up first, where there are any (refine/open_slits.h); else from a coarser chart or
 /// from scratch. Where that ends turned over or covers itself, another shape, if one is found
 /// (refine/injective_shape.h), unless options say otherwise. stop: asked in the stages "start" and "shape".
+RefineResult refine_chart(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
+                          const StopToken& stop);
+
+/// With options.max_factorizations, all to itself.
 RefineResult refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
 /// Tries all starts but a coarser chart, and not slit by slit.

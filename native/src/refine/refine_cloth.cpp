@@ -160,18 +160,18 @@ GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& o
   return hold_direction(upright_pair(chart, uv, options), uv);
 }
 
-void refine_cloth(const Chart& chart, const InternalOptions& options, const StopToken& stop, RefineResult& result) {
+void refine_cloth(const Chart& chart, const InternalOptions& options, RefineBudget& budget, const StopToken& stop,
+                  RefineResult& result) {
   stand_upright(result.shape.uv, upright_direction(chart, result.shape.uv, options));
   result.shape.status = ShapeStatus::stalled;  // until its energy is least for the cloth
   if (!result.shape.injectivity) result.shape.injectivity = injectivity_of(chart, result.shape.uv);
   if (result.shape.injectivity == Injectivity::none) return;
-  RefineBudget budget(std::max(0, options.max_factorizations - result.factorizations));
   if (stop.is_stopped() || !budget.allows()) return;
   if (std::optional<RefinedShape> shape = ClothRefinement(chart, options, stop).refine(result.shape, budget)) {
     shape->iterations += result.shape.iterations;
     result.shape = std::move(*shape);
   }
-  result.factorizations += budget.spent();
+  result.factorizations = budget.spent();
 }
 
 }  // namespace wirewarp

@@ -30,8 +30,9 @@ GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& o
 
 /// result: the shape of refine_chart(), exact; upright afterwards, x along the weft, and refined for options.cloth
 /// unless it has triangles turned over; its multipliers then have one for the row, last. Where the caller stops, the
-/// factorizations of options are spent, or the cloth would turn a triangle over or lay the piece over itself, the shape
+/// budget is spent, or the cloth would turn a triangle over or lay the piece over itself, the shape
 /// at hand. The cloth's stretch comes later (stretch_charts.h).
-void refine_cloth(const Chart& chart, const InternalOptions& options, const StopToken& stop, RefineResult& result);
+void refine_cloth(const Chart& chart, const InternalOptions& options, RefineBudget& budget, const StopToken& stop,
+                  RefineResult& result);
 
 }  // namespace wirewarp
