@@ -219,6 +219,20 @@ TEST(SeamsThatGive, NoPieceTakesMoreFactorizationsThanAllowed) {
   }
 }
 
+/// The second trial has only what the first one left, but that is not a limit that anybody set.
+TEST(SeamsThatGive, PiecesThatFailNameTheLimitOfTheUser) {
+  const int n = 4;
+  FlattenInput input = test::saddle_of_wires(n, 0.2);
+  test::add_seam(input, test::grid_column(n, n, n / 2));
+  Options options;
+  options.max_factorizations = 3;
+  for (const Piece& piece : flatten(input, options).pieces) {
+    ASSERT_TRUE(piece.error);
+    EXPECT_NE(std::string(piece.error->what()).find("max_factorizations = 3:"), std::string::npos)
+        << piece.error->what();
+  }
+}
+
 /// One beside the other, the last of these would have coordinates of a hundred, and edges of 1/40 would lose two
 /// digits.
 TEST(SeamsThatGive, AHundredCoupledPiecesKeepTheDigitsOfOne) {
