@@ -321,9 +321,9 @@ TEST(ProposeCuts, RefuseWishesOutOfRange) {
   wishes = {};
   for (const int other : {24, 25}) {  // the opposite corner, and one that is not there
     wishes.no_seam = (VertexPairs(1, 2) << 0, other).finished();
-    EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option),
-              "The option no_seam is a list with the pair 0, " + std::to_string(other) +
-                  ": it must hold edges of the mesh.");
+    EXPECT_EQ(
+        refusal(hill(4), wishes, ErrorCode::invalid_option),
+        "The option no_seam is a list with the pair 0, " + std::to_string(other) + ": it must hold edges of the mesh.");
   }
 }
 

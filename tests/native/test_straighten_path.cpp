@@ -162,7 +162,8 @@ TEST(StraightenPath, RefusesWhatIsNoPath) {
   FlattenInput input = grid();
   test::add_seam(input, test::grid_row(kN, 6));
   EXPECT_EQ(message_of(input, {5}), "The option path is too short: it must have two vertices or more.");
-  EXPECT_EQ(message_of(input, {5, 999}), "The option path is through vertex 999: it must use the vertices of the mesh, 0 to 168.");
+  EXPECT_EQ(message_of(input, {5, 999}),
+            "The option path is through vertex 999: it must use the vertices of the mesh, 0 to 168.");
   EXPECT_EQ(message_of(input, {14, 17}),
             "The option path is through 14, 17: it must run along edges of the mesh, and these vertices have no edge.");
   EXPECT_EQ(message_of(input, {0, 1}),
