@@ -65,6 +65,14 @@ TEST(VertexMatrix, AddsBlocksWhereTheyBelong) {
   }
 }
 
+TEST(VertexMatrix, AVertexPairedWithItselfHasItsDiagonalBlockAlone) {
+  const VertexMatrix matrix(3, {{0, 0}, {2, 0}, {1, 1}, {0, 0}});
+  const VertexMatrix without(3, {{2, 0}});
+  EXPECT_EQ(matrix.lower().nonZeros(), without.lower().nonZeros());
+  // The block of a submatrix is copied column by column, which Eigen does only for rising rows.
+  EXPECT_EQ(Eigen::SparseMatrix<double>(matrix.lower().topLeftCorner(2, 2)).nonZeros(), 6);
+}
+
 TEST(VertexMatrix, TheGraphHasEachCoupledPairOnceFromEitherSide) {
   std::mt19937 random(1);
   const int n = 9;

@@ -82,7 +82,7 @@ double ShearSmoothing::value_of_rounding(double error) const {
 
 void ShearSmoothing::list_pairs(std::vector<VertexPair>& pairs) const {
   for (const Edge& edge : edges_) {
-    if (edge.vertices[2] != edge.vertices[3]) pairs.push_back({edge.vertices[2], edge.vertices[3]});
+    pairs.push_back({edge.vertices[2], edge.vertices[3]});
   }
 }
 

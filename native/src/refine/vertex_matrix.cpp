@@ -14,6 +14,7 @@ struct Columns {
 };
 
 /// The larger vertices of pairs by the smaller ones, each once. In buckets: to sort all pairs at once takes longer.
+/// Leaves out pairs of a vertex with itself, whose block is the diagonal.
 Columns columns_of(int num_vertices, const std::vector<VertexPair>& pairs) {
   std::vector<int> end(num_vertices + 1, 0);
   for (const VertexPair& pair : pairs) ++end[std::min(pair[0], pair[1]) + 1];
@@ -27,7 +28,7 @@ Columns columns_of(int num_vertices, const std::vector<VertexPair>& pairs) {
     const auto last = larger.begin() + end[v];
     std::sort(first, last);
     columns.begin.push_back(static_cast<int>(columns.row.size()));
-    std::unique_copy(first, last, std::back_inserter(columns.row));
+    std::unique_copy(std::upper_bound(first, last, v), last, std::back_inserter(columns.row));
     first = last;
   }
   columns.begin.push_back(static_cast<int>(columns.row.size()));

@@ -19,7 +19,7 @@ class VertexMatrix {
     int left, right;
   };
 
-  /// pairs: coupled vertices, in any order, repeated or not.
+  /// pairs: coupled vertices, in any order, repeated or not. A vertex may be paired with itself.
   VertexMatrix(int num_vertices, const std::vector<VertexPair>& pairs);
 
   /// The block of a coupled pair. row > column.
