@@ -31,6 +31,7 @@ NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: those of
 DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")  # check_system() refuses all others
 ADDON_MODULE = LEGACY_MODULE if DEBIAN_VERSION == LEGACY_PYTHON else EXTENSION_MODULE  # in Debian's Blender
 BPY = {"bpy==4.2.23": "3.11", "bpy==4.5.15": "3.11", "bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
+EXTENSION_PROGRAM = "addons_core/bl_pkg/cli/blender_ext.py"  # what `blender --command extension` runs
 
 
 def blender_folder(name: str) -> dict[str, str]:
@@ -98,15 +99,19 @@ def bpy_python(requirement: str) -> Path:
     return venv(requirement.replace("==", "-"), require_python(version), requirement, PYTEST, NUMPY[version])
 
 
+def blender_script(python: Path, name: str) -> Path:
+    """Return one of the scripts that come with the bpy of this Python."""
+    (script,) = python.parent.parent.glob(f"lib/*/site-packages/bpy/*/scripts/{name}")
+    return script
+
+
 def bpy_tests(requirement: str) -> None:
     """All tests in the newest Blender; in those before it the ones that depend on Blender's interface."""
     require_apt(*BPY_APT)
     package()
     python = bpy_python(requirement)
-    scripts = "lib/*/site-packages/bpy/*/scripts"
-    (blender_ext,) = python.parent.parent.glob(f"{scripts}/addons_core/bl_pkg/cli/blender_ext.py")
-    (tags,) = python.parent.parent.glob(f"{scripts}/modules/_bpy_internal/extensions/tags.py")
-    run([python, blender_ext, "validate", f"--valid-tags={tags}", extension_zip()])
+    tags = blender_script(python, "modules/_bpy_internal/extensions/tags.py")
+    run([python, blender_script(python, EXTENSION_PROGRAM), "validate", f"--valid-tags={tags}", extension_zip()])
     settings = blender_folder(f"test-{python.parent.parent.name}") | {"WIREWARP_ZIP": str(extension_zip())}
     chosen = [] if requirement == list(BPY)[-1] else ["-m", "api"]
     run([python, "tests/addon/run_in_blender.py", "--", "-q", *chosen, "tests/addon"], **settings)

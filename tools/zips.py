@@ -11,6 +11,7 @@ import re
 import tomllib
 import zipfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -78,6 +79,11 @@ def extension_zip(folder: Path, platform: str) -> Path:
 
 def legacy_zip(folder: Path, platform: str) -> Path:
     return folder / f"wirewarp-{VERSION}-legacy-{platform}.zip"
+
+
+def extension_zips(folder: Path) -> list[Path]:
+    """Return the extension zips of all systems in the folder, by name."""
+    return [path for path in map(partial(extension_zip, folder), sorted(PLATFORMS.values())) if path.is_file()]
 
 
 def addon_files() -> dict[str, bytes]:

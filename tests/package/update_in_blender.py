@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Run with a Python that has bpy: a user adds a repository's address, installs, flattens, and updates through Blender.
+
+Usage: python update_in_blender.py REPOSITORY GENERATOR, with dist/repository/ and Blender's program for extensions.
+BLENDER_USER_RESOURCES must name an empty folder.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import bpy
+
+NEXT_VERSION = "99.0.0"  # above any that this project will have
+MODULE = "bl_ext.WireWarpupdates.wirewarp"  # as Blender names it after the repository
+SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "half_cylinder.blend"
+
+
+def raise_version(zip_file: Path) -> None:
+    """Give the extension in this zip a later version."""
+    with zipfile.ZipFile(zip_file) as archive:
+        files = {name: archive.read(name) for name in archive.namelist()}
+    (manifest,) = (name for name in files if name.endswith("blender_manifest.toml"))
+    lines = files[manifest].decode().splitlines()
+    raised = [f'version = "{NEXT_VERSION}"' if line.startswith("version = ") else line for line in lines]
+    assert raised != lines
+    files[manifest] = "\n".join(raised).encode()
+    with zipfile.ZipFile(zip_file, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in files.items():
+            archive.writestr(name, content)
+
+
+def installed_version(repository: bpy.types.UserExtensionRepo) -> str:
+    manifest = Path(repository.directory) / "wirewarp" / "blender_manifest.toml"
+    (line,) = (line for line in manifest.read_text().splitlines() if line.startswith("version = "))
+    return line.split('"')[1]
+
+
+def flatten_sample() -> None:
+    bpy.ops.wm.open_mainfile(filepath=str(SAMPLE))
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert [each for each in bpy.data.objects if each.name.endswith("Flat")]
+
+
+def main() -> None:
+    original, generator = map(Path, sys.argv[1:])
+    folder = Path(os.environ["BLENDER_USER_RESOURCES"]) / "served"
+    shutil.copytree(original, folder)
+
+    preferences = bpy.context.preferences
+    preferences.system.use_online_access = True  # what the splash screen asks; nothing here goes online
+    address = (folder / "index.json").as_uri()
+    bpy.ops.preferences.extension_repo_add(name="WireWarp updates", remote_url=address, type="REMOTE")
+    index, repository = next((i, r) for i, r in enumerate(preferences.extensions.repos) if r.remote_url == address)
+    assert repository.module == MODULE.split(".")[1]
+
+    bpy.ops.extensions.repo_sync(repo_index=index)
+    bpy.ops.extensions.package_install(repo_index=index, pkg_id="wirewarp", enable_on_install=True)
+    assert MODULE in preferences.addons
+    first = installed_version(repository)
+    flatten_sample()
+
+    for zip_file in folder.glob("*.zip"):
+        raise_version(zip_file)
+    subprocess.run([sys.executable, generator, "server-generate", f"--repo-dir={folder}"], check=True)
+    bpy.ops.extensions.repo_sync(repo_index=index)
+    bpy.ops.extensions.package_upgrade_all()
+    assert first != installed_version(repository) == NEXT_VERSION, (first, installed_version(repository))
+    assert MODULE in preferences.addons
+    flatten_sample()
+    print(f"installed {first}, updated to {NEXT_VERSION}: 1 passed, 0 failed")
+
+
+code = 1
+try:
+    main()
+    code = 0
+finally:
+    sys.stdout.flush()
+    sys.stderr.flush()
+    shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
+    if code == 0:
+        os._exit(0)  # the module may wait for ever for a thread of its own when Python ends
