@@ -35,6 +35,15 @@ def test_a_small_piece_has_its_name_alone():
     assert card(20, 10) == [("Cuff",)]
 
 
+def test_a_piece_names_no_allowance_that_it_does_not_have():
+    points = [(0, 0), (200, 0), (200, 150), (0, 150), (300, 0), (500, 0), (500, 150), (300, 150)]
+    result = quads(points, [(0, 1, 2, 3), (4, 5, 6, 7)])
+    pattern = Pattern.from_result(result, allowance=10.0, allowances=[(0, 1, 30.0)])
+    lines = ["Includes 10 mm to 30 mm allowance", "Includes 10 mm allowance"]
+    assert all(line in piece.texts[0].lines for line, piece in zip(lines, pattern.pieces, strict=True))
+    assert pattern.allowance_text == "10 mm to 30 mm"
+
+
 def box(text):
     """Lower left and upper right corner of a level text, whose letters are at least half as wide as high."""
     half = np.array([len(text.lines[0]) * text.height / 4, text.height / 2])

@@ -84,6 +84,7 @@ class PatternPiece:
     material: str = ""
     on_fold: bool = False  # half of it is drawn; the other half lies beyond the fold
     area: float = 0.0  # square millimeters inside the stitching lines, of the whole piece
+    allowances: tuple[float, ...] = ()  # widths outside of its stitching lines, in millimeters; without those of 0
 
     def of_role(self, *roles: str) -> list[Line]:
         return [line for line in self.lines if line.role in roles]

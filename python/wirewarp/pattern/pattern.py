@@ -148,7 +148,6 @@ class Pattern(PatternData):
         seams = sewn_sides([loop for piece in laid for loop in piece.loops], len(seam_names))
         check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seam_names, seams)
         system = UnitSystem(units)
-        text = system.range_of([run.width for piece in laid for own in piece.outlines for run in own.runs if run.width])
         points = marks(laid, seams, notch_spacing)
         joined, notes = joined_by(laid), notes_on_sides(seams, system)
         done = []
@@ -159,7 +158,7 @@ class Pattern(PatternData):
         walks = walks_of(laid, seam_names, seams, points)
         low = np.min([piece.bounds[0] for piece in done], axis=0)
         moved = [piece.moved(-low) for piece in done]
-        return (yield from cls(title, moved, text, system, warnings, date, walks)._adding_cards())
+        return (yield from cls(title, moved, system, warnings, date, walks)._adding_cards())
 
     @classmethod
     def of_cut_lines(
@@ -176,7 +175,7 @@ class Pattern(PatternData):
         """Only the cutting lines, where they lie: as from_pieces, but quicker, to show them and their pages."""
         widths = Widths(allowance, None, allowances, side_allowances, folds)
         laid = in_one_go(lay_all(pieces, widths, "auto", darts))
-        return cls("", [outlined(own) for own in laid], "", UnitSystem(units))
+        return cls("", [outlined(own) for own in laid], UnitSystem(units))
 
     def _with_cards(self) -> "Pattern":
         return in_one_go(self._adding_cards())
@@ -187,7 +186,7 @@ class Pattern(PatternData):
         pieces: list[PatternPiece] = []
         for number, piece in enumerate(self.pieces, start=1):
             yield "texts", len(pieces) / count
-            pieces.append(with_card(piece, number, count, self.heading, self.allowance_text, self.units))
+            pieces.append(with_card(piece, number, count, self.heading, self.units))
         return replace(self, pieces=pieces)
 
     def twins(self) -> list[tuple[int, int]]:
@@ -300,7 +299,7 @@ class Pattern(PatternData):
         """
         if self.marker:
             raise problem("The pattern is already laid out on a marker.")
-        card = len(self.pieces), self.heading, self.allowance_text, self.units
+        card = len(self.pieces), self.heading, self.units
         whole = [at_corner(with_card_anew(unfolded(piece), *card) if piece.on_fold else piece) for piece in self.pieces]
         if not marker.is_of(whole):
             raise problem("The pieces have changed since the marker was made: nest them again.")

@@ -51,12 +51,16 @@ class PatternData:
 
     title: str
     pieces: list[PatternPiece]
-    allowance_text: str  # what is included: "10 mm", "10 to 30 mm" or "none"
     units: UnitSystem
     warnings: list[str] = field(default_factory=list)
     date: str = ""  # as it stands on the pieces
     walks: list[SeamWalk] = field(default_factory=list)  # by index of the seam
     marker: Marker | None = None  # of which this is the drawing: every copy of a piece is a piece of its own
+
+    @property
+    def allowance_text(self) -> str:
+        """What the pieces include: "10 mm", "10 mm to 30 mm" or "none"."""
+        return self.units.range_of([width for piece in self.pieces for width in piece.allowances])
 
     @property
     def heading(self) -> str:

@@ -17,13 +17,12 @@ TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be r
 DOWN = np.array([0.0, -1.0])
 
 
-def with_card(
-    piece: PatternPiece, number: int, count: int, heading: str, allowance: str, units: UnitSystem
-) -> PatternPiece:
+def with_card(piece: PatternPiece, number: int, count: int, heading: str, units: UnitSystem) -> PatternPiece:
     """With its number and texts: a card of what a maker must know, and names along its lines.
 
     The card: heading (style and date), number of how many, name, how often to cut it, material, allowance, area.
     """
+    allowance = units.range_of(piece.allowances)
     includes = "No seam allowance" if allowance == "none" else f"Includes {allowance} allowance"
     place = f"{number} of {count}"
     lines = (heading, place, piece.name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
@@ -41,10 +40,10 @@ def with_card(
     return replace(piece, number=number, lines=[*kept, *leaders], texts=[*text, *names])
 
 
-def with_card_anew(piece: PatternPiece, count: int, heading: str, allowance: str, units: UnitSystem) -> PatternPiece:
+def with_card_anew(piece: PatternPiece, count: int, heading: str, units: UnitSystem) -> PatternPiece:
     """As with_card, for a piece that was changed: only with texts of the kinds that it had."""
     roles = {text.role for text in piece.texts}
-    whole = with_card(piece, piece.number, count, heading, allowance, units)
+    whole = with_card(piece, piece.number, count, heading, units)
     left_out = {LEADERS[role] for role in LEADERS if role not in roles}
     return replace(
         whole,

@@ -156,7 +156,8 @@ def finished(
     lines = [*lines_of(laid, seam_names, joined, notes), grain_line(laid)]
     area = abs(sum(map(signed_area, laid.sew_loops)))
     on_fold = any(run.is_fold for outline in laid.outlines for run in outline.runs)
-    return PatternPiece(laid.index + 1, laid.name, lines, list(points), [], (1, 0), material, on_fold, area)
+    widths = tuple(sorted({run.width for outline in laid.outlines for run in outline.runs if run.width}))
+    return PatternPiece(laid.index + 1, laid.name, lines, list(points), [], (1, 0), material, on_fold, area, widths)
 
 
 def outlined(laid: Laid) -> PatternPiece:
