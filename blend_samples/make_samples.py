@@ -21,7 +21,9 @@ sys.path[:0] = [str(FOLDER), str(FOLDER.parent / "addon" / "wirewarp" / "blender
 from shapes import FAIRNESS, Shape, all_shapes  # noqa: E402 (the folder must be on the path first)
 from views import Projection, fit  # noqa: E402 (the folder must be on the path first)
 
-CLOTHS = ("", "woven", "denim", "jersey", "swim", "leather", "neoprene")  # in the order of the add-on's setting
+CLOTHS = (  # in the order of the add-on's setting
+    "", "woven", "denim", "jersey", "swim", "leather", "neoprene", "felt", "fleece", "minky", "vinyl", "foam",
+)  # fmt: skip
 COTANGENTS = (1.7, 2.6)  # of half the angles of Blender's usual view, the sidebar and the toolbar taken off
 
 

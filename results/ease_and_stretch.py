@@ -93,7 +93,9 @@ def in_each_cloth(shape: Shape) -> dict[str, Strained]:
 
 def section(inputs: Inputs) -> str:
     shapes = {name: inputs.shapes[name] for name in DRAWN}
-    as_made = {name: made_in(shape, shape.cloth, shape.stretch) for name, shape in shapes.items()}
+    # Only the swimsuit is made in its fabric: the others show what eases alone do.
+    fabrics = {name: shape.cloth if any(shape.stretch) else "" for name, shape in shapes.items()}
+    as_made = {name: made_in(shape, fabrics[name], shape.stretch) for name, shape in shapes.items()}
     lines = [
         *(Cut(f"{SWIMSUIT}, {line.name}", line.worn, line.cut) for line in stretched_lines(as_made[SWIMSUIT])),
         eased_line(f"{SLEEVE}: head, in an armhole of", as_made[SLEEVE]),

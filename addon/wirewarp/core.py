@@ -77,7 +77,9 @@ if TYPE_CHECKING:
     from wirewarp import Wire as Wire
     from wirewarp import WireReport as WireReport
     from wirewarp import pattern as pattern
+    from wirewarp.report import ANY_LIMIT as ANY_LIMIT
     from wirewarp.report import BEYOND_FABRIC as BEYOND_FABRIC
+    from wirewarp.report import CLOSED_CODE as CLOSED_CODE
     from wirewarp.report import SHOWN_NAMES as SHOWN_NAMES
     from wirewarp.report import STRAINED as STRAINED
     from wirewarp.report import TORN as TORN

@@ -16,6 +16,7 @@ ROOMS = (ui, marks, flatten, suggest, export, report_panel, overlay)
 SIDEBAR = (  # Blender shows panels in the order in which they are registered
     report_panel.flatten_panel,
     suggest.panel,
+    report_panel.export_panel,
     marks.panel,
     marks.wire_list,
     report_panel.piece_list,

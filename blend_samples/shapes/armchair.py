@@ -49,7 +49,7 @@ def armchair_cover(
     for mirror, name in ((1, "Left"), (-1, "Right")):
         grid = builder.add_grid(panel * [mirror, 1, 1], flip=mirror < 0)
         builder.add_wire(grid[:, across // 2], f"{name} arm front", TOLERANCE)
-    return builder.build("Armchair cover")
+    return builder.build("Armchair cover", cloth="jersey")
 
 
 def _wall(arm: int, corner: int, back: int, outside: int, roll: int, inside: int) -> np.ndarray:

@@ -32,7 +32,7 @@ def wetsuit_collar(half_columns: int = 34, rows: int = 24) -> Shape:
     grid = builder.add_grid(np.concatenate([left[:, :0:-1] * [-1, 1, 1], left], axis=1))
     builder.add_wire(grid[rows // 2], "Base of the neck", TOLERANCE)
     builder.add_wire(grid[:, half_columns], "Middle front", TOLERANCE)
-    return builder.build("Wetsuit collar")
+    return builder.build("Wetsuit collar", cloth="neoprene")
 
 
 def _half(columns: int, rows: int) -> np.ndarray:

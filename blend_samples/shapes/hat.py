@@ -40,7 +40,7 @@ def hat(fan_rows: int = 12, side_rows: int = 7, brim_rows: int = 6, sectors: int
     builder.add_seam(crown[-1])
     builder.add_seam(brim[:, quarter * fan_rows])
     builder.add_wire(crown[side_rows // 2], "Head line")
-    return builder.build("Hat")
+    return builder.build("Hat", cloth="fleece")
 
 
 def _meridian(fan: list[np.ndarray], side: np.ndarray, first_row: int) -> np.ndarray:

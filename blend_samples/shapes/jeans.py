@@ -48,7 +48,7 @@ def jeans(leg: int = 30, seat: int = 9, yoke: int = 4, band: int = 3, columns: i
         for wearer, name in ((1, "Left"), (-1, "Right")):
             crease = grids[side, wearer][: waist_seam + 1, columns // 2]
             builder.add_wire(crease, f"{name} {place} crease", TOLERANCE)
-    return builder.build("Jeans")
+    return builder.build("Jeans", cloth="woven")
 
 
 def _around(grids: dict[tuple[int, int], np.ndarray], quarters: list[tuple[int, int]], row: int) -> np.ndarray:

@@ -34,7 +34,7 @@ def mask(around: int = 72, rings: int = 9) -> Shape:
     builder.add_wire(np.concatenate([left[:, 0], right[-2::-1, 0]]), "Nose bridge")
     builder.add_wire(left[:, temple], "Left temple")
     builder.add_wire(right[:, temple], "Right temple")
-    return builder.build("Carnival mask")
+    return builder.build("Carnival mask", cloth="leather")
 
 
 def _half(around: int, rings: int, below: int, above: int) -> tuple[np.ndarray, int]:

@@ -48,7 +48,7 @@ def set_in_sleeve(
     builder.add_wire(sleeve[upper // 2], "Biceps line")
     notch = round(NOTCH * armhole)
     builder.add_ease(sleeve[0, notch : len(loop) - notch][::-1], EASE)
-    return builder.build("Set-in sleeve")
+    return builder.build("Set-in sleeve", cloth="jersey")
 
 
 def _panel(body: torso.Half, shoulder: int, neck: int, ribs: int, side: int, armhole: int) -> np.ndarray:

@@ -39,7 +39,7 @@ class Shape:
     seams: np.ndarray  # (k, 2) vertex pairs
     wires: list[Wire] = field(default_factory=list)
     eases: list[Ease] = field(default_factory=list)
-    cloth: str = ""  # a name of wirewarp.Cloth.presets(), or none
+    cloth: str = ""  # a name of wirewarp.Cloth.presets() that stretches far enough; none: any fabric does
     stretch: tuple[float, float] = (0.0, 0.0)  # how far that cloth is stretched when worn, across and along the grain
     fairness: float = FAIRNESS  # of wirewarp.Options
 

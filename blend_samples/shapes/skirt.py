@@ -38,7 +38,7 @@ def gathered_skirt(panel: int = 40, length: int = 20, band: int = 3) -> Shape:
     builder.add_ease(skirt[-1, ::-1], GATHERS)
     builder.add_wire(skirt[:, front], "Middle front")
     builder.add_wire(skirt[:, back], "Middle back")
-    return builder.build("Gathered skirt", fairness=FAIRNESS)
+    return builder.build("Gathered skirt", cloth="jersey", fairness=FAIRNESS)
 
 
 def _rings(heights: np.ndarray, radii: np.ndarray, edges: int) -> np.ndarray:

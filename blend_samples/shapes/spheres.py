@@ -26,7 +26,7 @@ def quarter_sphere(segments: int = 28, cap: float = np.radians(20)) -> Shape:
                 builder.add_face(face)
     builder.add_wire(grid[:, segments // 2], "Meridian")
     builder.add_wire(grid[segments], "Cross arc")
-    return builder.build("Quarter sphere")
+    return builder.build("Quarter sphere", cloth="swim")
 
 
 def ball(rows: int = 17, gores: int = 6) -> Shape:
@@ -40,7 +40,7 @@ def ball(rows: int = 17, gores: int = 6) -> Shape:
             builder.add_seam(np.array([row[0] for row in fan]))
         equator += list(fan[-1][:-1])
     builder.add_wire(np.array([*equator, equator[0]]), "Equator")
-    return builder.build("Ball of six gores")
+    return builder.build("Ball of six gores", cloth="jersey")
 
 
 def _hemisphere(radius: float, rows: int, pole: int) -> Callable[[int, np.ndarray], np.ndarray]:

@@ -43,7 +43,7 @@ def fitted_top(
         builder.add_seam(grid[:, 0])
         builder.add_wire(grid[::-1, armhole], f"{name} sleeve middle")
         builder.add_wire(grid[sleeve // 2], f"{name} biceps line")
-    return builder.build("Fitted top")
+    return builder.build("Fitted top", cloth="jersey")
 
 
 def _lower_rows(half: int, hem: int, ribs: int, columns: int) -> np.ndarray:

@@ -58,7 +58,7 @@ def toy(body_rows: int = 15, head_rows: int = 14, limb_rows: int = 9, ear_rows: 
             builder.add_wire(grid[limb_rows // 2], f"{side} {name} line", TOLERANCE)
     for mirror in (1, -1):
         _add_ear(builder, builder.points(ears[0].loop(head)), ear_rows, mirror)
-    return builder.build("Toy")
+    return builder.build("Toy", cloth="swim")
 
 
 def _add_trunk(

@@ -55,7 +55,7 @@ def wetsuit_upper_body(
     for half, place in ((1, "front"), (-1, "back")):
         for column, name in ((columns - shoulder, "Left"), (shoulder, "Right")):
             builder.add_wire(panels[half][:, column], f"{name} {place} line", TOLERANCE)
-    return builder.build("Wetsuit upper body")
+    return builder.build("Wetsuit upper body", cloth="neoprene")
 
 
 def _seam(half: int, hem: int, ribs: int, stub: int, under: int, armhole: int) -> np.ndarray:

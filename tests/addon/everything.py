@@ -66,6 +66,11 @@ class AnyLayout:
     def label(self, text="", **_):
         self.words.append(text)
 
+    def menu(self, name, **_):
+        """Drawn at once, as where it is open."""
+        kind = getattr(bpy.types, name)
+        kind.draw(SimpleNamespace(layout=self), sidebar())
+
     def prop(self, owner, name, **_):
         self.words.append(str(getattr(owner, name)))
 

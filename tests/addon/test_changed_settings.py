@@ -20,18 +20,26 @@ def source():
     return target
 
 
-def drawn(addon, *, advanced):
+def drawn(addon, part):
     layout = MagicMock()
-    addon.ui.settings.draw_settings(layout, bpy.context.scene.wirewarp, advanced=advanced)
+    addon.ui.settings.draw_settings(layout, bpy.context.scene.wirewarp, part)
     return {call.args[1] for call in layout.row.return_value.prop.call_args_list}
 
 
 def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
     bpy.context.scene.wirewarp.cloth = "CUSTOM"  # which has the most settings
-    main, advanced = drawn(addon, advanced=False), drawn(addon, advanced=True)
+    front, main, advanced = (drawn(addon, part) for part in addon.state.settings.PARTS)
+    assert front == {"cloth", "gives_across", "gives_along"}
     assert advanced == {"thickness", "surface", "method", "node_weight"}
-    assert not main & advanced
-    assert main | advanced == set(addon.state.settings.FlattenSettings.__annotations__)
+    everything = set(addon.state.settings.FlattenSettings.__annotations__)
+    assert front | main | advanced == everything and len(front) + len(main) + len(advanced) == len(everything)
+
+
+def test_the_maximum_stretch_of_a_fabric_from_the_list_is_among_the_settings(addon):
+    """Above Flatten there is only what everybody has to enter."""
+    bpy.context.scene.wirewarp.cloth = "JERSEY"
+    assert drawn(addon, "FRONT") == {"cloth"}
+    assert {"gives_across", "gives_along"} <= drawn(addon, "MAIN")
 
 
 def give(addon, source, **settings):
@@ -49,9 +57,9 @@ def give(addon, source, **settings):
         ({"method": "WIREWARPING"}, "Method"),
         ({"fairness": 0.2, "spacing": 100.0}, "Smooth Outlines, Gap"),
         ({"layout_kind": "ROW", "orientation": "BOUNDARY"}, "Layout, Upright"),
-        ({"cloth": "WOVEN"}, "Cloth"),
+        ({"cloth": "WOVEN"}, "Fabric"),
         ({"thickness": 3.0}, "Thickness"),
-        ({"cloth": "CUSTOM", "gives_along": 3.0}, "Cloth"),
+        ({"cloth": "CUSTOM", "gives_along": 3.0}, "Fabric"),
     ],
 )
 def test_what_would_make_other_pieces_is_named(addon, source, settings, names, tmp_path, capfd):

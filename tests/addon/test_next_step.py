@@ -91,7 +91,7 @@ def test_ignored_modifiers_are_taken_from_then_on(addon):
     assert MEND(**step.settings) == {"FINISHED"}
     assert len(flat_of(source).data.polygons) == 64
     assert bpy.context.scene.wirewarp.use_modifiers
-    assert "Lengths are exact" in draw_panels(addon) and "object.wirewarp_mend" not in buttons(addon)
+    assert "Lengths are exact" in draw_panels(addon) and "Flatten with Modifiers" not in draw_panels(addon)
 
 
 def test_modifiers_added_after_a_run_turn_the_verdict_amber_until_they_are_hidden(addon):
@@ -113,7 +113,7 @@ def test_what_only_can_be_looked_at_is_shown(addon):
     step = step_of(addon, source)
     assert (step.text, step.settings) == ("Show Strained Place", {"what": "HINT", "index": 0})
     shown = buttons(addon).count("object.wirewarp_suggest_darts")
-    assert shown == 3 * 2  # beside the verdict, the piece and the hint; in a narrow and in a wide sidebar
+    assert shown == 2  # beside the verdict; in a narrow and in a wide sidebar
     assert bpy.ops.mesh.wirewarp_select_result(**step.settings) == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     source.data.vertices[6].co.z = float("nan")
@@ -128,7 +128,7 @@ def test_a_piece_strained_too_evenly_for_a_place_is_suggested_a_cut(addon):
     report = addon.state.reports.last_report(source)
     assert report.pieces[0].is_strained and not report.hints and step_of(addon, source) is None
     shown = buttons(addon).count("object.wirewarp_suggest_darts")
-    assert shown == 2 * 2  # beside the verdict and the piece; in a narrow and in a wide sidebar
+    assert shown == 2  # beside the verdict; in a narrow and in a wide sidebar
 
 
 def test_nothing_to_mend_is_said(addon):
@@ -247,3 +247,21 @@ def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
     ]
     step = addon.report_panel.next_step.next_step(report, [])
     assert (step.text, step.settings) == ("Show Strained Place", {"what": "HINT", "index": 3})
+
+
+def test_amber_offers_the_fabrics_that_can_and_one_click_flattens_for_it(addon):
+    source = grid("Bump", bump, size=4)
+    bpy.ops.object.wirewarp_flatten()
+    report = addon.state.reports.last_report(source)
+    offered = addon.report_panel.fabrics.fabrics_that_can(report)
+    needed = report.pieces[0].needed
+    limits = {name: min(addon.core.Cloth.preset(name).limits) for name in addon.core.Cloth.presets()}
+    assert 0 < len(offered) < len(limits)
+    assert set(offered) == {name for name, limit in limits.items() if limit >= needed}
+    labels = [addon.state.settings.fabric_label(name) for name in offered]
+    assert all(label in draw_panels(addon) for label in labels)
+    bpy.context.scene.wirewarp.gives_along = 2.0  # of another fabric
+    assert MEND(what="FABRIC", cloth=offered[0].upper()) == {"FINISHED"}
+    assert bpy.context.scene.wirewarp.cloth == offered[0].upper()
+    assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
+    assert labels[-1] not in draw_panels(addon)

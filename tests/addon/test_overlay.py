@@ -188,7 +188,7 @@ def test_a_missing_map_is_explained(addon, source):
     assert notes() == []
     bpy.context.scene.wirewarp.shown_map = "WEFT_STRAIN_COLOR"
     addon.state.drawings.forget()
-    assert notes() == ["No cloth was chosen: no such map"]
+    assert notes() == ["No fabric was chosen: no such map"]
     bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
     source.data.vertices[40].co.z += 0.1
     source.data.update()
@@ -196,7 +196,17 @@ def test_a_missing_map_is_explained(addon, source):
     addon.state.drawings.forget()
     assert notes() == ["Changed since: flatten again"]
     mark(grid("New", bump), RIGID)
-    assert notes() == ["Not flattened yet: no map", "Changed since: flatten again"]
+    assert notes() == ["Not flattened: no map", "Changed since: flatten again"]
+
+
+def test_a_model_that_failed_has_not_changed_since(addon):
+    failed = grid("Wide", bump, size=4)
+    failed.data.vertices[6].co.z = float("nan")
+    with pytest.raises(RuntimeError):
+        bpy.ops.object.wirewarp_flatten()
+    bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
+    shown, context = addon.overlay.shown, view_context()
+    assert shown.missing_maps(list(shown.drawings(context)), shown.shown_map(context)) == ["Not flattened: no map"]
 
 
 def test_a_map_of_a_shape_with_modifiers_lies_on_that_shape(addon, source):

@@ -90,9 +90,10 @@ def flatten_as_the_file_says(folder):
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_flatten_keeps_every_length(name, tmp_path):
-    open_sample(name)
+def test_flatten_keeps_every_length_and_the_verdict_is_good(name, addon, tmp_path):
+    source = open_sample(name)
     report = flatten_as_the_file_says(tmp_path)
+    assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
     assert report["ok"]
     assert all(seam["mismatch_m"] < 1e-6 for seam in report["seams"])
     assert [wire["name"] for wire in report["wires"]] == [wire.name for wire in SAMPLES[name].wires]

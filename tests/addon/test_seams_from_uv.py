@@ -105,3 +105,57 @@ def test_without_a_map_nothing_is_marked():
         bpy.ops.mesh.wirewarp_seams_from_uv_islands()
     bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(first.data) == set()
+
+
+def cube(*, with_map=True):
+    """Closed, with a map in which its six faces are unfolded into one island."""
+    bpy.ops.mesh.primitive_cube_add(calc_uvs=with_map)
+    return bpy.context.active_object
+
+
+def flatten_fails():
+    with pytest.raises(RuntimeError, match="is closed"):
+        bpy.ops.object.wirewarp_flatten()
+
+
+def uv_seams_of(addon, source):
+    return addon.state.reports.last_report(source).uv_seams
+
+
+def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addon):
+    source = cube()
+    flatten_fails()
+    found = uv_seams_of(addon, source)
+    assert (found.pieces, found.failed, found.is_good) == (1, 0, True)
+    assert found.stretch == pytest.approx(0, abs=1e-6)
+    assert len(seam_edges(source.data)) == 0  # it was only tried
+    report = addon.state.reports.last_report(source)
+    step = addon.report_panel.next_step.next_step(report, [])
+    assert step.text == "Use the Seams of the UV Map: 1 piece, stretch 0.0%"
+    assert bpy.ops.object.wirewarp_mend(**step.settings) == {"FINISHED"}
+    assert len(seam_edges(source.data)) == 7  # of twelve, five hold the six faces together
+    assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
+    assert uv_seams_of(addon, source) is None
+
+
+def test_without_a_map_or_with_modifiers_no_seams_of_a_map_are_tried(addon):
+    source = cube(with_map=False)
+    flatten_fails()
+    assert uv_seams_of(addon, source) is None
+    bpy.ops.object.delete()
+    source = cube()
+    source.modifiers.new("Finer", "SUBSURF").levels = 1
+    with pytest.raises(RuntimeError, match="is closed"):
+        bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    assert uv_seams_of(addon, source) is None
+
+
+def test_seams_of_a_map_that_lowers_the_stretch_are_offered_for_a_model_without_seams(addon):
+    source = with_islands()
+    flatten(source)
+    report = addon.state.reports.last_report(source)
+    assert report.uv_seams.pieces == 2
+    assert 0 < report.uv_seams.stretch < report.pieces[0].needed
+    mark_seam(source, ACROSS)  # now the user has seams of their own
+    flatten(source)
+    assert uv_seams_of(addon, source) is None

@@ -5,15 +5,18 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from types import ModuleType
 
+import numpy as np
+
 from ..core import Cache, FlattenResult, Note, torn_hints
 from ..issues import Issue, ObjectError, note, warning
 from ..solve.arrays import INWARD, MeshArrays, faces_inward
 from ..solve.flat_mesh import FlatMesh, flat_mesh
 from ..solve.flatten import FlattenChoices, flatten_arrays, has_layout, used_choices
 from ..solve.identity import KnownPieces, PieceIdentity, identify_pieces
-from ..solve.report import Facts, ObjectReport, failure_report, object_report
+from ..solve.report import Facts, ObjectReport, UvSeams, failure_report, object_report, uv_seams
 from ..solve.seams import KnownSeams, SeamIdentity, identify_seams, ids_by_edge
 from ..solve.steps import Steps, told_as
+from ..solve.uv_islands import new_seams
 
 MIDDLE = "Lengths on the model are those of the middle of the material's thickness."
 NO_ANGLE = "Grain Angle was not used: it needs Upright: Grain Wire and a grain wire."
@@ -82,11 +85,39 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
             outcome.report.notes.append(note(NO_ANGLE))
         outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report.notes += model.notes
+    outcome.report.uv_seams = yield from _try_uv_seams(library, model, choices, meters, outcome.report)
     if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
         outcome.report.notes.append(warning(INWARD))
     if model.arrays:
         outcome.report.hints += torn_hints(model.arrays.vertices, model.arrays.outline)
     return outcome
+
+
+def _try_uv_seams(
+    library: ModuleType, model: Model, choices: FlattenChoices, meters: float, report: ObjectReport
+) -> Steps[UvSeams | None]:
+    """If pieces failed, or the model has no seams and cannot be cut from every fabric, its own UV map may do better.
+
+    None if it has nothing to add or does not do better. Modifiers make edges of their own, which nobody can mark.
+    """
+    arrays = model.arrays
+    if arrays is None or model.facts.with_modifiers:
+        return None
+    is_strained = not len(arrays.seams) and any(piece.is_strained for piece in report.pieces)
+    added = new_seams(arrays)
+    if not len(added) or not (report.issues or is_strained):
+        return None
+    seam_edges = np.union1d(arrays.seam_edges, added).astype(np.int32)
+    ids = np.zeros(len(seam_edges), dtype=np.int32)
+    tried = replace(arrays, seam_edges=seam_edges, seams=arrays.edges[seam_edges], seam_ids=ids)
+    try:
+        result = yield from flatten_arrays(library, tried, choices)
+    except ObjectError:
+        return None  # what is wrong with the model as a whole is in the report
+    found = uv_seams(result, tried, meters, choices.cloth)
+    good, stretches = sum(piece.ok for piece in report.pieces), [piece.needed for piece in report.pieces if piece.ok]
+    is_better = found.pieces - found.failed > good if report.issues else found.stretch < max(stretches)
+    return found if is_better else None
 
 
 def _outcome(model: Model, result: FlattenResult, choices: FlattenChoices, meters: float) -> Outcome:

@@ -85,7 +85,6 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
-        draw_settings(self.layout, self, advanced=True)
 
 
 class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):

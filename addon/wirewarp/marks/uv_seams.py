@@ -6,11 +6,10 @@ from collections.abc import Sequence
 import bpy
 import numpy as np
 
-from ..blender.mesh import add_seams, corner_edges, corner_vertices, next_loops, read, read_seams
+from ..blender.mesh import add_seams, corner_edges, corner_vertices, next_loops, read_seams, read_uv
 from ..issues import object_error
-from ..names import UV_LAYER
-
-TOGETHER = 1e-4  # of the UV square's side: corners nearer than this are one, as in Blender's own islands
+from ..solve.uv_islands import island_borders
+from ..state.read_model import own_uv_map
 
 
 def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
@@ -25,16 +24,11 @@ def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
 
 
 def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
-    """The active map, which after Flatten is that of the flat pieces: then the user's own, if there is one.
-
-    Of several own ones, the one to render with.
-    """
-    active, others = target.data.uv_layers.active, [each for each in target.data.uv_layers if each.name != UV_LAYER]
-    if active is None:
+    """The user's own map, or that of the flat pieces if there is no other."""
+    found = own_uv_map(target.data) or target.data.uv_layers.active
+    if found is None:
         raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')
-    if active.name != UV_LAYER or not others:
-        return active
-    return next((each for each in others if each.active_render), others[0])
+    return found
 
 
 def _mark_borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> int:
@@ -43,25 +37,9 @@ def _mark_borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> int
         corner_edges(mesh),
         corner_vertices(mesh),
         next_loops(mesh),
-        read(layer.data, "uv", np.float32, 2),
+        read_uv(layer),
         len(mesh.edges),
     )
     add_seams(mesh, np.flatnonzero(borders))
     mesh.update()
     return int(np.count_nonzero(borders & ~before))
-
-
-def island_borders(
-    loop_edges: np.ndarray, loop_vertices: np.ndarray, next_loops: np.ndarray, uv: np.ndarray, edge_count: int
-) -> np.ndarray:
-    """A mask (e,) of the edges whose faces do not lie side by side in the map; edges of one face are none.
-
-    For each corner (loop): its edge, vertex, the next corner of its face, and its place uv (l,2) in the map.
-    """
-    turned = loop_vertices > loop_vertices[next_loops]
-    ends = np.column_stack([uv, uv[next_loops]])  # (l,4): the edge's side of this face in the map
-    ends[turned] = ends[turned][:, [2, 3, 0, 1]]  # from the lower vertex to the higher one
-    lowest, highest = np.full((edge_count, 4), np.inf), np.full((edge_count, 4), -np.inf)
-    np.minimum.at(lowest, loop_edges, ends)
-    np.maximum.at(highest, loop_edges, ends)
-    return (highest - lowest > TOGETHER).any(axis=1)

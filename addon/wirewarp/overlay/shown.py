@@ -49,11 +49,13 @@ def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
     """Why the map that is wanted is not on all of them, as sentences."""
     without = [each.target for each in shown if each.surface is None and not each.target.data.is_editmode]
     reports = [last_report(model_or_self(target)) for target in without]
-    whys = {"Not flattened yet: no map": None in reports}
+    whys = {"Not flattened: no map": any(report is None or report.flat_object is None for report in reports)}
     has_no_cloth = [report is not None and color_map in CLOTH_MAPS and not _has_cloth(report) for report in reports]
-    whys["No cloth was chosen: no such map"] = any(has_no_cloth)
-    others = [report for report, no_cloth in zip(reports, has_no_cloth, strict=True) if report and not no_cloth]
-    whys["Changed since: flatten again"] = bool(others)
+    whys["No fabric was chosen: no such map"] = any(has_no_cloth)
+    flattened = [report is not None and report.flat_object is not None for report in reports]
+    whys["Changed since: flatten again"] = any(
+        is_flat and not no_cloth for is_flat, no_cloth in zip(flattened, has_no_cloth, strict=True)
+    )
     return [why for why, is_so in whys.items() if is_so]
 
 

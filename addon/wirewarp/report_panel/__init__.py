@@ -4,12 +4,14 @@
 May import: suggest, flatten, marks, overlay, ui, state, solve, blender, properties, core, issues, words.
 """
 
-from . import flatten_panel, mend, operators, panel, piece_list
+from . import export_panel, fabrics, flatten_panel, mend, operators, panel, piece_list
 
 MODULES = (
     operators,
     mend,
+    fabrics,
     flatten_panel,
+    export_panel,
     piece_list,
     panel,
 )

@@ -4,7 +4,7 @@
 import bpy
 
 from ..blender.units import likely_units, strange_size, unit_text
-from ..core import as_seen
+from ..core import Kind, as_seen
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
 from ..marks.wire_list import shown_wires
@@ -15,14 +15,16 @@ from ..state.memory import stamp
 from ..state.modifiers import shaped_by
 from ..state.owners import find_flat_object, has_flat_object, model_of, model_or_self
 from ..state.reports import last_report
-from ..suggest.panel import draw_suggest
+from ..suggest.panel import are_shown, draw_suggest
 from ..ui.layout import LEVEL_ICONS, SidebarPanel, draw_progress, draw_sentence
 from ..ui.settings import draw_settings, settings_sentence
 from ..ui.shown import untrue_sentence
 from ..ui.window_run import FLATTEN
-from .next_step import next_step, piece_to_cut
+from .fabrics import ICON, VIEW3D_MT_wirewarp_fabrics
+from .next_step import NextStep, next_step, piece_to_cut, uv_step, wants_seams
 
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
+FABRIC_HELPS = (Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC)
 WAITS = f"Of more than {EDIT_LIMIT:,} vertices: Auto waits until you leave Edit Mode."
 
 
@@ -31,6 +33,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         layout, settings = self.layout, context.scene.wirewarp
+        draw_settings(layout, settings, "FRONT")
         row = layout.row(align=True)
         row.scale_y = 1.5
         if draw_progress(row, FLATTEN, "object.wirewarp_flatten"):
@@ -77,19 +80,18 @@ def _draw_state(
             draw_sentence(context, layout, LEFT, "INFO")
         return
     left_out = _left_out(context, source, report)
-    for line in as_seen(report.tables.verdict, left_out).lines:
+    verdict = as_seen(report.tables.verdict, left_out)
+    for line in verdict.lines:
         draw_sentence(context, layout, line.text, LEVEL_ICONS[line.kind.level])
-    step = next_step(report, left_out)
+    step = next_step(report, left_out, has_suggestions=are_shown(context))
     if step:
-        if step.sentence:
-            draw_sentence(context, layout, step.sentence, "INFO")
-        button = layout.row()
-        button.scale_y = 1.2
-        asked = button.operator(step.operator, text=step.text, icon=step.icon)
-        for name, value in step.settings.items():
-            setattr(asked, name, value)
-        if step.settings.get("what") == "SEAMS":  # others, with what they cost and leave
-            draw_suggest(layout, context.scene.wirewarp, -1, ["seams"])
+        _draw_step(context, layout, step)
+    if report.uv_seams and not report.uv_seams.is_good:
+        _draw_step(context, layout, uv_step(report.uv_seams))
+    if any(line.kind in FABRIC_HELPS for line in verdict.lines):
+        layout.menu(VIEW3D_MT_wirewarp_fabrics.__name__, icon=ICON)
+    if wants_seams(report):
+        draw_suggest(layout, context.scene.wirewarp, -1, ["seams"])
     piece = piece_to_cut(report, step)
     if piece is not None:
         draw_suggest(layout, context.scene.wirewarp, piece)
@@ -97,6 +99,16 @@ def _draw_state(
     sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if sentence:
         draw_sentence(context, layout, sentence, "INFO")
+
+
+def _draw_step(context: bpy.types.Context, layout: bpy.types.UILayout, step: NextStep) -> None:
+    if step.sentence:
+        draw_sentence(context, layout, step.sentence, "INFO")
+    button = layout.row()
+    button.scale_y = 1.2
+    asked = button.operator(step.operator, text=step.text, icon=step.icon)
+    for name, value in step.settings.items():
+        setattr(asked, name, value)
 
 
 def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
@@ -123,7 +135,7 @@ class VIEW3D_PT_wirewarp_settings(SidebarPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
-        draw_settings(self.layout, context.scene.wirewarp)
+        draw_settings(self.layout, context.scene.wirewarp, "MAIN")
 
 
 class VIEW3D_PT_wirewarp_advanced(SidebarPanel, bpy.types.Panel):
@@ -132,7 +144,7 @@ class VIEW3D_PT_wirewarp_advanced(SidebarPanel, bpy.types.Panel):
     bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
-        draw_settings(self.layout, context.scene.wirewarp, advanced=True)
+        draw_settings(self.layout, context.scene.wirewarp, "ADVANCED")
 
 
 CLASSES = (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fixing what a report complains about: proposed seams and tolerances, suggested cuts, modifiers, normals."""
+"""Fixing what a report complains about: suggested seams and tolerances, cuts, fabric, modifiers, normals."""
 
 from collections.abc import Callable
 
@@ -14,6 +14,7 @@ from ..flatten.steps import FlattenSteps
 from ..flatten.targets import active_target, nothing_to_flatten
 from ..issues import ObjectError, object_error
 from ..marks.change import mark_seams
+from ..marks.uv_seams import seams_from_uv
 from ..properties import take_settings
 from ..state.memory import read_anew
 from ..state.modifiers import apply_modifiers
@@ -77,6 +78,7 @@ def _close_distance(edit: bmesh.types.BMesh) -> float:
 NOTHING = {  # by kind
     "SEAMS": "Already marked. Flatten again.",
     "SUGGESTION": "Already marked. Flatten again.",
+    "UV_SEAMS": "Already marked. Flatten again.",
     "TOLERANCES": "Already as loose, or no wires any more. Flatten again.",
     "DISSOLVE": 'Nothing to dissolve: no face of "{}" is without area.',
     "MERGE": 'No two vertices lie in one place: the faces of "{}" are apart.',
@@ -86,10 +88,10 @@ CLEAN_UP = {"DISSOLVE": dissolve_faces_without_area, "MERGE": merge_close_vertic
 
 
 class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
-    """Mend the model and flatten it again"""
+    """Fix the model and flatten it again"""
 
     bl_idname = "object.wirewarp_mend"
-    bl_label = "Mend and Flatten"
+    bl_label = "Fix and Flatten"
     bl_options = {"REGISTER", "UNDO"}
 
     what: EnumProperty(
@@ -103,6 +105,8 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             ("MERGE", "Merge", "Merge vertices of the model that lie in one place"),
             ("NORMALS", "Normals", "Turn faces of the model so that all look to one side"),
             ("APPLY", "Apply Modifiers", "Make what modifiers show the model itself, with edges that can be marked"),
+            ("UV_SEAMS", "Seams of the UV Map", "Mark the borders of the islands of the model's own UV map as seams"),
+            ("FABRIC", "Fabric", "Choose this fabric"),
             ("MODIFIERS", "Modifiers", "Take the mesh as modifiers and shape keys leave it, from now on"),
         ],
         options={"HIDDEN"},
@@ -151,6 +155,11 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             if self.what == "MODIFIERS":
                 self.use_modifiers = context.scene.wirewarp.use_modifiers = True
                 return True
+            if self.what == "FABRIC":  # its own maximum stretch, not that of another fabric
+                settings = context.scene.wirewarp
+                settings.cloth = self.cloth
+                self.gives_across = self.gives_along = settings.gives_across = settings.gives_along = 0.0
+                return True
             if context.mode == "EDIT_MESH" and source.mode != "EDIT":
                 bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
             with in_object_mode(context):
@@ -168,6 +177,10 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             check_local(source, source.data)
             check_not_edited(source)
             return CLEAN_UP[self.what](source.data)
+        if self.what == "UV_SEAMS":
+            check_local(source, source.data)
+            check_not_edited(source)
+            return seams_from_uv([source])[0]
         if self.what == "APPLY":
             check_local(source, source.data)
             check_not_edited(source)
@@ -183,7 +196,6 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
-        draw_settings(self.layout, self, advanced=True)
 
 
 def _take_suggestion(source: bpy.types.Object, *, is_smooth: bool) -> int:

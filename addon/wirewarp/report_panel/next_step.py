@@ -4,8 +4,8 @@
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..core import BEYOND_FABRIC, STRAINED, Issue
-from ..solve.report import ObjectReport
+from ..core import BEYOND_FABRIC, CLOSED_CODE, STRAINED, Issue, percent_text
+from ..solve.report import ObjectReport, UvSeams
 from ..words import counted
 
 MEND = "object.wirewarp_mend"
@@ -18,7 +18,7 @@ REMEDIES = {
     "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
     "NORMALS": ("Recalculate Normals and Flatten", "NORMALS_FACE"),
 }
-APPLY_FIRST = "What would mend it is about edges that modifiers make. Mark others on the model, or:"
+APPLY_FIRST = "The fix is about edges that modifiers make. Mark others on the model, or:"
 OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_orientation": "NORMALS"}
 
 
@@ -30,14 +30,23 @@ class NextStep(NamedTuple):
     settings: dict
 
 
-def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
-    """None where the pieces may be cut. left_out: see as_seen, of the model as it is now."""
+def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: bool = False) -> NextStep | None:
+    """None if the pieces may be cut, or if suggestions, whose buttons are below, are the next step.
+
+    left_out: see as_seen, of the model as it is now.
+    """
     remedies = [remedy_of(issue) for issue in report.issues]
     if report.with_modifiers and any(remedies):
         return NextStep(APPLY_FIRST, "Apply Modifiers and Flatten", "MODIFIER", MEND, {"what": "APPLY"})
+    if report.uv_seams and report.uv_seams.is_good:
+        return uv_step(report.uv_seams)
     for what, (text, icon) in REMEDIES.items():
-        if what in remedies:
-            return NextStep(_reason(report.issues, what), text, icon, MEND, {"what": what})
+        if what not in remedies:
+            continue
+        is_closed = {issue.code for issue in report.issues if remedy_of(issue) == what} == {CLOSED_CODE}
+        if what == "SEAMS" and (has_suggestions or is_closed):  # one slit opens a closed model, and does no more
+            return None
+        return NextStep(_reason(report.issues, what), text, icon, MEND, {"what": what})
     if report.issues:
         return _show("ISSUE", "Show Failed Place", _shown(report, report.issues))
     if left_out:
@@ -46,10 +55,22 @@ def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
     return _show("HINT", "Show Strained Place", _strained_places(report)) if is_strained else None
 
 
+def uv_step(found: UvSeams) -> NextStep:
+    """To mark the seams of the UV map, with what became of trying them."""
+    became = f"{found.failed} fail" if found.failed else f"stretch {percent_text(found.stretch)}"
+    text = f"Use the Seams of the UV Map: {counted(found.pieces, 'piece')}, {became}"
+    return NextStep("", text, "UV", MEND, {"what": "UV_SEAMS"})
+
+
+def wants_seams(report: ObjectReport) -> bool:
+    """Whether Suggest Seams is a way out."""
+    return not report.with_modifiers and any(issue.proposed_seams for issue in report.issues)
+
+
 def piece_to_cut(report: ObjectReport, step: NextStep | None) -> int | None:
     """The piece that darts or seams are suggested for beside the next step: where there is none, the worst."""
     if step:
-        return report.hints[step.settings["index"]].piece if step.settings["what"] == "HINT" else None
+        return report.hints[step.settings["index"]].piece if step.settings.get("what") == "HINT" else None
     strained = [piece for piece in report.pieces if piece.is_strained]
     return max(strained, key=lambda piece: piece.needed).index if strained else None
 

@@ -5,14 +5,12 @@ import bpy
 
 from ..blender.units import length_text
 from ..core import PieceRow, needs_text, percent_text
-from ..overlay.shown import shown_pages
 from ..solve.report import ObjectReport
-from ..state.owners import find_flat_object
 from ..state.reports import pieces_report
 from ..suggest.panel import draw_suggest
-from ..ui.layout import SidebarPanel, draw_cells, draw_progress, draw_sentence, mark_of
-from ..ui.shown import shown_source
-from ..ui.window_run import EXPORT
+from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of
+from ..ui.shown import shown_report, shown_source
+from .next_step import next_step, piece_to_cut
 from .table import draw_select
 
 NO_STRAIN = 5e-4  # what is shown as 0.0%
@@ -54,13 +52,13 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
             shown = helper.filter_items_by_name(self.filter_name, self.bitflag_filter_item, entries, "name")
         if self.use_filter_sort_alpha:
             return shown, helper.sort_items_by_name(entries, "name")
-        places = {row.index: place for place, row in enumerate(_shown_pieces(context).tables.pieces)}
+        places = {row.index: place for place, row in enumerate(shown_pieces(context).tables.pieces)}
         if places.keys() != set(range(len(entries))):
             return shown, []
         return shown, [places[index] for index in range(len(entries))]
 
 
-def _shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
+def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
     """The report of the pieces there are, whatever has failed since."""
     source = shown_source(context)
     return pieces_report(source) if source else None
@@ -68,7 +66,7 @@ def _shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
 
 def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
     """None where the report is of other pieces than the list."""
-    return next((row for row in _shown_pieces(context).tables.pieces if row.index == index), None)
+    return next((row for row in shown_pieces(context).tables.pieces if row.index == index), None)
 
 
 class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
@@ -76,7 +74,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        report = _shown_pieces(context)
+        report = shown_pieces(context)
         return report is not None and report.flat_object is not None and len(shown_source(context).wirewarp_pieces) > 0
 
     def draw(self, context: bpy.types.Context) -> None:
@@ -88,35 +86,16 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         chosen = _row_of(context, source.wirewarp_active_piece)
         if chosen:
             draw_figures(context, self.layout, chosen)
-            if chosen.ok and chosen.needed >= WORTH_A_CUT:
+            if chosen.ok and chosen.needed >= WORTH_A_CUT and not self._is_offered(context, chosen.index):
                 draw_suggest(self.layout, context.scene.wirewarp, chosen.index)
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True
-        settings = context.scene.wirewarp
-        self.layout.prop(settings, "allowance", text="Allowance (mm)")
-        row = self.layout.row(align=True)
-        if not draw_progress(row, EXPORT, "object.wirewarp_export"):
-            row.operator("object.wirewarp_export", icon="EXPORT")
-            row.prop(settings, "show_pages", text="", icon="DOCUMENTS")
-        if settings.show_pages:
-            draw_pages(context, self.layout, source)
 
-
-def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
-    """What the pages drawn over the pieces are of, and how many they are."""
-    settings, column = context.scene.wirewarp, layout.column(align=True)
-    column.prop(settings, "arrangement", text="")
-    if settings.arrangement == "MARKER":
-        column.prop(settings, "cloth_width", text="Cloth Width (mm)")
-    else:
-        column.prop(settings, "paper", text="")
-        if settings.paper == "ROLL":
-            column.prop(settings, "roll_width", text="Roll Width (mm)")
-    flat = find_flat_object(source)
-    if flat is not None and not flat.data.is_editmode:
-        preview = shown_pages(context, source, flat)
-        draw_sentence(context, layout, preview.sentence, "NONE" if preview.is_good else "ERROR")
+    def _is_offered(self, context: bpy.types.Context, piece: int) -> bool:
+        """Whether the panel of Flatten has the buttons for this piece."""
+        report = shown_report(context)
+        return report is not None and piece_to_cut(report, next_step(report, [])) == piece
 
 
 def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: PieceRow) -> None:
@@ -127,21 +106,15 @@ def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: Pi
         return
     draw_cells(column, "Area, flat", [text.area(row.area_2d)], 0.45)
     change = row.area_2d / row.area_3d - 1
-    draw_cells(column, " diff.", [f"{100 * change:+.2f}%" if abs(change) >= 5e-5 else "0.00%"], 0.45)
+    draw_cells(column, "Difference", [f"{100 * change:+.2f}%" if abs(change) >= 5e-5 else "0.00%"], 0.45)
     if row.threads:
         draw_sentence(context, column, f"{needs_text(row.threads)}, in {row.threads.cloth}")
-    elif max(row.stretch_max, row.ease_max) < NO_STRAIN:
-        draw_sentence(context, column, "Lies flat without any stretch")
-    if row.stretch_max >= NO_STRAIN:
-        _draw_place(column, "Stretch up to", row.stretch_max, "STRETCH", row.index)
-    if row.ease_max >= NO_STRAIN:
-        _draw_place(column, "Compress up to", row.ease_max, "EASE", row.index)
-
-
-def _draw_place(column: bpy.types.UILayout, label: str, share: float, what: str, index: int) -> None:
-    row = column.row(align=True)
-    draw_cells(row, label, [percent_text(share)], 0.5)
-    draw_select(row, what, index)
+    elif row.needed < NO_STRAIN:
+        draw_sentence(context, column, "Unfolds without any stretch")
+    if row.needed >= NO_STRAIN:
+        line = column.row(align=True)
+        draw_cells(line, "Stretch", [percent_text(row.needed)], 0.5)
+        draw_select(line, "STRETCH" if row.stretch_max >= row.ease_max else "EASE", row.index)
 
 
 CLASSES = (

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What failed and what could be better: a sentence each, with the buttons that show the place and that mend it."""
+"""What failed and what could be better: a sentence each, with the buttons that show the place and that fix it."""
 
 import bpy
 
-from ..core import BEYOND_FABRIC, STRAINED, TORN, TORN_ADVICE, WIRE_AT_LIMIT, Issue, hint_text, issue_text
+from ..core import BEYOND_FABRIC, CLOSED_CODE, STRAINED, TORN, TORN_ADVICE, WIRE_AT_LIMIT, Issue, hint_text, issue_text
 from ..solve.report import ObjectReport
-from ..suggest.panel import draw_suggest
 from ..ui.layout import draw_sentence
 from ..words import counted, tolerance_text
 from .next_step import is_shown
@@ -24,7 +23,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
     issues = report.issues
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
         _draw_entry(context, layout, issue_text(report, issue), "ISSUE", index, is_shown(report, issue))
-        if not report.with_modifiers:
+        if not report.with_modifiers and (len(issues) > 1 or issue.code == CLOSED_CODE):  # else the panel has it
             _draw_proposals(context, layout, index, issue)
     if len(issues) > SHOWN_ROWS:
         layout.label(text=f"and {len(issues) - SHOWN_ROWS} more")
@@ -49,8 +48,6 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: O
             _draw_entry(context, column, hint_text(report, hint), "HINT", index, placed)
         if len(hints) > SHOWN_HINTS:
             column.label(text=f"and {len(hints) - SHOWN_HINTS} more", icon="BLANK1")
-        if code in {STRAINED, BEYOND_FABRIC}:
-            draw_suggest(layout, context.scene.wirewarp, hints[0][1].piece)  # the worst
 
 
 def _draw_entry(

@@ -59,6 +59,7 @@ class MeshArrays:
     regions: FaceRegions
     materials: np.ndarray  # (f,) int32, the slot of each polygon
     uv_maps: dict[str, np.ndarray]  # (l,2) float32 each, the model's own maps by name
+    own_map: str  # the one of these that seams can be taken from; "": none
     allowance: float  # the widest that the cutting lines have anywhere, in Blender units
     loose_marks: int  # edges without a face that are marked as wires: they are left out
     loose_eases: int  # edges with the ease of a wire that are none: it does nothing

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..core import (
+    ANY_LIMIT,
     TORN,
     FlattenResult,
     Issue,
@@ -40,6 +41,22 @@ class Facts:
     counts: dict[str, Any]  # of the elements of its own mesh
 
 
+@dataclass(frozen=True, kw_only=True)
+class UvSeams:
+    """What became of flattening with the seams of the model's own UV map, which was tried because the marked ones fail.
+
+    Nothing of it is kept: the seams are marked, and flattened again, when the user wants them.
+    """
+
+    pieces: int
+    failed: int
+    stretch: float  # of the good ones, see Piece.stretch
+
+    @property
+    def is_good(self) -> bool:
+        return not self.failed and self.stretch < ANY_LIMIT
+
+
 @dataclass(kw_only=True)
 class ObjectReport(Report):
     """Fields without a value belong to a report that was read from an object that a user has changed."""
@@ -53,6 +70,7 @@ class ObjectReport(Report):
     uv_layer: str | None = None
     uv_scale: float | None = None  # Blender units per UV unit
     flat_object: str | None = None  # None: nothing was written
+    uv_seams: UvSeams | None = None  # None: not tried
 
     @property
     def left_out(self) -> list[str]:
@@ -81,8 +99,31 @@ def object_report(
     cloth: ClothChoice | None = None,
 ) -> ObjectReport:
     """identities: of the pieces; meters: in a Blender unit; cloth: as chosen."""
+    report = _library_report(result, arrays, meters, cloth)
+    for piece, identity in zip(report.pieces, identities, strict=True):
+        piece.name, piece.piece_id = identity.name, identity.piece_id
+    for seam, own in zip(report.seams, seams, strict=True):
+        seam.name, seam.seam_id, seam.is_dart = own.name, own.seam_id, own.is_dart
+    for wire in report.wires:
+        marked = arrays.wires[wire.wire]
+        wire.wire_id, wire.marked_id = marked.chain.wire_id, marked.marked_id
+    return ObjectReport(**vars(report) | vars(facts))
+
+
+def uv_seams(result: FlattenResult, arrays: MeshArrays, meters: float, cloth: ClothChoice | None) -> UvSeams:
+    """arrays: with the seams of the UV map."""
+    pieces = _library_report(result, arrays, meters, cloth).pieces
+    good = [piece for piece in pieces if piece.ok]
+    return UvSeams(
+        pieces=len(pieces),
+        failed=len(pieces) - len(good),
+        stretch=max((piece.needed for piece in good), default=0.0),
+    )
+
+
+def _library_report(result: FlattenResult, arrays: MeshArrays, meters: float, cloth: ClothChoice | None) -> Report:
     issues = [issue_of_piece(piece, index, arrays) for index, piece in enumerate(result.pieces) if piece.error]
-    report = make_report(
+    return make_report(
         result,
         arrays.vertices,
         arrays.triangles,
@@ -94,14 +135,6 @@ def object_report(
         polygons=arrays.triangle_polygons,
         issues=with_twins(issues, result, arrays),
     )
-    for piece, identity in zip(report.pieces, identities, strict=True):
-        piece.name, piece.piece_id = identity.name, identity.piece_id
-    for seam, own in zip(report.seams, seams, strict=True):
-        seam.name, seam.seam_id, seam.is_dart = own.name, own.seam_id, own.is_dart
-    for wire in report.wires:
-        marked = arrays.wires[wire.wire]
-        wire.wire_id, wire.marked_id = marked.chain.wire_id, marked.marked_id
-    return ObjectReport(**vars(report) | vars(facts))
 
 
 def failure_report(issue: Issue, facts: Facts | None = None) -> ObjectReport:

@@ -79,11 +79,23 @@ def _to_arrays(
         regions=face_regions(source, mesh),
         materials=_slots(mesh),
         uv_maps={layer.name: read_uv(layer) for layer in mesh.uv_layers if layer.name != UV_LAYER},
+        own_map=own_map.name if (own_map := own_uv_map(mesh)) else "",
         allowance=widest_allowance(mesh),
         loose_marks=len(marked.marks.take(~in_face).rows),
         loose_eases=int(np.count_nonzero(marked.marks.eases[~marked.marks.are_wires])),
         mirrored=mirrored,
     )
+
+
+def own_uv_map(mesh: bpy.types.Mesh) -> bpy.types.MeshUVLoopLayer | None:
+    """The active map, which after Flatten is that of the flat pieces: then the user's own that renders, or the first.
+
+    None if there is no other than that of the flat pieces.
+    """
+    active, others = mesh.uv_layers.active, [each for each in mesh.uv_layers if each.name != UV_LAYER]
+    if active is None or active.name != UV_LAYER:
+        return active
+    return next((each for each in others if each.active_render), others[0] if others else None)
 
 
 def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWire]:

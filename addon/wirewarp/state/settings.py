@@ -16,14 +16,14 @@ METHODS = [
     (
         "REFINED",
         "Refined: least distortion",
-        "Lay out lines and cloth together, with the least distortion that these lengths allow. Elastic wires stay "
+        "Lay out lines and fabric together, with the least distortion that these lengths allow. Elastic wires stay "
         "within their tolerance; free wires get the best length. Use this one",
     ),
     (
         "WIREWARP_PLUS_PLUS",
         "WireWarping++: lines first",
-        "The paper's method: lay out the lines first, bent as on the model, and let the cloth follow. More distortion, "
-        "and faces may flip. Elastic wires stay within their tolerance; free wires get the best length",
+        "The paper's method: lay out the lines first, bent as on the model, and let the fabric follow. More "
+        "distortion, and faces may flip. Elastic wires stay within their tolerance; free wires get the best length",
     ),
     (
         "WIREWARPING",
@@ -34,15 +34,23 @@ METHODS = [
 LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WIREWARPING": "wirewarping"}
 
 
+MEASURE = (
+    "The percentage is the maximum stretch. To measure yours, mark 10 cm on it and pull until it resists: 12 cm is 20%"
+)
 CUSTOM = 1000  # number that files store: behind all fabrics that the library's table will have
+
+
+def fabric_label(name: str) -> str:
+    """ "Jersey, 50 / 25%": with its maximum stretch across and along the grain."""
+    limits = dict.fromkeys(f"{100 * limit:.0f}" for limit in Cloth.preset(name).limits)
+    return f"{Cloth.about(name)['label']}, {' / '.join(limits)}%"
 
 
 def _fabrics() -> list[tuple[str, str, str, int]]:
     """The library's table as items of an enum."""
-    about = {name: Cloth.about(name) for name in Cloth.presets()}
     return [
-        (name.upper(), each["label"], each["description"], number)
-        for number, (name, each) in enumerate(about.items(), start=1)
+        (name.upper(), fabric_label(name), f"{Cloth.about(name)['description']}. {MEASURE}", number)
+        for number, name in enumerate(Cloth.presets(), start=1)
     ]
 
 
@@ -58,7 +66,7 @@ class FlattenSettings:
     fairness: FloatProperty(
         name="Smooth Outlines",
         description="Smooth out wiggles shorter than this fraction of the piece's size. Lengths stay exact. Higher: "
-        "smoother lines; lower: less distortion of the cloth, but lines may be wavy",
+        "smoother lines; lower: less distortion of the fabric, but lines may be wavy",
         min=0.001,
         max=10.0,
         soft_min=0.02,
@@ -75,28 +83,29 @@ class FlattenSettings:
             (
                 "LENGTH",
                 "By Length",
-                "Every stretch of a line counts by its length, however fine its mesh is. Best for most models",
+                "Every section of a line counts by its length, however fine its mesh is. Best for most models",
             ),
             (
                 "UNIFORM",
                 "By Vertex",
-                "Every vertex counts the same, so finely meshed stretches of a line count more",
+                "Every vertex counts the same, so finely meshed sections of a line count more",
             ),
         ],
         default="LENGTH",
     )
     cloth: EnumProperty(
-        name="Cloth",
-        description="Material that the pieces are cut from. Lengths are exact with every fabric",
+        name="Fabric",
+        description="Material that the pieces are cut from, with its maximum stretch across and along the grain. "
+        "Lengths are exact with every fabric. To measure yours, mark 10 cm and pull until it resists: 12 cm is 20%",
         items=[
-            ("NONE", "Any", "No particular fabric: stretch counts the same in all directions", 0),
+            ("NONE", "Not Chosen", "WireWarp says how far the fabric must stretch, in the worst direction", 0),
             *_fabrics(),
-            ("CUSTOM", "Custom", "Enter its stiffness across the grain, along the grain and against shear", CUSTOM),
+            ("CUSTOM", "Custom", f"Enter the maximum stretch of your fabric. {MEASURE}", CUSTOM),
         ],
         default="NONE",
     )
     cloth_across: FloatProperty(
-        name="Stiff Across",
+        name="Stiffness Across",
         description="Resistance to stretch across the grain. Only the ratios of the three stiffness values matter",
         min=0.001,
         max=1000.0,
@@ -104,7 +113,7 @@ class FlattenSettings:
         precision=3,
     )
     cloth_along: FloatProperty(
-        name="Stiff Along",
+        name="Stiffness Along",
         description="Resistance to stretch along the grain",
         min=0.001,
         max=1000.0,
@@ -112,7 +121,7 @@ class FlattenSettings:
         precision=3,
     )
     cloth_shear: FloatProperty(
-        name="Stiff Shear",
+        name="Shear Stiffness",
         description="Resistance to shear, which turns the threads away from a right angle; small for wovens",
         min=0.001,
         max=1000.0,
@@ -120,10 +129,10 @@ class FlattenSettings:
         precision=3,
     )
     gives_across: FloatProperty(
-        name="Gives Across",
+        name="Max Stretch Across",
         subtype="PERCENTAGE",
-        description="How far the fabric can be stretched across the grain. The report names the pieces that need more. "
-        "0: as an ordinary fabric of this kind",
+        description="How far the fabric can be stretched across the grain. To measure it, mark 10 cm and pull until "
+        "it resists: 12 cm is 20%. 0: as usual for this fabric",
         min=0.0,
         soft_max=50.0,
         max=300.0,
@@ -131,9 +140,9 @@ class FlattenSettings:
         step=100,
     )
     gives_along: FloatProperty(
-        name="Gives Along",
+        name="Max Stretch Along",
         subtype="PERCENTAGE",
-        description="How far the fabric can be stretched along the grain. 0: as an ordinary fabric of this kind",
+        description="How far the fabric can be stretched along the grain. 0: as usual for this fabric",
         min=0.0,
         soft_max=50.0,
         max=300.0,
@@ -141,8 +150,8 @@ class FlattenSettings:
         step=100,
     )
     worn_across: FloatProperty(
-        name="Worn Across",
-        description="How far the cloth is stretched across the grain when it is worn (negative ease), as in swimwear. "
+        name="Negative Ease Across",
+        description="How far the fabric is stretched across the grain when it is worn, as in swimwear. "
         "Pieces are cut that much smaller, with both sides of seams equally long. Below 0: cut larger, to fit loosely",
         subtype="PERCENTAGE",
         min=-50.0,
@@ -152,8 +161,8 @@ class FlattenSettings:
         precision=1,
     )
     worn_along: FloatProperty(
-        name="Worn Along",
-        description="How far the cloth is stretched along the grain when it is worn (negative ease)",
+        name="Negative Ease Along",
+        description="How far the fabric is stretched along the grain when it is worn",
         subtype="PERCENTAGE",
         min=-50.0,
         soft_min=0.0,
@@ -202,17 +211,17 @@ class FlattenSettings:
             ),
             (
                 "BEST",
-                "Best for the Cloth",
-                "Turn each piece so that the cloth is strained least. Needs a cloth",
+                "Best for the Fabric",
+                "Turn each piece so that the fabric must stretch least. Needs a fabric",
             ),
-            ("BOUNDARY", "Longest Straight Edge", "The longest straight stretch of the outline"),
+            ("BOUNDARY", "Longest Straight Edge", "The longest straight section of the outline"),
             ("UP", "World Up", "What points up (Z) on the model; in level pieces, their first wire"),
         ],
         default="WIRE",
     )
     grain_angle: FloatProperty(
         name="Grain Angle",
-        description="Angle of the grain wire from upright, counterclockwise: 45° cuts the cloth on the bias. Only for "
+        description="Angle of the grain wire from upright, counterclockwise: 45° cuts the fabric on the bias. Only for "
         "pieces that have a grain wire upright",
         subtype="ANGLE",
         min=-math.pi,
@@ -220,7 +229,7 @@ class FlattenSettings:
     )
     spacing: FloatProperty(
         name="Gap (mm)",
-        description="Space between the cut lines of the pieces, for the widest allowance there is. "
+        description="Space between the cutting lines of the pieces, for the widest allowance there is. "
         "Allowances that are changed later move no piece until you press Lay Out Again",
         min=0.0,
         soft_max=200.0,
@@ -237,7 +246,7 @@ class FlattenSettings:
     )
     mirror: BoolProperty(
         name="Mirrored",
-        description="Show the pieces from inside (the wrong side of the cloth) instead of from outside",
+        description="Show the pieces from inside (the wrong side of the fabric) instead of from outside",
         default=False,
     )
     use_modifiers: BoolProperty(
@@ -268,9 +277,14 @@ class Setting:
     choice: str = ""  # the field of FlattenChoices that it goes to; "": none
     to_choice: Callable[[FlattenSettings, float], Any] | None = None  # from all settings and the meters in a unit
     is_advanced: bool = False  # for few models
+    is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # above Flatten
     is_wide: bool = False  # its name does not fit half a narrow sidebar
     is_shown: Callable[[FlattenSettings], bool] = lambda _: True
     is_used: Callable[[FlattenSettings], bool] = lambda _: True  # else it is gray
+
+    def part(self, settings: FlattenSettings) -> str:
+        """In which of PARTS it is drawn."""
+        return "FRONT" if self.is_in_front(settings) else "ADVANCED" if self.is_advanced else "MAIN"
 
     @property
     def label(self) -> str:
@@ -301,13 +315,18 @@ def _has_cloth(settings: FlattenSettings) -> bool:
     return settings.cloth != "NONE"
 
 
+PARTS = ("FRONT", "MAIN", "ADVANCED")  # above Flatten, under Settings, under Advanced
 SETTINGS = (  # in the order of the panel
     _setting("method", to_choice=lambda settings, _: LIBRARY_METHODS[settings.method], is_advanced=True),
     _setting("fairness", is_wide=True, is_used=lambda settings: settings.method == "REFINED"),
     _setting("node_weight", is_advanced=True, is_used=lambda settings: settings.method != "REFINED"),
-    _setting("cloth", to_choice=_cloth_of),
-    *(Setting(name, is_shown=_is_custom) for name in ("cloth_across", "cloth_along", "cloth_shear")),
-    *(Setting(name, is_shown=_has_cloth) for name in ("gives_across", "gives_along", "worn_across", "worn_along")),
+    _setting("cloth", to_choice=_cloth_of, is_in_front=lambda _: True),
+    *(
+        Setting(name, is_in_front=_is_custom, is_shown=_has_cloth, is_wide=True)
+        for name in ("gives_across", "gives_along")
+    ),
+    *(Setting(name, is_shown=_is_custom, is_wide=True) for name in ("cloth_across", "cloth_along", "cloth_shear")),
+    *(Setting(name, is_shown=_has_cloth, is_wide=True) for name in ("worn_across", "worn_along")),
     _setting("thickness", to_choice=_in_units("thickness"), is_advanced=True),
     _setting("surface", is_advanced=True, is_used=lambda settings: settings.thickness > 0),
     _setting("layout_kind", "layout"),
@@ -324,14 +343,14 @@ class AimSettings:
     """What Suggest Darts and Suggest Seams ask for: of the scene."""
 
     suggest_together: BoolProperty(
-        name="Towards an Aim",
-        description="Suggest cuts to be marked together, one after the other, until the cloth need not stretch more "
+        name="Up to a Target",
+        description="Suggest cuts to be marked together, one after the other, until the fabric need not stretch more "
         "than you want. Off: cuts of which you mark one",
         default=False,
     )
     aim_stretch: FloatProperty(
         name="Max Stretch",
-        description="By how much 99% of a piece may stretch or be eased in: no further cut is suggested for it then",
+        description="How far the fabric may stretch in 99% of a piece: no further cut is suggested for it then",
         subtype="PERCENTAGE",
         min=0.0,
         max=100.0,

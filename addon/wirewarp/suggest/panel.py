@@ -74,6 +74,11 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
             take.operator("object.wirewarp_mend", text="Cut Smoothly and Flatten", icon="MOD_SMOOTH").what = "SMOOTH"
 
 
+def are_shown(context: bpy.types.Context) -> bool:
+    """Whether the panel below has cuts to mark."""
+    return _shown(context) is not None
+
+
 def _shown(context: bpy.types.Context) -> Suggestions | None:
     """Of the active model, or of that of active flat pieces, while it is as it was."""
     source = shown_source(context)

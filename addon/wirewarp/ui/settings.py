@@ -9,7 +9,7 @@ from ..blender.units import meters_per_blender_unit
 from ..properties import EaseAmount, WIREWARP_PG_settings
 from ..solve.flatten import LAYOUT_OPTIONS
 from ..solve.report import ObjectReport
-from ..state.settings import SETTINGS, FlattenChoices, FlattenSettings, choices_of
+from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, choices_of
 from ..state.suggestions import Suggestions
 
 
@@ -22,10 +22,10 @@ def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
     row.prop(settings, "ease_unit", expand=True)
 
 
-def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *, advanced: bool = False) -> None:
-    """What most models need, or what few do; settings that the others leave unused are gray."""
+def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts: str) -> None:
+    """Those of these PARTS, or of all; settings that the others leave unused are gray."""
     for setting in SETTINGS:
-        if setting.is_advanced == advanced and setting.is_shown(settings):
+        if setting.part(settings) in (parts or PARTS) and setting.is_shown(settings):
             row = layout.row()
             row.use_property_split = not setting.is_wide
             row.use_property_decorate = False

@@ -13,11 +13,13 @@ from .model import METHOD_NAMES, Chain, Hint, Issue, LooserWire, Note, Piece, Re
 from .names import hint_text, issue_text, joined_pieces, note_text, open_edges, rename_wires
 from .rows import PieceRow, ReportRow, ReportTables, Side, largest_difference, merged, tables_of
 from .strain import percent_text
-from .verdict import SHOWN_NAMES, Kind, Level, Line, Verdict, as_seen, place_name, verdict
+from .verdict import ANY_LIMIT, CLOSED_CODE, SHOWN_NAMES, Kind, Level, Line, Verdict, as_seen, place_name, verdict
 from .wording import needs_text
 from .words import LengthText, counted, ease_text, paragraph, quoted, tolerance_text, wire_text
 
 __all__ = [
+    "ANY_LIMIT",
+    "CLOSED_CODE",
     "report_csv",
     "Elements",
     "elements_of",

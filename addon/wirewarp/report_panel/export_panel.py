@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Export, with the allowance and the pages that it will have."""
+
+import bpy
+
+from ..overlay.shown import shown_pages
+from ..state.owners import find_flat_object
+from ..ui.layout import SidebarPanel, draw_progress, draw_sentence
+from ..ui.shown import shown_source
+from ..ui.window_run import EXPORT
+from .piece_list import shown_pieces
+
+
+class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
+    bl_label = "Export"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        report = shown_pieces(context)
+        return report is not None and report.flat_object is not None
+
+    def draw(self, context: bpy.types.Context) -> None:
+        settings, layout = context.scene.wirewarp, self.layout
+        layout.prop(settings, "allowance", text="Allowance (mm)")
+        row = layout.row(align=True)
+        if not draw_progress(row, EXPORT, "object.wirewarp_export"):
+            row.operator("object.wirewarp_export", icon="EXPORT")
+            row.prop(settings, "show_pages", text="", icon="DOCUMENTS")
+        if settings.show_pages:
+            draw_pages(context, layout, shown_source(context))
+
+
+def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
+    """What the pages drawn over the pieces are of, and how many they are."""
+    settings, column = context.scene.wirewarp, layout.column(align=True)
+    column.prop(settings, "arrangement", text="")
+    if settings.arrangement == "MARKER":
+        column.prop(settings, "cloth_width", text="Cloth Width (mm)")
+    else:
+        column.prop(settings, "paper", text="")
+        if settings.paper == "ROLL":
+            column.prop(settings, "roll_width", text="Roll Width (mm)")
+    flat = find_flat_object(source)
+    if flat is not None and not flat.data.is_editmode:
+        preview = shown_pages(context, source, flat)
+        draw_sentence(context, layout, preview.sentence, "NONE" if preview.is_good else "ERROR")
+
+
+CLASSES = (VIEW3D_PT_wirewarp_export,)

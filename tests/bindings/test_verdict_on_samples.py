@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verdict on every sample, for every fabric."""
+
+import numpy as np
+import pytest
+import wirewarp
+from samples import SAMPLES, flattened, flattened_as_made
+from wirewarp.report import make_report, verdict
+
+pytestmark = pytest.mark.core
+
+
+def share_within(piece: wirewarp.Piece, name: str, limits: tuple[float, float]) -> float:
+    """Of the area that stretches no more than that along a thread; the lesser share of both threads."""
+    shape = SAMPLES[name]
+    a, b, c = shape.vertices[shape.triangles()[piece.source_face]].transpose(1, 0, 2)
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    strains = piece.metrics.face_weft_strain, piece.metrics.face_warp_strain
+    return min(areas[strain <= limit].sum() / areas.sum() for strain, limit in zip(strains, limits, strict=True))
+
+
+def wires_of(name: str) -> list[wirewarp.Wire]:
+    return [wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in SAMPLES[name].wires]
+
+
+@pytest.mark.parametrize("fabric", wirewarp.Cloth.presets())
+@pytest.mark.parametrize("name", SAMPLES)
+def test_green_stands_where_the_fabric_can_stretch_as_far_in_99_percent_of_each_piece(name, fabric):
+    shape, cloth, result = SAMPLES[name], wirewarp.Cloth.preset(fabric), flattened(name)
+    report = make_report(result, shape.vertices, shape.triangles(), wires=wires_of(name), cloth=cloth, fabric=fabric)
+    shares = [share_within(piece, name, cloth.limits) for piece in result.pieces]
+    assert verdict(report).is_ready == (min(shares) >= 0.99)
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_a_sample_is_ready_to_be_cut_from_its_fabric(name):
+    shape, fabric = SAMPLES[name], None
+    if shape.cloth:
+        preset = wirewarp.Cloth.preset(shape.cloth)
+        fabric = wirewarp.Cloth(**preset.to_dict() | {"stretch": shape.stretch})
+    report = make_report(
+        flattened_as_made(name),
+        shape.vertices,
+        shape.triangles(),
+        wires=wires_of(name),
+        eases=[wirewarp.Ease(ease.half_edges, ease.ratio) for ease in shape.eases],
+        cloth=fabric,
+        fabric=shape.cloth,
+    )
+    assert verdict(report).is_ready
