@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 from types import SimpleNamespace
 
+import ezdxf
 import numpy as np
 import pypdfium2
 import pytest
@@ -85,6 +86,17 @@ def test_islands_of_the_map_are_pieces_and_the_files_are_read_back(model, tmp_pa
     page = pypdfium2.PdfDocument((tmp_path / "out" / "Folded.pdf").read_bytes())[0]
     assert np.array(page.get_size()) / 72 == pytest.approx([8.5, 11])
     assert "9.525 mm" in page.get_textpage().get_text_range()
+
+
+def test_pairs_and_halves_are_drawn_once(tmp_path):
+    lines = write_sample("Fitted top", tmp_path / "top.obj")
+    run(tmp_path / "top.obj", "--out", tmp_path, "--format", "dxf", "--pairs", "--on-fold", *lines)
+    blocks = {block.name: block for block in ezdxf.readfile(tmp_path / "top.dxf").blocks if block.name[0] != "*"}
+    assert set(blocks) == {"PIECE_1", "PIECE_2", "PIECE_3"}
+    folds = [len(block.query('LINE[layer=="6"]')) for block in blocks.values()]
+    assert folds == [1, 1, 0]
+    texts = [{text.dxf.text for text in block.query("TEXT")} for block in blocks.values()]
+    assert "Quantity: 1,1" in texts[2] and "Cut 1 on the fold" in texts[0]
 
 
 def test_sharp_edges_are_seams(tmp_path):

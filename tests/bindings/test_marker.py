@@ -68,7 +68,7 @@ def test_squares_fill_the_cloth():
 
 def test_every_copy_is_there_mirrored_ones_too(engine):
     pattern = sample("Fitted top")
-    paired = pattern.cut_as_pairs(pattern.twins()).with_quantities({1: (2, 1)})
+    paired = sample("Fitted top", pairs=True).with_quantities({1: (2, 1)})
     marker = paired.nested(1400, times=2, seconds=1)
     counts = {(p, m): 0 for p in (1, 2, 3) for m in (False, True)}
     for placement in marker.placements:
@@ -91,7 +91,7 @@ def test_every_copy_is_there_mirrored_ones_too(engine):
 
 def test_a_piece_on_the_fold_is_opened():
     pattern = sample("Fitted top")
-    folded = pattern.cut_on_fold([1, 2])
+    folded = sample("Fitted top", on_fold=True)
     marker = folded.nested(1400, seconds=0)
     check_lies_on_cloth(folded, marker)
     opened = {

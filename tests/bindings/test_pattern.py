@@ -228,14 +228,13 @@ def test_an_inward_corner_is_clipped():
     assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # from the corner of the cut line
 
 
-def test_twins_and_symmetric_pieces_are_offered_and_taken():
+def test_pairs_and_halves_are_drawn_once():
     pattern = sample("Fitted top", hem=30.0)
-    assert pattern.twins() == [(3, 4)]
-    assert pattern.symmetric() == [1, 2]
-    paired = pattern.cut_as_pairs(pattern.twins())
-    assert [piece.quantity for piece in paired.pieces] == [(1, 0), (1, 0), (1, 1)]
-    assert "3 of 3" in paired.pieces[2].texts[0].lines
-    half = pattern.cut_on_fold([1]).pieces[0]
+    drawn = sample("Fitted top", hem=30.0, pairs=True, on_fold=True)
+    assert [piece.quantity for piece in drawn.pieces] == [(1, 0), (1, 0), (1, 1)]
+    assert [piece.on_fold for piece in drawn.pieces] == [True, True, False]
+    assert "3 of 3" in drawn.pieces[2].texts[0].lines
+    half = drawn.pieces[0]
     (fold,) = half.of_role("fold")
     (cut,) = half.of_role("cut")
     assert not cut.closed and half.on_fold and "Cut 1 on the fold" in half.texts[0].lines
@@ -248,13 +247,12 @@ def test_twins_and_symmetric_pieces_are_offered_and_taken():
         assert np.all(line.points > low - 0.1) and np.all(line.points < high + 0.1)
 
 
-def test_allowances_that_differ_make_no_twins():
+def test_allowances_that_differ_make_no_pair():
     points = [(0, 0), (100, 0), (100, 50), (0, 80), (200, 0), (300, 0), (300, 80), (200, 50)]
     result = quads(points, [(0, 1, 2, 3), (4, 5, 6, 7)])
-    assert Pattern.from_result(result).twins() == [(1, 2)]
-    assert Pattern.from_result(result, allowances=[(0, 1, 20)]).twins() == []
-    with pytest.raises(wirewarp.FlattenError, match="not symmetric"):
-        Pattern.from_result(result).cut_on_fold([1])
+    (pair,) = Pattern.from_result(result, pairs=True, on_fold=True).pieces
+    assert pair.quantity == (1, 1) and not pair.on_fold
+    assert len(Pattern.from_result(result, pairs=True, allowances=[(0, 1, 20)]).pieces) == 2
 
 
 def test_what_the_allowance_swallows_is_told():

@@ -40,21 +40,14 @@ def symmetric(angle, **options):
     return Pattern.from_pieces([turned], [], **options)
 
 
-@pytest.mark.parametrize(
-    ("quantities", "expected", "words"),
-    [
-        ({}, (1, 1), "Cut 1 pair (2 pieces, one mirrored)"),
-        ({3: (2, 0), 4: (2, 0)}, (2, 2), "Cut 2 pairs"),
-        ({3: (3, 1), 4: (0, 2)}, (5, 1), "Cut 5 and 1 mirrored"),
-    ],
-)
-def test_a_pair_is_cut_as_often_as_its_two_pieces(quantities, expected, words):
+def test_a_pair_is_cut_as_drawn_and_mirrored():
     """The right sleeve as drawn is the left one mirrored."""
-    top = sample("Fitted top")
-    assert top.twins() == [(3, 4)]
-    paired = top.with_quantities(quantities).cut_as_pairs([(3, 4)])
-    assert [piece.quantity for piece in paired.pieces] == [(1, 0), (1, 0), expected]
-    assert words in paired.pieces[2].texts[0].lines
+    paired = sample("Fitted top", pairs=True)
+    assert [piece.quantity for piece in paired.pieces] == [(1, 0), (1, 0), (1, 1)]
+    assert "Cut 1 pair (2 pieces, one mirrored)" in paired.pieces[2].texts[0].lines
+    assert paired.pieces[2].mirrored_name == "Piece 4"
+    pairs = paired.with_quantities({3: (2, 2), 1: (5, 1)})
+    assert "Cut 2 pairs" in pairs.pieces[2].texts[0].lines and "Cut 5 and 1 mirrored" in pairs.pieces[0].texts[0].lines
 
 
 def test_pieces_cut_mirrored_alone_say_so():
@@ -62,26 +55,57 @@ def test_pieces_cut_mirrored_alone_say_so():
     assert "Cut 2 mirrored" in piece.texts[0].lines
 
 
-@pytest.mark.parametrize(
-    ("pairs", "says"),
-    [
-        ([(1, 1)], "Pieces 1 and 1 are not a pair"),  # symmetric, so its own mirror image
-        ([(3, 4), (3, 4)], "Pieces 3 and 4 are not a pair"),
-        ([(3, 9)], "Pieces 3 and 9 are not a pair"),
-        ([(1, 2)], "Pieces 1 and 2 are not mirror images"),
-    ],
-)
-def test_what_is_not_a_pair_is_one_sentence(pairs, says):
-    with pytest.raises(wirewarp.FlattenError, match=says):
-        sample("Fitted top").cut_as_pairs(pairs)
-
-
 def test_holes_must_fit_too():
-    mask = sample("Carnival mask", allowance=2.0)
-    assert len(mask.pieces[0].of_role("inner_cut")) == 2 and mask.symmetric() == [1]
+    (mask,) = sample("Carnival mask", allowance=2.0, on_fold=True).pieces
+    assert len(mask.of_role("inner_cut")) == 1 and mask.on_fold
     points = [(0, 0), (100, 0), (100, 60), (0, 60), (20, 20), (40, 20), (40, 35), (20, 35)]
     around = [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
-    assert Pattern.from_result(quads(points, around)).symmetric() == []
+    assert not Pattern.from_result(quads(points, around), on_fold=True).pieces[0].on_fold
+
+
+def test_a_wire_on_one_half_alone_is_not_lost():
+    points = [(-60, 0), (0, 0), (60, 0), (60, 40), (0, 40), (-60, 40)]
+    faces = [(0, 1, 4, 5), (1, 2, 3, 4)]
+    corner, middle = wirewarp.Wire([1, 3]), wirewarp.Wire([1, 4])
+    assert not Pattern.from_result(quads(points, faces, wires=[corner]), on_fold=True).pieces[0].on_fold
+    assert Pattern.from_result(quads(points, faces, wires=[middle]), on_fold=True).pieces[0].on_fold
+
+
+@pytest.mark.parametrize("name", ["Fitted top", "Ball of six gores", "Jeans", "Wetsuit upper body", "Swimsuit"])
+def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
+    """What lies on the fabric, opened and mirrored, against the places of notches that all sides of a seam share."""
+    drawn, whole = sample(name, pairs=True, on_fold=True), sample(name)
+    marker = drawn.nested(5000, seconds=0)
+    laid = zip(drawn.laid_on(marker).pieces, marker.placements, strict=True)
+    names = [piece.name for piece in whole.pieces]
+    checked = 0
+    for opened_piece, placement in laid:
+        own = drawn.pieces[placement.piece - 1]
+        original = whole.pieces[names.index(own.mirrored_name if placement.mirrored else own.name)]
+        turned = [opened_piece.placed(Motion(np.zeros(2), angle)) for angle in (0.0, 180.0)]  # pieces lie either way up
+        moved = [each.moved(original.bounds[0] - each.bounds[0]) for each in turned]
+        shape = cut_polygon(original)
+        apart, piece = min(
+            ((cut_polygon(each).buffer(0).symmetric_difference(shape).area, each) for each in moved),
+            key=lambda each: each[0],
+        )
+        assert apart < 1e-3 * shape.area
+        found = {}
+        for point in (each for each in piece.points if each.pair):
+            ray = shapely.LineString([point.at - point.direction, point.at + 20 * point.direction])
+            hits = [(ray.intersection(line_string(line)), line) for line in original.of_role("sew")]
+            met = [(shapely.Point(point.at).distance(hit), hit, line) for hit, line in hits if not hit.is_empty]
+            _, hit, line = min(met, key=lambda each: each[0])
+            along = line_string(line).project(hit.centroid)
+            if line.seam is not None:
+                found.setdefault((line.seam, id(line)), []).append(along)
+        for (seam, _), places in found.items():
+            length = max(whole.walks[seam].lengths)
+            expected = sorted(drawn.walks[seam].notches[0])
+            mirrored = sorted(length - place for place in expected)
+            assert sorted(places) in (pytest.approx(expected, abs=0.3), pytest.approx(mirrored, abs=0.3))
+            checked += len(places)
+    assert checked > 10
 
 
 def right_of(line):
@@ -92,7 +116,7 @@ def right_of(line):
 @pytest.mark.parametrize("angle", [0.0, 35.0, 90.0, 200.0])
 def test_a_piece_on_the_fold_is_one_half_to_the_fold(angle):
     whole = symmetric(angle, allowance=8.0)
-    (piece,) = whole.cut_on_fold(whole.symmetric()).pieces
+    (piece,) = symmetric(angle, allowance=8.0, on_fold=True).pieces
     (fold,) = piece.of_role("fold")
     across, up = fold.points[1] - fold.points[0]
     assert up > 1e-6 or (up > -1e-6 and across > 0)  # the right half is drawn, or the lower one
@@ -108,14 +132,14 @@ def test_a_piece_on_the_fold_is_one_half_to_the_fold(angle):
         beyond = (line.points - fold.points[0]) @ right_of(fold.points)
         assert beyond.min() == pytest.approx(0, abs=1e-6)
     (grain,) = piece.of_role("grain")
+    assert piece.deviation < 1e-6
     assert ((grain.points - fold.points[0]) @ right_of(fold.points)).tolist() == pytest.approx([15, 15])
     assert piece.on_fold and "Cut 1 on the fold" in piece.texts[0].lines
 
 
 @pytest.mark.parametrize("angle", [0.0, 35.0, 90.0, 200.0])
 def test_a_folded_piece_opens_to_the_whole(angle):
-    whole = symmetric(angle, allowance=8.0)
-    folded = whole.cut_on_fold([1])
+    whole, folded = symmetric(angle, allowance=8.0), symmetric(angle, allowance=8.0, on_fold=True)
     marker = folded.nested(1400, seconds=0)
     (opened,) = folded.laid_on(marker).pieces
     turned = whole.pieces[0].placed(Motion(np.zeros(2), marker.placements[0].angle))

@@ -171,6 +171,8 @@ def _model_options() -> argparse.ArgumentParser:
     options.add_argument("--page", default="a4", type=_page, help="paper of PDF: a4, letter, a0, 36in, 900mm, ... (a4)")
     options.add_argument("--allowance", default="10mm", type=_length, help="outside of seams: 10mm, 1cm, 3/8in (10mm)")
     options.add_argument("--hem", type=_length, help="outside of edges that are not sewn (as --allowance)")
+    options.add_argument("--pairs", action="store_true", help="draw one piece of each mirrored pair")
+    options.add_argument("--on-fold", action="store_true", help="draw half of each symmetric piece, to cut on the fold")
     options.add_argument("--imperial", action="store_true", help="inches in texts and squares to measure")
     options.add_argument(
         "--marker", type=_cloth, metavar="WIDTH|WxL", help="pieces nested on a roll, 1400mm, or on sheets, 60x90cm"
@@ -239,6 +241,8 @@ def _request(found: Found, given: argparse.Namespace) -> Request:
         allowance=given.allowance,
         hem=given.hem,
         unit=given.unit,
+        pairs=given.pairs,
+        on_fold=given.on_fold,
         imperial=given.imperial,
         material=_material(given),
         marker=marker,

@@ -184,6 +184,8 @@ def _pattern(request: Request, result: FlattenResult) -> Pattern:
         millimeters_per_unit=MILLIMETERS[request.unit],
         allowance=request.allowance,
         hem=request.hem,
+        pairs=request.pairs,
+        on_fold=request.on_fold,
         units="imperial" if request.imperial else "metric",
     )
 

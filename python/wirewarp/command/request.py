@@ -68,6 +68,8 @@ class Request(ModelRequest):
     page: str | float
     allowance: float
     hem: float | None
+    pairs: bool
+    on_fold: bool
     imperial: bool
     marker: MarkerRequest | None
     picture: bool

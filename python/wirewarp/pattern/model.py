@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a piece of a pattern consists of, whatever it is written to. Everything is in millimeters, y upwards."""
 
+import re
 from collections.abc import Collection
 from dataclasses import dataclass, field, replace
 from typing import Literal
@@ -21,6 +22,12 @@ KINDS = {  # what a maker may leave out of a file, by roles of lines, points and
     "texts": ("card", "card leader"),
     "line names": ("line name", "name leader"),
 }
+NUMBERED = re.compile("^(Seam|Dart) (?=[0-9 /]+$)")
+
+
+def short_name(seam: str) -> str:
+    """ "3" of "Seam 3"; other names stay whole."""
+    return NUMBERED.sub("", seam)
 
 
 @dataclass(frozen=True)
@@ -84,6 +91,8 @@ class PatternPiece:
     material: str = ""
     on_fold: bool = False  # half of it is drawn; the other half lies beyond the fold
     area: float = 0.0  # square millimeters inside the stitching lines, of the whole piece
+    mirrored_name: str = ""  # of the piece that its mirrored copy is
+    deviation: float = 0.0  # millimeters: the farthest that what a mirror makes of it is from what was flattened
     allowances: tuple[float, ...] = ()  # widths outside of its stitching lines, in millimeters; without those of 0
 
     def of_role(self, *roles: str) -> list[Line]:

@@ -2,11 +2,10 @@
 """A pattern, ready to be written."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, Any, Unpack, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -16,10 +15,11 @@ from .formats import writing
 from .formats.pdf import page_sizes
 from .formats.svg import page_size
 from .label.card import with_card, with_card_anew
-from .make.fold import fold_of, folded, mirror_between, unfolded
+from .make.copies import copies_of, drawn_once, mirrored_sides, warnings_of_copies
+from .make.fold import unfolded
 from .make.marks import marks, walks_of
 from .make.notches import check_spacing
-from .make.outline import FlatPiece, flat_piece
+from .make.outline import FlatPiece, Side, flat_piece
 from .make.pieces import finished, joined_by, lay_all, notes_on_sides, outlined, warnings_of
 from .make.seams import sewn_sides
 from .make.widths import Widths
@@ -27,6 +27,7 @@ from .marker import Marker, at_corner
 from .model import PatternPiece
 from .nest.items import Grain
 from .nest.nesting import Cloth, Preview, nesting
+from .options import PatternOptions
 from .pattern_data import PatternData, Written
 from .progress import Progress, Steps, in_one_go
 from .sheet.papers import Page
@@ -46,37 +47,14 @@ class Pattern(PatternData):
         cls,
         result: "FlattenResult",
         *,
-        title: str = "",
         piece_names: Sequence[str] | None = None,
         millimeters_per_unit: float = 1000.0,
-        allowance: float = 10.0,
-        allowances: npt.ArrayLike | None = None,
-        side_allowances: npt.ArrayLike | None = None,
-        folds: npt.ArrayLike | None = None,
-        hem: float | None = None,
-        notch_spacing: float = 100.0,
-        corner: str = "auto",
-        darts: str = "close",
-        material: str = "",
-        date: str = "",
-        units: Units = "metric",
         progress: Progress | None = None,
+        **options: Unpack[PatternOptions],
     ) -> "Pattern":
         """The pattern of a flattening whose pieces all keep their lengths.
 
-        All lengths but millimeters_per_unit are in millimeters, widths from 0 to 1000.
-
-        allowance: outside of every seam. hem: outside of every outline that is not sewn; as the allowance where None.
-        allowances: (k,3) vertex, vertex of an edge of the model, and the width on all sides of that edge.
-        side_allowances: (k,3) the width on one side: that of the triangle which has the edge in this direction.
-        folds: (k,2) edges of the model that are not sewn, but at which the cloth lies double: nothing is cut there.
-        notch_spacing: along seams, 0 for none.
-        corner: "auto" chooses by what is sewn first; or one of "mitre", "right angle", "fold-back", "extend", "step",
-        "round" for all corners.
-        darts: "close" cuts straight over their mouths; "cut" cuts them out, with allowance on the legs; "slit" along
-        the legs.
-        material, date: as they stand on the pieces.
-        units: "metric" or "imperial", of texts and of the square to measure.
+        options: see PatternOptions.
         progress: called as progress(stage, fraction) about ten times a second; False stops.
 
         Raises FlattenError for bad input, for a piece with an error, and ("cancelled") where it is stopped.
@@ -87,23 +65,8 @@ class Pattern(PatternData):
             if piece.error is not None:
                 raise problem(f'"{name}" is not ready to cut: {piece.error.message}', piece.error.code)
         pieces = [flat_piece(piece, name, scale) for piece, name in zip(result.pieces, names, strict=True)]
-        return cls.from_pieces(
-            pieces,
-            [f"Seam {number}" for number in range(1, len(result.seams) + 1)],
-            title=title,
-            allowance=allowance,
-            allowances=allowances,
-            side_allowances=side_allowances,
-            folds=folds,
-            hem=hem,
-            notch_spacing=notch_spacing,
-            corner=corner,
-            darts=darts,
-            material=material,
-            date=date,
-            units=units,
-            progress=progress,
-        ).arranged()
+        seam_names = [f"Seam {number}" for number in range(1, len(result.seams) + 1)]
+        return cls.from_pieces(pieces, seam_names, progress=progress, **options).arranged()
 
     @classmethod
     def from_pieces(
@@ -112,7 +75,7 @@ class Pattern(PatternData):
         seam_names: Sequence[str],
         *,
         progress: Progress | None = None,
-        **options: Any,  # noqa: ANN401
+        **options: Unpack[PatternOptions],
     ) -> "Pattern":
         """As from_result, of flat pieces from elsewhere, which stay as they lie; seam_names by index of the seam.
 
@@ -132,6 +95,8 @@ class Pattern(PatternData):
         side_allowances: npt.ArrayLike | None = None,
         folds: npt.ArrayLike | None = None,
         hem: float | None = None,
+        pairs: bool = False,
+        on_fold: bool = False,
         notch_spacing: float = 100.0,
         corner: str = "auto",
         darts: str = "close",
@@ -148,16 +113,24 @@ class Pattern(PatternData):
         seams = sewn_sides([loop for piece in laid for loop in piece.loops], len(seam_names))
         check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seam_names, seams)
         system = UnitSystem(units)
-        points = marks(laid, seams, notch_spacing)
+        copies = copies_of([outlined(own) for own in laid], pairs, on_fold)
+        mirrored = mirrored_sides(copies, laid, seams)
+        points = marks(laid, seams, mirrored.groups, notch_spacing)
         joined, notes = joined_by(laid), notes_on_sides(seams, system)
+
+        def described(side: Side, seam: int) -> dict[str, str]:
+            others = [name for name in joined[seam] if name != laid[side.piece].name]
+            joins = " – ".join(dict.fromkeys(others))
+            return {"name": mirrored.name(side, seam, seam_names), "joins": joins, "note": notes.get(id(side), "")}
+
         done = []
         for own in laid:
             yield "marks and lines", own.index / len(laid)
-            done.append(finished(own, points[own.index], seam_names, joined, notes, material))
-        warnings = [warning for own in laid for warning in warnings_of(own)]
-        walks = walks_of(laid, seam_names, seams, points)
-        low = np.min([piece.bounds[0] for piece in done], axis=0)
-        moved = [piece.moved(-low) for piece in done]
+            done.append(finished(own, points[own.index], described, material))
+        drawn, walks = drawn_once(done, copies), walks_of(laid, seam_names, seams, points)
+        warnings = [warning for own in laid for warning in warnings_of(own)] + warnings_of_copies(drawn, system)
+        low = np.min([piece.bounds[0] for piece in drawn], axis=0)
+        moved = [piece.moved(-low) for piece in drawn]
         return (yield from cls(title, moved, system, warnings, date, walks)._adding_cards())
 
     @classmethod
@@ -169,13 +142,15 @@ class Pattern(PatternData):
         allowances: npt.ArrayLike | None = None,
         side_allowances: npt.ArrayLike | None = None,
         folds: npt.ArrayLike | None = None,
+        pairs: bool = False,
+        on_fold: bool = False,
         darts: str = "close",
         units: Units = "metric",
     ) -> "Pattern":
-        """Only the cutting lines, where they lie: as from_pieces, but quicker, to show them and their pages."""
+        """Only the lines, where they lie: as from_pieces, but quicker, to show them and their pages."""
         widths = Widths(allowance, None, allowances, side_allowances, folds)
-        laid = in_one_go(lay_all(pieces, widths, "auto", darts))
-        return cls("", [outlined(own) for own in laid], UnitSystem(units))
+        lined = [outlined(own) for own in in_one_go(lay_all(pieces, widths, "auto", darts))]
+        return cls("", drawn_once(lined, copies_of(lined, pairs, on_fold)), UnitSystem(units))
 
     def _with_cards(self) -> "Pattern":
         return in_one_go(self._adding_cards())
@@ -188,52 +163,6 @@ class Pattern(PatternData):
             yield "texts", len(pieces) / count
             pieces.append(with_card(piece, number, count, self.heading, self.units))
         return replace(self, pieces=pieces)
-
-    def twins(self) -> list[tuple[int, int]]:
-        """The numbers of pieces that are mirror images of each other, found by their outlines; each piece once.
-
-        None is found where the triangles along the outlines of the two do not correspond.
-        """
-        found: list[tuple[int, int]] = []
-        for first, second in combinations(self.pieces, 2):
-            is_taken = any(piece.number in pair for pair in found for piece in (first, second))
-            if not is_taken and mirror_between(first, second):
-                found.append((first.number, second.number))
-        return found
-
-    def cut_as_pairs(self, pairs: Iterable[tuple[int, int]]) -> "Pattern":
-        """Keeps one piece of each of these mirrored pairs, to be cut as drawn and mirrored, as often as both were.
-
-        Raises FlattenError for numbers that are not those of a pair.
-        """
-        by_number = {piece.number: piece for piece in self.pieces}
-        for one, other in pairs:
-            if one == other or not {one, other} <= set(by_number):
-                raise problem(f"Pieces {one} and {other} are not a pair: give the numbers of two pieces, each once.")
-            kept, dropped = by_number[one], by_number.pop(other)
-            if not mirror_between(kept, dropped):
-                raise problem(f"Pieces {one} and {other} are not mirror images.")
-            as_drawn, mirrored = (sum(counts) for counts in zip(kept.quantity, dropped.quantity[::-1], strict=True))
-            by_number[one] = replace(kept, quantity=(as_drawn, mirrored))
-        return replace(self, pieces=list(by_number.values()))._with_cards().arranged()
-
-    def symmetric(self) -> list[int]:
-        """The numbers of pieces that can be cut on the fold."""
-        return [piece.number for piece in self.pieces if not piece.on_fold and fold_of(piece) is not None]
-
-    def cut_on_fold(self, numbers: Iterable[int]) -> "Pattern":
-        """With the right half of these pieces alone, and a fold line. Raises FlattenError for what is not symmetric."""
-        wanted = set(numbers)
-        unknown = wanted - {piece.number for piece in self.pieces}
-        pieces = []
-        for piece in self.pieces:
-            fold = fold_of(piece) if piece.number in wanted else None
-            if fold is None and piece.number in wanted:
-                raise problem(f'"{piece.name}" is not symmetric: it cannot be cut on the fold.')
-            pieces.append(piece if fold is None else folded(piece, fold))
-        if unknown:
-            raise problem(f"There is no piece {min(unknown)}: there are {len(self.pieces)}.")
-        return replace(self, pieces=pieces)._with_cards().arranged()
 
     def with_quantities(self, quantities: Mapping[int, tuple[int, int]]) -> "Pattern":
         """With so many copies of pieces, by their numbers: as drawn, and mirrored.

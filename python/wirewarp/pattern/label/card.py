@@ -25,7 +25,8 @@ def with_card(piece: PatternPiece, number: int, count: int, heading: str, units:
     allowance = units.range_of(piece.allowances)
     includes = "No seam allowance" if allowance == "none" else f"Includes {allowance} allowance"
     place = f"{number} of {count}"
-    lines = (heading, place, piece.name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
+    name = " / ".join(filter(None, [piece.name, piece.mirrored_name]))
+    lines = (heading, place, name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
     drawn = [line.points for line in piece.of_role("wire", "grain", "sew")]
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
     text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, drawn)

@@ -2,30 +2,28 @@
 """Names along the lines: on paper, too, the sides that are sewn together have one number."""
 
 import math
-import re
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from ..geometry import lengths_along
-from ..model import Line, Text
+from ..model import Line, Text, short_name
 from .leaders import Beside
 from .room import Room
 from .text_place import text_width
 
 HEIGHTS = (4.5, 3.5, 2.5)  # of the letters, in millimeters; where none fits, the name stands beside the piece
-NUMBERED = re.compile("^(Seam|Dart) (?=[0-9]+$)")  # goes without the word where there is little room
 BESIDE = 0.75  # from a line to the letters
 ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # of its length, the best first
 ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their middles
 
 
 def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[Text], list[Line]]:
-    """Of the stitching lines and wires that have a name: inside the piece, or beside it where there is no room for it.
+    """Of the stitching lines, folds and wires that have a name: inside the piece, or beside it without room.
 
     With the lines that lead to the latter.
     """
-    named = [line for line in lines if line.name and line.role in ("sew", "wire")]
+    named = [line for line in lines if line.name and line.role in ("sew", "fold", "wire")]
     texts, leaders = [], []
     for line in sorted(named, key=lambda line: line.role != "sew"):
         text = room.take(_choices(line))
@@ -46,7 +44,8 @@ def _out_of_room(line: Line) -> tuple[list[Text], np.ndarray]:
 
 
 def _short(line: Line) -> str:
-    return NUMBERED.sub("", line.name) if line.role == "sew" else line.name
+    """For little room."""
+    return short_name(line.name) if line.role == "sew" else line.name
 
 
 def _choices(line: Line) -> Iterator[Text]:

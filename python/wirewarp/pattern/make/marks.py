@@ -10,36 +10,40 @@ import numpy as np
 from ..geometry import Rays
 from ..model import Point
 from ..pattern_data import SeamWalk
-from .notches import DOUBLE, clips, drill_hole, notch, places_along, turns_little
+from .copies import SeamGroup
+from .notches import DOUBLE, clips, drill_hole, notch, places_along, symmetric_places, turns_little
 from .outline import Side
 from .pieces import Laid
 from .seams import SewnLengths, SewnSide
 
 ON_LINE = 1e-6  # millimeters between a point of a side and the end of a wire there
-APART = 0.01  # millimeters: places along a seam that lie closer are one, found on two of its sides
+APART = 0.2  # millimeters: places along a seam that lie closer are one, found on two of its sides or of mirrored ones
 BACK = re.compile(r"\bback\b", re.IGNORECASE)
 
 
-def marks(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], spacing: float) -> dict[int, list[Point]]:
+def marks(
+    laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], groups: Sequence[SeamGroup], spacing: float
+) -> dict[int, list[Point]]:
     """By piece: notches in pairs along seams, at the ends of wires and of seams that nothing shows; clips; holes."""
     found: dict[int, list[Point]] = {piece.index: [] for piece in laid}
     rays = {piece.index: piece.rays for piece in laid}
     wire_ends = {piece.index: _wire_ends(piece) for piece in laid}
     at_back = {piece.index for piece in laid if BACK.search(piece.name)}
     widths, closed = _widths(laid), _legs(laid)
-    for number, sides in enumerate(seams):
-        if not sides or any(id(own.side) in closed for own in sides):
-            continue
-        sewn = SewnLengths.of(sides)
-        length, places = sewn.whole, _places(sides, sewn, wire_ends, spacing)
-        if any(own.side.piece in at_back for own in sides):  # two beside each other
-            doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
-            places = [place % length for place in doubled] if sides[0].side.is_closed else doubled
-        for which, own in enumerate(sides):
-            index = own.side.piece
-            for order, place in enumerate(place for place in places if 0 <= place < length):
-                point = notch(own, sewn.on(own, place), rays[index], widths[id(own.side)], (number, order))
-                found[index] += [replace(point, side=which)] if point else []
+    for group in groups:
+        for number, places in _places(group, seams, wire_ends, spacing).items():
+            sides = seams[number]
+            if any(id(own.side) in closed for own in sides):
+                continue
+            sewn = SewnLengths.of(sides)
+            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # two beside each other
+                doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
+                places = [place % sewn.whole for place in doubled] if sides[0].side.is_closed else doubled
+            for which, own in enumerate(sides):
+                index = own.side.piece
+                for order, place in enumerate(place for place in places if 0 <= place < sewn.whole):
+                    point = notch(own, sewn.on(own, place), rays[index], widths[id(own.side)], (number, order))
+                    found[index] += [replace(point, side=which)] if point else []
     for piece in laid:
         own_rays = rays[piece.index]
         for outline, loop in zip(piece.outlines, piece.loops, strict=True):
@@ -86,17 +90,32 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 
 
 def _places(
-    sides: Sequence[SewnSide], sewn: SewnLengths, wire_ends: Mapping[int, np.ndarray], spacing: float
-) -> list[float]:
-    """Lengths from the start of a seam, as sewn, at which all its sides have notches; a closed seam begins at one."""
-    length = sewn.whole
+    group: SeamGroup, seams: Sequence[Sequence[SewnSide]], wire_ends: Mapping[int, np.ndarray], spacing: float
+) -> dict[int, list[float]]:
+    """By seam, lengths from its start, as sewn, at which all its sides have notches; a closed seam begins at one."""
+    sewn = {seam: SewnLengths.of(seams[seam]) for seam in group.turned if seams[seam]}
+    if not sewn:  # of pieces without a layout
+        return {}
+    length = next(iter(sewn.values())).whole  # of the first seam, along which the places of all are counted
+    ends = []
+    for seam, own in sewn.items():
+        for side in seams[seam]:
+            along = own.of_side(side, np.array(_places_of(side, wire_ends[side.side.piece]))) * (length / own.whole)
+            ends += (length - along if group.turned[seam] else along).tolist()
+    if group.is_symmetric:
+        ends += [length - place for place in ends]
     taken: list[float] = []
-    ends = [sewn.of_side(own, np.array(_places_of(own, wire_ends[own.side.piece]))) for own in sides]
-    for place in sorted(np.concatenate(ends).tolist()):
+    for place in sorted(ends):
         if APART < place < length - APART and (not taken or place > taken[-1] + APART):
             taken.append(place)
-    begin = [0.0] if spacing and sides[0].side.is_closed else []
-    return sorted([*begin, *taken, *places_along(length, taken, spacing)])
+    is_closed = seams[next(iter(sewn))][0].side.is_closed
+    begin = [0.0] if spacing and is_closed else []
+    between = symmetric_places if group.is_symmetric else places_along
+    places = np.array(sorted([*begin, *taken, *between(length, taken, spacing)]))
+    return {
+        seam: sorted(((length - places if group.turned[seam] else places) * (own.whole / length)).tolist())
+        for seam, own in sewn.items()
+    }
 
 
 def _wire_ends(piece: Laid) -> np.ndarray:

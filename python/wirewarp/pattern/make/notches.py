@@ -65,6 +65,16 @@ def places_along(length: float, taken: Sequence[float], spacing: float) -> list[
     return []
 
 
+def symmetric_places(length: float, taken: Sequence[float], spacing: float) -> list[float]:
+    """As places_along, but the same from both ends, as `taken` are: for a seam that a mirror turns end for end."""
+    if spacing == 0 or length < LEAST_SEAM:
+        return []
+    steps = math.floor(length / 2 / spacing)
+    found = length / 2 + spacing * np.arange(-steps, steps + 1)
+    near = np.abs(found[:, None] - np.array([0.0, length, *taken])).min(axis=1)
+    return [float(place) for place in found[near > CLEAR * spacing]]
+
+
 def _is_lopsided(places: np.ndarray, length: float) -> bool:
     """Whether the same places counted from the other end of the seam are others."""
     turned = np.sort(length - places)

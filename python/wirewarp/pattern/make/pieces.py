@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From the outlines of flat pieces to pieces of a pattern: cut lines, stitching lines, wires, marks and texts."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +16,8 @@ from .seams import SewnSide, longer_texts
 from .sections import Outline, Rules, outline
 from .widths import Widths
 
-GRAIN = 0.7  # of the way across the piece
+GRAIN = 0.7  # of the way across the piece that the grain arrow takes
+FOLD_NAME = "Place on the fold"
 STRAIGHT = 0.5  # millimeters: a fold that is less off is straight, for cloth gives so much
 
 
@@ -114,53 +115,54 @@ def closed_cuts(laid: Laid) -> list[Line]:
     return lines + [Line("inner_cut", points, closed=True) for points in laid.cut.holes]
 
 
-def lines_of(
-    laid: Laid, seam_names: Sequence[str], joined: Mapping[int, list[str]], notes: Mapping[int, str]
-) -> list[Line]:
-    """joined: see joined_by; notes: see notes_on_sides."""
-    lines = closed_cuts(laid)
+def _sewn(laid: Laid, describe: Callable[[Side, int], Mapping[str, str]]) -> list[Line]:
+    """Stitching lines and folds. describe: fields of the line of a side of the seam with this index."""
+    lines = []
     for own in laid.outlines:
-        lines += [Line("inner_cut", slit) for slit in own.slits]
         for run in own.runs:
-            seam = run.side.seam
             is_whole = len(own.runs) == 1 and run.side.is_closed
             points = run.points[:-1] if is_whole else run.points
             if run.is_fold:
-                lines.append(Line("fold", points))
+                lines.append(Line("fold", points, name=FOLD_NAME))
             else:
-                name = "" if seam is None else seam_names[seam]
-                others = [] if seam is None else [other for other in joined[seam] if other != laid.name]
-                joins = " – ".join(dict.fromkeys(others))
-                note = notes.get(id(run.side), "")
-                lines.append(Line("sew", points, is_whole, name, run.width, seam, joins=joins, note=note))
-    return [*lines, *laid.wires]
+                words = {} if run.side.seam is None else describe(run.side, run.side.seam)
+                lines.append(Line("sew", points, is_whole, width=run.width, seam=run.side.seam, **words))
+    return lines
 
 
-def grain_line(laid: Laid) -> Line:
-    """Where there is most room beside wires."""
-    center, _ = innermost_point(laid.sew_loops, [wire.points for wire in laid.wires])
-    rays = Rays(laid.sew_loops)
-    up, down = (GRAIN * rays.length(center, sign * laid.grain) for sign in (1, -1))
-    return Line("grain", center + np.array([-down * laid.grain, up * laid.grain]))
+def grain_line(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray], along: np.ndarray) -> Line:
+    """Where there is most room inside closed outlines (k,2), beside lines (k,2). along (2,): unit vector."""
+    center, _ = innermost_point(outlines, lines_inside)
+    rays = Rays(outlines)
+    up, down = (GRAIN * rays.length(center, sign * along) for sign in (1, -1))
+    return Line("grain", center + np.array([-down * along, up * along]))
 
 
 def finished(
-    laid: Laid,
-    points: Sequence[Point],
-    seam_names: Sequence[str],
-    joined: Mapping[int, list[str]],
-    notes: Mapping[int, str],
-    material: str,
+    laid: Laid, points: Sequence[Point], describe: Callable[[Side, int], Mapping[str, str]], material: str
 ) -> PatternPiece:
-    """The piece, still without a text. joined: see joined_by; notes: see notes_on_sides."""
-    lines = [*lines_of(laid, seam_names, joined, notes), grain_line(laid)]
+    """The piece, still without a text. describe: fields of the line of a side of the seam with this index."""
+    lines = [*closed_cuts(laid), *(Line("inner_cut", slit) for own in laid.outlines for slit in own.slits)]
+    lines += [*_sewn(laid, describe), *laid.wires]
+    lines.append(grain_line(laid.sew_loops, [wire.points for wire in laid.wires], laid.grain))
     area = abs(sum(map(signed_area, laid.sew_loops)))
     on_fold = any(run.is_fold for outline in laid.outlines for run in outline.runs)
     widths = tuple(sorted({run.width for outline in laid.outlines for run in outline.runs if run.width}))
-    return PatternPiece(laid.index + 1, laid.name, lines, list(points), [], (1, 0), material, on_fold, area, widths)
+    return PatternPiece(
+        laid.index + 1,
+        laid.name,
+        lines,
+        list(points),
+        [],
+        material=material,
+        on_fold=on_fold,
+        area=area,
+        allowances=widths,
+    )
 
 
 def outlined(laid: Laid) -> PatternPiece:
-    """Only cutting lines and folds."""
-    folds = [Line("fold", run.points) for own in laid.outlines for run in own.runs if run.is_fold]
-    return PatternPiece(laid.index + 1, laid.name, closed_cuts(laid) + folds, [], [], on_fold=bool(folds))
+    """Its lines without names and marks."""
+    sewn = _sewn(laid, lambda *_: {})
+    lines = [*closed_cuts(laid), *sewn, *laid.wires]
+    return PatternPiece(laid.index + 1, laid.name, lines, [], [], on_fold=any(line.role == "fold" for line in sewn))

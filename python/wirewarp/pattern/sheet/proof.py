@@ -35,6 +35,9 @@ def _piece_rows(pattern: PatternData) -> list[Row]:
     for piece in pattern.pieces:
         size = " x ".join(units.measured(float(side)) for side in piece.size)
         rows.append((f"{piece.number}  {piece.name}", how_to_cut(piece), size, units.area_text(piece.area)))
+        if piece.on_fold or piece.mirrored_name:
+            off = units.difference_text(piece.deviation)
+            rows.append(("", f"Drawn once; its mirror image is off by up to {off}"))
     if pattern.marker:
         return [*rows, (pattern.marker.sentence(units),)]
     for width in CLOTHS:

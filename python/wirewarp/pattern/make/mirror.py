@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reflections that lay one piece onto another, or onto itself."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..geometry import distances_to
+from ..model import PatternPiece
+
+LEVEL = 1e-9  # rise of a unit vector: rounding must not decide which half of a piece with a level fold is drawn
+ALIKE = 0.1  # millimeters between a point and its mirror image: less than the width of a printed line
+IN_PHASE = 1e-3  # share by which a match may be less than the best: pieces may have several axes
+
+
+@dataclass(frozen=True)
+class Mirror:
+    """z -> turn * conj(z) + shift, a reflection, maybe with a shift along its axis; points as complex numbers."""
+
+    turn: complex
+    shift: complex
+    deviation: float = 0.0  # millimeters: the farthest that a mirror image is from what was flattened
+
+    @property
+    def axis(self) -> tuple[np.ndarray, np.ndarray]:
+        """A point (2,) of the axis and its direction (2,)."""
+        along = np.sqrt(self.turn)
+        point = self.shift / 2
+        return np.array([point.real, point.imag]), np.array([along.real, along.imag])
+
+    def image(self, points: np.ndarray) -> np.ndarray:
+        """The images of points (k,2)."""
+        images = self.turn * np.conj(points @ (1, 1j)) + self.shift
+        return np.column_stack([images.real, images.imag])
+
+
+def mirrors_between(first: PatternPiece, second: PatternPiece) -> Iterator[Mirror]:
+    """Yields what lays the second piece onto the first; those whose axis is nearest to upright first.
+
+    The triangles along both outlines must correspond, and wires and allowances must lie on each other, too. A seam all
+    around an outline begins anywhere, so its notches could differ: pieces with one have no mirror.
+    """
+    if any(line.closed and line.seam is not None for line in first.of_role("sew")):
+        return
+    outlines = [_outline_loops(piece) for piece in (first, second)]
+    if not outlines[0] or [len(loop) for loop in outlines[0]] != [len(loop) for loop in outlines[1]]:
+        return
+    outer, image = outlines[0][0] @ (1, 1j), np.conj(outlines[1][0][::-1] @ (1, 1j))
+    steps, turned = np.roll(outer, -1) - outer, np.roll(image, -1) - image
+    if abs(np.abs(steps).sum() - np.abs(turned).sum()) > ALIKE:
+        return
+    # The sum of steps times conjugate steps is largest, and its angle that of the turn, where they are in phase.
+    match = np.fft.ifft(np.fft.fft(steps) * np.conj(np.fft.fft(turned)))
+    best = np.flatnonzero(np.abs(match) >= (1 - IN_PHASE) * np.abs(match).max(initial=np.finfo(float).tiny))
+    for phase in sorted(best.tolist(), key=lambda phase: round(float(match[phase].real / abs(match[phase])), 6)):
+        turn = complex(match[phase] / abs(match[phase]))
+        shift = complex((outer - turn * np.roll(image, phase)).mean())
+        found = Mirror(turn, shift, float(np.abs(outer - turn * np.roll(image, phase) - shift).max()))
+        if found.deviation <= ALIKE and _rest_fits(found, outlines, first, second):
+            yield found
+
+
+def fold_of(piece: PatternPiece, mirror: Mirror) -> np.ndarray | None:
+    """(2,2) the line, upwards, on which the piece can be folded onto itself; None if the mirror also shifts it."""
+    point, along = mirror.axis
+    if abs((mirror.shift * np.conj(np.sqrt(mirror.turn))).real) > ALIKE:
+        return None
+    is_upwards = along[1] > LEVEL or (along[1] > -LEVEL and along[0] > 0)
+    along = along if is_upwards else -along
+    crossings = _crossings(piece, point, along)
+    return point + np.outer([crossings.min(), crossings.max()], along) if len(crossings) > 1 else None
+
+
+def _outline_loops(piece: PatternPiece) -> list[np.ndarray]:
+    """The closed outlines (k,2) that the stitching lines of a piece form, one after the other."""
+    loops: list[list[np.ndarray]] = []
+    is_open = False
+    for line in piece.of_role("sew"):
+        if not is_open:
+            loops.append([])
+        loops[-1].append(line.points if line.closed else line.points[:-1])
+        is_open = not line.closed and not np.array_equal(line.points[-1], loops[-1][0][0])
+    return [np.concatenate(loop) for loop in loops]
+
+
+def _rest_fits(mirror: Mirror, outlines: list[list[np.ndarray]], first: PatternPiece, second: PatternPiece) -> bool:
+    """Whether holes, allowances and wires lie on each other as well as the outer outlines do."""
+    if not _covers(outlines[0][1:], [mirror.image(loop) for loop in outlines[1][1:]]):
+        return False
+    kinds = {("cut", ""), ("inner_cut", ""), *(("wire", line.kind) for line in first.lines + second.lines)}
+    for role, kind in kinds:
+        own, others = ([line.points for line in piece.of_role(role) if line.kind == kind] for piece in (first, second))
+        if not _covers(own, [mirror.image(line) for line in others]):
+            return False
+    return True
+
+
+def _covers(lines: list[np.ndarray], others: list[np.ndarray]) -> bool:
+    """Whether no point of a line is farther from the others than ALIKE, in both directions."""
+    if not lines or not others:
+        return not lines and not others
+    pairs = ((lines, others), (others, lines))
+    return all(float(distances_to(np.concatenate(a), b).max()) <= ALIKE for a, b in pairs)
+
+
+def _crossings(piece: PatternPiece, point: np.ndarray, along: np.ndarray) -> np.ndarray:
+    """Where the line through the point crosses the cut line, as lengths along it."""
+    aside = np.array([-along[1], along[0]])
+    found = []
+    for line in piece.of_role("cut"):
+        a, b = line.points - point, np.roll(line.points, -1, axis=0) - point
+        start, end = a @ aside, b @ aside
+        for row in np.flatnonzero((start < 0) != (end < 0)):
+            share = start[row] / (start[row] - end[row])
+            found.append(float((a[row] + share * (b[row] - a[row])) @ along))
+    return np.array([each for each in found if math.isfinite(each)])
