@@ -2,14 +2,12 @@
 // The pipeline, top-down; the mathematics is in the files it names. native/README.md maps the paper to them.
 #include "wirewarp/flatten.h"
 
-#include <array>
 #include <stdexcept>
 #include <utility>
 
 #include "cache/cache_session.h"
 #include "chart_errors.h"
 #include "charts/cut_into_charts.h"
-#include "charts_progress.h"
 #include "check_input/check_input.h"
 #include "internal_options.h"
 #include "metrics/assemble_result.h"
@@ -20,7 +18,6 @@
 #include "solve_chart.h"
 #include "solve_charts.h"
 #include "stop_token.h"
-#include "stretch_charts.h"
 
 namespace wirewarp {
 namespace {
@@ -36,14 +33,6 @@ const char* name_of(Method method) {
   }
   throw std::logic_error("not a Method");
 }
-
-bool is_stretched(const Options& options) {
-  return options.cloth && options.cloth->stretch != std::array<double, 2>{0, 0};
-}
-
-// How much of a run is done once charts are cut, once each is flat but for the cloth's stretch, once all are. The
-// stretch begins near its end.
-constexpr double kCut = 0.2, kUnstretched = 0.7, kFlat = 0.9;
 
 void pack(const Charts& charts, const Options& options, const StopToken& stop,
           std::vector<SolvedChart>& solved_charts) {
@@ -68,18 +57,12 @@ constexpr int kQuestionsAfterCancel = 25;
 FlattenResult flatten_cut(Charts charts, const Run& run, ProgressReport& report, Cache* cache,
                           std::map<std::string, double>& seconds) {
   CacheSession session(cache, run.input, run.options);
-  ChartsProgress to_flat(report, charts.charts, kCut, is_stretched(run.options) ? kUnstretched : kFlat);
-  std::vector<SolvedChart> solved_charts = solve_charts(charts.charts, run, report, to_flat, session);
-  session.finish();
-  if (is_stretched(run.options)) {
-    ChartsProgress progress(report, charts.charts, kUnstretched, kFlat);
-    stretch_charts(charts, run, progress, solved_charts);
-  }
+  std::vector<SolvedChart> solved_charts = solve_charts(charts, run, report, session);
   const bool was_cancelled = report.is_cancelled();
-  if (!was_cancelled) report.go_on("measure", 0.9);
+  if (!was_cancelled) report.go_on("measure", kChartsFlat);
   int questions_left = was_cancelled ? kQuestionsAfterCancel : 0;
   const StopToken may_measure(
-      [&](const char* stage) { return was_cancelled ? questions_left-- > 0 : report.go_on(stage, 0.9); });
+      [&](const char* stage) { return was_cancelled ? questions_left-- > 0 : report.go_on(stage, kChartsFlat); });
   const StopToken stop = may_measure.in("measure");
   {
     const StageTimer timer(seconds, "packing");

@@ -145,7 +145,8 @@ SolvedChart solve_chart(const Chart& chart, const Run& run, RefineBudget& budget
   return solved;
 }
 
-SolvedChart solve_with_fixed_seams(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop) {
+SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, RefineBudget& budget,
+                                         const StopToken& stop) {
   SolvedChart solved = solve_chart(with_fixed_seams(chart), run, budget, stop);
   if (solved.network) solved.network = build_wire_network(chart);
   return solved;

@@ -28,7 +28,8 @@ FlattenResult flatten_charts(Charts charts, const Run& run, const StopToken& sto
 SolvedChart solve_chart(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop);
 
 /// The same with its elastic seams at h = ease.
-SolvedChart solve_with_fixed_seams(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop);
+SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, RefineBudget& budget,
+                                         const StopToken& stop);
 
 /// Seams along which a chart lies flat that has no good shape without. Throws Stopped: what was found by then is not
 /// what a whole search finds.

@@ -4,16 +4,17 @@
 #include <vector>
 
 #include "cache/cache_session.h"
-#include "charts_progress.h"
 #include "progress_report.h"
 #include "solve_chart.h"
 #include "solved_chart.h"
 
 namespace wirewarp {
 
-/// Solves all charts, on all cores, without the stretch of a cloth: each by itself, and charts with elastic seams in
-/// common together.
-std::vector<SolvedChart> solve_charts(const std::vector<Chart>& charts, const Run& run, ProgressReport& report,
-                                      ChartsProgress& progress, CacheSession& session);
+/// Progress of a run when charts are cut, and when they are flat.
+constexpr double kChartsCut = 0.2, kChartsFlat = 0.9;
+
+/// Solves all charts on all cores: each by itself, then those with common elastic seams together, then all for a cloth
+/// that is stretched (group_stage.h). For such a cloth, charts ask for the stretched lengths from then on.
+std::vector<SolvedChart> solve_charts(Charts& charts, const Run& run, ProgressReport& report, CacheSession& session);
 
 }  // namespace wirewarp

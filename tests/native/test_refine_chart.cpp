@@ -8,11 +8,11 @@
 #include <string>
 
 #include "arap/free_boundary_arap.h"
-#include "couple_charts.h"
 #include "internal_options.h"
 #include "planar.h"
 #include "refine/injective_shape.h"
 #include "refine/refine_chart.h"
+#include "refine/refine_cloth.h"
 #include "refine/starts.h"
 #include "test_meshes.h"
 

@@ -174,4 +174,12 @@ void refine_cloth(const Chart& chart, const InternalOptions& options, RefineBudg
   result.factorizations = budget.spent();
 }
 
+std::optional<RefineResult> refine_injective(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
+                                             const StopToken& stop) {
+  RefineResult refined = refine_chart(chart, options, budget, stop);
+  if (!refined.shape.is_exact() || injectivity_of(chart, refined.shape.uv) != Injectivity::global) return std::nullopt;
+  if (options.cloth) refine_cloth(chart, options, budget, stop.in("shape"), refined);
+  return refined;
+}
+
 }  // namespace wirewarp

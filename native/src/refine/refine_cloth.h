@@ -9,6 +9,8 @@
 // steps by the angle lead to where it vanishes, from the best of 36 directions.
 #pragma once
 
+#include <optional>
+
 #include "refine/refine_chart.h"
 #include "wirewarp/options.h"
 
@@ -31,8 +33,12 @@ GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& o
 /// result: the shape of refine_chart(), exact; upright afterwards, x along the weft, and refined for options.cloth
 /// unless it has triangles turned over; its multipliers then have one for the row, last. Where the caller stops, the
 /// budget is spent, or the cloth would turn a triangle over or lay the piece over itself, the shape
-/// at hand. The cloth's stretch comes later (stretch_charts.h).
+/// at hand. The cloth's stretch comes later (group_stage.h).
 void refine_cloth(const Chart& chart, const InternalOptions& options, RefineBudget& budget, const StopToken& stop,
                   RefineResult& result);
+
+/// From scratch, for the cloth too if there is one: an injective shape, or none.
+std::optional<RefineResult> refine_injective(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
+                                             const StopToken& stop);
 
 }  // namespace wirewarp
