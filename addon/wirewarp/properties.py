@@ -75,6 +75,18 @@ class PatternSettings:
         step=100,
         update=_redraw,
     )
+    pairs: BoolProperty(
+        name="Mirrored Pairs",
+        description="Draw one piece of each mirrored pair: it is cut as drawn and mirrored",
+        default=False,
+        update=_redraw,
+    )
+    on_fold: BoolProperty(
+        name="On the Fold",
+        description="Draw half of each symmetric piece: it is cut on the fold of the fabric",
+        default=False,
+        update=_redraw,
+    )
     darts: EnumProperty(
         name="Darts",
         description="How darts are cut",

@@ -2,6 +2,7 @@
 """The pages drawn over flat pieces are those of the PDF."""
 
 import re
+from xml.etree import ElementTree
 
 import bpy
 import numpy as np
@@ -51,6 +52,30 @@ def test_there_are_as_many_as_the_file_has(addon, source, tmp_path, paper, besid
     printed = re.findall(rb"/MediaBox \[ ?0 0 ([\d.]+) ([\d.]+) ?\]", path.read_bytes())
     assert sizes + (20 if beside else 0) == pytest.approx(np.array(printed[beside:], dtype=float) * 25.4 / 72, abs=0.01)
     assert pages.is_good and pages.sentence.startswith(f"{len(pages.names)} ")
+
+
+@pytest.mark.parametrize("arrangement", ["IN_ROWS", "AS_LAID_OUT"])
+def test_pairs_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path, arrangement):
+    """Of a flat square of 200 mm that is cut in the middle: half of one half."""
+    for pause in ("IDLE_SHARE", "SOON", "REST"):
+        monkeypatch.setattr(addon.state.drawings, pause, 0.0)
+    bpy.context.scene.unit_settings.scale_length = 0.1
+    source = grid("Flat", lambda x, y: (x, y, 0.0))
+    mark_seam(source, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten(spacing=50.0)
+    pages = preview(addon, source, arrangement=arrangement, pairs=True, on_fold=True)
+    path = tmp_path / "a.pdf"
+    bpy.ops.object.wirewarp_export(filepath=str(path), arrangement=arrangement, pairs=True, on_fold=True)
+    assert len(frames(pages)) == sheets_in(path) - 1  # the map
+    if arrangement == "IN_ROWS":  # 100 x 100 or 50 x 200 mm, and 10 mm of allowance but at the fold
+        size = sorted(100 * np.ptp(pages.places["cut"][:, :2], axis=0))
+        assert size in (pytest.approx([110, 120], abs=0.01), pytest.approx([60, 220], abs=0.01))
+    names = [piece.name for piece in source.wirewarp_pieces]
+    said = addon.overlay.shown.shown_copies(view_context(), source, flat_of(source))
+    assert said == [f"Cut 1 pair: {names[0]} and {names[1]}", f"On the fold: {names[0]}"]
+    bpy.ops.object.wirewarp_export(filepath=str(tmp_path / "a.svg"), pairs=True, on_fold=True)
+    root = ElementTree.parse(tmp_path / "a.svg").getroot()
+    assert [path.get("data-role") for path in root.iter("{http://www.w3.org/2000/svg}path")].count("cut") == 1
 
 
 def test_over_the_pieces_as_they_lie_every_point_is_on_a_page(addon, source):

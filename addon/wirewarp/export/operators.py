@@ -104,13 +104,17 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
             for name in ("grain", "seconds", "new_marker"):
                 layout.prop(self, name)
         self.draw_lengths(context, "allowance", "notch_spacing")
+        layout.prop(self, "pairs")
+        layout.prop(self, "on_fold")
         layout.prop(self, "darts")
         layout.column(align=True).prop(self, "drawn")
         layout.prop(self, "failed_pieces")
 
     def choices(self) -> ExportChoices:
         drawn = frozenset(kind.lower().replace("_", " ") for kind in self.drawn)
-        made = PatternChoices(self.allowance, self.notch_spacing, self.darts.lower())
+        made = PatternChoices(
+            self.allowance, self.notch_spacing, self.darts.lower(), pairs=self.pairs, on_fold=self.on_fold
+        )
         return ExportChoices(
             made,
             drawn,

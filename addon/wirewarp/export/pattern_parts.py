@@ -20,6 +20,8 @@ class PatternChoices:
     allowance: float  # where none is marked
     notch_spacing: float  # along seams, 0 for none
     darts: str  # "close", "cut" or "slit", as the library has it
+    pairs: bool = False  # draw one piece of each mirrored pair
+    on_fold: bool = False  # draw half of each symmetric piece
 
 
 Grain = Literal["one way", "both ways", "free"]
@@ -70,14 +72,16 @@ class PatternParts:
             "them anyway."
         )
 
-    def cut_lines(self, allowance: float, darts: str) -> pattern.Pattern:
-        """Only the cutting lines, where they lie. Raises ObjectError as pattern() does."""
-        with _told_by_name():
-            return pattern.Pattern.of_cut_lines(self.pieces, allowance=allowance, darts=darts, **self._marked)
+    def cut_lines(self, allowance: float, darts: str, pairs: bool = False, on_fold: bool = False) -> pattern.Pattern:
+        """Only the lines, where they lie. Raises ObjectError as making() does."""
+        with _errors_of_library():
+            return pattern.Pattern.of_cut_lines(
+                self.pieces, allowance=allowance, darts=darts, pairs=pairs, on_fold=on_fold, **self._marked
+            )
 
     def making(self, choices: PatternChoices) -> Stages[pattern.Pattern]:
         """Raises ObjectError where they make none."""
-        with _told_by_name():
+        with _errors_of_library():
             steps = pattern.Pattern.making(
                 self.pieces,
                 self.seam_names,
@@ -86,6 +90,8 @@ class PatternParts:
                 allowance=choices.allowance,
                 notch_spacing=choices.notch_spacing,
                 darts=choices.darts,
+                pairs=choices.pairs,
+                on_fold=choices.on_fold,
                 **self._marked,
             )
             return (yield from steps)
@@ -98,7 +104,7 @@ class PatternParts:
 
 
 @contextmanager
-def _told_by_name() -> Iterator[None]:
+def _errors_of_library() -> Iterator[None]:
     """The library's errors as ours."""
     try:
         yield

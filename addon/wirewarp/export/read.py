@@ -3,7 +3,6 @@
 
 import datetime
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 import bpy
 import numpy as np
@@ -15,7 +14,7 @@ from ..blender.units import meters_per_blender_unit
 from ..core import pattern
 from ..issues import object_error
 from ..names import PIECE_INDEX, SOURCE_VERTEX
-from ..solve.chains import EdgeMarks, chains_of_marks, edge_keys
+from ..solve.chains import chains_of_marks, edge_keys
 from ..solve.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
 from ..solve.report import ObjectReport
 from ..state.allowances import read_allowances
@@ -36,43 +35,39 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternPar
     Raises ObjectError where there are no pieces, or none that are true.
     """
     report, flat = current_pieces(source)
-    millimeters = 1000 * meters_per_blender_unit(scene)
-    pieces = read_flat_pieces(flat.data, millimeters)
-    wire_ids = np.unique(pieces.marks.wire_ids[pieces.marks.rows]).tolist()
-    names = names_of(source.data, wire_ids) | {wire.wire_id: wire.name for wire in report.wires}
-    found = _pieces(report, pieces, names, grains(flat.data, pieces.vertices))
-    allowances = _allowances(source, report, millimeters, bpy.context.evaluated_depsgraph_get())
-    return _parts(scene, source, report, found, allowances)
+    return _parts(scene, source, report, flat, bpy.context.evaluated_depsgraph_get())
 
 
 def read_outlines(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> PatternParts | None:
-    """As read_pattern, but without wires, and whatever was changed since the pieces were made; the model may be in Edit
-    Mode. None where there is no report to these pieces. Raises ObjectError.
+    """As read_pattern, but whatever was changed since the pieces were made; the model may be in Edit Mode.
+
+    None if there is no report to these pieces. Raises ObjectError.
     """
-    report, millimeters = pieces_report(source), 1000 * meters_per_blender_unit(scene)
+    report = pieces_report(source)
     if report is None or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
         return None
-    pieces = read_flat_pieces(flat.data, millimeters)
-    without_wires = replace(pieces, marks=EdgeMarks.none(len(pieces.edges)))
-    allowances = _allowances(source, report, millimeters, depsgraph)
-    return _parts(scene, source, report, _pieces(report, without_wires, {}, {}), allowances)
+    return _parts(scene, source, report, flat, depsgraph)
 
 
 def _parts(
     scene: bpy.types.Scene,
     source: bpy.types.Object,
     report: ObjectReport,
-    pieces: Sequence[pattern.FlatPiece],
-    allowances: Allowances,
+    flat: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
 ) -> PatternParts:
+    millimeters = 1000 * meters_per_blender_unit(scene)
+    pieces = read_flat_pieces(flat.data, millimeters)
+    wire_ids = np.unique(pieces.marks.wire_ids[pieces.marks.rows]).tolist()
+    names = names_of(source.data, wire_ids) | {wire.wire_id: wire.name for wire in report.wires}
     return PatternParts(
         title=source.name,
-        pieces=pieces,
+        pieces=_pieces(report, pieces, names, grains(flat.data, pieces.vertices)),
         failed=[piece.name for piece in report.pieces if not piece.ok],
         seam_names=[seam.name for seam in report.seams],
-        allowances=allowances,
+        allowances=_allowances(source, report, millimeters, depsgraph),
         units="imperial" if scene.unit_settings.system == "IMPERIAL" else "metric",
         date=datetime.date.today().isoformat(),
         kept=kept_marker(marker_text(source)),

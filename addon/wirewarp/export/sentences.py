@@ -20,6 +20,13 @@ def crossing_sentence(made: pattern.Pattern) -> str:
     return f"These pieces overlap: {shown}. Move them apart before you cut."
 
 
+def copies_sentences(made: pattern.Pattern) -> list[str]:
+    """The pieces that are drawn once for their mirror images."""
+    pairs = [f"{piece.name} and {piece.mirrored_name}" for piece in made.pieces if piece.mirrored_name]
+    folds = [piece.name for piece in made.pieces if piece.on_fold]
+    return [f"{what}: {', '.join(names)}" for what, names in (("Cut 1 pair", pairs), ("On the fold", folds)) if names]
+
+
 def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:
     return [f"{counted(len(made.pieces), 'piece')} on {_size_text(made, *size)}.", largest_sentence(made)]
 

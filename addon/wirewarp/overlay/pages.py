@@ -47,12 +47,15 @@ def outlines(
         return None
 
 
-def cut_lines(parts: PatternParts | None, allowance: float, darts: str) -> CutLines:
-    """parts: see outlines. allowance: where none is marked, in millimeters."""
+def cut_lines(
+    parts: PatternParts | None, allowance: float, darts: str, pairs: bool = False, on_fold: bool = False
+) -> CutLines:
+    """parts: see outlines. allowance: where none is marked, in millimeters; pairs and on_fold: see PatternChoices."""
     if parts is None:
         return CutLines(None, False)
     try:
-        return CutLines(parts.cut_lines(allowance, darts), allowance > 0 or any(parts.allowances))
+        made = parts.cut_lines(allowance, darts, pairs, on_fold)
+        return CutLines(made, allowance > 0 or any(parts.allowances))
     except ObjectError:
         return CutLines(None, False)
 
@@ -71,13 +74,13 @@ class PageChoices:
     marker: str  # that is kept, see export.markers
 
 
-def page_preview(cut: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:
+def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:
     """The pages over the pieces as they lie; where they will lie otherwise, these pages below them.
 
-    Laid out by the library as for a PDF. millimeters: in a Blender unit.
+    Laid out by the library as for a PDF. drawn: what the file shows of the pieces; millimeters: in a Blender unit.
     """
-    made, paper = cut.made, choices.paper
-    if made is None:
+    made, paper = drawn.made, choices.paper
+    if made is None or cut.made is None:
         return PagePreview("These pieces make no pattern: press Export Pattern to see why.", False)
     if choices.arrangement == "MARKER":
         made = laid_on_kept(made, kept_marker(choices.marker), choices.cloth)
@@ -89,12 +92,11 @@ def page_preview(cut: CutLines, choices: PageChoices, millimeters: float) -> Pag
         laid, pages = (made.arranged() if choices.arrangement == "IN_ROWS" else made).pages(library, keeps)
     except FlattenError as error:
         return PagePreview(error.message, False)
-    corner = cut.made.bounds[0]
     if keeps:
-        offset = corner - laid.bounds[0]
+        offset = made.bounds[0] - laid.bounds[0]
     else:
         lows, highs = (np.array([page.low + share * page.size for page in pages]) for share in (0, 1))
-        offset = corner - (lows[:, 0].min(), highs[:, 1].max()) - (0, BELOW)
+        offset = cut.made.bounds[0] - (lows[:, 0].min(), highs[:, 1].max()) - (0, BELOW)
     unit = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
     places = {"page": _in_space([page.low + page.size * unit for page in pages], offset, millimeters)}
     if not keeps:

@@ -12,6 +12,7 @@ from ..blender.objects import metric
 from ..blender.units import meters_per_blender_unit
 from ..export.markers import marker_text
 from ..export.pattern_parts import GRAINS, Cloth
+from ..export.sentences import copies_sentences
 from ..issues import ObjectError
 from ..names import MARKS
 from ..solve.maps import CLOTH_MAPS, COLOR_MAPS, ColorMap
@@ -132,8 +133,17 @@ def _lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
         return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so
 
 
-def _cut_lines(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> CutLines:
-    """Allowances are the model's: they are read whenever it changes, but laid anew only where they are others."""
+def _cut_lines(
+    context: bpy.types.Context,
+    source: bpy.types.Object,
+    flat: bpy.types.Object,
+    pairs: bool = False,
+    on_fold: bool = False,
+) -> CutLines:
+    """Allowances are the model's: they are read whenever it changes, but laid anew only where they are others.
+
+    pairs and on_fold: see PatternChoices.
+    """
     scene, settings, depsgraph = context.scene, context.scene.wirewarp, context.view_layer.depsgraph
     made_of = stamp(flat), stamp(flat.data), Same(pieces_report(source)), source.name_full
     of_model = stamp(source), stamp(source.data), source.data.is_editmode
@@ -142,17 +152,29 @@ def _cut_lines(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.t
         flat, "outlines", (*made_of, *of_model, *units), lambda: outlines(scene, source, flat, depsgraph), source
     )
     chosen = settings.allowance, (settings.darts or "CLOSE").lower()
+    if pairs or on_fold:
+        once = *chosen, pairs, on_fold
+        return kept_drawing(flat, "drawn once", (Same(parts), *once), lambda: cut_lines(parts, *once))
     return kept_drawing(flat, "cut lines", (Same(parts), *chosen), lambda: cut_lines(parts, *chosen))
+
+
+def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
+    """Which pieces are drawn once for their mirror images, as sentences; the flat object is not in Edit Mode."""
+    settings = context.scene.wirewarp
+    made = _cut_lines(context, source, flat, settings.pairs, settings.on_fold).made
+    return copies_sentences(made) if made else []
 
 
 def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> PagePreview:
     """What the flat object, which is not in Edit Mode, will be printed on."""
     settings, millimeters = context.scene.wirewarp, 1000 * meters_per_blender_unit(context.scene)
     cut = _cut_lines(context, source, flat)
+    drawn = _cut_lines(context, source, flat, settings.pairs, settings.on_fold)
     cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain or "ONE_WAY"])  # "": see mend_settings
     paper, arrangement = settings.paper or "A4", settings.arrangement or "IN_ROWS"
     chosen = PageChoices(paper, settings.roll_width, arrangement, cloth, marker_text(source))
-    return kept_drawing(flat, "pages", (Same(cut), chosen, millimeters), lambda: page_preview(cut, chosen, millimeters))
+    made_of = Same(cut), Same(drawn), chosen, millimeters
+    return kept_drawing(flat, "pages", made_of, lambda: page_preview(cut, drawn, chosen, millimeters))
 
 
 def _with_pages(lines: Lines | None, pages: PagePreview) -> Lines:

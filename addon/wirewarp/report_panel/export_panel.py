@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..overlay.shown import shown_pages
+from ..overlay.shown import shown_copies, shown_pages
 from ..state.owners import find_flat_object
 from ..ui.layout import SidebarPanel, draw_progress, draw_sentence
 from ..ui.shown import shown_source
@@ -22,6 +22,13 @@ class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
     def draw(self, context: bpy.types.Context) -> None:
         settings, layout = context.scene.wirewarp, self.layout
         layout.prop(settings, "allowance", text="Allowance (mm)")
+        row = layout.row(align=True)
+        row.prop(settings, "pairs", toggle=True)
+        row.prop(settings, "on_fold", toggle=True)
+        flat = find_flat_object(shown_source(context))
+        if (settings.pairs or settings.on_fold) and flat is not None and not flat.data.is_editmode:
+            for sentence in shown_copies(context, shown_source(context), flat):
+                draw_sentence(context, layout, sentence)
         row = layout.row(align=True)
         if not draw_progress(row, EXPORT, "object.wirewarp_export"):
             row.operator("object.wirewarp_export", icon="EXPORT")
