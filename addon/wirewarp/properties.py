@@ -197,6 +197,16 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, AimSettings, EaseAm
         default=False,
         update=_look_for_changes,
     )
+    true_height: FloatProperty(
+        name="Height (cm)",
+        description="How high the model is in reality, from its lowest to its highest point",
+        min=0.1,
+        soft_max=300.0,
+        max=100000.0,
+        default=170.0,  # of a person
+        precision=1,
+        step=100,
+    )
     tolerance_percent: FloatProperty(
         name="Tolerance ±%",
         description="How much an elastic wire may become longer or shorter, in percent of its length: each part "

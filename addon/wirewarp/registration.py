@@ -18,8 +18,8 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
     suggest.panel,
     report_panel.export_panel,
     marks.panel,
-    marks.wire_list,
     report_panel.piece_list,
+    marks.wire_list,
     report_panel.panel,
     overlay.panel,
 )

@@ -85,9 +85,18 @@ def test_a_failed_object_spares_the_others():
     assert nothing_written(bad)
 
 
+def test_the_active_model_counts_as_selected_if_nothing_is():
+    source, other = grid("Bump", bump), grid("Other", bump)
+    bpy.ops.object.select_all(action="DESELECT")
+    bpy.context.view_layer.objects.active = source
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert flat_of(source) and nothing_written(other)
+
+
 def test_nothing_selected():
     grid("Bump", bump)
     bpy.ops.object.select_all(action="DESELECT")
+    bpy.context.view_layer.objects.active = None
     flatten_fails(r"Nothing to flatten: select a mesh object\.$")
     grid("Bump", bump).hide_set(True)
     flatten_fails('Nothing to flatten: "Bump.001" is hidden')

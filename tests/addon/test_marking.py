@@ -3,6 +3,7 @@
 
 import math
 
+import bmesh
 import bpy
 import pytest
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
@@ -216,3 +217,31 @@ def test_wires_are_not_marked_while_flat_pieces_are_edited_beside_the_model():
     bpy.ops.object.mode_set(mode="EDIT")
     with pytest.raises(RuntimeError, match="Leave Edit Mode of the flat pieces first"):
         bpy.ops.mesh.wirewarp_mark()
+
+
+def test_a_model_is_marked_from_nothing_selected(addon):
+    """As imported, everything is selected."""
+    source = grid("Bump", bump, size=4)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert bpy.ops.object.wirewarp_mark_model() == {"FINISHED"}
+    assert source.mode == "EDIT" and tuple(bpy.context.tool_settings.mesh_select_mode) == (False, True, False)
+    assert not any(edge.select for edge in bmesh.from_edit_mesh(source.data).edges)
+    bmesh.from_edit_mesh(source.data).edges.ensure_lookup_table()
+    bmesh.from_edit_mesh(source.data).edges[3].select = True
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.ops.object.wirewarp_mark_model()
+    chosen = [edge.index for edge in bmesh.from_edit_mesh(source.data).edges if edge.select]
+    assert chosen == [3]  # what the user has selected stays
+    assert not addon.marks.seam_operators.has_every_edge(source.data)
+    assert bpy.ops.mesh.wirewarp_mark_seam() == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert [edge.index for edge in source.data.edges if edge.use_seam] == [3]
+
+
+def test_every_edge_selected_is_noticed(addon):
+    source = grid("Bump", bump, size=4)
+    bpy.ops.object.mode_set(mode="EDIT")
+    bpy.ops.mesh.select_all(action="SELECT")
+    assert addon.marks.seam_operators.has_every_edge(source.data)

@@ -124,7 +124,7 @@ def test_every_class_of_the_add_on_is_registered(addon):
 def test_the_panels_of_the_sidebar_come_in_the_order_of_the_work(addon):
     """Blender shows them as they are registered."""
     panels = [cls for cls in addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
-    first = "Flatten, Settings, Advanced, Suggestions, Export, Mark, Wires, Pieces, Report"
+    first = "Flatten, Settings, Advanced, Suggestions, Export, Mark, Pieces, Wires, Report"
     own = [cls.bl_label for cls in panels if getattr(cls, "bl_parent_id", "") != "VIEW3D_PT_wirewarp_report"]
     assert own == [*first.split(", "), "Overlay", "Overlay"]  # the last in the UV Editor
 

@@ -131,7 +131,7 @@ def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addo
     assert len(seam_edges(source.data)) == 0  # it was only tried
     report = addon.state.reports.last_report(source)
     step = addon.report_panel.next_step.next_step(report, [])
-    assert step.text == "Use the Seams of the UV Map: 1 piece, stretch 0.0%"
+    assert step.sentence == "The seams of the UV map make 1 piece, stretch 0.0%."
     assert bpy.ops.object.wirewarp_mend(**step.settings) == {"FINISHED"}
     assert len(seam_edges(source.data)) == 7  # of twelve, five hold the six faces together
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready

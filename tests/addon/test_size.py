@@ -28,7 +28,8 @@ def test_a_model_of_common_size_is_not_told(sized):
 def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
     sentence, offered = sized(77)
     assert sentence == '"Chair" is 77 m large. Was it made in another unit?'
-    assert offered == ["Centimeters: 77 cm", "Millimeters: 7.7 cm"]
+    assert offered == ["Centimeters: 77 cm", "Millimeters: 7.7 cm", "Inches: 196 cm"]
+    assert sized(14.5)[1][0] == "Decimeters: 145 cm"  # as MakeHuman has it
     assert sized(939)[1] == ["Millimeters: 93.9 cm"]
     sentence, offered = sized(0.0017)
     assert sentence.endswith("is 1.7 mm small. Was it made in another unit?")
@@ -46,6 +47,16 @@ def test_one_click_makes_the_pattern_as_large_as_the_model_was_meant(addon, size
     report = addon.state.reports.last_report(bpy.data.objects["Chair"])
     assert report.meters == pytest.approx(0.01)
     assert flat_of(bpy.data.objects["Chair"]).dimensions.x > 77
+
+
+def test_the_unit_follows_from_the_height_that_the_model_should_have(addon, sized):
+    sized(77)
+    source, buttons = bpy.data.objects["Chair"], []
+    draw_panels(addon, buttons)
+    assert buttons.count("scene.wirewarp_set_unit") == 4 * 2  # three units and the height; narrow and wide
+    meters = addon.blender.units.unit_of_height(source, 1.2)
+    bpy.ops.scene.wirewarp_set_unit(meters=meters)
+    assert source.dimensions.z * addon.blender.units.meters_per_blender_unit(bpy.context.scene) == pytest.approx(1.2)
 
 
 def test_a_scene_without_units_gets_some(addon, sized):

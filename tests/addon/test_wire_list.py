@@ -201,7 +201,7 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
     row = row_of(addon, source, source.data.wirewarp_names[1])
     length = sum(wire.length(np.eye(3)) for name, wire in addon.state.wires.listed_wires(source) if name == "Middle")
     assert row == ["Middle", f"±5%  {100 * length:.3f} cm"]
-    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle", f"{100 * length:.3f} cm"]
+    assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle", f"{100 * length:.0f} cm"]
 
 
 def test_what_has_no_row_of_its_own_stands_below_and_what_is_gone_nowhere(addon, source):

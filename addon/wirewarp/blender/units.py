@@ -39,9 +39,10 @@ def meters_per_blender_unit(scene: bpy.types.Scene) -> float:
 SMALLEST, LARGEST = 0.02, 5.0  # meters: from a doll's glove to a sofa's cover
 # What one Blender unit may mean, in meters: the units that files are written in, and a tenth, a hundredth and a
 # thousandth of a model that was scaled down when it was imported.
-UNITS = {1.0: "Meters", 0.01: "Centimeters", 0.001: "Millimeters", 0.0254: "Inches", 10.0: "10 m", 100.0: "100 m"}
-UNITS |= {1000.0: "1000 m"}
-SHOWN = 2  # of the units that would do
+# A decimeter is that of MakeHuman.
+UNITS = {1.0: "Meters", 0.1: "Decimeters", 0.01: "Centimeters", 0.001: "Millimeters", 0.0254: "Inches"}
+UNITS |= {10.0: "10 m", 100.0: "100 m", 1000.0: "1000 m"}
+SHOWN = 3  # of the units that would do
 
 
 def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
@@ -57,6 +58,11 @@ def likely_units(target: bpy.types.Object) -> Sequence[float]:
     """Meters in a Blender unit with which the model has a size to sew, the likeliest first."""
     largest = max(target.dimensions)
     return [unit for unit in UNITS if SMALLEST <= largest * unit <= LARGEST][:SHOWN]
+
+
+def unit_of_height(target: bpy.types.Object, height: float) -> float | None:
+    """Meters in a Blender unit with which the model is so many meters high; None if it is flat."""
+    return height / target.dimensions.z if target.dimensions.z > 0 else None
 
 
 def unit_text(target: bpy.types.Object, unit: float) -> str:

@@ -9,6 +9,7 @@ import bpy
 import numpy as np
 from mathutils import Quaternion, Vector
 
+LEGEND_WIDTH = 150  # in Blender's own pixels, with the names of lines that it mostly has
 MARGIN = 1.15  # so much more is seen than the points
 ONE_SIDE = 0.3  # length of the mean normal of what has one side that can be looked at; a ring around a body has none
 SEEN = 0.3  # cosine of the angle between that normal and the way to the eye, from which on it can be seen well
@@ -126,10 +127,11 @@ def _rise(view: bpy.types.RegionView3D) -> None:
         view.update()
 
 
-def _covered(context: bpy.types.Context, area: bpy.types.Area) -> int:
-    """Pixels of the view that lie below the sidebar."""
-    sidebar = next(each for each in area.regions if each.type == "UI")
-    return sidebar.width if context.preferences.system.use_region_overlap and sidebar.width > 1 else 0
+def _covered(context: bpy.types.Context, area: bpy.types.Area) -> float:
+    """Pixels on the right of the view that lie below the sidebar and the legend beside it."""
+    sidebar, system = next(each for each in area.regions if each.type == "UI"), context.preferences.system
+    overlaps = system.use_region_overlap and sidebar.width > 1
+    return LEGEND_WIDTH * system.ui_scale + (sidebar.width if overlaps else 0)
 
 
 def work_area(context: bpy.types.Context) -> bpy.types.Area | None:

@@ -104,7 +104,8 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         """Brings into view what the user has not seen yet, or not there."""
         sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
         area = work_area(context)
-        if sources and area and preferences(context).moves_view:
+        # In Edit Mode the user is at work on the edges in this view.
+        if sources and area and preferences(context).moves_view and context.mode == "OBJECT":
             show_objects(context, area, [each for source in sources for each in (source, find_flat_object(source))])
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:

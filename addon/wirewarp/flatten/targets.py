@@ -15,10 +15,11 @@ CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
 
 
 def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Every selected mesh and every mesh in Edit Mode; of flat pieces, their model."""
+    """Every selected mesh and every mesh in Edit Mode, or else the active one; of flat pieces, their model."""
     edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
     models = (_model(context, each) for each in [*edited, *context.selected_objects])
-    return list(dict.fromkeys(filter(None, models)))
+    chosen = list(dict.fromkeys(filter(None, models)))
+    return chosen or ([] if context.selected_objects else active_target(context))
 
 
 def active_target(context: bpy.types.Context) -> list[bpy.types.Object]:

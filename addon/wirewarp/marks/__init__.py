@@ -4,10 +4,11 @@
 May import: ui, state, solve, blender, properties, issues, names, words.
 """
 
-from . import ease_operator, mark_operators, panel, unit_operator, wire_list, wire_operators
+from . import ease_operator, mark_operators, panel, seam_operators, unit_operator, wire_list, wire_operators
 
 MODULES = (
     mark_operators,
+    seam_operators,
     ease_operator,
     wire_operators,
     unit_operator,

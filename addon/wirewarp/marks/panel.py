@@ -37,15 +37,15 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
                     _draw_allowances(layout, "Allowance of selected sides")
             return
         if context.mode != "EDIT_MESH":
-            layout.operator("object.mode_set", text="Mark in Edit Mode", icon="EDITMODE_HLT").mode = "EDIT"
+            layout.operator("object.wirewarp_mark_model", icon="EDITMODE_HLT")
             return
         self._draw_buttons(context, layout)
 
     def _draw_buttons(self, context: bpy.types.Context, layout: bpy.types.UILayout) -> None:
         layout.label(text="Seams cut the pieces")
         row = layout.row(align=True)
-        row.operator("mesh.mark_seam", text="Mark Seam").clear = False
-        row.operator("mesh.mark_seam", text="Clear Seam").clear = True
+        row.operator("mesh.wirewarp_mark_seam", text="Mark Seam").clear = False
+        row.operator("mesh.wirewarp_mark_seam", text="Clear Seam").clear = True
         layout.operator("mesh.wirewarp_seams_from_uv_islands", text="From UV Islands")
         layout.operator("mesh.wirewarp_smooth_seam")
 

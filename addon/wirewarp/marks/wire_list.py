@@ -43,11 +43,11 @@ class WIREWARP_UL_wires(bpy.types.UIList):
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
         icon = "EMPTY_SINGLE_ARROW" if mesh.wirewarp_grain == entry.wire_id else "NONE"
-        columns = line.split(factor=0.5)
+        columns = line.split(factor=0.5 if is_wide(context) else 0.68)
         columns.prop(entry, "name", text="", emboss=False, icon=icon)
         figures = columns.row()
         figures.alignment = "RIGHT"
-        figures.label(text=_figures(context, wire) if is_wide(context) else _length(context, wire))
+        figures.label(text=_figures(context, wire) if is_wide(context) else _rough_length(context, wire))
 
     def filter_items(
         self, context: bpy.types.Context, mesh: bpy.types.Mesh, entries_name: str
@@ -75,12 +75,22 @@ def _figures(context: bpy.types.Context, wire: WireSummary) -> str:
 
 
 def _length(context: bpy.types.Context, wire: WireSummary) -> str:
+    return length_text(context.scene)(_true_length(context, wire))
+
+
+def _rough_length(context: bpy.types.Context, wire: WireSummary) -> str:
+    """To leave the name room."""
+    return length_text(context.scene).rough(_true_length(context, wire))
+
+
+def _true_length(context: bpy.types.Context, wire: WireSummary) -> float:
     linear = np.array(context.active_object.matrix_world, dtype=np.float64)[:3, :3]
-    return length_text(context.scene)(wire.length(linear))
+    return wire.length(linear)
 
 
 class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
     bl_label = "Wires"
+    bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

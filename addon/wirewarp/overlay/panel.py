@@ -11,6 +11,7 @@ from ..ui.layout import SidebarPanel
 
 class VIEW3D_PT_wirewarp_overlay(SidebarPanel, bpy.types.Panel):
     bl_label = "Overlay"
+    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context: bpy.types.Context) -> None:
         layout, settings = self.layout, context.scene.wirewarp

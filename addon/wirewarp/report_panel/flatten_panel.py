@@ -3,7 +3,7 @@
 
 import bpy
 
-from ..blender.units import likely_units, strange_size, unit_text
+from ..blender.units import likely_units, strange_size, unit_of_height, unit_text
 from ..core import Kind, as_seen
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
@@ -21,7 +21,7 @@ from ..ui.settings import draw_settings, settings_sentence
 from ..ui.shown import untrue_sentence
 from ..ui.window_run import FLATTEN
 from .fabrics import ICON, VIEW3D_MT_wirewarp_fabrics
-from .next_step import NextStep, next_step, piece_to_cut, uv_step, wants_seams
+from .next_step import SHOW, NextStep, next_step, piece_to_cut, uv_step, wants_seams
 
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
 FABRIC_HELPS = (Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC)
@@ -66,6 +66,12 @@ def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: b
     draw_sentence(context, column, sentence, "AMBER")
     for unit in likely_units(source):
         column.operator("scene.wirewarp_set_unit", text=unit_text(source, unit)).meters = unit
+    settings = context.scene.wirewarp
+    unit = unit_of_height(source, settings.true_height / 100)
+    if unit:
+        column.separator()
+        column.prop(settings, "true_height")
+        column.operator("scene.wirewarp_set_unit", text="Set This Height").meters = unit
 
 
 def _draw_state(
@@ -84,7 +90,8 @@ def _draw_state(
     for line in verdict.lines:
         draw_sentence(context, layout, line.text, LEVEL_ICONS[line.kind.level])
     step = next_step(report, left_out, has_suggestions=are_shown(context))
-    if step:
+    is_looked_at = step is not None and step.operator == SHOW  # which is less than to do something
+    if step and not is_looked_at:
         _draw_step(context, layout, step)
     if report.uv_seams and not report.uv_seams.is_good:
         _draw_step(context, layout, uv_step(report.uv_seams))
@@ -95,6 +102,8 @@ def _draw_state(
     piece = piece_to_cut(report, step)
     if piece is not None:
         draw_suggest(layout, context.scene.wirewarp, piece)
+    if step and is_looked_at:
+        _draw_step(context, layout, step)
     # Of the last run, though it may have left the earlier pieces: to flatten again would change nothing.
     sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if sentence:

@@ -57,9 +57,9 @@ def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: boo
 
 def uv_step(found: UvSeams) -> NextStep:
     """To mark the seams of the UV map, with what became of trying them."""
-    became = f"{found.failed} fail" if found.failed else f"stretch {percent_text(found.stretch)}"
-    text = f"Use the Seams of the UV Map: {counted(found.pieces, 'piece')}, {became}"
-    return NextStep("", text, "UV", MEND, {"what": "UV_SEAMS"})
+    became = f"{found.failed} of them fail" if found.failed else f"stretch {percent_text(found.stretch)}"
+    sentence = f"The seams of the UV map make {counted(found.pieces, 'piece')}, {became}."
+    return NextStep(sentence, "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
 
 
 def wants_seams(report: ObjectReport) -> bool:

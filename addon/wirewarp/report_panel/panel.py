@@ -14,6 +14,7 @@ from .table import draw_table
 
 class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
     bl_label = "Report"
+    bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

@@ -35,9 +35,10 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row is None:
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
-        line.prop(entry, "name", text="", emboss=False, **mark_of(row.ok, row.is_strained))
+        columns = line.split(factor=0.68)
+        columns.prop(entry, "name", text="", emboss=False, **mark_of(row.ok, row.is_strained))
         if row.has_layout:
-            figure = line.row()
+            figure = columns.row()
             figure.alignment = "RIGHT"
             figure.label(text=percent_text(row.needed))
             draw_select(line, "PIECE", index)

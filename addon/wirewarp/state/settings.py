@@ -98,9 +98,9 @@ class FlattenSettings:
         description="Material that the pieces are cut from, with its maximum stretch across and along the grain. "
         "Lengths are exact with every fabric. To measure yours, mark 10 cm and pull until it resists: 12 cm is 20%",
         items=[
-            ("NONE", "Not Chosen", "WireWarp says how far the fabric must stretch, in the worst direction", 0),
+            ("NONE", "Fabric Not Chosen", "WireWarp says how far the fabric must stretch, in the worst direction", 0),
             *_fabrics(),
-            ("CUSTOM", "Custom", f"Enter the maximum stretch of your fabric. {MEASURE}", CUSTOM),
+            ("CUSTOM", "Custom Fabric", f"Enter the maximum stretch of your fabric. {MEASURE}", CUSTOM),
         ],
         default="NONE",
     )

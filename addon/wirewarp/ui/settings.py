@@ -30,7 +30,11 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
             row.use_property_split = not setting.is_wide
             row.use_property_decorate = False
             row.enabled = setting.is_used(settings)
-            row.prop(settings, setting.name)
+            if setting.name == "cloth" and parts:  # its items are long, and say what they are
+                row.use_property_split = False
+                row.prop(settings, setting.name, text="", icon="MATCLOTH")
+            else:
+                row.prop(settings, setting.name)
 
 
 def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
