@@ -101,7 +101,7 @@ def worn_subsection(inputs: Inputs) -> str:
         measure: [choices["Woven"][measure] / choices["No cloth"][measure] for choices in inputs.worn.values()]
         for measure in ("gap", "slide", "strain")
     }
-    return f"""### Sewn and worn
+    return f"""### Simulated fit
 
 A smaller energy of the flat pieces is not yet a better garment. NVIDIA Newton's SolverStyle3D, a physics engine that
 shares no code with WireWarp, sews the same pieces, as a woven with the ratios of the preset, and puts them on their
@@ -136,7 +136,7 @@ def section(inputs: Inputs) -> str:
     lower = sum(row["Jersey"].warp < row["No cloth"].warp for row in found.values())
     unfolded = [name for name in every if name not in found]
     rows = [[name, *(strains(row[choice]) for choice in CHOICES)] for name, row in found.items()]
-    return f"""## Cloths
+    return f"""## Fabrics
 
 What each cloth must give: strain of the threads across (weft) and along the grain (warp), and the angle by which they
 leave the right angle. In all columns the lengths of outlines, seams and wires are the same and exact; only the shape

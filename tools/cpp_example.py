@@ -13,7 +13,7 @@ FOLDER = BUILD / "example"
 
 
 def example_tests() -> None:
-    """Raises StepError unless both programs print what the README says."""
+    """Raises StepError unless both programs print what the page on C++ says."""
     require_apt(*NATIVE_APT)
     openmesh = {"FETCHCONTENT_SOURCE_DIR_OPENMESH": str(openmesh_source())}
     build_native("release", "wirewarp", **openmesh)
@@ -39,6 +39,6 @@ def build_and_check(name: str, **definitions: str) -> None:
     build: list[str | Path] = ["cmake", "--build", folder, "-j", str(CORES), "--target", "flatten_dome"]
     run_quietly(f"building build/example/{name}", build)
     printed = output_of([folder / "flatten_dome"])
-    promised = re.findall(r"## In C\+\+\n.*?```\n(rigid: .*?)```", (ROOT / "README.md").read_text(), re.DOTALL)
+    promised = re.findall(r"```\n(rigid: .*?)```", (ROOT / "docs" / "cpp.md").read_text(), re.DOTALL)
     if [printed] != promised:
-        raise StepError(f"build/example/{name}/flatten_dome prints other lines than the README has:\n{printed}")
+        raise StepError(f"build/example/{name}/flatten_dome prints other lines than docs/cpp.md has:\n{printed}")

@@ -55,7 +55,7 @@ def source_package() -> Path:
 
 
 def source_package_tests() -> None:
-    """Builds a wheel from the source package as pip does, fetching no sources, and runs the README's examples on it."""
+    """Build a wheel from the source package as pip does, without other sources, and run the examples on it."""
     unpacked = FOLDER / "unpacked"
     shutil.rmtree(unpacked, ignore_errors=True)
     shutil.unpack_archive(source_package(), unpacked)

@@ -22,7 +22,7 @@ def test_the_examples_for_patterns_run(tmp_path, monkeypatch):
 
 
 def test_the_table_of_options_names_all_and_their_defaults():
-    text = (DOCUMENTS / "options.md").read_text()
+    text = (DOCUMENTS / "python" / "options.md").read_text()
     written = dict(re.findall(r"^\| `(\w+)`[^|]*\|([^|]*)\|", text, re.MULTILINE))
     defaults = wirewarp.Options().to_dict()
     assert written.keys() == defaults.keys()

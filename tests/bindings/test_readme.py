@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples in the README run, one after the other, and print what the README says."""
+"""The examples of the page on Python run, one after the other, and print what the page says."""
 
 import re
 from pathlib import Path
 
-README = Path(__file__).resolve().parents[2] / "README.md"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "python" / "index.md"
 
 
 def test_the_python_examples_print_what_the_readme_says(capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    examples = re.findall(r"```python\n(.*?)```\s*```\n(.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+    examples = re.findall(r"```python\n(.*?)```\s*```\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
     names = {}
     for code, output in examples:
         exec(code, names)

@@ -11,7 +11,7 @@ import tokenize
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-READ = ("*.md", "docs/*.md", "*/README.md", "addon/**/*.py", "python/**/*.py", "native/**/*.h", "native/**/*.cpp")
+READ = ("*.md", "docs/**/*.md", "*/README.md", "addon/**/*.py", "python/**/*.py", "native/**/*.h", "native/**/*.cpp")
 OLD_WORDS = {  # with what to write instead
     "promis(e|es|ed|ing)": "guarantee",
     "aims?": "target",
@@ -31,18 +31,21 @@ OLD_WORDS = {  # with what to write instead
     "likewise|shall|be they|for want of|in peace|to speak of|as many again": "plain words",
 }
 PATTERN = re.compile(rf"\b(?:{'|'.join(OLD_WORDS)})\b", re.IGNORECASE)
+CODE_IN_MARKDOWN = re.compile(r"```.*?```|`[^`\n]*`", re.DOTALL)  # names of the API stay as they are
 CPP_TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
 LIST = Path(__file__).with_name("old_words.txt")
 
 
 def read_by_people(file: Path) -> str:
-    """Documents whole, of sources comments and texts."""
+    """Return the prose of a document, or the comments and texts of a source."""
     text = file.read_text()
+    if file.suffix == ".md":
+        return CODE_IN_MARKDOWN.sub("", text)
     if file.suffix == ".py":
         tokens = tokenize.generate_tokens(io.StringIO(text).readline)
         kinds = {tokenize.COMMENT, tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING)}
         return "\n".join(token.string for token in tokens if token.type in kinds)
-    return "\n".join(CPP_TEXT.findall(text)) if file.suffix in (".h", ".cpp") else text
+    return "\n".join(CPP_TEXT.findall(text))
 
 
 def old_words() -> dict[str, list[str]]:

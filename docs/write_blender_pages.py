@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Write the pages on settings, buttons and errors from the add-on itself, so that they always agree with it.
+
+blender --background --addons wirewarp_addon --python docs/write_blender_pages.py -- FOLDER
+"""
+
+import importlib
+import math
+import sys
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import bpy
+
+ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]  # of whichever Blender's kind of add-on it is
+PANELS = {  # the class of a group of settings: where Blender shows them
+    "FlattenSettings": "Flatten > Settings",
+    "PatternSettings": "Export Pattern",
+    "AimSettings": "Suggest Darts and Suggest Seams",
+    "EaseAmount": "Mark > Ease",
+    "WIREWARP_PG_settings": "Other panels",
+}
+EXAMPLE_WIRES = ["Hip", "Bust"]
+# Values that fill the sentences of each error: the code, its arguments, other facts, the elements it is about.
+PROPOSED = {"proposed_seams": [(0, 1)]}
+EXAMPLES: list[tuple[str, dict[str, Any], dict[str, int], dict[str, Any]]] = [
+    ("empty_mesh", {}, {}, {}),
+    ("non_finite_coordinates", {}, {}, {"vertices": [1, 2]}),
+    ("loose_faces", {"num_parts": 1200}, {}, {}),
+    ("repeated_vertex_in_face", {}, {"faces": 2}, {}),
+    ("repeated_face", {}, {"faces": 2}, {}),
+    ("zero_area_face", {}, {"faces": 2}, {}),
+    ("non_manifold_edge", {}, {}, {"edges": [(0, 1), (1, 2)]}),
+    ("non_manifold_vertex", {}, {}, {"vertices": [1]}),
+    ("inconsistent_orientation", {"is_one_sided": False}, {}, {"edges": [(0, 1)]}),
+    ("inconsistent_orientation", {"is_one_sided": True}, {}, {"edges": [(0, 1)]}),
+    ("closed_chart", {}, {}, PROPOSED),
+    ("handles", {"num_handles": 1}, {}, PROPOSED),
+    ("boundary_too_short", {"lengths": [0.25]}, {}, PROPOSED),
+    ("boundary_too_short", {"lengths": [0.31, 0.28]}, {}, PROPOSED),
+    ("boundary_too_short", {"lengths": [0.31, 0.28, 0.2]}, {}, PROPOSED),
+    ("infeasible_lengths", {"reason": "wires", "is_refined": True}, {}, {"proposed_tolerances": [(0, 0.012)]}),
+    ("infeasible_lengths", {"reason": "wires", "is_refined": True}, {}, {"proposed_tolerances": [(1, math.inf)]}),
+    ("infeasible_lengths", {"reason": "outline", "has_wires": True}, {}, PROPOSED),
+    ("infeasible_lengths", {"reason": "stretch"}, {}, PROPOSED),
+    ("infeasible_lengths", {"reason": "method"}, {}, {}),
+    ("not_solvable", {"reason": "sizes"}, {"faces": 2}, {}),
+    ("not_solvable", {"reason": "precision"}, {}, {}),
+    ("not_solvable", {"reason": "helper_wires"}, {}, {"edges": [(0, 1)]}),
+    ("cancelled", {}, {}, {}),
+    ("invalid_option", {"name": "thickness"}, {"faces": 3}, {"faces": [0]}),
+    ("invalid_option", {"name": "method", "wires": [0]}, {}, {"edges": [(0, 1)]}),
+    ("lengths_not_kept", {"wires": [], "difference": 0.004, "has_wires": True}, {}, {"edges": [(0, 1)]}),
+    ("lengths_not_kept", {"wires": [0], "tolerance": 0.03, "has_wires": True}, {}, {"edges": [(0, 1)]}),
+    ("flipped_faces", {"has_wires": True}, {"faces": 2}, PROPOSED),
+    ("overlapping_faces", {}, {"faces": 2}, PROPOSED),
+    ("no_proposal", {"reason": "unfolded"}, {}, {}),
+    ("no_proposal", {"reason": "strain", "strain": 0.004, "limit": 0.005}, {}, {}),
+    ("no_proposal", {"reason": "too_long", "length": 0.4, "limit": 0.15}, {}, {}),
+    ("no_proposal", {"reason": "no_set"}, {}, {}),
+    ("no_proposal", {"reason": "no_gain", "kind": "dart"}, {}, {}),
+    ("no_proposal", {"reason": "no_room", "kind": "dart"}, {}, {}),
+]
+
+
+def module(name: str) -> Any:  # noqa: ANN401
+    return importlib.import_module(f"{ADDON}.{name}")
+
+
+def table(head: Iterable[str], rows: Iterable[Iterable[str]]) -> list[str]:
+    """Return the lines of a Markdown table."""
+    head = list(head)
+    lines = [head, ["---"] * len(head), *rows]
+    return ["| " + " | ".join(cell.replace("|", "\\|").replace("\n", " ") for cell in line) + " |" for line in lines]
+
+
+def sentence(text: str) -> str:
+    return text if not text or text.endswith(".") else text + "."
+
+
+def value_text(prop: bpy.types.Property) -> str:
+    """Return the default and the range of a setting, or its choices."""
+    match prop.type:
+        case "BOOLEAN":
+            return "on" if prop.default else "off"
+        case "ENUM":
+            default = prop.enum_items.get(prop.default)
+            return default.name if default else ""
+        case "INT":
+            return f"{prop.default} ({prop.hard_min} to {prop.hard_max})"
+        case "FLOAT":
+            scale, unit = (180 / math.pi, "°") if prop.subtype == "ANGLE" else (1, "%" * (prop.subtype == "PERCENTAGE"))
+            default, low, high = (f"{scale * v:.4g}{unit}" for v in (prop.default, prop.hard_min, prop.hard_max))
+            return f"{default} ({low} to {high})" if prop.hard_max < 1e30 else default
+    return ""
+
+
+def about(prop: bpy.types.Property) -> str:
+    """Return what a setting does, with its choices."""
+    choices = [f"<br>*{each.name}*: {sentence(each.description)}" for each in getattr(prop, "enum_items", ())]
+    described = [text for text in choices if not text.endswith("*: ")]
+    return sentence(prop.description) + "".join(described)
+
+
+def settings_of_scene() -> Iterator[tuple[str, list[bpy.types.Property]]]:
+    """Yield each group of the scene's settings, with the panel that shows it."""
+    struct = bpy.types.Scene.bl_rna.properties["wirewarp"].fixed_type
+    kinds = [kind for kind in type(bpy.context.scene.wirewarp).__mro__ if vars(kind).get("__annotations__")]
+    for kind in [*kinds[1:], kinds[0]]:  # those of the class itself last
+        yield PANELS[kind.__name__], [struct.properties[name] for name in vars(kind)["__annotations__"]]
+
+
+def operators() -> list[type[bpy.types.Operator]]:
+    found = {
+        each
+        for each in bpy.types.Operator.__subclasses__()
+        if each.__module__.split(".")[: ADDON.count(".") + 1] == ADDON.split(".")
+    }
+    shown = [each for each in found if "INTERNAL" not in getattr(each, "bl_options", ())]
+    return sorted(shown, key=lambda each: each.bl_label)
+
+
+def settings_page() -> list[str]:
+    lines = [
+        "# Settings and buttons",
+        "",
+        "This page is written from the add-on. The numbers are the default and, in brackets, the allowed range.",
+    ]
+    for panel, settings in settings_of_scene():
+        rows = ([f"**{each.name}**", value_text(each), about(each), f"`{each.identifier}`"] for each in settings)
+        lines += ["", f"## {panel}", "", *table(["Setting", "Default", "What it does", "In scripts"], rows)]
+    export = bpy.ops.object.wirewarp_export.get_rna_type().properties
+    shared = {each.identifier for _, settings in settings_of_scene() for each in settings}
+    own = [each for each in export if not each.is_hidden and each.name and each.identifier not in {*shared, "rna_type"}]
+    rows = ([f"**{each.name}**", value_text(each), about(each), f"`{each.identifier}`"] for each in own)
+    lines += [
+        "",
+        "## Export Pattern, in the file dialog",
+        "",
+        *table(["Setting", "Default", "What it does", "In scripts"], rows),
+    ]
+    rows = (
+        [f"**{each.bl_label}**", sentence(description(each)), f"`bpy.ops.{each.bl_idname}`"] for each in operators()
+    )
+    return [*lines, "", "## Buttons", "", *table(["Button", "What it does", "In scripts"], rows), ""]
+
+
+def description(operator: type[bpy.types.Operator]) -> str:
+    return " ".join((getattr(operator, "bl_description", "") or operator.__doc__ or "").split())
+
+
+def errors_page() -> list[str]:
+    library = module("core").library()
+    sentences = module("solve.error_sentences")
+    units = module("words").LengthText("mm", 1000.0)
+    rows = []
+    for code, arguments, facts, elements in EXAMPLES:
+        counts = [facts.get(name, 0) for name in ("faces", "flipped", "overlapping")]
+        error = library.FlattenError(code, "", **elements, arguments=arguments)
+        text = sentences.error_sentence(sentences.ErrorFacts(error, *counts, EXAMPLE_WIRES, units))
+        rows.append([text, f"`{code}`"])
+    missing = set(sentences.SENTENCES) - {code for code, *_ in EXAMPLES}
+    if missing:
+        raise SystemExit(f"docs/write_blender_pages.py has no example of the errors {', '.join(sorted(missing))}")
+    codes = [
+        [f"`{code.value}`", sentence(code.meaning), sentence(code.remedy), sentence(code.arguments)]
+        for code in library.ErrorCode
+    ]
+    return [
+        "# Error messages",
+        "",
+        "This page is written from the add-on and the library. Search it for the sentence that you see. Counts,",
+        "lengths and the wires Hip and Bust are examples.",
+        "",
+        "## In Blender",
+        "",
+        "The report puts the name of the piece before the sentence. The arrow beside it selects the place.",
+        "",
+        *table(["Message", "Code"], rows),
+        "",
+        "## In Python and on the command line",
+        "",
+        "`FlattenError.code` is one of these codes, and `FlattenError.arguments` holds the values in the last column.",
+        "",
+        *table(["Code", "Meaning", "What to do", "Arguments"], codes),
+        "",
+    ]
+
+
+def fabrics_page() -> list[str]:
+    cloth = module("core").library().Cloth
+    rows = []
+    for name in cloth.presets():
+        across, along = (f"{100 * share:.3g}%" for share in cloth.preset(name).limits)
+        told = cloth.about(name)
+        rows.append(
+            [
+                f"**{told['label']}**",
+                across,
+                along,
+                sentence(told["description"]),
+                sentence(told["source"]),
+                f"`{name}`",
+            ]
+        )
+    return [
+        "# Fabrics",
+        "",
+        "The presets and the maximum stretch that the verdict assumes for each. Bolts differ: [measure",
+        "yours](../how-to/fabric.md#measure-the-stretch-of-your-fabric) if the verdict is close.",
+        "",
+        *table(["Fabric", "Across", "Along the grain", "Examples", "Source of the figures", "In scripts"], rows),
+        "",
+    ]
+
+
+folder = Path(sys.argv[sys.argv.index("--") + 1])
+folder.mkdir(parents=True, exist_ok=True)
+for name, page in (("settings.md", settings_page), ("errors.md", errors_page), ("fabrics.md", fabrics_page)):
+    (folder / name).write_text("\n".join(page()), encoding="utf-8")
