@@ -23,10 +23,12 @@ using Propose = std::vector<DartProposal> (*)(const FlattenInput&, const Options
 using Plan = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutAim&, const Progress&);
 
 constexpr const char* kDartsDoc =
-    R"(Darts that lower the distortion of a piece that lies flat, those that take most from the model first.
+    R"(Darts that lower the stretch that a flat piece needs, those that leave least in the model first.
 
 Each runs from the outline to a point inside, along edges that run on smoothly, and cuts no wire. Every figure is of a
-run of flatten() with the edges of the dart as seams: flatten(..., seams=[*seams, *proposal.edges]).
+run of flatten() with the edges of the dart as seams: flatten(..., seams=[*seams, *proposal.edges]). strain is the
+stretch that the report of such a run says of the piece, or of the worst of its num_pieces parts. A dart that helps only
+together with its mirror image has less strain_with_twin. None leaves 100% or more.
 
 piece: the piece to cut, as flatten() numbers them; None for any, whichever gains most.
 count: proposals at most, the mirror images of one another counted once.
@@ -40,7 +42,7 @@ Raises what flatten() raises; the error of the piece asked for, if it does not l
 FlattenError "no_proposal" where a piece is flat already, has no room or gains nothing.)";
 
 constexpr const char* kSeamsDoc =
-    R"(Seams across a piece, from outline to outline, that lower its distortion, those that take most first.
+    R"(Seams across a piece, from outline to outline, that lower the stretch that it needs.
 
 Arguments, figures and errors are those of propose_darts().
 
@@ -195,6 +197,7 @@ void bind_propose(py::module_& module) {
       .field("piece", &DartProposal::piece)
       .field("edges", &DartProposal::edges)
       .field("length", &DartProposal::length)
+      .field("num_pieces", &DartProposal::num_pieces)
       .field("energy", &DartProposal::energy)
       .field("energy_before", &DartProposal::energy_before)
       .field("strain", &DartProposal::strain)

@@ -113,7 +113,12 @@ def test_broken_guarantees_are_told_together(said):
             {"reason": "no_room", "kind": "dart", "is_restricted": False},
             "no room for a dart: no line along edges",
         ),
-        ({"reason": "no_gain", "kind": "seam"}, "gains nothing from a seam"),
+        (
+            {"reason": "no_gain", "kind": "dart", "strain": 0.149, "has_wires": True},
+            "No dart lowers the stretch of 14.9% that the piece needs. Divide it by a seam, or give its wires more",
+        ),
+        ({"reason": "no_gain", "kind": "seam", "strain": 0.149, "has_wires": False}, "where it curves most."),
+        ({"reason": "too_strained"}, "by over 100%"),
         ({"reason": "no_set", "is_restricted": True}, "Mark a first seam."),
         ({"reason": "unfolded"}, "is unfolded without distortion."),
     ],

@@ -7,9 +7,11 @@ import pickle
 import numpy as np
 import pytest
 from surfaces import chain_edges, column_chain, half_cylinder, spherical_patch
-from wirewarp import ErrorCode, FlattenError, Options, Wire, flatten, plan_cuts, propose_darts, propose_seams
+from wirewarp import Cloth, ErrorCode, FlattenError, Options, Wire, flatten, plan_cuts, propose_darts, propose_seams
+from wirewarp.report.make import make_report
 
 DOME = spherical_patch(8, 8)
+MIDDLE = column_chain(8, 8, 4)[2:5]
 
 
 @pytest.mark.parametrize("propose", [propose_darts, propose_seams])
@@ -26,6 +28,33 @@ def test_the_figures_are_those_of_a_run_with_the_edges_as_seams(propose):
         assert proposal.energy_before == pytest.approx(before, rel=1e-6)
         assert proposal.energy < proposal.energy_before
     assert len(proposals) in (2, 3, 4)  # twins counted once
+
+
+@pytest.mark.parametrize(
+    ("wire", "options"),
+    [
+        (Wire(MIDDLE), None),
+        (Wire(MIDDLE, ease=0.02), None),
+        (Wire(MIDDLE), Options(cloth="woven")),
+        (Wire(MIDDLE, ease=-0.03), Options(cloth=Cloth(stretch=(0.1, 0.05)))),
+        (Wire(MIDDLE), Options(thickness=0.05)),
+    ],
+)
+def test_strain_is_the_figure_of_the_report_and_gets_less(wire, options):
+    mesh = {"vertices": DOME[0], "faces": DOME[1], "wires": [wire], "options": options}
+
+    def needed(seams):
+        report = make_report(
+            flatten(**mesh, seams=seams), *DOME, wires=[wire], cloth=options.cloth if options else None
+        )
+        return max(piece.needed for piece in report.pieces)
+
+    before = needed(None)
+    for propose in (propose_darts, propose_seams):
+        for proposal in propose(**mesh, count=1):
+            assert proposal.strain_before == pytest.approx(before, abs=1e-6)
+            assert proposal.strain == pytest.approx(needed(proposal.edges), abs=1e-6)
+            assert min(proposal.strain, proposal.strain_with_twin or np.inf) < before
 
 
 def ball(around=12, rings=10):

@@ -134,6 +134,7 @@ TEST_P(FirstCutsOf, LetAllLieFlatWithTheFiguresOfAFreshRun) {
     EXPECT_EQ(set.energy_before, std::numeric_limits<double>::infinity());
     EXPECT_EQ(set.strain_before, std::numeric_limits<double>::infinity());
     EXPECT_EQ(set.piece, 0);
+    EXPECT_EQ(set.num_pieces, static_cast<int>(result.pieces.size()));
     EXPECT_FALSE(set.twin);
   }
   for (std::size_t i = 1; i < sets.size(); ++i) {
@@ -275,7 +276,8 @@ TEST(MergeSections, LeaveOneOfThreeSeamsOfATube) {
     const std::vector<int> vertices = test::tube_line(around, rows, line);
     for (std::size_t i = 1; i < vertices.size(); ++i) cut.push_back({vertices[i - 1], vertices[i]});
   }
-  const ExactEvaluation exact(tube, Options(), StopToken());
+  const SurfaceToCut surface(tube, Options());
+  const ExactEvaluation exact(surface, Options(), StopToken());
   const FlatPieces uncut = exact.uncut();
   const Chart& chart = uncut[0]->chart;
   const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
@@ -295,7 +297,8 @@ TEST(MergeSections, KeepWhatHoldsTheStrain) {
   std::vector<VertexPair> cut;
   const std::vector<int> column = test::grid_column(n, n, n / 2);
   for (std::size_t i = 1; i < column.size(); ++i) cut.push_back({column[i - 1], column[i]});
-  const ExactEvaluation exact(input, Options(), StopToken());
+  const SurfaceToCut surface(input, Options());
+  const ExactEvaluation exact(surface, Options(), StopToken());
   const FlatPieces uncut = exact.uncut();
   const Chart& chart = uncut[0]->chart;
   const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "disguise.h"
+#include "metrics/widespread.h"
 #include "planar.h"
 #include "propose/canonical_order.h"
 #include "test_meshes.h"
@@ -24,6 +25,17 @@ FlattenInput hill(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = 2 * s - 1, y = 2 * t - 1;
     return Eigen::Vector3d(x, y, 0.5 * std::exp(-3 * ((x - 0.2) * (x - 0.2) + 2 * (y + 0.1) * (y + 0.1))));
+  });
+  test::alternate_diagonals(input, n);
+  return input;
+}
+
+/// Two hills, mirror images of each other across x = 0; y of their tops.
+FlattenInput two_hills(int n, double top = 0) {
+  FlattenInput input = test::make_grid(n, n, [top](double s, double t) {
+    const double x = 2 * s - 1, y = 1.5 * (2 * t - 1);
+    return Eigen::Vector3d(
+        x, y, 0.6 * std::exp(-4 * ((std::abs(x) - 0.4) * (std::abs(x) - 0.4) + (y - top) * (y - top))) + 0.1 * y);
   });
   test::alternate_diagonals(input, n);
   return input;
@@ -44,6 +56,23 @@ double energy_of(const FlattenResult& result) {
   return energy / area;
 }
 
+/// Of the piece with most: what 99% of its area stay below of max(sigma_1, 1/sigma_2) - 1.
+double strain_of(const FlattenInput& input, const FlattenResult& result) {
+  double most = 0;
+  for (const Piece& piece : result.pieces) {
+    std::vector<double> areas;
+    for (const int f : piece.source_face) {
+      const Eigen::Vector3d a = input.vertices.row(input.faces(f, 0)), b = input.vertices.row(input.faces(f, 1)),
+                            c = input.vertices.row(input.faces(f, 2));
+      areas.push_back((b - a).cross(c - a).norm() / 2);
+    }
+    most = std::max(most, widespread(areas, piece.metrics.face_aspect_ratio.array() - 1));
+  }
+  return most;
+}
+
+double figure_of(const DartProposal& proposal) { return proposal.strain_with_twin.value_or(proposal.strain); }
+
 TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
   const FlattenInput input = hill(8);
   for (const auto& propose : {propose_darts, propose_seams}) {
@@ -62,10 +91,72 @@ TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
         length += (input.vertices.row(edge[0]) - input.vertices.row(edge[1])).norm();
       }
       EXPECT_NEAR(proposal.length, length, 1e-12);
+      EXPECT_NEAR(proposal.strain, strain_of(cut, result), 1e-6);
       EXPECT_EQ(result.pieces.size(), propose == propose_darts ? 1 : 2);
+      EXPECT_EQ(proposal.num_pieces, static_cast<int>(result.pieces.size()));
     }
-    EXPECT_TRUE(std::is_sorted(proposals.begin(), proposals.end(),
-                               [](const DartProposal& a, const DartProposal& b) { return a.energy < b.energy; }));
+    EXPECT_TRUE(std::is_sorted(proposals.begin(), proposals.end(), [](const DartProposal& a, const DartProposal& b) {
+      return figure_of(a) < figure_of(b);
+    }));
+  }
+}
+
+/// A sharp bump in a corner of a wide sheet: a seam beside it takes nothing from the part that has the bump.
+FlattenInput bump_in_a_corner(int n) {
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    return Eigen::Vector3d(s, t, 0.15 * std::exp(-30 * ((s - 0.2) * (s - 0.2) + (t - 0.25) * (t - 0.25))));
+  });
+  test::alternate_diagonals(input, n);
+  return input;
+}
+
+TEST(ProposeCuts, LowerTheStrainOfTheWorstPartWhateverTheyAre) {
+  for (const FlattenInput& input : {hill(8), bump_in_a_corner(12), two_hills(8), two_hills(8, 1.1)}) {
+    const double before = strain_of(input, flatten(input));
+    for (const auto& propose : {propose_darts, propose_seams}) {
+      try {
+        const std::vector<DartProposal> proposals = propose(input, {}, few(), {});
+        for (const DartProposal& cut : proposals) {
+          FlattenInput after = test::with_seams(input, cut.edges);
+          if (cut.strain_with_twin) after = test::with_seams(after, proposals[*cut.twin].edges);
+          const double strain = strain_of(after, flatten(after));
+          EXPECT_NEAR(figure_of(cut), strain, 1e-6);
+          EXPECT_LT(strain, 0.99 * before);
+        }
+      } catch (const FlattenError& error) {
+        EXPECT_EQ(error.code, ErrorCode::no_proposal);
+      }
+    }
+  }
+}
+
+TEST(ProposeCuts, LeaveNoPieceThatNeedsOver100Percent) {
+  const FlattenInput spike = test::make_grid(8, 8, [](double s, double t) {
+    const double x = 2 * s - 1.2, y = 2 * t - 0.9;
+    return Eigen::Vector3d(2 * s - 1, 2 * t - 1, 3 * std::exp(-4 * (x * x + y * y)));
+  });
+  ASSERT_GT(strain_of(spike, flatten(spike)), 1);
+  for (const auto& propose : {propose_darts, propose_seams}) {
+    try {
+      for (const DartProposal& cut : propose(spike, {}, {}, {})) EXPECT_LT(figure_of(cut), 1);
+    } catch (const FlattenError& error) {
+      EXPECT_EQ(error.code, ErrorCode::no_proposal);
+    }
+  }
+}
+
+TEST(ProposeCuts, ThatHelpNothingAreRefusedInOneSentence) {
+  // A dart takes the shear out of one half at most, and the seams beside it are as long as before.
+  const FlattenInput saddle = test::make_grid(
+      4, 4, [](double s, double t) { return Eigen::Vector3d(2 * s - 1, 2 * t - 1, 0.2 * (2 * s - 1) * (2 * t - 1)); });
+  CutWishes wishes;
+  wishes.longest = 0.51;  // one edge
+  try {
+    propose_darts(saddle, {}, wishes);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, ErrorCode::no_proposal);
+    EXPECT_NE(std::string(error.what()).find("Divide it by a seam"), std::string::npos) << error.what();
   }
 }
 
@@ -143,17 +234,6 @@ TEST(ProposeCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
     EXPECT_EQ(test::disguised(input, here[i].edges), there[i].edges);
     EXPECT_NEAR(here[i].energy, there[i].energy, 1e-6 * here[i].energy_before);
   }
-}
-
-/// Two hills, mirror images of each other across x = 0; y of their tops.
-FlattenInput two_hills(int n, double top = 0) {
-  FlattenInput input = test::make_grid(n, n, [top](double s, double t) {
-    const double x = 2 * s - 1, y = 1.5 * (2 * t - 1);
-    return Eigen::Vector3d(
-        x, y, 0.6 * std::exp(-4 * ((std::abs(x) - 0.4) * (std::abs(x) - 0.4) + (y - top) * (y - top))) + 0.1 * y);
-  });
-  test::alternate_diagonals(input, n);
-  return input;
 }
 
 TEST(ProposeCuts, OfASymmetricPieceComeWithTheirMirrorImages) {

@@ -255,8 +255,13 @@ def _no_proposal(facts: ErrorFacts) -> str:
             return f"The piece can be flattened with seams of {length}, but no more than {limit} are allowed."
         case "no_set":
             return "The piece cannot be flattened, and no seams were found that flatten all of it. Mark a first seam."
+        case "too_strained":
+            return "Every set of seams that was found leaves a piece that stretches by over 100%. Mark a first seam."
         case "no_gain":
-            return f"The piece gains nothing from a {facts['kind']}: none that was tried reduces its distortion by 2%."
+            kind, strain = facts["kind"], percent(facts["strain"])
+            remedy = "Divide it by a seam" if kind == "dart" else "Move one of its seams to where it curves most"
+            wires = ", or give its wires more tolerance" if facts["has_wires"] else ""
+            return f"No {kind} lowers the stretch of {strain} that the piece needs. {remedy}{wires}."
     leads = "from its outline to a point inside" if facts["kind"] == "dart" else "across it"
     return (
         f"The piece has no room for a {facts['kind']}: no line along edges leads {leads} without meeting a wire or the "

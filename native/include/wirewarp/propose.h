@@ -12,15 +12,19 @@
 namespace wirewarp {
 
 /// A dart, a seam across a piece or a cut set, and what it does. Each figure is that of flatten() with its edges as
-/// seams. A cut set has the energy of all its pieces, and the strain of the piece with most.
+/// seams, and the energy is that of all parts together.
+///
+/// Strain is the figure of reports and verdicts: without a cloth, what 99% of the area of a part stay below of
+/// max(sigma_1, 1/sigma_2) - 1, beyond what eases ask for. With a cloth, the same of the stretch of its threads.
 struct DartProposal {
   int piece = -1;                 // the piece that it cuts, as flatten() numbers them without it
   std::vector<VertexPair> edges;  // (k, 2) in order from the outline, to be added to the input's seams; of a cut set
                                   // one line after the other
   double length = 0;              // of its edges on the surface, scene units
+  int num_pieces = 0;             // that the piece is divided into: 1 with a dart
   double energy = 0;              // of the piece with the cut: Eq. (4), or of the cloth, over its 3D area
   double energy_before = 0;       // the same without the cut; infinite if there is no flat shape without it
-  double strain = 0;              // with the cut: 99% of the area stay below this max(sigma_1, 1/sigma_2) - 1
+  double strain = 0;              // with the cut: how far the fabric must stretch in the part with most (below)
   double strain_before = 0;       // the same without the cut; infinite if there is no flat shape without it
   std::optional<int> twin;        // index of the proposal that is its mirror image; none if there is none
   std::optional<double> energy_with_twin;  // of the piece with both cuts; none unless that is less, or if they meet
@@ -39,11 +43,12 @@ struct CutWishes {
   VertexPairs no_seam = VertexPairs(0, 2);                   // (k, 2) edges along which none is to run
 };
 
-/// Darts that lower the energy of a piece and do not raise its strain, those that take most from the model first: from
-/// the outline to a point inside, along edges that run on smoothly. No wire is cut. All lengths are as exact as without
-/// the dart. The same however the input is turned, mirrored or numbered, but for the order of what is equal. Throws
-/// what flatten() throws; the error of the piece asked for, if it does not lie flat; no_proposal, where a piece is flat
-/// already, has no room or gains by none; cancelled.
+/// Darts that lower the energy and the strain of a piece by 2% or more, to strain below 1. Those that leave least
+/// strain in the model come first, then those that take most strain from their piece. A dart that helps only together
+/// with its mirror image has less strain_with_twin. Each runs from the outline to a point inside, along edges that run
+/// on smoothly. No wire is cut. All lengths are as exact as without the dart. The same however the input is turned,
+/// mirrored or numbered, but for the order of what is equal. Throws what flatten() throws; the error of the piece asked
+/// for, if it does not lie flat; no_proposal, where a piece is flat already, has no room or gains by none; cancelled.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
                                         const CutWishes& wishes = {}, const Progress& progress = {});
 
@@ -54,7 +59,7 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// set of seams and darts under which all parts lie flat. The first one brings every part to the strain that may stay,
 /// as far as cuts of the part with most strain help, forty and their mirror images at most; each after it is shorter
 /// and leaves more strain. Sets are symmetric if the piece is. They may cross wires, and follow neither edges of
-/// no_seam nor their mirror images.
+/// no_seam nor their mirror images. Sets that leave a strain of 1 or more are left out.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutWishes& wishes = {}, const Progress& progress = {});
 

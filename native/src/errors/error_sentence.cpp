@@ -282,8 +282,15 @@ std::string no_proposal(const Parts& parts) {
            rounded(parts.real("limit")) + ": allow more.";
   }
   if (reason == "no_gain") {
-    return piece + " gains nothing from a " + parts.text("kind") +
-           ": none that was tried reduces its distortion by 2%. Leave it as it is, or mark a seam by hand.";
+    const std::string& kind = parts.text("kind");
+    return piece + " gains nothing from a " + kind + ": none that was tried lowers the stretch of " +
+           percent(parts.real("strain")) + " that it needs. " +
+           (kind == "dart" ? "Divide it by a seam" : "Move one of its seams to where it curves most") +
+           (parts.is("has_wires") ? ", or give its wires more tolerance." : ".");
+  }
+  if (reason == "too_strained") {
+    return piece + " needs fabric that stretches by over 100% with every set of seams that was found: mark a first " +
+           "seam by hand.";
   }
   const std::string along = parts.is("is_restricted") ? "edges that may have a seam" : "edges";
   if (reason == "no_set") {

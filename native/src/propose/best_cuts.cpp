@@ -10,11 +10,10 @@
 
 #include "errors/arguments.h"
 #include "errors/sentence.h"
+#include "mesh/edge_table.h"
 #include "mesh/geometry.h"
-#include "middle_surface.h"
 #include "propose/cut_sets.h"
 #include "propose/piece_search.h"
-#include "solve_chart.h"
 
 namespace wirewarp {
 namespace {
@@ -22,8 +21,11 @@ namespace {
 /// A piece is larger only if it is so by more than rounding makes of its area when the input is turned.
 constexpr double kClearlyLarger = 1 + 1e-9;
 
+/// By how much a cut lowers the most strain of all pieces, and by how much that of its own piece.
+using Gain = std::pair<double, double>;
+
 /// The best by gain, mirror images by their new places. A pair counts once.
-std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, const std::vector<double>& gains,
+std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, const std::vector<Gain>& gains,
                                   int count) {
   std::vector<int> order(proposals.size());
   std::iota(order.begin(), order.end(), 0);
@@ -42,33 +44,47 @@ std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, co
   return best;
 }
 
-/// How much distortion a piece has; below 0 for an error.
-double total_energy(const FlatPiece& piece) { return piece.error ? -1 : piece.energy; }
+/// Below 0 for an error.
+double strain_of(const FlatPiece& piece) { return piece.error ? -1 : piece.strain; }
 
-/// Searches the pieces, the most distorted one first, until the rest have less to gain than what is found.
+/// The gain if only this strain is left of a piece.
+Gain gain_of(const FlatPieces& pieces, int piece, double left) {
+  double others = 0;
+  for (std::size_t c = 0; c < pieces.size(); ++c) {
+    if (static_cast<int>(c) != piece) others = std::max(others, pieces[c]->strain);
+  }
+  const double before = pieces[piece]->strain;
+  return {std::max(before, others) - std::max(left, others), before - left};
+}
+
+bool is_second_of_pair(const std::vector<DartProposal>& proposals, std::size_t i) {
+  return proposals[i].twin && *proposals[i].twin < static_cast<int>(i);
+}
+
+/// Searches the pieces, the one with most strain first, until the rest have less to gain than what is found.
 std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, const CutWishes& wishes,
                                         const ExactEvaluation& exact) {
   std::vector<int> order(pieces.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return total_energy(*pieces[a]) > total_energy(*pieces[b]); });
+                   [&](int a, int b) { return strain_of(*pieces[a]) > strain_of(*pieces[b]); });
   if (wishes.piece) order = {*wishes.piece};
   if (pieces[order.front()]->error) throw exact.explain(pieces, order.front());
   std::vector<DartProposal> proposals;
-  std::vector<double> gains;
+  std::vector<Gain> gains;
   std::optional<FlattenError> first_refusal;
   for (const int c : order) {
-    const double energy = total_energy(*pieces[c]);
-    const auto gain_more = std::count_if(gains.begin(), gains.end(), [&](double gain) { return gain >= energy; });
-    if (pieces[c]->error || gain_more >= 2 * wishes.count) break;  // both of a mirrored pair counted
+    const Gain most = gain_of(pieces, c, 0);
+    int num_better = 0;
+    for (std::size_t i = 0; i < gains.size(); ++i) num_better += gains[i] >= most && !is_second_of_pair(proposals, i);
+    if (pieces[c]->error || num_better >= wishes.count) break;
     try {
       const int first = static_cast<int>(proposals.size());
-      const PieceFigures before = figures_of(pieces, pieces[c]->chart);
       PieceSearch search(pieces, static_cast<std::size_t>(c), kind, Effort::thorough, wishes, exact);
-      for (DartProposal& proposal : search.search(before)) {
+      for (DartProposal& proposal : search.search()) {
         proposal.piece = c;
         if (proposal.twin) *proposal.twin += first;
-        gains.push_back((proposal.energy_before - proposal.energy) * before.area);
+        gains.push_back(gain_of(pieces, c, proposal.strain_with_twin.value_or(proposal.strain)));
         proposals.push_back(std::move(proposal));
       }
     } catch (const FlattenError& error) {
@@ -96,11 +112,6 @@ std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutWish
 }
 
 }  // namespace
-
-SurfaceToCut::SurfaceToCut(const FlattenInput& input, const Options& options) : input_(input) {
-  check_request(input, options);
-  if (options.thickness > 0) middle_ = move_to_middle(input, options);
-}
 
 void check_wishes(const CutWishes& wishes, const FlattenInput& input, std::size_t num_pieces) {
   if (wishes.count < 1) throw wrong_option("count", std::to_string(wishes.count), "be 1 or more");

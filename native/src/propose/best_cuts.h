@@ -9,19 +9,6 @@
 
 namespace wirewarp {
 
-/// A checked input in the middle of its material.
-class SurfaceToCut {
- public:
-  /// Throws what flatten() throws.
-  SurfaceToCut(const FlattenInput& input, const Options& options);
-
-  const FlattenInput& surface() const { return middle_ ? *middle_ : input_; }
-
- private:
-  const FlattenInput& input_;
-  std::optional<FlattenInput> middle_;
-};
-
 /// Throws invalid_option.
 void check_wishes(const CutWishes& wishes, const FlattenInput& input, std::size_t num_pieces);
 

@@ -58,6 +58,8 @@ FlattenError none_serves(const Chart& chart, const CutWishes& wishes) {
   return no_set(chart, {{"reason", "no_set"}, {"is_restricted", wishes.no_seam.rows() > 0}});
 }
 
+FlattenError too_strained(const Chart& chart) { return no_set(chart, {{"reason", "too_strained"}}); }
+
 FlattenError too_long(const Chart& chart, double length, double longest) {
   return no_set(chart, {{"reason", "too_long"}, {"length", length}, {"limit", longest}});
 }
@@ -110,6 +112,7 @@ CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutM
     if (!is_part_of(part, input_chart_)) continue;
     const PieceFigures figures = figures_of(set.pieces, part);
     if (figures.error) set.lies_flat = false;
+    ++proposal.num_pieces;
     energy += figures.energy * figures.area;
     area += figures.area;
     proposal.strain = std::max(proposal.strain, figures.strain);
@@ -128,12 +131,10 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   wishes.strain = target_;
   wishes.longest = wishes_.longest - set.proposal.length;
   wishes.no_seam = as_pairs(edges_of(forbidden_));
-  PieceFigures before = set.figures[part];
-  before.strain = std::numeric_limits<double>::infinity();  // it may rise on the way, while the energy falls
   for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
     try {
       PieceSearch search(set.pieces, set.parts[part], kind, Effort::quick, wishes, exact_);
-      for (const DartProposal& cut : search.search(before)) {
+      for (const DartProposal& cut : search.search()) {
         const double gain = 1 - cut.energy / cut.energy_before;
         found.push_back({mirrored_.with_image(map_.mask_of(cut.edges)), gain, gain / cut.length});
       }
@@ -255,6 +256,9 @@ std::vector<DartProposal> CutSetSearch::search() {
     sets.push_back(std::move(*more));
   }
   add_merged(sets);
+  const auto is_too_strained = [](const CutSet& set) { return set.proposal.strain >= kMostStrain; };
+  sets.erase(std::remove_if(sets.begin(), sets.end(), is_too_strained), sets.end());
+  if (sets.empty()) throw too_strained(input_chart_);
   std::stable_sort(sets.begin(), sets.end(),
                    [](const CutSet& a, const CutSet& b) { return a.proposal.length < b.proposal.length; });
   return best_of(sets);

@@ -8,7 +8,6 @@
 
 #include "charts/cut_into_charts.h"
 #include "mesh/geometry.h"
-#include "metrics/widespread.h"
 #include "propose/cut_faces.h"
 #include "solve_chart.h"
 
@@ -19,16 +18,17 @@ bool is_stretched(const Options& options) {
   return options.cloth && options.cloth->stretch != std::array<double, 2>{0, 0};
 }
 
-std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, const Options& options) {
+std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, bool has_cloth,
+                                               const NeededStretch& needed) {
   PartMap edges(chart);
-  FlatPiece flat{std::move(chart), std::move(edges), {}, 0, 0, {}, {}};
+  FlatPiece flat{std::move(chart), std::move(edges), {}, 0, 0, 0};
   flat.error = flat.chart.error ? flat.chart.error : piece.error;
-  if (flat.chart.error) return std::make_shared<FlatPiece>(std::move(flat));
   const Metrics& metrics = piece.metrics;
-  flat.energy = (options.cloth ? metrics.cloth_energy : metrics.arap_energy) * metrics.area_3d;
-  for (const FaceHandle f : flat.chart.mesh.faces()) flat.areas.push_back(face_area(flat.chart.mesh, f));
-  flat.strains = metrics.face_aspect_ratio.array() - 1;
-  if (!flat.error) flat.strain = widespread(flat.areas, flat.strains);
+  if (!flat.chart.error) {
+    flat.area = metrics.area_3d;
+    flat.energy = (has_cloth ? metrics.cloth_energy : metrics.arap_energy) * metrics.area_3d;
+  }
+  if (!flat.error) flat.strain = needed.of(piece);
   return std::make_shared<FlatPiece>(std::move(flat));
 }
 
@@ -65,20 +65,34 @@ FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>
 
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart) {
   PieceFigures figures;
-  std::vector<double> areas, strains;
   for (const std::shared_ptr<const FlatPiece>& piece : pieces) {
     if (!is_part_of(piece->chart, chart)) continue;
     if (piece->error) figures.error = piece->error;
     figures.energy += piece->energy;
-    areas.insert(areas.end(), piece->areas.begin(), piece->areas.end());
-    strains.insert(strains.end(), piece->strains.begin(), piece->strains.end());
+    figures.area += piece->area;
+    figures.strain = std::max(figures.strain, piece->strain);
+    ++figures.num_pieces;
   }
-  if (figures.error) return figures;
-  for (const double area : areas) figures.area += area;
   figures.energy /= figures.area;
-  figures.strain =
-      widespread(areas, Eigen::Map<Eigen::VectorXd>(strains.data(), static_cast<Eigen::Index>(strains.size())));
   return figures;
+}
+
+double most_strain(const FlatPieces& pieces) {
+  double most = 0;
+  for (const std::shared_ptr<const FlatPiece>& piece : pieces) most = std::max(most, piece->strain);
+  return most;
+}
+
+bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart) {
+  constexpr double kRounding = 1e-6;  // to which shapes are found
+  const double most = most_strain(before);
+  return std::any_of(after.begin(), after.end(), [&](const std::shared_ptr<const FlatPiece>& piece) {
+    if (is_part_of(piece->chart, chart) || std::find(before.begin(), before.end(), piece) != before.end()) return false;
+    if (!piece->error) return piece->strain > most * (1 + kRounding);
+    const auto same = std::find_if(before.begin(), before.end(),
+                                   [&](const auto& old) { return is_part_of(piece->chart, old->chart); });
+    return !(*same)->error;
+  });
 }
 
 bool is_part_of(const Chart& part, const Chart& chart) {
@@ -101,8 +115,12 @@ struct ExactEvaluation::Selection {
   }
 };
 
-ExactEvaluation::ExactEvaluation(const FlattenInput& input, const InternalOptions& options, StopToken stop)
-    : input_(input), options_(options), stop_(std::move(stop)) {
+ExactEvaluation::ExactEvaluation(const SurfaceToCut& surface, const InternalOptions& options, StopToken stop)
+    : surface_(surface),
+      input_(surface.middle()),
+      needed_(surface.given(), options.cloth.has_value()),
+      options_(options),
+      stop_(std::move(stop)) {
   options_.with_proposals = false;
 }
 
@@ -161,7 +179,7 @@ FlatPieces ExactEvaluation::flatten_along_seams(Charts charts) const {
   const FlattenResult result = flatten_charts(charts, {input_, options_}, stop_);
   FlatPieces pieces;
   for (std::size_t c = 0; c < charts.charts.size(); ++c) {
-    pieces.push_back(as_flat_piece(std::move(charts.charts[c]), result.pieces[c], options_));
+    pieces.push_back(as_flat_piece(std::move(charts.charts[c]), result.pieces[c], options_.cloth.has_value(), needed_));
   }
   return pieces;
 }

@@ -9,6 +9,8 @@
 #include "charts/chart.h"
 #include "feasibility/part_map.h"
 #include "internal_options.h"
+#include "propose/needed_stretch.h"
+#include "propose/surface_to_cut.h"
 #include "stop_token.h"
 
 namespace wirewarp {
@@ -18,25 +20,32 @@ struct FlatPiece {
   Chart chart;    // its sources are the input's vertices and faces
   PartMap edges;  // of the chart
   std::optional<FlattenError> error;
-  double energy = 0;          // Eq. (4), or of the cloth, scene units squared
-  double strain = 0;          // DartProposal::strain
-  std::vector<double> areas;  // per face, scene units squared
-  Eigen::VectorXd strains;    // per face: max(sigma_1, 1/sigma_2) - 1
+  double energy = 0;  // Eq. (4), or of the cloth, scene units squared
+  double area = 0;    // in 3D, scene units squared
+  double strain = 0;  // DartProposal::strain
 };
 
 /// All pieces of an input, as flatten() numbers them. Pieces that no further cut changes are shared.
 using FlatPieces = std::vector<std::shared_ptr<const FlatPiece>>;
 
-/// Figures of a piece, or of all its parts together; none but the error if one of them has an error.
+/// Figures of a piece, or of all its parts together.
 struct PieceFigures {
   double energy = 0;  // over the 3D area
-  double strain = 0;  // DartProposal::strain
+  double strain = 0;  // of the part with most
   double area = 0;    // in 3D, scene units squared
-  std::optional<FlattenError> error;
+  int num_pieces = 0;
+  std::optional<FlattenError> error;  // of any part: then the figures are not valid
 };
 
 /// The figures of those pieces that are made of faces of a chart.
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
+
+/// Whether a cut of a chart leaves another piece without a flat shape, or with more strain than any piece had: elastic
+/// seams and a stretched cloth make lengths depend on those of neighbors. before, after: of the whole input.
+bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart);
+
+/// Most strain of the pieces that lie flat; 0 if none does.
+double most_strain(const FlatPieces& pieces);
 
 /// Whether a chart is made of faces of another one. Both have their sources in the input, in increasing order.
 bool is_part_of(const Chart& part, const Chart& chart);
@@ -46,8 +55,8 @@ FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>
 
 class ExactEvaluation {
  public:
-  /// input: checked, in the middle of its material, kept by reference. stop: polled in any thread.
-  ExactEvaluation(const FlattenInput& input, const InternalOptions& options, StopToken stop);
+  /// surface: kept by reference. stop: polled in any thread.
+  ExactEvaluation(const SurfaceToCut& surface, const InternalOptions& options, StopToken stop);
 
   /// The input along its own seams. Throws Stopped.
   FlatPieces uncut() const;
@@ -61,7 +70,7 @@ class ExactEvaluation {
   /// The error of a piece, with the seams or tolerances that flatten() proposes. Throws Stopped.
   FlattenError explain(const FlatPieces& pieces, int piece) const;
 
-  const FlattenInput& input() const { return input_; }
+  const SurfaceToCut& surface() const { return surface_; }
   const InternalOptions& options() const { return options_; }
   const StopToken& stop() const { return stop_; }
 
@@ -70,12 +79,13 @@ class ExactEvaluation {
 
   Selection coupled(const FlatPieces& pieces, Selection chosen) const;
   Selection with_neighbors(const FlatPieces& pieces, const Selection& chosen) const;
-  FlattenResult flatten_along_seams(const Charts& charts, const InternalOptions& options) const;
   FlatPieces flatten_along_seams(Charts charts) const;
   Charts cut_chosen(const FlatPieces& pieces, const Selection& chosen, const std::vector<VertexPair>& edges,
                     const std::vector<VertexPair>& opened) const;
 
-  const FlattenInput& input_;
+  const SurfaceToCut& surface_;
+  const FlattenInput& input_;  // the middle of the surface
+  const NeededStretch needed_;
   InternalOptions options_;
   StopToken stop_;
 };

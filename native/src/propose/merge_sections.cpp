@@ -146,7 +146,7 @@ class Merging {
 
 CutState merge_sections(CutState state, const Chart& chart, const MirroredCuts& mirrored, double most_strain,
                         const ExactEvaluation& exact) {
-  const ExactEvaluation quick(exact.input(), without_long_runs(exact.options()), exact.stop());
+  const ExactEvaluation quick(exact.surface(), without_long_runs(exact.options()), exact.stop());
   return Merging(std::move(state), chart, mirrored, most_strain, quick).run();
 }
 

@@ -23,7 +23,7 @@ namespace {
 constexpr int kMorePlaces = 3;
 constexpr double kShareInFull = 0.05;
 
-/// Less than this part of the energy is not worth a cut and the sewing of it.
+/// Less than this part of the energy and of the strain is not worth a cut and the sewing of it.
 constexpr double kLeastGain = 0.02;
 
 /// Strain of pieces that are left as they are where nothing else is asked for: no cloth shows it.
@@ -60,10 +60,6 @@ std::string name_of(CutKind kind) { return kind == CutKind::dart ? "dart" : "sea
 FlattenError no_room(const Chart& chart, CutKind kind, const CutWishes& wishes) {
   return no_proposal(chart,
                      {{"reason", "no_room"}, {"kind", name_of(kind)}, {"is_restricted", wishes.no_seam.rows() > 0}});
-}
-
-FlattenError none_helps(const Chart& chart, CutKind kind) {
-  return no_proposal(chart, {{"reason", "no_gain"}, {"kind", name_of(kind)}});
 }
 
 /// Vertices on wires inside a chart.
@@ -145,6 +141,11 @@ bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const 
 
 }  // namespace
 
+FlattenError none_helps(const Chart& chart, CutKind kind, double strain) {
+  return no_proposal(
+      chart, {{"reason", "no_gain"}, {"kind", name_of(kind)}, {"strain", strain}, {"has_wires", has_wires(chart)}});
+}
+
 PieceSearch::PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort,
                          const CutWishes& wishes, const ExactEvaluation& exact)
     : pieces_(pieces),
@@ -156,7 +157,8 @@ PieceSearch::PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind ki
       kind_(kind),
       effort_(effort),
       wishes_(wishes),
-      exact_(exact) {}
+      exact_(exact),
+      before_(figures_of(pieces, input_chart_)) {}
 
 std::vector<VertexPair> PieceSearch::edges_of(const HalfEdgeChain& chain) const {
   std::vector<VertexPair> edges;
@@ -219,75 +221,99 @@ std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<
   return kept;
 }
 
-/// One for each chain; none where it does not help.
-std::vector<std::optional<PieceSearch::Tried>> PieceSearch::evaluate(const std::vector<HalfEdgeChain>& chains,
-                                                                     const PieceFigures& before) const {
-  std::vector<std::optional<Tried>> tried(chains.size());
+/// One for each chain; none if it is empty, if a part then has no flat shape, or if it spoils other pieces.
+std::vector<std::optional<PieceFigures>> PieceSearch::evaluate(const std::vector<HalfEdgeChain>& chains) const {
+  std::vector<std::optional<PieceFigures>> found(chains.size());
   run_in_threads(
       chains.size(), num_cores(),
       [&](std::size_t i) {
         if (chains[i].empty()) return;
         const OnOneCore on_one_core;
-        DartProposal proposal;
-        proposal.edges = edges_of(chains[i]);
-        const PieceFigures after = figures_of(exact_.with_cut(pieces_, proposal.edges), input_chart_);
-        const bool helps =
-            !after.error && after.energy <= (1 - kLeastGain) * before.energy && after.strain <= before.strain;
-        if (!helps) return;
-        proposal.length = length_of(chart_.mesh, chains[i]);
-        proposal.energy = after.energy;
-        proposal.energy_before = before.energy;
-        proposal.strain = after.strain;
-        proposal.strain_before = before.strain;
-        tried[i] = Tried{chains[i], std::move(proposal)};
+        const FlatPieces after = exact_.with_cut(pieces_, edges_of(chains[i]));
+        PieceFigures figures = figures_of(after, input_chart_);
+        if (!figures.error && !spoils_others(pieces_, after, input_chart_)) found[i] = std::move(figures);
       },
       [&] { exact_.stop().may_go_on(); });
-  return tried;
+  return found;
 }
 
-std::vector<DartProposal> PieceSearch::search(const PieceFigures& before) {
-  if (before.energy <= RefineConstants::isometric) throw flat_already(input_chart_);
-  const double may_stay = wishes_.strain.value_or(kMayStay);
-  if (before.strain <= may_stay) throw flat_enough(input_chart_, before.strain, may_stay);
-  std::vector<Tried> helpful;
-  for (std::optional<Tried>& tried : evaluate(without_mirror_images(best_chains()), before)) {
-    if (tried) helpful.push_back(std::move(*tried));
+bool PieceSearch::is_worth_sewing(const PieceFigures& after) const {
+  const bool has_less_energy = after.energy <= (1 - kLeastGain) * before_.energy;
+  if (effort_ == Effort::quick) return has_less_energy;  // strain may rise on the way to a set
+  return has_less_energy && after.strain <= (1 - kLeastGain) * before_.strain && after.strain < kMostStrain;
+}
+
+/// Those that help by themselves or with their mirror images, the best first, none beside another.
+std::vector<PieceSearch::Helpful> PieceSearch::find_helpful() const {
+  const std::vector<HalfEdgeChain> chains = without_mirror_images(best_chains());
+  std::vector<HalfEdgeChain> images(chains.size()), pairs(chains.size());
+  for (std::size_t i = 0; i < chains.size() && effort_ == Effort::thorough; ++i) {
+    images[i] = image_of(chains[i]);
+    if (images[i].empty() || have_common_vertex(chart_.mesh, chains[i], images[i])) continue;
+    pairs[i] = chains[i];
+    pairs[i].insert(pairs[i].end(), images[i].begin(), images[i].end());
   }
-  if (helpful.empty()) throw none_helps(input_chart_, kind_);
+  const std::vector<std::optional<PieceFigures>> alone = evaluate(chains), both = evaluate(pairs);
+  std::vector<Helpful> helpful;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    if (!alone[i]) continue;
+    Helpful cut{chains[i], images[i], *alone[i], {}};
+    const bool helps_alone = is_worth_sewing(*alone[i]);
+    const bool is_better = both[i] && is_worth_sewing(*both[i]) &&
+                           (!helps_alone || (both[i]->energy <= (1 - kLeastGain) * alone[i]->energy &&
+                                             both[i]->strain <= alone[i]->strain));
+    if (is_better) cut.with_image = both[i];
+    if (helps_alone || cut.with_image) helpful.push_back(std::move(cut));
+  }
+  const auto figure = [&](const Helpful& cut) { return effort_ == Effort::quick ? cut.alone.energy : cut.strain(); };
   std::stable_sort(helpful.begin(), helpful.end(),
-                   [](const Tried& a, const Tried& b) { return a.proposal.energy < b.proposal.energy; });
-  std::vector<Tried> best;
-  for (Tried& tried : helpful) {
+                   [&](const Helpful& a, const Helpful& b) { return figure(a) < figure(b); });
+  std::vector<Helpful> best;
+  for (Helpful& cut : helpful) {
     const bool is_known = std::any_of(best.begin(), best.end(),
-                                      [&](const Tried& better) { return is_beside(better.chain, tried.chain); });
-    if (!is_known && static_cast<int>(best.size()) < wishes_.count) best.push_back(std::move(tried));
+                                      [&](const Helpful& better) { return is_beside(better.chain, cut.chain); });
+    if (!is_known && static_cast<int>(best.size()) < wishes_.count) best.push_back(std::move(cut));
   }
-  std::vector<HalfEdgeChain> image_chains;
-  for (const Tried& tried : best) {
-    image_chains.push_back(effort_ == Effort::thorough ? image_of(tried.chain) : HalfEdgeChain{});
-  }
-  std::vector<std::optional<Tried>> images = evaluate(image_chains, before);
-  std::vector<HalfEdgeChain> both_chains(best.size());
-  for (std::size_t i = 0; i < best.size(); ++i) {
-    if (!images[i] || have_common_vertex(chart_.mesh, best[i].chain, images[i]->chain)) continue;
-    both_chains[i] = best[i].chain;
-    both_chains[i].insert(both_chains[i].end(), images[i]->chain.begin(), images[i]->chain.end());
-  }
-  const std::vector<std::optional<Tried>> both = evaluate(both_chains, before);
+  return best;
+}
+
+DartProposal PieceSearch::proposal_of(const HalfEdgeChain& chain, const PieceFigures& after) const {
+  DartProposal proposal;
+  proposal.edges = edges_of(chain);
+  proposal.length = length_of(chart_.mesh, chain);
+  proposal.num_pieces = after.num_pieces;
+  proposal.energy = after.energy;
+  proposal.energy_before = before_.energy;
+  proposal.strain = after.strain;
+  proposal.strain_before = before_.strain;
+  return proposal;
+}
+
+std::vector<DartProposal> PieceSearch::search() {
+  if (before_.energy <= RefineConstants::isometric) throw flat_already(input_chart_);
+  const double may_stay = wishes_.strain.value_or(kMayStay);
+  if (before_.strain <= may_stay) throw flat_enough(input_chart_, before_.strain, may_stay);
+  const std::vector<Helpful> best = find_helpful();
+  std::vector<HalfEdgeChain> images;
+  for (const Helpful& cut : best) images.push_back(cut.image);
+  const std::vector<std::optional<PieceFigures>> of_images = evaluate(images);
   std::vector<DartProposal> proposals;
   for (std::size_t i = 0; i < best.size(); ++i) {
+    const Helpful& cut = best[i];
+    const bool has_twin = of_images[i] && (cut.with_image || is_worth_sewing(*of_images[i]));
+    if (!has_twin && !is_worth_sewing(cut.alone)) continue;
     const int place = static_cast<int>(proposals.size());
-    proposals.push_back(std::move(best[i].proposal));
-    if (!images[i]) continue;
-    proposals.push_back(std::move(images[i]->proposal));
-    proposals[place].twin = place + 1;
-    proposals[place + 1].twin = place;
-    if (!both[i] || both[i]->proposal.energy > (1 - kLeastGain) * proposals[place].energy) continue;
+    proposals.push_back(proposal_of(cut.chain, cut.alone));
+    if (!has_twin) continue;
+    proposals.push_back(proposal_of(cut.image, *of_images[i]));
     for (const int k : {place, place + 1}) {
-      proposals[k].energy_with_twin = both[i]->proposal.energy;
-      proposals[k].strain_with_twin = both[i]->proposal.strain;
+      proposals[k].twin = 2 * place + 1 - k;
+      if (!cut.with_image) continue;
+      proposals[k].energy_with_twin = cut.with_image->energy;
+      proposals[k].strain_with_twin = cut.with_image->strain;
     }
   }
+  if (proposals.empty()) throw none_helps(input_chart_, kind_, before_.strain);
   return proposals;
 }
 

@@ -16,6 +16,9 @@ enum class Effort {
   quick,     // the best alone: of several cuts on the way to a set
 };
 
+/// That no cut of a piece with this strain helps.
+FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
+
 /// The search in one piece: candidates are ranked on a coarse copy, and the best of them evaluated exactly.
 class PieceSearch {
  public:
@@ -24,18 +27,24 @@ class PieceSearch {
               const ExactEvaluation& exact);
 
   /// The best first; without piece. Throws no_proposal.
-  std::vector<DartProposal> search(const PieceFigures& before);
+  std::vector<DartProposal> search();
 
  private:
-  struct Tried {
+  struct Helpful {
     HalfEdgeChain chain;
-    DartProposal proposal;
+    HalfEdgeChain image;  // its mirror image; empty: none
+    PieceFigures alone;
+    std::optional<PieceFigures> with_image;  // none unless that is better
+
+    double strain() const { return with_image ? with_image->strain : alone.strain; }
   };
 
   std::vector<HalfEdgeChain> best_chains() const;
   std::vector<HalfEdgeChain> without_mirror_images(const std::vector<HalfEdgeChain>& chains) const;
-  std::vector<std::optional<Tried>> evaluate(const std::vector<HalfEdgeChain>& chains,
-                                             const PieceFigures& before) const;
+  std::vector<std::optional<PieceFigures>> evaluate(const std::vector<HalfEdgeChain>& chains) const;
+  std::vector<Helpful> find_helpful() const;
+  bool is_worth_sewing(const PieceFigures& after) const;
+  DartProposal proposal_of(const HalfEdgeChain& chain, const PieceFigures& after) const;
   HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
   std::vector<VertexPair> edges_of(const HalfEdgeChain& chain) const;
   bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
@@ -55,6 +64,7 @@ class PieceSearch {
   const Effort effort_;
   const CutWishes& wishes_;
   const ExactEvaluation& exact_;
+  const PieceFigures before_;
 };
 
 }  // namespace wirewarp

@@ -12,6 +12,7 @@
 #include "mesh/geometry.h"
 #include "propose/best_cuts.h"
 #include "propose/cut_progress.h"
+#include "propose/piece_search.h"
 
 namespace wirewarp {
 namespace {
@@ -81,7 +82,9 @@ class PlanOfCuts {
     for (const int piece : order) {
       wishes.piece = piece;
       try {
-        return best_cuts(pieces_, kind_, wishes, exact_);
+        std::vector<DartProposal> proposals = best_cuts(pieces_, kind_, wishes, exact_);
+        if (helps(best_of_round(proposals), proposals)) return proposals;
+        throw none_helps(pieces_[piece]->chart, kind_, pieces_[piece]->strain);
       } catch (const FlattenError& error) {
         if (error.code != ErrorCode::no_proposal) throw;
         if (!first_refusal) first_refusal = error;
@@ -96,12 +99,19 @@ class PlanOfCuts {
            cut.length + proposals[*cut.twin].length <= length_left();
   }
 
+  double strain_if_taken(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
+    return comes_with_twin(cut, proposals) ? *cut.strain_with_twin : cut.strain;
+  }
+
+  /// Not so if it does by its mirror image alone, which may not be taken.
+  bool helps(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
+    return strain_if_taken(cut, proposals) < cut.strain_before;
+  }
+
   const DartProposal& best_of_round(const std::vector<DartProposal>& proposals) const {
-    const auto strain = [&](const DartProposal& cut) {
-      return comes_with_twin(cut, proposals) ? *cut.strain_with_twin : cut.strain;
-    };
-    return *std::min_element(proposals.begin(), proposals.end(),
-                             [&](const DartProposal& a, const DartProposal& b) { return strain(a) < strain(b); });
+    return *std::min_element(proposals.begin(), proposals.end(), [&](const DartProposal& a, const DartProposal& b) {
+      return strain_if_taken(a, proposals) < strain_if_taken(b, proposals);
+    });
   }
 
   void take(const DartProposal& best, const std::vector<DartProposal>& proposals) {
@@ -119,7 +129,7 @@ class PlanOfCuts {
     std::vector<VertexPair> edges;
     for (const DartProposal& cut : taken) edges.insert(edges.end(), cut.edges.begin(), cut.edges.end());
     pieces_ = exact_.with_cut(pieces_, edges);
-    const double strain_left = most_strain();
+    const double strain_left = most_strain_left();
     for (DartProposal& cut : taken) {
       cut.strain_left = strain_left;
       cuts_.push_back(std::move(cut));
@@ -128,7 +138,7 @@ class PlanOfCuts {
   }
 
   /// Of the pieces that lie flat.
-  double most_strain() const {
+  double most_strain_left() const {
     double most = -1;
     for (const auto& piece : pieces_) {
       if (!piece->error && may_be_cut(*piece)) most = std::max(most, piece->strain);
@@ -155,7 +165,7 @@ std::vector<DartProposal> plan(const FlattenInput& input, const Options& options
   CutProgress cut_progress(progress, aim.most);
   const SurfaceToCut to_cut(input, options);
   try {
-    const ExactEvaluation exact(to_cut.surface(), options, cut_progress.token());
+    const ExactEvaluation exact(to_cut, options, cut_progress.token());
     const FlatPieces pieces = exact.uncut();
     CutWishes wishes;
     wishes.piece = aim.piece;

@@ -10,7 +10,7 @@ std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options&
   CutProgress cut_progress(progress);
   const SurfaceToCut to_cut(input, options);
   try {
-    const ExactEvaluation exact(to_cut.surface(), options, cut_progress.token());
+    const ExactEvaluation exact(to_cut, options, cut_progress.token());
     const FlatPieces pieces = exact.uncut();
     check_wishes(wishes, input, pieces.size());
     return best_cuts(pieces, kind, wishes, exact);

@@ -71,6 +71,7 @@ def _proposal(cut: DartProposal, meters: float, has_twin: bool) -> dict[str, Any
         "piece": cut.piece + 1,
         "lines": _lines_along(cut.edges.tolist()),
         "length_m": cut.length * meters,
+        "pieces": cut.num_pieces,
         "energy": cut.energy,
         "energy_before": _if_finite(cut.energy_before),
         "strain": cut.strain,

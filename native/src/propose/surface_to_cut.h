@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "wirewarp/flatten.h"
+
+namespace wirewarp {
+
+/// A checked input in the middle of its material.
+class SurfaceToCut {
+ public:
+  /// input: kept by reference. Throws what flatten() throws.
+  SurfaceToCut(const FlattenInput& input, const Options& options);
+
+  /// As the user gave it.
+  const FlattenInput& given() const { return input_; }
+
+  const FlattenInput& middle() const { return middle_ ? *middle_ : input_; }
+
+ private:
+  const FlattenInput& input_;
+  std::optional<FlattenInput> middle_;
+};
+
+}  // namespace wirewarp
