@@ -104,10 +104,10 @@ class PatternSettings:
     )
     arrangement: EnumProperty(
         name="Pieces",
-        description="How the pieces are arranged on paper or cloth",
+        description="How the pieces are arranged on paper or fabric",
         items=[
-            ("IN_ROWS", "In Rows", "Side by side to save sheets or roll; none is turned"),
-            ("MARKER", "Marker", "Nested as closely as possible on cloth of one width; each piece is cut once"),
+            ("IN_ROWS", "In Rows", "Side by side to save paper, without rotation"),
+            ("MARKER", "Marker", "Nested as closely as possible on fabric of one width. Each piece is cut once"),
             (
                 "AS_LAID_OUT",
                 "As Laid Out",
@@ -118,8 +118,8 @@ class PatternSettings:
         update=_redraw,
     )
     cloth_width: FloatProperty(
-        name="Cloth Width",
-        description="Usable width of the cloth of a marker, in millimeters",
+        name="Fabric Width",
+        description="Usable width of the fabric of a layout, in millimeters",
         min=10.0,
         max=5000.0,
         default=1400.0,
@@ -139,10 +139,10 @@ class PatternSettings:
     )
     grain: EnumProperty(
         name="Grain",
-        description="How the pieces of a marker may be turned",
+        description="Allowed rotation of the pieces in a layout",
         items=[
-            ("ONE_WAY", "One Way", "Not at all: cloth with a nap, or a print that has a top"),
-            ("BOTH_WAYS", "Both Ways", "By half a turn: most woven cloth"),
+            ("ONE_WAY", "One Way", "Not at all: fabric with a nap, or a print that has a top"),
+            ("BOTH_WAYS", "Both Ways", "By half a turn: most woven fabric"),
             ("FREE", "Free", "By any angle: leather, foam, felt"),
         ],
         default="ONE_WAY",
@@ -242,22 +242,22 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, AimSettings, EaseAm
             (
                 "WEFT_STRAIN_COLOR",
                 "Across",
-                "With a cloth: how much the threads across the grain (weft) are stretched, in percent",
+                "With a fabric: how much the threads across the grain (weft) are stretched, in percent",
             ),
             (
                 "WARP_STRAIN_COLOR",
                 "Along",
-                "With a cloth: how much the threads along the grain (warp) are stretched, in percent",
+                "With a fabric: how much the threads along the grain (warp) are stretched, in percent",
             ),
             (
                 "SHEAR_ANGLE_COLOR",
                 "Shear",
-                "With a cloth: how far the threads are from crossing at a right angle, in degrees",
+                "With a fabric: how far the threads are from crossing at a right angle, in degrees",
             ),
             (
                 "STRETCH_COLOR",
                 "Stretch",
-                "How much the flat cloth must stretch to fit the model, in percent, as the mean of all directions",
+                "How much the flat fabric must stretch to fit the model, in percent, as the mean of all directions",
             ),
             (
                 "LENGTH_VARIATION_COLOR",
@@ -267,12 +267,12 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, AimSettings, EaseAm
             (
                 "ASPECT_RATIO_COLOR",
                 "Worst Direction",
-                "Stretch or ease in the direction where it is largest, as a factor: 1 is none",
+                "Stretch or compression in the worst direction, as a factor: 1 is none",
             ),
             (
                 "ARAP_ENERGY_COLOR",
                 "Distortion",
-                "Stretch and ease of all directions together (ARAP energy per area): 0 is none",
+                "Stretch and compression of all directions together (ARAP energy per area): 0 is none",
             ),
         ],
         default="NONE",
@@ -325,7 +325,7 @@ def attach() -> Callable[[], None]:
     bpy.types.Scene.wirewarp = PointerProperty(type=WIREWARP_PG_settings)
     bpy.types.Mesh.wirewarp_names = CollectionProperty(type=WIREWARP_PG_wire_name)
     bpy.types.Mesh.wirewarp_grain = IntProperty(
-        name="Grain Wire", description="Id of the wire that stands upright in the flat pieces it runs through, 0: none"
+        name="Grain Wire", description="Id of the wire that is upright in the flat pieces that it crosses, 0: none"
     )
     bpy.types.Mesh.wirewarp_active_wire = IntProperty(name="Active Wire", description="In the list of wires", min=0)
     bpy.types.Object.wirewarp_pieces = CollectionProperty(type=WIREWARP_PG_piece)

@@ -93,8 +93,8 @@ def test_no_cut_more_than_the_aim_asks_for(addon, settings, capfd):
     source = grid("Bump", bump)
     SUGGEST["DARTS"]()
     first, second = found(addon, source).cuts
-    assert "left, more than the 0.0% you want. Allow more cuts." in draw_panels(addon)
-    assert "you want. Allow more cuts." in capfd.readouterr().out
+    assert "left, more than your target of 0.0%. Allow more cuts." in draw_panels(addon)
+    assert "your target of 0.0%. Allow more cuts." in capfd.readouterr().out
     aim(settings, aim_stretch=100 * (first.strain + second.strain) / 2)
     SUGGEST["DARTS"]()
     assert len(found(addon, source).cuts) == 2

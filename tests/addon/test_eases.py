@@ -92,7 +92,7 @@ def test_an_ease_of_edges_that_are_no_wires_is_told(source, addon):
     for edge in source.data.edges[:3]:
         values.data[edge.index].value = 0.05
     bpy.ops.object.wirewarp_flatten()
-    told = "3 edges have an ease but are no wires: it was not used. Mark them with Ease."
+    told = "3 edges have an ease but are not wires: it was not used. Mark them with Ease."
     assert addon.core.Note(told, is_warning=True) in addon.state.reports.last_report(source).notes
     ease(source, lambda *_: True, sides="NONE")
     bpy.ops.object.wirewarp_flatten()

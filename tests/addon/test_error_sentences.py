@@ -39,7 +39,7 @@ def test_an_error_of_scripts_keeps_the_sentence_of_the_library(said):
         ("inconsistent_orientation", {"is_one_sided": True}, {"edges": [(0, 1)]}, "one-sided like a Möbius strip."),
         ("inconsistent_orientation", {"is_one_sided": False}, {"edges": [(0, 1)]}, "Recalculate Outside."),
         ("handles", {"num_handles": 1}, {"proposed_seams": [(0, 1)]}, "has 1 handle like a torus"),
-        ("closed_chart", {}, {"proposed_seams": [(0, 1)]}, "opens it, such as the proposed one."),
+        ("closed_chart", {}, {"proposed_seams": [(0, 1)]}, "opens it, such as the suggested one."),
         ("closed_chart", {}, {}, "mark a seam that opens it."),
         ("not_solvable", {"reason": "sizes", "face": 7}, {"faces": 2}, "At 2 faces, merge vertices"),
         ("overlapping_faces", {}, {"faces": 2}, "overlaps itself at 2 faces. Cut it in two"),
@@ -95,7 +95,8 @@ def test_broken_guarantees_are_told_together(said):
     wrong = {"wires": [HIP], "difference": -0.003, "num_flipped": 1, "num_overlapping": 4, "has_wires": True}
     assert said("lengths_not_kept", wrong, flipped=1, overlapping=2, edges=[(0, 1), (1, 2)]) == (
         'The piece does not keep the length of 2 edges (the worst, on wire "Hip", is 0.3% too short), has 1 flipped '
-        "face and overlaps itself at 2 faces. Add a seam where the piece curves most, or give its wires more tolerance."
+        "face and overlaps itself at 2 faces. Add a seam where the piece curves most, or widen the tolerance of its "
+        "wires."
     )
     assert "(the worst, on the outline, is 2% too long). Add" in said(
         "lengths_not_kept", wrong | {"wires": [], "difference": 0.02}, edges=[(0, 1)]

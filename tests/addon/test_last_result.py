@@ -125,7 +125,7 @@ def test_a_copy_of_the_pieces_is_told_from_them(source, addon, tmp_path):
     select_only(flat_of(source))
     bpy.ops.object.duplicate()
     copy = bpy.context.active_object
-    sentence = '"Bump Flat.001" is a copy or part of earlier pieces. Use "Bump Flat"'
+    sentence = '"Bump Flat.001" is a copy of earlier pieces, or belongs to them. Use "Bump Flat"'
     assert sentence in draw_panels(addon)
     assert sentence in export(tmp_path)
     select_only(source)

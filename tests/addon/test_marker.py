@@ -82,7 +82,7 @@ def test_the_preview_draws_the_marker_that_is_kept(source, tmp_path, addon):
     def preview():
         return addon.overlay.shown.shown_pages(view_context(), source, flat_of(source))
 
-    assert preview().sentence.startswith("No marker of these pieces on this cloth yet")
+    assert preview().sentence.startswith("No layout of these pieces on this fabric yet")
     cut = outlines(export(tmp_path))
     pages = preview()
     assert "of cloth 400 mm wide" in pages.sentence

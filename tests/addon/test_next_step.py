@@ -136,11 +136,11 @@ def test_nothing_to_mend_is_said(addon):
     with pytest.raises(RuntimeError, match="has not been flattened yet"):
         MEND(what="SEAMS")
     bpy.ops.object.wirewarp_flatten()
-    with pytest.raises(RuntimeError, match="proposes no seam"):
+    with pytest.raises(RuntimeError, match="has no suggested seam"):
         MEND(what="SEAMS")
-    with pytest.raises(RuntimeError, match='no face of "Bump" is without area'):
+    with pytest.raises(RuntimeError, match='"Bump" has no zero-area faces'):
         MEND(what="DISSOLVE")
-    with pytest.raises(RuntimeError, match='No two vertices lie in one place: the faces of "Bump" are apart'):
+    with pytest.raises(RuntimeError, match='Nothing to merge: no vertices of "Bump" overlap'):
         MEND(what="MERGE")
     assert len(seams_of(source)) == 0
 
@@ -166,7 +166,7 @@ def test_edges_proposed_for_twins_are_counted_once(addon):
     flatten_fails()
     issues = addon.state.reports.last_report(source).issues
     assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # each of both, of six rows
-    assert step_of(addon, source).sentence == "12 edges proposed as seam."
+    assert step_of(addon, source).sentence == "Suggested seam: 12 edges."
 
 
 def test_what_flatten_refuses_is_refused(addon):
@@ -184,7 +184,7 @@ def test_vertices_are_merged_by_the_size_of_the_model_wherever_it_lies(addon, sh
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
     left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))
     source = make_object("Squares", left + right, [(0, 1, 2, 3), (4, 5, 6, 7)])
-    assert addon.report_panel.mend.merge_close_vertices(source.data) == merged
+    assert addon.blender.faults.repair_faults(source.data, ["MERGE"]).get("MERGE", 0) == merged
 
 
 def test_faces_that_look_to_opposite_sides_are_turned_and_flattened(addon):
@@ -195,7 +195,7 @@ def test_faces_that_look_to_opposite_sides_are_turned_and_flattened(addon):
     assert step.text == "Recalculate Normals and Flatten"
     assert MEND(**step.settings) == {"FINISHED"}
     assert ready(addon, source)
-    with pytest.raises(RuntimeError, match="cannot all look to one side"):
+    with pytest.raises(RuntimeError, match="cannot be oriented consistently"):
         MEND(**step.settings)
 
 

@@ -135,7 +135,7 @@ def test_there_is_nothing_to_take():
     with pytest.raises(RuntimeError, match='"Bump" has not been flattened yet'):
         take()
     bpy.ops.object.wirewarp_flatten()
-    with pytest.raises(RuntimeError, match="proposes no (seam|tolerance) here: flatten again"):
+    with pytest.raises(RuntimeError, match="has no suggested (seam|tolerance) here. Flatten again"):
         take()
 
 

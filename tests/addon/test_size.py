@@ -27,19 +27,19 @@ def test_a_model_of_common_size_is_not_told(sized):
 
 def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
     sentence, offered = sized(77)
-    assert sentence == '"Chair" is 77 m large. Was it made in another unit?'
+    assert sentence == '"Chair" is 77 m large. Was it modeled in another unit?'
     assert offered == ["Centimeters: 77 cm", "Millimeters: 7.7 cm", "Inches: 196 cm"]
     assert sized(14.5)[1][0] == "Decimeters: 145 cm"  # as MakeHuman has it
     assert sized(939)[1] == ["Millimeters: 93.9 cm"]
     sentence, offered = sized(0.0017)
-    assert sentence.endswith("is 1.7 mm small. Was it made in another unit?")
+    assert sentence.endswith("is 1.7 mm small. Was it modeled in another unit?")
     assert offered == ["100 m: 17 cm", "1000 m: 170 cm"]
 
 
 def test_one_click_makes_the_pattern_as_large_as_the_model_was_meant(addon, sized):
     sized(77)
     buttons = []
-    assert "Was it made in another unit?" in draw_panels(addon, buttons)
+    assert "Was it modeled in another unit?" in draw_panels(addon, buttons)
     assert "scene.wirewarp_set_unit" in buttons
     assert bpy.ops.scene.wirewarp_set_unit(meters=0.01) == {"FINISHED"}
     assert "another unit" not in draw_panels(addon)

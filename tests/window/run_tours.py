@@ -41,7 +41,7 @@ def escape_cancels() -> drive.Tour:
     yield from drive.press("ESC")
     yield lambda: not window_run.is_running()
     assert contents(large) == before
-    assert messages == [("WARNING", "Flatten was cancelled. Nothing was written.")]
+    assert messages == [("WARNING", "Flatten was canceled. Nothing was written.")]
     source = grid("Next", bump)
     yield from flatten()
     assert flat_of(source)

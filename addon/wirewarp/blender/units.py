@@ -51,7 +51,7 @@ def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
     if largest == 0 or SMALLEST <= largest <= LARGEST:
         return ""
     size = LengthText("m", 1.0).rough(largest) if largest > LARGEST else LengthText("mm", 1000.0).rough(largest)
-    return f'"{target.name}" is {size} {"large" if largest > LARGEST else "small"}. Was it made in another unit?'
+    return f'"{target.name}" is {size} {"large" if largest > LARGEST else "small"}. Was it modeled in another unit?'
 
 
 def likely_units(target: bpy.types.Object) -> Sequence[float]:

@@ -56,7 +56,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
 
     seconds: IntProperty(
         name="Search",
-        description="Seconds to search for a marker that takes less cloth. Esc stops the export",
+        description="Seconds to search for a layout that needs less fabric. Esc stops the export",
         min=0,
         max=3600,
         soft_max=120,
@@ -64,7 +64,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     )
     new_marker: BoolProperty(
         name="Search Again",
-        description="Search for a new marker even if the one of the last export fits these pieces and this cloth",
+        description="Search for a new layout even if the last one fits these pieces and this fabric",
         default=False,
         options={"SKIP_SAVE"},
     )

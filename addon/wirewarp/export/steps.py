@@ -178,7 +178,7 @@ class PatternExport(WindowSteps, ExportHelper):
         try:
             return self._tell(self._run.result())
         except CancelledError:
-            self.report({"WARNING"}, "Export was cancelled. Nothing was written.")
+            self.report({"WARNING"}, "Export was canceled. Nothing was written.")
             return {"CANCELLED"}
         except FAULTS as error:
             return self._failed(error)

@@ -88,7 +88,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):
-    """Stop; nothing is written"""
+    """Stop and write nothing"""
 
     bl_idname = "object.wirewarp_cancel"
     bl_label = "Cancel"

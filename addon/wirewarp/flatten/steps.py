@@ -79,7 +79,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         try:
             outcomes = self._run.result()
         except CancelledError:
-            return self.give_up(context, "cancelled", "Flatten was cancelled. Nothing was written.", "WARNING")
+            return self.give_up(context, "cancelled", "Flatten was canceled. Nothing was written.", "WARNING")
         except Exception as error:
             sentence = fault_sentence(error, "Flatten failed, nothing was written")
             return self.give_up(context, "internal_error", sentence, "ERROR")
@@ -93,7 +93,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         except ObjectError as error:
             return self.give_up(context, error.issue.code, str(error), "ERROR")
         except Exception as error:  # as on a full memory; with an undo step, so that the user can take it back
-            sentence = fault_sentence(error, "Flatten failed, undo (Ctrl+Z) takes back what was written")
+            sentence = fault_sentence(error, "Flatten failed. Undo (Ctrl+Z) removes what was written")
             self.give_up(context, "internal_error", sentence, "ERROR")
             hold_whole_file()
             return {"FINISHED"}

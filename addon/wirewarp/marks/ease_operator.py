@@ -20,7 +20,11 @@ from .ease import Amount, Eased, Planned, check_ease_attributes, clear_eases, pl
 from .flat_sides import selected_sides
 
 SIDES = [
-    ("ALL", "All Sides", "Ease the selected lines, all sides of a seam equally. Lines that are no wires become rigid"),
+    (
+        "ALL",
+        "All Sides",
+        "Ease the selected lines, all sides of a seam equally. Lines that are not wires become rigid wires",
+    ),
     ("ONE", "One Side", "Ease one side of the selected seams only, as for sleeve heads and gathers. An arrow shows it"),
     ("OTHER", "Other Side", "Ease the other side of the selected seams only"),
     ("NONE", "Clear Ease", "Remove the ease of the selected lines from all sides"),

@@ -16,7 +16,7 @@ from ..state.current_pieces import current_pieces
 from ..state.owners import earlier_sentence, is_earlier, model_of
 
 WITH_MODIFIERS = (
-    'The pieces of "{}" were made with Modifiers, and their sides are no sides of the model: mark both sides there, or '
+    'The pieces of "{}" were made with Modifiers, and their sides are not on the model: mark both sides there, or '
     "flatten it without Modifiers, mark one side on the pieces and flatten it with them again."
 )
 

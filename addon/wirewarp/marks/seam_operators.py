@@ -47,7 +47,7 @@ class MESH_OT_wirewarp_mark_seam(OnModel, bpy.types.Operator):
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
         if properties.clear:
-            return "The selected edges are no seams any more"
+            return "Make the selected edges ordinary edges again"
         return "The fabric is cut along the selected edges"
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:

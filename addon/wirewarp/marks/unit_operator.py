@@ -12,7 +12,7 @@ from ..ui.editing import reporting_refusals
 
 
 class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
-    """Take the lengths of this scene to be in this unit. Nothing changes its place or its size in the view"""
+    """Use this unit for all lengths of this scene. Nothing moves in the view"""
 
     bl_idname = "scene.wirewarp_set_unit"
     bl_label = "Set Unit"

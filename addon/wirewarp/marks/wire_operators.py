@@ -100,7 +100,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_grain_wire(WireOperator, bpy.types.Operator):
-    """Make this wire the grain wire, which stands upright in the pieces it runs through. Press again to undo"""
+    """Make this wire the grain wire, which is upright in the pieces that it crosses. Press again to undo"""
 
     bl_idname = "mesh.wirewarp_grain_wire"
     bl_label = "Grain Wire"
@@ -129,7 +129,7 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
-        return cls.__doc__ if properties.edge >= 0 else "Select all edges of the wires of which an edge is selected"
+        return cls.__doc__ if properties.edge >= 0 else "Grow the selection to whole wires"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

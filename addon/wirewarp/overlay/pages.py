@@ -85,7 +85,7 @@ def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimete
     if choices.arrangement == "MARKER":
         made = laid_on_kept(made, kept_marker(choices.marker), choices.cloth)
         if made is None:
-            return PagePreview("No marker of these pieces on this cloth yet: Export Pattern seeks one.", True)
+            return PagePreview("No layout of these pieces on this fabric yet. Export Pattern finds one.", True)
     keeps = choices.arrangement == "AS_LAID_OUT"
     try:
         library = None if made.marker else library_paper(paper, choices.roll_width)

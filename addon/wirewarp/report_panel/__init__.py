@@ -4,11 +4,12 @@
 May import: suggest, flatten, marks, overlay, ui, state, solve, blender, properties, core, issues, words.
 """
 
-from . import export_panel, fabrics, flatten_panel, mend, operators, panel, piece_list
+from . import check, export_panel, fabrics, flatten_panel, mend, operators, panel, piece_list
 
 MODULES = (
     operators,
     mend,
+    check,
     fabrics,
     flatten_panel,
     export_panel,

@@ -42,7 +42,7 @@ def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: b
     settings, column = context.scene.wirewarp, layout.column(align=True)
     column.prop(settings, "arrangement", text="")
     if settings.arrangement == "MARKER":
-        column.prop(settings, "cloth_width", text="Cloth Width (mm)")
+        column.prop(settings, "cloth_width", text="Fabric Width (mm)")
     else:
         column.prop(settings, "paper", text="")
         if settings.paper == "ROLL":

@@ -21,7 +21,7 @@ from ..ui.settings import draw_settings, settings_sentence
 from ..ui.shown import untrue_sentence
 from ..ui.window_run import FLATTEN
 from .fabrics import ICON, VIEW3D_MT_wirewarp_fabrics
-from .next_step import SHOW, NextStep, next_step, piece_to_cut, uv_step, wants_seams
+from .next_step import CHECK, SHOW, NextStep, next_step, piece_to_cut, uv_step, wants_seams
 
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
 FABRIC_HELPS = (Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC)
@@ -104,6 +104,8 @@ def _draw_state(
         draw_suggest(layout, context.scene.wirewarp, piece)
     if step and is_looked_at:
         _draw_step(context, layout, step)
+    if report.issues and not (step and step.operator == CHECK):
+        layout.operator(CHECK, icon="TOOL_SETTINGS")
     # Of the last run, though it may have left the earlier pieces: to flatten again would change nothing.
     sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if sentence:

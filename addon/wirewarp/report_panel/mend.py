@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fixing what a report complains about: suggested seams and tolerances, cuts, fabric, modifiers, normals."""
 
-from collections.abc import Callable
-
-import bmesh
 import bpy
-import numpy as np
 from bpy.props import EnumProperty
 
+from ..blender.faults import repair_faults
 from ..blender.modes import WORKING_MODES, in_object_mode
 from ..blender.objects import check_local
 from ..flatten.steps import FlattenSteps
@@ -27,64 +24,16 @@ from ..ui import window_run
 from ..ui.settings import draw_settings
 from .operators import PROPOSALS, take_proposals
 
-CLOSE = 1e-5  # of the model's size; files write coordinates to five or six digits
-ROUNDED = 5e-7  # of the largest coordinate: two roundings to single precision on either side
-
-
-def dissolve_faces_without_area(mesh: bpy.types.Mesh) -> int:
-    """Returns by how many vertices and faces there are less, as the next does."""
-    return _mend(mesh, lambda edit, close: bmesh.ops.dissolve_degenerate(edit, dist=close, edges=edit.edges))
-
-
-def merge_close_vertices(mesh: bpy.types.Mesh) -> int:
-    return _mend(mesh, lambda edit, close: bmesh.ops.remove_doubles(edit, verts=edit.verts, dist=close))
-
-
-def recalculate_normals(mesh: bpy.types.Mesh) -> int:
-    """Turns faces so that all look to one side, outward if they enclose something. Returns how many were turned."""
-    edit = bmesh.new()
-    try:
-        edit.from_mesh(mesh)
-        before = [face.normal.copy() for face in edit.faces]
-        bmesh.ops.recalc_face_normals(edit, faces=edit.faces)
-        edit.to_mesh(mesh)
-        mesh.update()
-        return sum(face.normal.dot(normal) < 0 for face, normal in zip(edit.faces, before, strict=True))
-    finally:
-        edit.free()
-
-
-def _mend(mesh: bpy.types.Mesh, act: Callable[[bmesh.types.BMesh, float], object]) -> int:
-    edit = bmesh.new()
-    try:
-        edit.from_mesh(mesh)
-        before = len(edit.verts) + len(edit.faces)
-        act(edit, _close_distance(edit))
-        edit.to_mesh(mesh)
-        mesh.update()
-        return before - len(edit.verts) - len(edit.faces)
-    finally:
-        edit.free()
-
-
-def _close_distance(edit: bmesh.types.BMesh) -> float:
-    """By the size of the model, wherever it lies, but no less than the rounding of coordinates so large."""
-    places = np.array([vertex.co for vertex in edit.verts]).reshape(-1, 3)
-    if not len(places):
-        return 0.0
-    return max(CLOSE * float(np.ptp(places, axis=0).max()), ROUNDED * float(np.abs(places).max()))
-
-
 NOTHING = {  # by kind
     "SEAMS": "Already marked. Flatten again.",
     "SUGGESTION": "Already marked. Flatten again.",
     "UV_SEAMS": "Already marked. Flatten again.",
-    "TOLERANCES": "Already as loose, or no wires any more. Flatten again.",
-    "DISSOLVE": 'Nothing to dissolve: no face of "{}" is without area.',
-    "MERGE": 'No two vertices lie in one place: the faces of "{}" are apart.',
-    "NORMALS": 'The faces of "{}" cannot all look to one side: mark a seam where they change.',
+    "TOLERANCES": "These wires are already that loose, or were removed. Flatten again.",
+    "DISSOLVE": 'Nothing to dissolve: "{}" has no zero-area faces.',
+    "MERGE": 'Nothing to merge: no vertices of "{}" overlap.',
+    "NORMALS": '"{}" cannot be oriented consistently. Mark a seam where the normals flip.',
 }
-CLEAN_UP = {"DISSOLVE": dissolve_faces_without_area, "MERGE": merge_close_vertices, "NORMALS": recalculate_normals}
+CLEAN_UP = ("DISSOLVE", "MERGE", "NORMALS")  # of blender.faults
 
 
 class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
@@ -102,12 +51,12 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             ("SUGGESTION", "Suggestion", "Mark the cut that is chosen in the list of suggestions as seam"),
             ("SMOOTH", "Smooth Suggestion", "Cut the chosen suggestion into the faces as a smooth line, as seam"),
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
-            ("MERGE", "Merge", "Merge vertices of the model that lie in one place"),
+            ("MERGE", "Merge", "Merge overlapping vertices of the model"),
             ("NORMALS", "Normals", "Turn faces of the model so that all look to one side"),
             ("APPLY", "Apply Modifiers", "Make what modifiers show the model itself, with edges that can be marked"),
             ("UV_SEAMS", "Seams of the UV Map", "Mark the borders of the islands of the model's own UV map as seams"),
             ("FABRIC", "Fabric", "Choose this fabric"),
-            ("MODIFIERS", "Modifiers", "Take the mesh as modifiers and shape keys leave it, from now on"),
+            ("MODIFIERS", "Modifiers", "Use the mesh with its modifiers and shape keys from now on"),
         ],
         options={"HIDDEN"},
     )
@@ -176,7 +125,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         if self.what in CLEAN_UP:
             check_local(source, source.data)
             check_not_edited(source)
-            return CLEAN_UP[self.what](source.data)
+            return sum(repair_faults(source.data, [self.what]).values())
         if self.what == "UV_SEAMS":
             check_local(source, source.data)
             check_not_edited(source)

@@ -19,6 +19,8 @@ REMEDIES = {
     "NORMALS": ("Recalculate Normals and Flatten", "NORMALS_FACE"),
 }
 APPLY_FIRST = "The fix is about edges that modifiers make. Mark others on the model, or:"
+CHECK = "object.wirewarp_check"
+FAULTY_CODES = {"non_manifold_edge", "repeated_face", "repeated_vertex_in_face"}  # with the buttons of Check and Repair
 OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_orientation": "NORMALS"}
 
 
@@ -47,6 +49,8 @@ def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: boo
         if what == "SEAMS" and (has_suggestions or is_closed):  # one slit opens a closed model, and does no more
             return None
         return NextStep(_reason(report.issues, what), text, icon, MEND, {"what": what})
+    if {issue.code for issue in report.issues} & FAULTY_CODES and not report.with_modifiers:
+        return NextStep("", "Check and Repair", "TOOL_SETTINGS", CHECK, {})
     if report.issues:
         return _show("ISSUE", "Show Failed Place", _shown(report, report.issues))
     if left_out:
@@ -112,8 +116,8 @@ def is_shown(report: ObjectReport, entry: Issue) -> bool:
 def _reason(issues: Sequence[Issue], what: str) -> str:
     if what == "SEAMS":
         edges = {(min(edge), max(edge)) for issue in issues for edge in issue.proposed_seams}  # twins share theirs
-        return f"{counted(len(edges), 'edge')} proposed as seam."
+        return f"Suggested seam: {counted(len(edges), 'edge')}."
     if what == "TOLERANCES":
         wires = {wire.name for issue in issues for wire in issue.proposed_tolerances}
-        return f"{counted(len(wires), 'wire')} proposed to be looser."
+        return f"Suggestion: loosen {counted(len(wires), 'wire')}."
     return ""

@@ -22,8 +22,8 @@ from ..state.reports import last_report, pieces_report
 from ..words import counted
 
 PROPOSALS = [
-    ("SEAMS", "Mark as Seam", "Mark the proposed edges as seams on the model"),
-    ("TOLERANCES", "Loosen Wires", "Give the named wires the proposed tolerances"),
+    ("SEAMS", "Mark as Seam", "Mark the suggested edges as seams on the model"),
+    ("TOLERANCES", "Loosen Wires", "Give the named wires the suggested tolerances"),
 ]
 
 
@@ -107,7 +107,7 @@ class MESH_OT_wirewarp_select_issues(ReportOperator, bpy.types.Operator):
         edges = [edge for issue in report.issues for edge in issue.edges]
         faces = [face for issue in report.issues for face in issue.faces]
         if not (vertices or edges or faces):
-            self.report({"INFO"}, "The last run found nothing wrong with particular elements")
+            self.report({"INFO"}, "The last run reported no problem elements")
             return {"CANCELLED"}
         select_elements(context, source, vertices, edges, faces)
         return {"FINISHED"}
@@ -125,10 +125,10 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         items=[
             ("SEAM", "Seam", "Select and show the seam: on the model, or all its sides if flat pieces are active"),
             ("WIRE", "Wire", "Select and show the wire: on the model, or on the flat pieces if these are active"),
-            ("OUTLINE", "Open Edge", "Select and show this stretch of outline: on the model, or on active flat pieces"),
+            ("OUTLINE", "Open Edge", "Select and show this section of outline: on the model, or on active flat pieces"),
             ("PIECE", "Piece", "Select and show the piece: on the model, or on the flat pieces if these are active"),
-            ("STRETCH", "Largest Stretch", "Select and show where the cloth of this piece must stretch most"),
-            ("EASE", "Largest Ease", "Select and show where the cloth of this piece must be eased in most"),
+            ("STRETCH", "Largest Stretch", "Select and show where the fabric of this piece must stretch most"),
+            ("EASE", "Largest Compression", "Select and show where the fabric of this piece is compressed most"),
             ("ISSUE", "Issue", "Select and show what the sentence is about"),
             ("HINT", "Hint", "Select and show the place: on the model, or on the flat pieces if these are active"),
         ],
@@ -180,7 +180,7 @@ def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, is
     wires = [wire for issue in chosen for wire in issue.proposed_tolerances] if what == "TOLERANCES" else []
     if not (seams or wires):
         proposal = "seam" if what == "SEAMS" else "tolerance"
-        sentence = f'The report of "{source.name}" proposes no {proposal} here: flatten again to see what helps.'
+        sentence = f'The report of "{source.name}" has no suggested {proposal} here. Flatten again to see what helps.'
         raise object_error("not_in_report", sentence)
     check_not_edited(source)
     check_indices(source, report)
@@ -190,14 +190,14 @@ def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, is
 
 
 class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
-    """Mend the model as the report proposes"""
+    """Fix the model as the report suggests"""
 
     bl_idname = "mesh.wirewarp_take_proposal"
-    bl_label = "Take Proposal"
+    bl_label = "Use Suggestion"
 
     what: EnumProperty(
         name="What",
-        description="What to take from the report",
+        description="What to use from the report",
         items=PROPOSALS,
         options={"HIDDEN"},
     )
@@ -213,7 +213,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
         if edits_others:
             bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
         redraw_views()
-        done = "marked as seam" if self.what == "SEAMS" else "made more elastic"
+        done = "marked as seam" if self.what == "SEAMS" else "loosened"
         self.report({"INFO"}, f"{counted(count, 'edge')} {done}: flatten again")
         return {"FINISHED"}
 

@@ -14,7 +14,7 @@ from ..words import LengthText, counted
 
 MOST_LENGTHS = 5  # longer lists are not read
 SPLIT = "In Edit Mode, select the faces on one side there and use Mesh > Split > Selection."
-FREE = "or remove a wire nearby or give it tolerance"
+FREE = "or remove a wire nearby or set a tolerance"
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,8 @@ class ErrorFacts:
 
     @property
     def proposed(self) -> str:
-        """ ", such as the proposed one"; nothing without a proposal."""
-        return ", such as the proposed one" if self.error.proposed_seams else ""
+        """ ", such as the suggested one"; nothing without a proposal."""
+        return ", such as the suggested one" if self.error.proposed_seams else ""
 
     def wire_text(self, indices: list[int]) -> str:
         """'wire "Hip"', 'wires "Hip" and "Bust"'."""
@@ -227,19 +227,19 @@ def _lengths_not_kept(facts: ErrorFacts) -> str:
         too = "long" if facts["difference"] > 0 else "short"
         worst = f"the worst, on {line}, is {percent(abs(facts['difference']))} too {too}"
         fault = f"The piece does not keep the length of {facts.edge_text} ({worst})"
-    remedy = ", or give its wires more tolerance" if facts["has_wires"] else ""
+    remedy = ", or widen the tolerance of its wires" if facts["has_wires"] else ""
     return f"{fault}{_also(facts.flipped, facts.overlapping)}. Add a seam where the piece curves most{remedy}."
 
 
 def _flipped(facts: ErrorFacts) -> str:
-    seams = "Mark the proposed seams, or add" if facts.error.proposed_seams else "Add"
+    seams = "Mark the suggested seams, or add" if facts.error.proposed_seams else "Add"
     free = f", {FREE}" if facts["has_wires"] else ""
     fault = f"The piece is flipped at {facts.face_text}{_also(0, facts.overlapping)}"
     return f"{fault}. {seams} a seam or a dart there{free}."
 
 
 def _overlapping(facts: ErrorFacts) -> str:
-    seams = "Mark the proposed seams, or cut" if facts.error.proposed_seams else "Cut"
+    seams = "Mark the suggested seams, or cut" if facts.error.proposed_seams else "Cut"
     return f"The piece overlaps itself at {facts.face_text}. {seams} it in two with a seam, or add a dart there."
 
 

@@ -47,7 +47,7 @@ def shortfall(kind: str, cuts: list[Cut], aim: Aim) -> str:
         remedy = "Allow more length, if any other cut helps"
     else:
         remedy = f"No other {WORDS[kind][0]} helps"
-    return f"{percent_text(last.strain)} is left, more than the {percent_text(aim.strain)} you want. {remedy}."
+    return f"{percent_text(last.strain)} is left, more than your target of {percent_text(aim.strain)}. {remedy}."
 
 
 def cut_text(cut: Cut, text: LengthText) -> str:

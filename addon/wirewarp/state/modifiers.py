@@ -23,7 +23,9 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
         ignored = counted(arrays.loose_marks, "marked edge ignored: it has", "marked edges ignored: they have")
         notes.append(warning(f"{ignored} no face."))
     if arrays and arrays.loose_eases:
-        edges = counted(arrays.loose_eases, "edge has an ease but is no wire", "edges have an ease but are no wires")
+        edges = counted(
+            arrays.loose_eases, "edge has an ease but is not a wire", "edges have an ease but are not wires"
+        )
         notes.append(warning(f"{edges}: it was not used. Mark them with Ease."))
     return notes
 

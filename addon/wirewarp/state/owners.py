@@ -58,7 +58,7 @@ def is_earlier(target: bpy.types.Object) -> bool:
 
 def earlier_sentence(target: bpy.types.Object) -> str:
     flat = find_flat_object(model_of(target))
-    return f'"{target.name}" is a copy or part of earlier pieces. Use "{flat.name}" and delete the others.'
+    return f'"{target.name}" is a copy of earlier pieces, or belongs to them. Use "{flat.name}" and delete the others.'
 
 
 def check_not_edited(target: bpy.types.Object) -> None:

@@ -192,16 +192,16 @@ class FlattenSettings:
     )
     layout_kind: EnumProperty(
         name="Layout",
-        description="How the pieces lie beside each other",
+        description="How the pieces are arranged",
         items=[
             ("PACKED", "Packed", "Close together in about a square"),
-            ("ROW", "One Row", "Side by side from left to right, standing on one line"),
+            ("ROW", "One Row", "Side by side from left to right, on one line"),
         ],
         default="PACKED",
     )
     orientation: EnumProperty(
         name="Upright",
-        description="What stands upright in each flat piece",
+        description="What is upright in each flat piece",
         items=[
             (
                 "WIRE",
@@ -345,7 +345,7 @@ class AimSettings:
     suggest_together: BoolProperty(
         name="Up to a Target",
         description="Suggest cuts to be marked together, one after the other, until the fabric need not stretch more "
-        "than you want. Off: cuts of which you mark one",
+        "than you want. Off: alternatives to choose from",
         default=False,
     )
     aim_stretch: FloatProperty(
@@ -368,7 +368,7 @@ class AimSettings:
     )
     aim_length: FloatProperty(
         name="Max Length",
-        description="How long all cuts together may be on the model. 0: any length",
+        description="Total length of all cuts on the model. 0: unlimited",
         subtype="DISTANCE",
         min=0.0,
         precision=3,

@@ -66,7 +66,7 @@ class SuggestCuts(WindowSteps):
         try:
             return self._keep(context, self._run.result())
         except CancelledError:
-            self.report({"WARNING"}, "The search was cancelled. Nothing is suggested.")
+            self.report({"WARNING"}, "The search was canceled.")
             return {"CANCELLED"}
         except ObjectError as error:
             return self._refuse(context, error)
@@ -150,7 +150,7 @@ class OBJECT_OT_wirewarp_drop_suggestions(bpy.types.Operator):
     """Discard these suggestions"""
 
     bl_idname = "object.wirewarp_drop_suggestions"
-    bl_label = "Drop Suggestions"
+    bl_label = "Discard Suggestions"
     bl_options = {"INTERNAL"}
 
     @classmethod

@@ -17,6 +17,7 @@ class VIEW3D_MT_wirewarp(bpy.types.Menu):
     def draw(self, _context: bpy.types.Context) -> None:
         layout = _asking_layout(self)
         layout.operator("object.wirewarp_flatten")
+        layout.operator("object.wirewarp_check")
         layout.operator("view3d.wirewarp_frame")
         layout.operator("object.wirewarp_copy_report", text="Copy Report as CSV")
         layout.operator("object.wirewarp_export")

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What is wrong with a mesh before it is flattened: found by kind, and repaired with Blender's own tools."""
+
+from collections import defaultdict
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import bmesh
+import bpy
+import numpy as np
+
+from ..words import counted
+
+CLOSE = 1e-5  # of the model's size; files write coordinates to five or six digits
+ROUNDED = 5e-7  # of the largest coordinate: two roundings to single precision on either side
+Found = list[Any]  # vertices, edges and faces of the bmesh
+
+
+@dataclass(frozen=True)
+class Fault:
+    kind: str
+    one: str
+    many: str
+    verb: str  # on a button
+    done: str  # in the report
+    find: Callable[[bmesh.types.BMesh, float], Found]  # what is closer than the distance counts as one
+    repair: Callable[[bmesh.types.BMesh, float, Found], object]
+
+    def text(self, count: int) -> str:
+        """ "12 overlapping vertices"."""
+        return counted(count, self.one, self.many)
+
+
+@dataclass(frozen=True)
+class Elements:
+    """By index; edges are vertex pairs."""
+
+    vertices: list[int]
+    edges: list[tuple[int, int]]
+    faces: list[int]
+
+
+def find_faults(mesh: bpy.types.Mesh) -> dict[str, Elements]:
+    """The elements of each kind of fault that there is. Of a mesh in Object Mode."""
+    edit = bmesh.new()
+    try:
+        edit.from_mesh(mesh)
+        close = _close_distance(edit)
+        found = {fault.kind: fault.find(edit, close) for fault in FAULTS}
+        return {kind: _elements(own) for kind, own in found.items() if own}
+    finally:
+        edit.free()
+
+
+def repair_faults(mesh: bpy.types.Mesh, kinds: Sequence[str]) -> dict[str, int]:
+    """Repairs these kinds, one after the other; returns how many elements of each were at fault when it came to it."""
+    repaired = {}
+    edit = bmesh.new()
+    try:
+        edit.from_mesh(mesh)
+        close = _close_distance(edit)
+        for fault in FAULTS:
+            found = fault.find(edit, close) if fault.kind in kinds else []
+            if found:
+                fault.repair(edit, close, found)
+                repaired[fault.kind] = len(found)
+        if repaired:
+            edit.to_mesh(mesh)
+            mesh.update()
+        return repaired
+    finally:
+        edit.free()
+
+
+def _close_distance(edit: bmesh.types.BMesh) -> float:
+    """By the size of the model, wherever it lies, but no less than the rounding of coordinates so large."""
+    places = np.array([vertex.co for vertex in edit.verts]).reshape(-1, 3)
+    if not len(places):
+        return 0.0
+    return max(CLOSE * float(np.ptp(places, axis=0).max()), ROUNDED * float(np.abs(places).max()))
+
+
+def _elements(found: Found) -> Elements:
+    return Elements(
+        [each.index for each in found if isinstance(each, bmesh.types.BMVert)],
+        [(each.verts[0].index, each.verts[1].index) for each in found if isinstance(each, bmesh.types.BMEdge)],
+        [each.index for each in found if isinstance(each, bmesh.types.BMFace)],
+    )
+
+
+def _overlapping_vertices(edit: bmesh.types.BMesh, close: float) -> Found:
+    return list(bmesh.ops.find_doubles(edit, verts=edit.verts, dist=close)["targetmap"])
+
+
+def _merge(edit: bmesh.types.BMesh, close: float, _found: Found) -> None:
+    bmesh.ops.remove_doubles(edit, verts=edit.verts, dist=close)
+
+
+def _faces_without_area(edit: bmesh.types.BMesh, close: float) -> Found:
+    """Those no higher than that above their longest edge."""
+    lengths = ((face, max(edge.calc_length() for edge in face.edges)) for face in edit.faces)
+    return [face for face, longest in lengths if 2 * face.calc_area() <= close * longest]
+
+
+def _dissolve(edit: bmesh.types.BMesh, close: float, _found: Found) -> None:
+    bmesh.ops.dissolve_degenerate(edit, dist=close, edges=edit.edges)
+
+
+def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
+    """All but the first of those with the same vertices."""
+    by_vertices: dict[frozenset[int], Found] = defaultdict(list)
+    for face in edit.faces:
+        by_vertices[frozenset(vertex.index for vertex in face.verts)].append(face)
+    return [face for faces in by_vertices.values() for face in faces[1:]]
+
+
+def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
+    """As Select > Select All by Trait > Interior Faces: other faces meet at all of their edges."""
+    return [face for face in edit.faces if all(len(edge.link_faces) > 2 for edge in face.edges)]
+
+
+def _delete_faces(edit: bmesh.types.BMesh, _close: float, found: Found) -> None:
+    """With the edges and vertices that only they have."""
+    bmesh.ops.delete(edit, geom=found, context="FACES")
+
+
+def _loose(edit: bmesh.types.BMesh, _close: float) -> Found:
+    edges = [edge for edge in edit.edges if not edge.link_faces]
+    return [*edges, *(vertex for vertex in edit.verts if not vertex.link_faces)]
+
+
+def _delete_loose(edit: bmesh.types.BMesh, _close: float, found: Found) -> None:
+    for edge in (each for each in found if isinstance(each, bmesh.types.BMEdge)):
+        edit.edges.remove(edge)
+    for vertex in (each for each in found if isinstance(each, bmesh.types.BMVert)):
+        edit.verts.remove(vertex)
+
+
+def _non_manifold_edges(edit: bmesh.types.BMesh, _close: float) -> Found:
+    return [edge for edge in edit.edges if len(edge.link_faces) > 2 and not edge.seam]
+
+
+def _mark_seams(_edit: bmesh.types.BMesh, _close: float, found: Found) -> None:
+    for edge in found:
+        edge.seam = True
+
+
+def _opposed_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
+    """Those that Recalculate Normals would flip, if any neighbors face opposite ways."""
+    if all(edge.is_contiguous for edge in edit.edges if len(edge.link_faces) == 2 and not edge.seam):
+        return []
+    turned = edit.copy()
+    try:
+        bmesh.ops.recalc_face_normals(turned, faces=turned.faces)
+        turned.faces.ensure_lookup_table()
+        return [face for face in edit.faces if turned.faces[face.index].normal.dot(face.normal) < 0]
+    finally:
+        turned.free()
+
+
+def _recalculate(edit: bmesh.types.BMesh, _close: float, _found: Found) -> None:
+    bmesh.ops.recalc_face_normals(edit, faces=edit.faces)
+
+
+FAULTS = (  # in the order of repair: merging makes faces without area and duplicates, deleting leaves loose edges
+    Fault("MERGE", "overlapping vertex", "overlapping vertices", "Merge", "merged", _overlapping_vertices, _merge),
+    Fault("DISSOLVE", "zero-area face", "zero-area faces", "Dissolve", "dissolved", _faces_without_area, _dissolve),
+    Fault("DUPLICATES", "duplicate face", "duplicate faces", "Delete", "deleted", _duplicate_faces, _delete_faces),
+    Fault("INTERIOR", "interior face", "interior faces", "Delete", "deleted", _interior_faces, _delete_faces),
+    Fault("LOOSE", "loose edge or vertex", "loose edges and vertices", "Delete", "deleted", _loose, _delete_loose),
+    Fault(
+        "NON_MANIFOLD",
+        "edge of three or more faces",
+        "edges of three or more faces",
+        "Mark as Seams",
+        "marked as seams",
+        _non_manifold_edges,
+        _mark_seams,
+    ),
+    Fault("NORMALS", "flipped face", "flipped faces", "Flip", "flipped", _opposed_faces, _recalculate),
+)

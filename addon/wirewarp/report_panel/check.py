@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Check and Repair: what is wrong with the mesh of a model, by kind; each kind is shown, and repaired on request."""
+
+import bpy
+from bpy.props import EnumProperty
+
+from ..blender.faults import FAULTS, Elements, find_faults, repair_faults
+from ..blender.modes import WORKING_MODES, in_object_mode
+from ..blender.objects import check_local
+from ..blender.selection import select_elements
+from ..state.owners import check_not_edited, model_or_self
+from ..ui import window_run
+from ..ui.editing import reporting_refusals
+
+KINDS = [
+    (fault.kind, f"{fault.verb} {fault.many}".capitalize(), f"{fault.verb} all {fault.many} of the model", 1 << place)
+    for place, fault in enumerate(FAULTS)
+]
+WIDTH = 340  # of the dialog, in Blender's own pixels
+
+
+class OnFaultyModel:
+    """Mixed into operators."""
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        is_mesh = active is not None and active.type == "MESH"
+        return is_mesh and context.mode in WORKING_MODES and not window_run.is_running()
+
+
+class OBJECT_OT_wirewarp_check(OnFaultyModel, bpy.types.Operator):
+    """List what is wrong with the mesh, and repair the kinds that you choose"""
+
+    bl_idname = "object.wirewarp_check"
+    bl_label = "Check and Repair"
+    bl_options = {"REGISTER", "UNDO"}
+
+    repairs: EnumProperty(
+        name="Repairs",
+        description="What to repair",
+        items=KINDS,
+        options={"ENUM_FLAG"},
+        default={kind for kind, *_ in KINDS},
+    )
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        source = model_or_self(context.active_object)
+        with in_object_mode(context):
+            self._counts = {kind: _count(found) for kind, found in find_faults(source.data).items()}
+        if not self._counts:
+            self.report({"INFO"}, f'No faults found in the mesh of "{source.name}"')
+            return {"CANCELLED"}
+        return context.window_manager.invoke_props_dialog(self, width=WIDTH)
+
+    @reporting_refusals
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        source = model_or_self(context.active_object)
+        check_local(source, source.data)
+        with in_object_mode(context):
+            check_not_edited(source)
+            self._counts = repair_faults(source.data, list(self.repairs))
+        if not self._counts:
+            self.report({"INFO"}, f'Nothing to repair in the mesh of "{source.name}"')
+            return {"CANCELLED"}
+        done = [
+            f"{fault.text(self._counts[fault.kind])} {fault.done}" for fault in FAULTS if fault.kind in self._counts
+        ]
+        self.report({"INFO"}, f"{'; '.join(done)}. Flatten again.")
+        return {"FINISHED"}
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        """In the dialog, and in Adjust Last Operation with what was repaired."""
+        column = self.layout.column(align=True)
+        for fault in FAULTS:
+            if fault.kind not in self._counts:
+                continue
+            row, text = column.row(align=True), fault.text(self._counts[fault.kind])
+            row.prop_enum(self, "repairs", fault.kind, text=f"{fault.verb}: {text}")
+            row.operator("object.wirewarp_show_fault", text="", icon="RESTRICT_SELECT_OFF").kind = fault.kind
+
+
+class OBJECT_OT_wirewarp_show_fault(OnFaultyModel, bpy.types.Operator):
+    """Select and show these elements in Edit Mode"""
+
+    bl_idname = "object.wirewarp_show_fault"
+    bl_label = "Show Fault"
+    bl_options = {"INTERNAL", "UNDO"}
+
+    kind: EnumProperty(name="Kind", description="Which fault to show", items=[each[:3] for each in KINDS])
+
+    @reporting_refusals
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        source = model_or_self(context.active_object)
+        with in_object_mode(context):
+            found = find_faults(source.data).get(self.kind)
+        if found is None:
+            self.report({"INFO"}, "There are none any more")
+            return {"CANCELLED"}
+        select_elements(context, source, found.vertices, found.edges, found.faces)
+        return {"FINISHED"}
+
+
+def _count(found: Elements) -> int:
+    return len(found.vertices) + len(found.edges) + len(found.faces)
+
+
+CLASSES = (OBJECT_OT_wirewarp_check, OBJECT_OT_wirewarp_show_fault)
