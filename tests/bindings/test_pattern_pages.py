@@ -7,6 +7,7 @@ from functools import cache
 import numpy as np
 import pypdfium2
 import pytest
+import shapely
 import wirewarp
 from patterns import quads, rectangle, sample
 from wirewarp.pattern import Pattern
@@ -106,3 +107,55 @@ def test_what_keeps_its_places_and_is_too_wide_for_a_roll_is_told():
     with pytest.raises(wirewarp.FlattenError, match="As they lie the pieces are 1.32 m wide: too wide for a roll"):
         pattern.pages("36in", keep_places=True)
     assert len(pattern.pages("36in")[1]) == 1
+
+
+@pytest.mark.parametrize("once", [False, True])
+@pytest.mark.parametrize("name", ["Fitted top", "Jeans", "Hat", "Wetsuit upper body", "Toy"])
+def test_sheets_show_every_piece_apart_from_others(name, once):
+    laid, pages = sample(name, pairs=once, on_fold=once).pages("a4")
+    printed = shapely.union_all([shapely.box(*page.low, *(page.low + page.size)) for page in pages])
+    cut = [shapely.Polygon(line.points) for piece in laid.pieces for line in piece.of_role("cut")]
+    assert all(printed.buffer(1e-3).contains(piece) for piece in cut)
+    tree = shapely.STRtree(cut)
+    for index, piece in enumerate(cut):
+        assert tree.query(piece, predicate="dwithin", distance=9.9).tolist() == [index]
+
+
+@pytest.mark.parametrize(("once", "most"), [(False, 22), (True, 12)])
+def test_the_fitted_top_takes_few_sheets(tmp_path, once, most):
+    """The map is one of them; 22 and 13 without a search for a better arrangement."""
+    path = tmp_path / "top.pdf"
+    sample("Fitted top", pairs=once, on_fold=once).write(path)
+    assert len(pypdfium2.PdfDocument(path)) <= most
+
+
+@pytest.mark.parametrize("name", ["Fitted top", "Jeans"])
+def test_the_card_of_each_piece_is_whole_on_one_sheet(tmp_path, name):
+    pattern = sample(name)
+    pattern.write(tmp_path / "a.pdf")
+    whole = set()
+    for page in list(pypdfium2.PdfDocument(tmp_path / "a.pdf"))[1:]:
+        text = page.get_textpage()
+        for piece in pattern.pieces:
+            place = f"{piece.number} of {len(pattern.pieces)}"
+            found = text.search(place, match_whole_word=True).get_next()
+            if found:
+                begin, end = (text.get_text_range().find(words, found[0]) for words in (place, "allowance"))
+                boxes = np.array([text.get_charbox(at) for at in range(begin, end + len("allowance"))]) / MILLIMETER
+                size = np.array(page.get_size()) / MILLIMETER
+                if np.all(boxes[:, :2] > 10) and np.all(boxes[:, 2:] < size - 10):
+                    whole.add(piece.number)
+    assert whole == {piece.number for piece in pattern.pieces}
+
+
+@pytest.mark.parametrize("paper", ["a4", "projector", "36in"])
+def test_the_first_page_has_a_key_of_the_lines_that_are_drawn(tmp_path, paper):
+    top, path = sample("Fitted top", on_fold=True), tmp_path / "a.pdf"
+
+    def words(pattern):
+        pattern.write(path, paper=paper)
+        return pypdfium2.PdfDocument(path)[0].get_textpage().get_text_range()
+
+    labels = ["Cutting line", "Stitching line", "Fold of the fabric", "Rigid wire", "Grain", "Notch"]
+    assert all(label in words(top) for label in labels) and "Elastic wire" not in words(top)
+    assert "Stitching line" not in words(top.with_only([]))

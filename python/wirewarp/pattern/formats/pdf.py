@@ -1,16 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A pattern as PDF: sheets to tape together, a roll for a plotter, or one page for a projector."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
+from ..label.card import with_card_anew
+from ..label.room import corners
 from ..model import PatternPiece
 from ..pattern_data import PatternData
 from ..progress import Steps
 from ..sheet.drawing import LAYERS, LOOKS, strokes_of
 from ..sheet.papers import SHEETS
-from ..sheet.plan import BORDER, Plan, plan
+from ..sheet.plan import BORDER, Plan, met, plan
 from ..sheet.proof import proof_pages
 from .file_format import Format, Option
 from .pdf_document import Content, Document
@@ -29,7 +32,7 @@ def write_pdf(
     proof: last come pages with every piece and both sides of every seam, to check beforehand.
     keep_places: on sheets and rolls, too, the pieces stay as they lie; else they come in rows.
     """
-    planned = plan(pattern, paper, keep_places)
+    planned = yield from _with_texts_on_sheets(plan(pattern, paper, keep_places))
     document = Document(pattern.title or "Pattern", [*LAYERS, *planned.layers], planned.hidden)
     left_out = yield from _add_forms(document, planned)
     for number, sheet in enumerate(planned.all_sheets):
@@ -79,6 +82,25 @@ def _add_forms(document: Document, planned: Plan[PatternData]) -> Steps[list[str
         document.add_form(_form(index), content, low - BORDER, high + BORDER)
         left_out += content.left_out
     return left_out
+
+
+def _with_texts_on_sheets(planned: Plan[PatternData]) -> Steps[Plan[PatternData]]:
+    """With texts placed anew, so that they lie on one sheet each if there is room."""
+    if planned.text_sheets is None:
+        return planned
+    pattern, pieces = planned.pattern, list[PatternPiece]()
+    cut = [[line.points for line in piece.of_role("cut")] for piece in pattern.pieces]
+    beside: list[np.ndarray] = []
+    for index, piece in enumerate(pattern.pieces):
+        yield "texts", index / len(pattern.pieces)
+        if piece.of_role("sew") and piece.texts:  # names of lines that are left out cannot be placed anew
+            near = [n for n in met(pattern.pieces, *piece.bounds) if n != index]
+            others = [*(line for n in near for line in cut[n]), *beside]
+            sheets = planned.text_sheets._replace(others=others)
+            piece = with_card_anew(piece, len(pattern.pieces), pattern.heading, pattern.units, sheets)
+            beside += [corners(text) for text in piece.texts if text.is_beside]
+        pieces.append(piece)
+    return replace(planned, pattern=replace(pattern, pieces=pieces))
 
 
 def _form(index: int) -> str:

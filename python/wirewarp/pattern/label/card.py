@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What stands on a piece."""
 
+from collections.abc import Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
 from ..geometry import innermost_point
 from ..model import LEADERS, PatternPiece, Text
 from ..units import UnitSystem
-from .leaders import Beside
+from .leaders import Beside, Box
 from .line_names import line_names
 from .room import Room
 from .text_place import place_text
@@ -17,7 +19,20 @@ TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be r
 DOWN = np.array([0.0, -1.0])
 
 
-def with_card(piece: PatternPiece, number: int, count: int, heading: str, units: UnitSystem) -> PatternPiece:
+class Sheets(NamedTuple):
+    """Sheets of paper, where a pattern lies on them. Texts stay on one sheet if there is room."""
+
+    boxes: Sequence[Box] = ()  # what they show
+    borders: Sequence[np.ndarray] = ()  # (2,2) lines in the overlaps of neighbors, not to be written over
+    others: Sequence[np.ndarray] = ()  # (k,2) closed lines around other pieces and their texts
+
+
+ANYWHERE = Sheets()
+
+
+def with_card(
+    piece: PatternPiece, number: int, count: int, heading: str, units: UnitSystem, sheets: Sheets = ANYWHERE
+) -> PatternPiece:
     """With its number and texts: a card of what a maker must know, and names along its lines.
 
     The card: heading (style and date), number of how many, name, how often to cut it, material, allowance, area.
@@ -27,11 +42,11 @@ def with_card(piece: PatternPiece, number: int, count: int, heading: str, units:
     place = f"{number} of {count}"
     name = " / ".join(filter(None, [piece.name, piece.mirrored_name]))
     lines = (heading, place, name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
-    drawn = [line.points for line in piece.of_role("wire", "grain", "sew")]
+    drawn = [*(line.points for line in piece.of_role("wire", "grain", "sew")), *sheets.borders]
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
     text = _card([tuple(line for line in lines if line.strip()), (piece.name,), (place,)], outlines, drawn)
     notches = [point.stroke for point in piece.points]
-    room, beside = Room(outlines, [*drawn, *notches], text), Beside(outlines)
+    room, beside = Room(outlines, [*drawn, *notches], text), Beside(outlines, sheets.boxes, sheets.others)
     short = [name for name in (piece.name, place) if name]
     led = None if text else beside.lead(_short_cards(short, outlines), DOWN)
     names, leaders = line_names(piece.lines, room, beside)
@@ -41,10 +56,12 @@ def with_card(piece: PatternPiece, number: int, count: int, heading: str, units:
     return replace(piece, number=number, lines=[*kept, *leaders], texts=[*text, *names])
 
 
-def with_card_anew(piece: PatternPiece, count: int, heading: str, units: UnitSystem) -> PatternPiece:
+def with_card_anew(
+    piece: PatternPiece, count: int, heading: str, units: UnitSystem, sheets: Sheets = ANYWHERE
+) -> PatternPiece:
     """As with_card, for a piece that was changed: only with texts of the kinds that it had."""
     roles = {text.role for text in piece.texts}
-    whole = with_card(piece, piece.number, count, heading, units)
+    whole = with_card(piece, piece.number, count, heading, units, sheets)
     left_out = {LEADERS[role] for role in LEADERS if role not in roles}
     return replace(
         whole,

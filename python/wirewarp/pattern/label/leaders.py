@@ -7,6 +7,7 @@ They take no room of their own: what is laid out by the cut lines alone, without
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,15 +25,26 @@ REACH = GAP / 2  # millimeters beyond the box of the cut lines: texts of two pie
 NEAR = OVERLAP - STEP
 
 
+class Box(NamedTuple):
+    low: np.ndarray  # (2,)
+    high: np.ndarray  # (2,)
+
+
 class Beside:
     """The surroundings of one piece."""
 
-    def __init__(self, outlines: Sequence[np.ndarray]) -> None:
-        """outlines (k,2): the cut lines."""
+    def __init__(
+        self, outlines: Sequence[np.ndarray], sheets: Sequence[Box] = (), others: Sequence[np.ndarray] = ()
+    ) -> None:
+        """outlines (k,2): the cut lines. sheets: a text must lie on one of them, if there are any.
+
+        others (k,2): closed lines around what lies near.
+        """
+        self._sheets, self._others = sheets, others
         self._outlines = list(outlines)
         points = np.concatenate(self._outlines)
         self._low, self._high = points.min(axis=0) - REACH, points.max(axis=0) + REACH
-        self._taken = joined([(line, np.roll(line, -1, axis=0)) for line in self._outlines])
+        self._taken = joined([(line, np.roll(line, -1, axis=0)) for line in (*self._outlines, *others)])
         self._texts: list[Text] = []
 
     def lead(self, texts: Iterable[Text], outward: np.ndarray) -> tuple[Text, Line] | None:
@@ -71,15 +83,19 @@ class Beside:
         over_line = replace(text, center=(leader[1:].mean(axis=0) + text.center) / 2)
         if touches(text, self._taken) or touches(over_line, self._taken):
             return False
-        if are_inside(text.center[None], self._outlines)[0] or touches(text, (leader[:1], leader[1:2])):
+        if are_inside(text.center[None], [*self._outlines, *self._others])[0] or touches(
+            text, (leader[:1], leader[1:2])
+        ):
             return False
         return not any(touches(other, (leader[:-1], leader[1:])) for other in self._texts)
 
     def _is_near(self, text: Text, leader: np.ndarray) -> bool:
-        """Whether no point of the text, or of the line to it, is too far from the piece."""
+        """Whether no point of the text, or of the line to it, is too far from the piece, or on another sheet."""
         first, last = strokes(text)
         edges = [np.array([first[row], last[row]]) for row in (0, -1)]
         points = np.concatenate([sampled(line, STEP) for line in (leader, *edges)])
+        if self._sheets and not any(np.all((points > box.low) & (points < box.high)) for box in self._sheets):
+            return False
         outside = points[~are_inside(points, self._outlines)]
         return bool(np.all(distances_to(outside, self._outlines) < NEAR))
 

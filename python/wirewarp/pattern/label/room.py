@@ -56,6 +56,13 @@ def axes(text: Text) -> np.ndarray:
     return np.array([[cosine, -sine], [sine, cosine]])
 
 
+def corners(text: Text) -> np.ndarray:
+    """(4,2) of the box of a text of one line."""
+    half = np.array([text_width(text.lines[0], text.height), text.height]) / 2
+    around: np.ndarray = text.center + (half * [[-1, -1], [1, -1], [1, 1], [-1, 1]]) @ axes(text).T
+    return around
+
+
 def strokes(text: Text) -> Segments:
     strokes = []
     for number, line in enumerate(text.lines):

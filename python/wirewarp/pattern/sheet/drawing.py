@@ -19,21 +19,22 @@ class Look(NamedTuple):
     dxf_layer: str  # of apparel DXF, ASTM D6673
     dxf_color: int  # of plain DXF: AutoCAD's color index
     pen: int  # of plotters
+    label: str = ""  # in the key of lines; "" of what needs none
 
 
 # Colors differ enough for cutters' programs to distinguish them by the nearest of their own.
 LOOKS = {
-    "cut": Look("Cut", "#000000", 0.5, (), "1", 1, 1),
+    "cut": Look("Cut", "#000000", 0.5, (), "1", 1, 1, "Cutting line"),
     "inner_cut": Look("Cut", "#000000", 0.5, (), "11", 1, 1),
-    "sew": Look("Sew", "#ff00ff", 0.3, (4.0, 2.0), "14", 5, 2),
-    "fold": Look("Fold", "#ff00ff", 0.3, (8.0, 2.0, 2.0, 2.0), "6", 5, 2),
-    "rigid wire": Look("Rigid Wires", "#0000ff", 0.3, (), "8", 8, 3),
-    "elastic wire": Look("Elastic Wires", "#c76b00", 0.3, (6.0, 2.0), "8", 8, 3),
-    "free wire": Look("Free Wires", "#008a78", 0.5, (0.3, 2.0), "8", 8, 3),
-    "grain": Look("Grain", "#505050", 0.3, (), "7", 8, 3),
-    "notch": Look("Notches", "#ff0000", 0.3, (), "4", 3, 4),
-    "clip": Look("Notches", "#ff0000", 0.3, (), "4", 3, 4),
-    "drill": Look("Notches", "#ff0000", 0.3, (), "13", 3, 4),
+    "sew": Look("Sew", "#ff00ff", 0.3, (4.0, 2.0), "14", 5, 2, "Stitching line"),
+    "fold": Look("Fold", "#ff00ff", 0.3, (8.0, 2.0, 2.0, 2.0), "6", 5, 2, "Fold of the fabric"),
+    "rigid wire": Look("Rigid Wires", "#0000ff", 0.3, (), "8", 8, 3, "Rigid wire"),
+    "elastic wire": Look("Elastic Wires", "#c76b00", 0.3, (6.0, 2.0), "8", 8, 3, "Elastic wire"),
+    "free wire": Look("Free Wires", "#008a78", 0.5, (0.3, 2.0), "8", 8, 3, "Free wire"),
+    "grain": Look("Grain", "#505050", 0.3, (), "7", 8, 3, "Grain"),
+    "notch": Look("Notches", "#ff0000", 0.3, (), "4", 3, 4, "Notch"),
+    "clip": Look("Notches", "#ff0000", 0.3, (), "4", 3, 4, "Clip"),
+    "drill": Look("Notches", "#ff0000", 0.3, (), "13", 3, 4, "Drill hole"),
     "card": Look("Text", "#505050", 0.3, (), "15", 7, 3),
     "line name": Look("Line Names", "#505050", 0.3, (), "15", 7, 3),
     "card leader": Look("Text", "#505050", 0.3, (), "15", 7, 3),

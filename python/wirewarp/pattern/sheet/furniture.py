@@ -6,15 +6,18 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..label import helvetica
 from ..model import Text
 from ..pattern_data import OVERLAP, PatternData
 from ..units import INCH, UnitSystem, counted
-from .drawing import Stroke
+from .drawing import LOOKS, Stroke, strokes_of
 from .papers import MARGIN, sheet_name
 from .tiles import Tile, Tiles
 
 SIZE = np.array([166.0, 158.0])  # millimeters that the squares and bars take; fits on A4 and Letter
 CORNER = 4.0
+KEY = (18.0, 150.0)  # millimeters from the lower left corner of all this to the upper left one of the key of lines
+KEY_ROWS, KEY_WIDTH, KEY_HEIGHT, KEY_SAMPLE, KEY_TEXT = 3, 44.0, 7.0, 12.0, 3.0
 TICK = 3.0
 UNIT = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 SHEET_LAYER, GRID_LAYER = "Sheets", "Grid"
@@ -30,10 +33,27 @@ class Marks(NamedTuple):
 
 
 def scale_marks(pattern: PatternData, corner: np.ndarray) -> Marks:
-    """Squares and bars to measure, and what allowance the lines include; corner (2,): their lower left one."""
+    """Squares and bars to measure, the allowance, and a key of the lines; corner (2,): their lower left one."""
     strokes, texts = _scale_block(corner, pattern.units)
+    key = _key_of_lines(pattern, corner + KEY)
     included = f"Allowance included: {pattern.allowance_text}"
-    return Marks("Scale", strokes, [*texts, Text((included,), corner + (62.0, 116.0), 4.0)])
+    texts += [Text((included,), corner + (62.0, 116.0), 4.0), *key.texts]
+    return Marks("Scale", [*strokes, *key.strokes], texts)
+
+
+def _key_of_lines(pattern: PatternData, corner: np.ndarray) -> Marks:
+    """A sample of each kind of line that is drawn; corner (2,): the upper left one."""
+    roles = {stroke.role for piece in pattern.pieces for stroke in strokes_of(piece)}
+    shown = [role for role, look in LOOKS.items() if look.label and role in roles]
+    strokes, texts = [], []
+    for number, role in enumerate(shown):
+        column, row = divmod(number, KEY_ROWS)
+        at = corner + (KEY_WIDTH * column, -KEY_HEIGHT * row)
+        label = LOOKS[role].label
+        strokes.append(Stroke(role, at + [[0.0, 0.0], [KEY_SAMPLE, 0.0]]))
+        half = helvetica.width(label.encode("ascii"), KEY_TEXT) / 2
+        texts.append(Text((label,), at + (KEY_SAMPLE + 2.0 + half, 0.0), KEY_TEXT))
+    return Marks("Scale", strokes, texts)
 
 
 def _scale_block(corner: np.ndarray, units: UnitSystem) -> tuple[list[Stroke], list[Text]]:

@@ -9,6 +9,7 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from ..checks import problem
+from ..label.card import Sheets
 from ..marker import SHEETS_APART, Marker
 from ..model import PatternPiece, Text
 from ..pattern_data import OVERLAP, PatternData
@@ -50,6 +51,7 @@ class Plan(Generic[P]):
     hidden: tuple[str, ...] = ()  # those that are shown only on request
     thinnest: float = 0.0  # millimeters, of all lines
     cover: Sheet | None = None  # comes first, and shows a map of the others
+    text_sheets: Sheets | None = None  # where sheets are taped together: those that texts should stay on
 
     @property
     def all_sheets(self) -> list[Sheet]:
@@ -170,7 +172,7 @@ def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
             paper = np.array([width, size[1] + MARGIN + corner[1]])
             place = len(sheets) + 1
             marks = partial(_marker_marks, pattern, marker, corner, size, place, number == 0, number == count - 1)
-            pieces = _met(pattern.pieces, low, low + size)
+            pieces = met(pattern.pieces, low, low + size)
             sheets.append(Sheet(str(place), low, size, paper, corner, pieces, marks, is_clipped=True))
     return Plan(pattern, sheets, (SHEET_LAYER,))
 
@@ -203,16 +205,17 @@ def _tiles(pattern: P, paper: str, keep_places: bool) -> Plan[P]:
             tiles.shown,
             tiles.paper,
             AT_MARGIN,
-            _met(tiles.pattern.pieces, tile.low, tile.low + tiles.shown),
+            met(tiles.pattern.pieces, tile.low, tile.low + tiles.shown),
             lambda tile=tile: [sheet_marks(tiles, tile.row, tile.column)],  # type: ignore[misc]
             is_clipped=True,
         )
         for tile in tiles.tiles
     ]
-    return Plan(tiles.pattern, sheets, (SHEET_LAYER,), cover=cover)
+    texts = Sheets(tiles.boxes, tiles.borders) if tiles.overlap and not pattern.marker else None
+    return Plan(tiles.pattern, sheets, (SHEET_LAYER,), cover=cover, text_sheets=texts)
 
 
-def _met(pieces: Sequence[PatternPiece], low: np.ndarray, high: np.ndarray) -> list[int]:
+def met(pieces: Sequence[PatternPiece], low: np.ndarray, high: np.ndarray) -> list[int]:
     """The indices of the pieces whose box, with its border, meets the one from low (2,) to high (2,)."""
     boxes = (piece.bounds for piece in pieces)
     return [n for n, box in enumerate(boxes) if np.all(box[0] - BORDER < high) and np.all(box[1] + BORDER > low)]

@@ -2,19 +2,24 @@
 """Divides a pattern over sheets: every piece on one sheet, or over the edges of sheets that are taped together."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 import pyclipper
 
 from ..checks import problem
 from ..geometry import GRID
+from ..label.leaders import Box
 from ..pattern_data import OVERLAP, PatternData, in_rows
 from .papers import MARGIN, SHEETS, sheet_name
+from .sheet_packing import placed_on_sheets
 
 INSET = 5.0  # round the pattern, so that no cut line falls onto the edge of what is printed
 MOST_SHEETS = 2000
+MOST_PACKED = 60  # with more sheets than this a better arrangement is not searched for: it would take seconds
+MOST_WIDTHS = 8  # about so many numbers of columns are tried, for the same reason
 P = TypeVar("P", bound=PatternData)
 
 
@@ -40,7 +45,33 @@ class Tiles(Generic[P]):
     rows: int
     columns: int
     low: np.ndarray  # (2,) lower left corner of all sheets
-    tiles: list[Tile]  # those with something on them
+    tiles: list[Tile]  # those with something on them that is on no other
+
+    @property
+    def boxes(self) -> list[Box]:
+        return [Box(tile.low, tile.low + self.shown) for tile in self.tiles]
+
+    @property
+    def borders(self) -> list[np.ndarray]:
+        """(2,2) the middle of the overlap at the left and the lower edge of each sheet that has a neighbor there.
+
+        What does not cross one lies on one sheet.
+        """
+        if not self.overlap:
+            return []
+        found = []
+        for low, high in self.boxes:
+            middle = low + self.overlap / 2
+            found += [np.array([middle, [middle[0], high[1]]])] if low[0] > self.low[0] + GRID else []
+            found += [np.array([middle, [high[0], middle[1]]])] if low[1] > self.low[1] + GRID else []
+        return found
+
+
+class Shape(NamedTuple):
+    """A piece."""
+
+    outlines: list[list[list[int]]]  # its cut lines, on Clipper's grid
+    bounds: tuple[np.ndarray, np.ndarray]
 
 
 def divided(pattern: P, paper: str, keep_places: bool) -> Tiles[P]:
@@ -78,26 +109,40 @@ def _whole(pattern: P, sheet: np.ndarray) -> Tiles[P] | None:
 
 
 def _taped(pattern: P, paper: str) -> Tiles[P]:
-    """In rows as wide as takes the fewest sheets. Raises FlattenError if these are too many."""
+    """On the fewest sheets of all arrangements that are tried. Raises FlattenError if these are too many."""
     sizes = np.array([piece.size for piece in pattern.pieces])
-    best: tuple[int, float, np.ndarray] | None = None
+    in_row: tuple[int, float, np.ndarray] | None = None
+    tried = []
     for upright in (SHEETS[paper], SHEETS[paper][::-1]):
         sheet = np.array(upright)
         step = sheet - 2 * MARGIN - OVERLAP
         first = max(1, math.ceil((sizes[:, 0].max() + 2 * INSET - OVERLAP) / step[0]))
         about_square = math.ceil(math.sqrt(float(np.prod(pattern.size))) / step[0])
-        for columns in range(first, max(first, 2 * about_square) + 1):
+        widths = range(first, max(first, 2 * about_square) + 1)
+        tried.append((sheet, widths[:: 1 + len(widths) // MOST_WIDTHS]))
+        for columns in widths:
             width = columns * step[0] + OVERLAP - 2 * INSET
             taken = (in_rows(sizes, width) + sizes).max(axis=0)
             count = int(np.prod(_counts(taken, step)))
-            if best is None or count < best[0]:
-                best = (count, width, sheet)
+            if in_row is None or count < in_row[0]:
+                in_row = (count, width, sheet)
             if count > MOST_SHEETS:  # so many columns that it takes long to go through them
                 break
-    assert best is not None
-    count, width, sheet = best
+    assert in_row is not None
+    count, width, sheet = in_row
     _check_count(count, pattern)
-    return _with_tiles(pattern.arranged(width), sheet)
+    rows = _with_tiles(pattern.arranged(width), sheet)
+    if len(rows.tiles) > MOST_PACKED:
+        return rows
+    outlines = [[line.points - piece.bounds[0] for line in piece.of_role("cut")] for piece in pattern.pieces]
+    best = rows
+    for sheet, widths in tried:
+        step = sheet - 2 * MARGIN - OVERLAP
+        placed = placed_on_sheets(outlines, step, INSET, widths, len(best.tiles))
+        if placed:
+            packed = _with_tiles(pattern.with_corners(placed.corners), sheet, placed.columns)
+            best = min(best, packed, key=lambda plan: len(plan.tiles))
+    return best
 
 
 def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
@@ -113,30 +158,57 @@ def _check_count(count: int, pattern: PatternData) -> None:
         raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets; see millimeters_per_unit.")
 
 
-def _with_tiles(pattern: P, sheet: np.ndarray) -> Tiles[P]:
+def _with_tiles(pattern: P, sheet: np.ndarray, columns: int | None = None) -> Tiles[P]:
+    """columns: of sheets from 0, 0 on, to the right and upwards; None: as many as it takes, from the upper left."""
     shown = sheet - 2 * MARGIN
     step, top = shown - OVERLAP, pattern.size[1] + INSET
-    columns, rows = _counts(pattern.size, step).tolist()
+    if columns is None:
+        columns, rows = _counts(pattern.size, step).tolist()
+        lowest = np.array([-INSET, top - (rows - 1) * step[1] - shown[1]])
+    else:
+        rows = int(np.ceil((pattern.bounds[1][1] + INSET - OVERLAP) / step[1] - 1e-9))
+        lowest = np.zeros(2)
     _check_count(columns * rows, pattern)
-    shapes = [([line.points for line in piece.of_role("cut")], piece.bounds) for piece in pattern.pieces]
+    shapes = [
+        Shape([np.rint(line.points / GRID).astype(np.int64).tolist() for line in piece.of_role("cut")], piece.bounds)
+        for piece in pattern.pieces
+    ]
     tiles = []
     for row in range(rows):
         for column in range(columns):
-            low = np.array([column * step[0] - INSET, top - row * step[1] - shown[1]])
-            if any(_shows(low, low + shown, cut, bounds) for cut, bounds in shapes):
+            low = lowest + (column, rows - 1 - row) * step
+            if any(_shows(low, low + shown, shape) for shape in shapes):
                 tiles.append(Tile(row, column, low))
-    lowest = np.array([-INSET, top - (rows - 1) * step[1] - shown[1]])
-    return Tiles(pattern, sheet, shown, OVERLAP, rows, columns, lowest, tiles)
+    return Tiles(pattern, sheet, shown, OVERLAP, rows, columns, lowest, _needed(tiles, shown, shapes))
 
 
-def _shows(low: np.ndarray, high: np.ndarray, cut: list[np.ndarray], bounds: tuple[np.ndarray, np.ndarray]) -> bool:
-    """Whether a sheet from low to high shows a part of a piece."""
-    if np.any(bounds[0] >= high) or np.any(bounds[1] <= low):
+def _needed(tiles: list[Tile], shown: np.ndarray, shapes: Sequence[Shape]) -> list[Tile]:
+    """Without the sheets of which all is on others: the overlap of two sheets is on both."""
+    kept = list(tiles)
+    for tile in tiles:
+        others = [other for other in kept if other != tile and np.all(np.abs(other.low - tile.low) < shown)]
+        boxes = [_box(other.low, other.low + shown) for other in others]
+        if not any(_shows(tile.low, tile.low + shown, shape, boxes) for shape in shapes):
+            kept.remove(tile)
+    return kept
+
+
+def _box(low: np.ndarray, high: np.ndarray) -> list[list[int]]:
+    corners = np.array([low, [high[0], low[1]], high, [low[0], high[1]]])
+    return np.rint(corners / GRID).astype(np.int64).tolist()
+
+
+def _shows(low: np.ndarray, high: np.ndarray, shape: Shape, others: Sequence[list[list[int]]] = ()) -> bool:
+    """Whether a sheet from low to high shows a part of a piece that is on none of the other sheets."""
+    if np.any(shape.bounds[0] >= high) or np.any(shape.bounds[1] <= low):
         return False
+    part = _clipped(shape.outlines, [_box(low, high)], pyclipper.CT_INTERSECTION)
+    return bool(_clipped(part, others, pyclipper.CT_DIFFERENCE) if part and others else part)
+
+
+def _clipped(paths: list[list[list[int]]], by: Sequence[list[list[int]]], how: int) -> list[list[list[int]]]:
     clipper = pyclipper.Pyclipper()
-    box = np.array([low, [high[0], low[1]], high, [low[0], high[1]]])
-    clipper.AddPath(np.rint((box - low) / GRID).astype(np.int64).tolist(), pyclipper.PT_CLIP, True)
-    clipper.AddPaths(
-        [np.rint((line - low) / GRID).astype(np.int64).tolist() for line in cut], pyclipper.PT_SUBJECT, True
-    )
-    return bool(clipper.Execute(pyclipper.CT_INTERSECTION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO))
+    clipper.AddPaths(paths, pyclipper.PT_SUBJECT, True)
+    clipper.AddPaths(by, pyclipper.PT_CLIP, True)
+    found: list[list[list[int]]] = clipper.Execute(how, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)
+    return found

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Places pieces over sheets that are taped together so that they take the fewest sheets.
+
+The sheets are divided into cells. Each piece goes where it needs the fewest sheets that no piece before it needs; a
+piece that ends in the overlap of two sheets needs one of them. Nothing is turned.
+"""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..geometry import are_inside, sampled
+from ..pattern_data import OVERLAP
+
+CELL = OVERLAP  # millimeters, about: the overlap of two sheets is one cell
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A piece over cells. A sheet has n by m of them."""
+
+    cells: np.ndarray  # (columns, rows) bool
+    needed: np.ndarray  # (n, m, columns, rows) bool: the sheets that it needs if it begins in that cell of a sheet
+
+
+class Placed(NamedTuple):
+    sheets: int  # how many are needed
+    columns: int
+    corners: np.ndarray  # (p,2) lower left corners of the pieces, from that of the lowest, leftmost sheet
+
+
+def placed_on_sheets(
+    outlines: Sequence[Sequence[np.ndarray]], step: np.ndarray, inset: float, columns: Iterable[int], fewest: int
+) -> Placed | None:
+    """The best of the arrangements on these columns of sheets; None if none takes less than the fewest sheets so far.
+
+    outlines: of each piece, with its lower left corner at 0, 0. step (2,): from a sheet to the next one. inset:
+    millimeters from the edge of what is printed to the nearest piece, and half of those between pieces.
+    """
+    per_sheet = np.maximum(np.rint(step / CELL), 2).astype(int)
+    cell = step / per_sheet
+    shapes = [_shape(own, cell, per_sheet, inset) for own in outlines]
+    sizes = [shape.cells.shape for shape in shapes]
+    orders = [
+        sorted(range(len(shapes)), key=lambda k: -sizes[k][0] * sizes[k][1]),
+        sorted(range(len(shapes)), key=lambda k: -sizes[k][1]),
+    ]
+    best = None
+    for count in columns:
+        if max(width for width, _ in sizes) > count * per_sheet[0] + 1:  # the last sheet shows its overlap, too
+            continue
+        for order in orders:
+            cells = _placed([shapes[k] for k in order], count, per_sheet, best.sheets if best else fewest)
+            if cells:
+                corners = np.zeros((len(shapes), 2))
+                corners[order] = cells[1] * cell + inset
+                best = Placed(cells[0], count, corners)
+    return best
+
+
+def _placed(shapes: Sequence[Shape], columns: int, per_sheet: np.ndarray, fewest: int) -> tuple[int, np.ndarray] | None:
+    """The number of sheets, and the cells (p,2) in which the pieces begin; None if it takes as many as the fewest."""
+    width = columns * per_sheet[0] + 1
+    taken = np.zeros((width, 0), dtype=bool)  # cells of pieces
+    used = np.zeros((columns, 0), dtype=bool)  # sheets
+    corners = []
+    for shape in shapes:
+        more = -(-shape.cells.shape[1] // per_sheet[1]) + 1  # rows of sheets for this piece above all others
+        taken = np.pad(taken, ((0, 0), (0, more * per_sheet[1])))
+        used = np.pad(used, ((0, 0), (0, more)))
+        cost = _new_sheets(used, shape.needed, per_sheet)
+        collides = _collides(taken, shape.cells)
+        fits = tuple(slice(min(sizes)) for sizes in zip(cost.shape, collides.shape, strict=True))
+        cost = np.where(collides[fits], np.iinfo(np.int64).max, cost[fits])
+        x, y = np.nonzero(cost == cost.min())
+        lowest = np.lexsort((x, y))[0]  # the leftmost of these
+        at = np.array([x[lowest], y[lowest]])
+        corners.append(at)
+        _mark(taken, shape.cells, at)
+        sheet, within = np.divmod(at, per_sheet)
+        _mark(used, shape.needed[within[0], within[1]], sheet)
+        if used.sum() >= fewest:
+            return None
+        rows = int(np.flatnonzero(used.any(axis=0)).max()) + 1
+        used, taken = used[:, :rows], taken[:, : (rows * per_sheet[1] + 1)]
+    return int(used.sum()), np.array(corners)
+
+
+def _mark(whole: np.ndarray, part: np.ndarray, at: np.ndarray) -> None:
+    """What of the part lies on the whole, where it begins at `at` (2,)."""
+    target = whole[at[0] : at[0] + part.shape[0], at[1] : at[1] + part.shape[1]]
+    target |= part[: target.shape[0], : target.shape[1]]
+
+
+def _collides(taken: np.ndarray, cells: np.ndarray) -> np.ndarray:
+    """By the cell in which a piece begins, whether it would lie on others."""
+    shape = [_quick(size) for size in taken.shape]  # what runs over the far edges does not fit anyway
+    product = np.fft.rfft2(taken, shape) * np.conj(np.fft.rfft2(cells, shape))
+    counts = np.fft.irfft2(product, shape)
+    fits = [size - own + 1 for size, own in zip(taken.shape, cells.shape, strict=True)]
+    found: np.ndarray = counts[: fits[0], : fits[1]] > 0.5
+    return found
+
+
+def _quick(size: int) -> int:
+    """The next size whose only prime factors are 2, 3 and 5: others take a Fourier transform several times as long."""
+    while True:
+        rest = size
+        for prime in (2, 3, 5):
+            while rest % prime == 0:
+                rest //= prime
+        if rest == 1:
+            return size
+        size += 1
+
+
+def _new_sheets(used: np.ndarray, needed: np.ndarray, per_sheet: np.ndarray) -> np.ndarray:
+    """By the cell in which a piece begins, how many sheets it needs that are not used yet."""
+    n, m, columns, rows = needed.shape
+    unused = np.pad(~used, ((0, columns), (0, rows)), constant_values=True)
+    windows = np.lib.stride_tricks.sliding_window_view(unused, (columns, rows))[: used.shape[0], : used.shape[1]]
+    costs = np.tensordot(windows.astype(np.int64), needed.astype(np.int64), axes=([2, 3], [2, 3]))  # sheets, cells
+    found: np.ndarray = costs.transpose(0, 2, 1, 3).reshape(used.shape[0] * n, used.shape[1] * m)
+    return found
+
+
+def _shape(outlines: Sequence[np.ndarray], cell: np.ndarray, per_sheet: np.ndarray, inset: float) -> Shape:
+    points = [sampled(np.concatenate([line, line[:1]]), float(cell.min()) / 2) for line in outlines]
+    high = np.max([line.max(axis=0) for line in outlines], axis=0)
+    size = np.ceil((high + 2 * inset) / cell - 1e-9).astype(int)
+    centers = np.stack(np.meshgrid(*(np.arange(count) + 0.5 for count in size), indexing="ij"), axis=-1)
+    cells = are_inside(centers.reshape(-1, 2) * cell - inset, outlines).reshape(size)
+    around = np.array([[x, y] for x in (0, 1, 2) for y in (0, 1, 2)]) * inset * (1 - 1e-9)
+    border = (np.concatenate(points)[:, None] + around).reshape(-1, 2)
+    cells[tuple(np.minimum((border / cell).astype(int), size - 1).T)] = True
+    return Shape(cells, _needed(cells, per_sheet))
+
+
+def _needed(cells: np.ndarray, per_sheet: np.ndarray) -> np.ndarray:
+    """See Shape. What lies in the first cells of a sheet alone is shown by the sheet before it."""
+    sums = np.pad(cells.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
+    ends = []
+    for count, own in zip(cells.shape, per_sheet.tolist(), strict=True):
+        begin, sheet = np.arange(own)[:, None], np.arange(-(-(count + own) // own))
+        ends.append([np.clip(at - begin, 0, count) for at in (sheet * own + 1, (sheet + 1) * own)])
+    (left, right), (below, above) = ends
+    counts = [sums[x][:, :, y] for x, y in ((right, above), (left, above), (right, below), (left, below))]
+    inside = counts[0] - counts[1] - counts[2] + counts[3]  # by cell and sheet across, then by cell and sheet upwards
+    found: np.ndarray = (inside > 0).transpose(0, 2, 1, 3)
+    return found
