@@ -3,6 +3,7 @@
 
 from types import SimpleNamespace
 
+import bmesh
 import bpy
 import numpy as np
 import pytest
@@ -298,7 +299,7 @@ def test_a_model_without_marks_of_which_nothing_could_be_flattened_is_drawn(addo
     assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)
 
 
-def look(addon, source, eye, target, perspective=True):
+def look(addon, source, eye, target, perspective=True, xray=False):
     """The names in a region of 800 by 600 pixels, by text, seen from one point to another."""
     forward = (Vector(target) - Vector(eye)).normalized()
     view = (Matrix.Translation(eye) @ forward.to_track_quat("-Z", "Y").to_matrix().to_4x4()).inverted()
@@ -307,7 +308,12 @@ def look(addon, source, eye, target, perspective=True):
     else:  # 8 units wide
         window = Matrix.Diagonal((1 / 4, 1 / 3, -0.01, 1))
     data = SimpleNamespace(view_matrix=view, perspective_matrix=window @ view, is_perspective=perspective)
-    context = SimpleNamespace(region=SimpleNamespace(width=800, height=600), region_data=data)
+    context = SimpleNamespace(
+        region=SimpleNamespace(width=800, height=600),
+        region_data=data,
+        space_data=SimpleNamespace(shading=SimpleNamespace(type="SOLID", show_xray=xray)),
+        view_layer=bpy.context.view_layer,
+    )
     drawing = addon.overlay.shown.Drawing(source, lines_of(addon, source), None, None)
     return {name.texts[-1]: name for name in addon.overlay.view3d._names_in_view(context, drawing)}
 
@@ -328,6 +334,28 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
     aside = look(addon, source, (right, 0, 1.5), (right, 0, 0), perspective)
     assert len(aside["Waist"].points) < len(above["Waist"].points)  # those that are left are in the region
     assert np.all((aside["Waist"].points >= 0) & (aside["Waist"].points <= (800, 600)))
+
+
+@pytest.mark.parametrize("perspective", [True, False])
+def test_names_behind_another_part_of_the_model_are_not_written(addon, perspective):
+    """A sheet with a wire, and above it a larger one of the same object."""
+    source = grid("Low", lambda x, y: (x, y, 0.0))
+    mark(source, on_line(1, 0.0))
+    high = grid("High", lambda x, y: (3 * x, 3 * y, 1.0))
+    select_only(source, high)
+    bpy.context.view_layer.objects.active = source
+    bpy.ops.object.join()
+    bpy.context.view_layer.update()
+    assert "Wire 1" not in look(addon, source, (0, 0, 4), (0, 0, 0), perspective)
+    assert "Wire 1" in look(addon, source, (0, 0, 4), (0, 0, 0), perspective, xray=True)
+    edit = bmesh.new()
+    edit.from_mesh(source.data)
+    bmesh.ops.delete(edit, geom=[vertex for vertex in edit.verts if vertex.co.z > 0.5], context="VERTS")
+    edit.to_mesh(source.data)
+    edit.free()
+    bpy.context.view_layer.update()
+    addon.state.drawings.forget()
+    assert "Wire 1" in look(addon, source, (0, 0, 4), (0, 0, 0), perspective)
 
 
 def test_all_names_of_the_piece_that_is_chosen_in_the_list_are_written(addon):

@@ -20,6 +20,7 @@ NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
 # What differs less, of the distance, is at one depth: twice the step of a buffer of 24 bits where the view begins at
 # one unit of length, in perspective. Views begin at 0.01 units, so it is 1e-5 of each unit of distance.
 DEPTH_STEP = 2 / 2**24
+HIDDEN_BY = 0.005  # of the distance from the eye: what is nearer to a place than this is its own surface
 MOST_APART = 8.0  # times the usual: lines on the back of a cushion must not shine through
 
 
@@ -108,6 +109,8 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
     toward_eye = eye[:3, 3] - places if view.is_perspective else eye[:3, 2]
     points, seen = _in_region(context, places)
     seen &= (normals * toward_eye).sum(axis=1) >= 0
+    if _may_hide_itself(context, drawing.target):
+        seen[seen] = ~_are_behind(context, drawing.target, places[seen], toward_eye)
     counts = [len(name.places) for name in names]
     reach = np.repeat([name.reach for name in names], counts)[:, None] * matrix.median_scale
     reaches = np.linalg.norm(_in_region(context, places + eye[:3, 0] * reach)[0] - points, axis=1)
@@ -124,6 +127,31 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
         owner = drawing.target.name_full, name.piece
         is_selected = name.is_selected or name.piece == chosen
         yield PlacedName(name.texts, own[own_seen], reach, owner, room, box, is_selected)
+
+
+def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bool:
+    """Whether parts of the model lie before others; in Edit Mode there is no surface to ask."""
+    shading = context.space_data.shading
+    is_solid = shading.type != "WIREFRAME" and not shading.show_xray
+    return is_solid and target.mode == "OBJECT" and model_of(target) is None
+
+
+def _are_behind(
+    context: bpy.types.Context, target: bpy.types.Object, places: np.ndarray, toward_eye: np.ndarray
+) -> np.ndarray:
+    """A mask (n,) of the places (n,3) of the model's surface that other parts of it hide; toward_eye: see caller."""
+    surface, inverse = target.evaluated_get(context.view_layer.depsgraph), target.matrix_world.inverted_safe()
+    if context.region_data.is_perspective:
+        eyes = np.tile(context.region_data.view_matrix.inverted_safe().translation, (len(places), 1))
+    else:
+        eyes = places + 2 * max(target.dimensions) * toward_eye
+    linear, shift = np.array(inverse)[:3, :3], np.array(inverse)[:3, 3]
+    begins, ends = eyes @ linear.T + shift, places @ linear.T + shift
+    lengths = np.linalg.norm(ends - begins, axis=1)
+    return np.array([
+        length > 0 and surface.ray_cast(begin, (end - begin) / length, distance=(1 - HIDDEN_BY) * length)[0]
+        for begin, end, length in zip(begins.tolist(), ends, lengths.tolist(), strict=True)
+    ], dtype=bool)  # fmt: skip
 
 
 def _chosen_piece(target: bpy.types.Object) -> int | None:
