@@ -119,6 +119,8 @@ def write_sample(shape: Shape) -> Path:
     units.system, units.length_unit = "METRIC", "MILLIMETERS"
     model = bpy.data.objects.new(shape.name, add_mesh(shape))
     bpy.context.scene.collection.objects.link(model)
+    for name, vertices in shape.groups.items():
+        model.vertex_groups.new(name=name).add(vertices, 1.0, "REPLACE")
     if settings(shape):
         bpy.context.scene["wirewarp"] = settings(shape)
     bpy.context.view_layer.objects.active = model

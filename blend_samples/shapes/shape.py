@@ -42,6 +42,7 @@ class Shape:
     cloth: str = ""  # a name of wirewarp.Cloth.presets() that stretches far enough; none: any fabric does
     stretch: tuple[float, float] = (0.0, 0.0)  # how far that cloth is stretched when worn, across and along the grain
     fairness: float = FAIRNESS  # of wirewarp.Options
+    groups: dict[str, list[int]] = field(default_factory=dict)  # vertices of parts that pieces are named after
 
     def triangles(self) -> np.ndarray:
         """(m, 3) triangles; quads are cut from their first to their third corner, as Blender cuts them."""
@@ -69,6 +70,7 @@ class ShapeBuilder:
         self._seams: set[tuple[int, int]] = set()
         self._wires: list[Wire] = []
         self._eases: list[Ease] = []
+        self._groups: dict[str, np.ndarray] = {}
 
     def add_points(self, points: np.ndarray) -> np.ndarray:
         """Vertex indices of an array of points (..., 3), in an array of shape (...)."""
@@ -138,6 +140,10 @@ class ShapeBuilder:
         """Makes one side of a chain of vertices longer: that of the faces to its left, seen from outside."""
         self._eases.append(Ease(np.column_stack([chain[:-1], chain[1:]]), ratio))
 
+    def add_group(self, vertices: np.ndarray, name: str) -> None:
+        """Pieces with these vertices get this name."""
+        self._groups[name] = np.unique(vertices)
+
     def build(
         self, name: str, cloth: str = "", stretch: tuple[float, float] = (0.0, 0.0), fairness: float = FAIRNESS
     ) -> Shape:
@@ -149,4 +155,5 @@ class ShapeBuilder:
         seams = number[np.array(sorted(self._seams), dtype=np.int64).reshape(-1, 2)]
         wires = [Wire(number[wire.vertices].tolist(), wire.name, wire.tolerance) for wire in self._wires]
         eases = [Ease(number[ease.half_edges], ease.ratio) for ease in self._eases]
-        return Shape(name, np.array(self._points)[used], faces, seams, wires, eases, cloth, stretch, fairness)
+        groups = {part: number[vertices].tolist() for part, vertices in self._groups.items()}
+        return Shape(name, np.array(self._points)[used], faces, seams, wires, eases, cloth, stretch, fairness, groups)

@@ -41,6 +41,7 @@ def fitted_top(
     for arm, name in ((1, "Left"), (-1, "Right")):
         grid = builder.add_grid(_sleeve(loop, sleeve) * [arm, 1, 1], flip=arm > 0)
         builder.add_seam(grid[:, 0])
+        builder.add_group(grid, f"{name} sleeve")
         builder.add_wire(grid[::-1, armhole], f"{name} sleeve middle")
         builder.add_wire(grid[sleeve // 2], f"{name} biceps line")
     return builder.build("Fitted top", cloth="jersey")

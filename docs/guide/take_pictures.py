@@ -253,7 +253,7 @@ def allowance() -> drive.Tour:
     edit = bmesh.from_edit_mesh(flat_pieces.data)
     seam, piece = edit.edges.layers.int["wirewarp_seam"], edit.faces.layers.int["piece"]
     names = [each.name for each in source.wirewarp_pieces]
-    sleeves = {index for index, name in enumerate(names) if name in {"Left", "Right"}}
+    sleeves = {index for index, name in enumerate(names) if name in {"Left sleeve", "Right sleeve"}}
     others = {edge[seam] for edge in edit.edges if edge.is_boundary and edge.link_faces[0][piece] not in sleeves}
     for edge in edit.edges:
         is_sleeve = edge.is_boundary and edge.link_faces[0][piece] in sleeves

@@ -107,6 +107,12 @@ def test_the_swimsuit_is_cut_shorter_by_the_stretch_along_its_grain(tmp_path):
         assert wires[name]["length_2d_m"] == pytest.approx([wires[name]["length_3d_m"] / along], rel=1e-6)
 
 
+def test_the_sleeves_of_the_top_are_called_sleeves(tmp_path):
+    open_sample("fitted_top")
+    names = [piece["name"] for piece in flatten_as_the_file_says(tmp_path)["pieces"]]
+    assert sorted(names) == ["Back", "Front", "Left sleeve", "Right sleeve"]
+
+
 def test_the_sleeve_head_alone_is_eased(tmp_path):
     open_sample("set-in_sleeve")
     report = flatten_as_the_file_says(tmp_path)
