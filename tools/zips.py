@@ -28,6 +28,7 @@ EXTENSION_MODULE = f"bl_ext.user_default.{ADDON['id']}"
 LEGACY_TAG = "cp311"
 NEWEST_TAG = "cp313"
 FIRST_BLENDER_ON_NEWEST = "5.1.0"
+SAMPLES = ("cushion", "fitted_top", "jeans", "carnival_mask")  # that Open Sample offers
 PLATFORMS = {  # how the tag of a wheel looks: Blender's word for it
     r"manylinux_\d+_\d+_x86_64": "linux-x64",
     r"manylinux_\d+_\d+_aarch64": "linux-arm64",
@@ -95,6 +96,8 @@ def addon_files() -> dict[str, bytes]:
         if path.is_file() and "__pycache__" not in path.parts
     }
     files["__init__.py"] = with_version(files["__init__.py"].decode()).encode()
+    for name in SAMPLES:
+        files[f"samples/{name}.blend"] = (ROOT / "blend_samples" / f"{name}.blend").read_bytes()
     for name in PROJECT["project"]["license-files"]:
         files[name] = (ROOT / name).read_bytes()
     return files

@@ -16,13 +16,12 @@ OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # where a side is what is
 class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
     bl_label = "Mark"
 
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.active_object is not None and context.active_object.type == "MESH"
+
     def draw(self, context: bpy.types.Context) -> None:
-        layout = self.layout
-        active = context.active_object
-        if active is None or active.type != "MESH":
-            draw_sentence(context, layout, "Select a mesh to mark seams and wires on it.", "INFO")
-            return
-        model = model_of(active)
+        layout, model = self.layout, model_of(context.active_object)
         if model:
             sentence = (
                 f'These are the flat pieces of "{model.name}". Select that to mark seams and wires. In Edit Mode of '

@@ -4,12 +4,13 @@
 May import: suggest, flatten, marks, overlay, ui, state, solve, blender, properties, core, issues, words.
 """
 
-from . import check, export_panel, fabrics, flatten_panel, mend, operators, panel, piece_list
+from . import check, export_panel, fabrics, first_steps, flatten_panel, mend, operators, panel, piece_list
 
 MODULES = (
     operators,
     mend,
     check,
+    first_steps,
     fabrics,
     flatten_panel,
     export_panel,

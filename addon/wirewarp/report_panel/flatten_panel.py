@@ -5,7 +5,7 @@ import bpy
 
 from ..blender.units import likely_units, strange_size, unit_of_height, unit_text
 from ..core import Kind, as_seen
-from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
+from ..flatten.auto_update import EDIT_LIMIT, is_due, is_left, waits_for_object_mode
 from ..issues import ObjectError
 from ..marks.wire_list import shown_wires
 from ..solve.report import ObjectReport
@@ -21,8 +21,10 @@ from ..ui.settings import draw_settings, settings_sentence
 from ..ui.shown import untrue_sentence
 from ..ui.window_run import FLATTEN
 from .fabrics import ICON, VIEW3D_MT_wirewarp_fabrics
+from .first_steps import draw_first_steps
 from .next_step import CHECK, SHOW, NextStep, next_step, piece_to_cut, uv_step, wants_seams
 
+DUE = "Auto: the pieces follow when the mouse moves."
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
 FABRIC_HELPS = (Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC)
 WAITS = f"Of more than {EDIT_LIMIT:,} vertices: Auto waits until you leave Edit Mode."
@@ -42,7 +44,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
         active = context.active_object
         if active is None or active.type != "MESH":
-            draw_sentence(context, layout, "Select a mesh.", "INFO")
+            draw_first_steps(context, layout)
             return
         source = model_or_self(active)
         _draw_size(context, layout, source)
@@ -79,10 +81,14 @@ def _draw_state(
 ) -> None:
     untrue = untrue_sentence(context.active_object, source, report)
     if untrue:
+        is_auto = context.scene.wirewarp.auto_update
+        if is_auto and is_due(context.scene):
+            draw_sentence(context, layout, DUE, "FILE_REFRESH")
+            return
         warning = layout.column()
         warning.alert = True
         draw_sentence(context, warning, untrue, "ERROR")
-        if context.scene.wirewarp.auto_update and is_left(source):
+        if is_auto and is_left(source):
             draw_sentence(context, layout, LEFT, "INFO")
         return
     left_out = _left_out(context, source, report)

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""For a file without a model: a sample to try, and a guide of six steps."""
+
+from pathlib import Path
+
+import bpy
+from bpy.props import EnumProperty
+
+from ..blender.views import show_objects, work_area
+from ..state.settings import FlattenSettings
+from ..ui.layout import draw_sentence
+
+FOLDER = Path(__file__).parent.parent / "samples"
+SAMPLES = [  # files of that folder, the plainest first
+    ("CUSHION", "Cushion", "Six pieces that any fabric can do"),
+    ("FITTED_TOP", "Fitted Top", "Four pieces of jersey, with lines that keep their length"),
+    ("JEANS", "Jeans", "Seven pieces of woven cotton"),
+    ("CARNIVAL_MASK", "Carnival Mask", "One piece of leather with two holes"),
+]
+STEPS = (
+    "1. Open a sample, or select your model and press Mark This Model.",
+    "2. Select the edges where the fabric is cut (Alt+click selects a whole line), and press Mark Seam.",
+    "3. Select lines that must keep their length, and press Rigid.",
+    "4. Choose the fabric, and press Flatten.",
+    "5. Read the sentence below Flatten. If it is not green, press a button below it.",
+    "6. Press Export Pattern, and print at 100%.",
+)
+WIDTH = 420  # of the guide, in Blender's own pixels
+
+
+class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
+    """Add a sample model with its seams, wires and fabric to this file"""
+
+    bl_idname = "object.wirewarp_open_sample"
+    bl_label = "Open Sample"
+    bl_options = {"REGISTER", "UNDO"}
+
+    sample: EnumProperty(name="Sample", description="Which model to add", items=SAMPLES)
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        return context.mode == "OBJECT" and context.scene.library is None
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        scene, is_first = context.scene, not any(each.type == "MESH" for each in context.scene.objects)
+        path = FOLDER / f"{self.sample.lower()}.blend"
+        with bpy.data.libraries.load(str(path)) as (held, loaded):
+            loaded.scenes = held.scenes
+        (sample_scene,) = loaded.scenes
+        (model,) = sample_scene.objects
+        for name in FlattenSettings.__annotations__:
+            setattr(scene.wirewarp, name, getattr(sample_scene.wirewarp, name))
+        if is_first:
+            scene.unit_settings.length_unit = sample_scene.unit_settings.length_unit
+        context.collection.objects.link(model)
+        bpy.data.scenes.remove(sample_scene)
+        for other in context.selected_objects:
+            other.select_set(False)
+        context.view_layer.objects.active = model
+        model.select_set(True)
+        area = work_area(context)
+        if area:
+            context.view_layer.update()
+            show_objects(context, area, [model])
+        return {"FINISHED"}
+
+
+class WM_OT_wirewarp_guide(bpy.types.Operator):
+    """Show the way from a model to a pattern in six steps"""
+
+    bl_idname = "wm.wirewarp_guide"
+    bl_label = "Guide"
+    bl_options = {"INTERNAL"}
+
+    def execute(self, _context: bpy.types.Context) -> set[str]:
+        return {"FINISHED"}
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        return context.window_manager.invoke_popup(self, width=WIDTH)
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        for step in STEPS:
+            self.layout.label(text=step)
+
+
+def draw_first_steps(context: bpy.types.Context, layout: bpy.types.UILayout) -> None:
+    draw_sentence(context, layout, "Select a mesh, or try a sample.", "INFO")
+    layout.operator_menu_enum("object.wirewarp_open_sample", "sample", icon="FILE_FOLDER")
+    layout.operator("wm.wirewarp_guide", icon="HELP")
+
+
+CLASSES = (OBJECT_OT_wirewarp_open_sample, WM_OT_wirewarp_guide)
