@@ -200,7 +200,7 @@ def page(
     most = arguments.most_triangles
     which = (
         f"Here are all {len(meshes)} of at most {most:,} triangles of the {all_meshes} in the benchmark; the others "
-        "are not measured, for want of time."
+        "are not measured, because the runs would have taken too long."
         if most
         else f"Here are all {all_meshes} of them."
     )

@@ -163,7 +163,7 @@ def document(benchmarks: list[dict], in_blender: dict, peers: dict[str, list[Com
         "",
         f"Machine: {machine()}. Commit: {commit()}.",
         "",
-        "## What was to be reached",
+        "## Performance targets",
         "",
         "Ratios are of CPU seconds on one core; seconds and exponents of the core by itself are by the clock, with two "
         "cores where there are as many.",

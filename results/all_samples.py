@@ -56,8 +56,8 @@ def faults(found: dict[str, dict[str, Summary]]) -> str:
         if any(s.flipped or s.overlapping for s in row.values())
     ]
     if not rows:
-        return "**Triangles turned over:** none by any method on any sample, and no piece overlaps itself."
-    return f"""**Triangles turned over / overlapping others of their piece;** none on the samples not listed.
+        return "**Flipped triangles:** none by any method on any sample, and no piece overlaps itself."
+    return f"""**Flipped triangles / overlapping others of their piece;** none on the samples not listed.
 
 {table(["", *METHODS], rows)}"""
 

@@ -25,7 +25,7 @@ DRAWN = {  # degrees the model is turned and tipped, inches for a flattening, it
 NOISE = 1e-9  # an energy below it is that of a shape without distortion
 SEEN = math.radians(0.05)  # a difference of angles that the table shows
 HEADER = ["", "*E*: WireWarping++", "Refined", "ratio", "angles, rms / largest: WireWarping++", "Refined"]
-HEADER += ["turned over: WireWarping++", "Refined", "factorizations"]
+HEADER += ["flipped: WireWarping++", "Refined", "factorizations"]
 
 
 def row(name: str, before: Summary, after: Summary) -> list[str]:
@@ -80,12 +80,12 @@ def section(inputs: Inputs) -> str:
     return f"""## Beyond the paper
 
 WireWarping finds the angles of wires and outline first, those closest to the surface's, and the shape follows from
-them. The refined method, which WireWarp uses unless told otherwise, looks for the least distorted shape among all that
+them. The refined method, WireWarp's default, looks for the least distorted shape among all that
 have the same exact lengths, and weighs the angles against *E* only so far as lines stay smooth
 (`native/README.md`). With the same tolerances *E* of WireWarping++ is {times[least]:.1f} ({least}) to
 {times[most]:.1f} times ({most}) that of the refined method; every edge of outlines, rigid
 and elastic wires still has its length, to less than 1e{edge} of it, and
-{count(flipped, "triangle is", "triangles are")} turned over or overlapping.
+{count(flipped, "triangle is", "triangles are")} flipped or overlapping.
 {angle_sentence(found)}
 
 {table(HEADER, [row(name, *both) for name, both in found.items()])}

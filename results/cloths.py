@@ -150,7 +150,7 @@ A woven has stiff threads and is easily sheared. Flattened for it, the more stra
 {woven} times as much as without a cloth (99th percentiles), and {best} times in the direction in which the energy is
 least. Shear and the ARAP energy, which count all directions alike, pay for it: *E* is {range_of(energy)} times as
 large. A jersey gives more across than along: its strain along is lower than without a cloth on {lower} of the
-{len(found)} samples. {", ".join(unfolded)} are unfolded and ask nothing of any cloth. In time of the processor, all
+{len(found)} samples. {", ".join(unfolded)} are unfolded and put no strain on any fabric. In time of the processor, all
 samples together take {times} as without a cloth.
 
 **What to choose.** Without a cloth, for materials that resist alike in all directions: felt, paper, leather of unknown

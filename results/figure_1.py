@@ -22,7 +22,7 @@ CASES = {  # method and tolerances
     f"Refined:\nboth elastic, ±{100 * TOLERANCE:.0f}%": ("refined", BOTH),
 }
 DRAWN = 4  # the first
-HEADER = ["", "*E*", "max *E_r*", "Meridian", "Cross arc", "angles: rms", "largest", "turned over"]
+HEADER = ["", "*E*", "max *E_r*", "Meridian", "Cross arc", "angles: rms", "largest", "flipped"]
 
 
 def row(title: str, found: Summary) -> list[str]:
@@ -60,7 +60,7 @@ def section(inputs: Inputs) -> str:
 to swing out to the sides, and beside them *E_r* reaches {rigid.max_aspect_ratio:.2f}. With an elastic
 meridian, which changes by {percent(one.wires[0].change)}, *E* {change(rigid.energy, one.energy)}; with both
 elastic, at {meridian} and {across}, it {change(rigid.energy, both.energy)} from the rigid case, and the largest *E_r*
-is {both.max_aspect_ratio:.2f}. This is the paper's figure in kind. Ours is a quarter sphere without its tips. With the
+is {both.max_aspect_ratio:.2f}. This reproduces the paper's figure qualitatively. Ours is a quarter sphere without its tips. With the
 first angles that close all loops, as in the paper, and equal weights (`inner="least-norm"`, `node_weight="uniform"`)
 *E* of the rigid case is {first.energy:.4f} in place of {rigid.energy:.4f}. The refined method, second in the picture,
 has the same lengths to keep: *E* of the rigid case {change(rigid.energy, refined.energy)}, with both elastic it

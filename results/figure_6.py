@@ -32,7 +32,7 @@ def row(title: str, found: Summary) -> list[str]:
 
 
 HEADER = ["", "*E*, mean *E_A*", "max *E_A*", "mean *E_r*", "max *E_r*"]
-HEADER += ["worst outline", "worst rigid wire", "most changed elastic wire", "seam sides differ, mm", "turned over"]
+HEADER += ["worst outline", "worst rigid wire", "most changed elastic wire", "seam sides differ, mm", "flipped"]
 
 
 def section(inputs: Inputs) -> str:
@@ -71,5 +71,5 @@ WireWarping++ to Refined, with the same tolerances, *E* {change(elastic.energy, 
 In place of its ABF++ stands Blender's
 angle-based unwrap, each island scaled to its area on the model, not by its longest edge. The jeans are our own, and
 simpler. *E_A* is Eq. (6) over the area of the triangle, so that it does not depend on how fine the mesh is. Triangles
-that are turned over are counted and drawn; the paper does not speak of them.
+that are flipped are counted and drawn; the paper does not mention them.
 """

@@ -32,7 +32,7 @@ def section(inputs: Inputs) -> str:
     draw_sheet(path, columns[:DRAWN], MAPS, view=(-24, 18), cell_width=3.2, label_wires=True)
 
     found = [summarize(column.shape.vertices, column.result) for column in columns]
-    header = ["", "*E*", "mean *E_r*", "max *E_r*", "max *E_A*", "turned over"]
+    header = ["", "*E*", "mean *E_r*", "max *E_r*", "max *E_A*", "flipped"]
     header += ["angles: rms", "largest", *(wire.name for wire in found[0].wires)]
     rows = [
         [
@@ -62,7 +62,7 @@ In the paper the lengths that come out under ±5% are 3.4% and 4.3% off, within 
 last columns. A wire stays inside its tolerance where a longer or shorter one would not lower *E*, and lies at the limit
 where only the tolerance holds it; so the numbers depend on the collar, and ours is another one. With the
 first angles that close all loops, as in the paper, and equal weights *E* of the rigid case is {first.energy:.4f}, and
-{count(first.flipped, "triangle is", "triangles are")} turned over.
+{count(first.flipped, "triangle is", "triangles are")} flipped.
 The refined method, second in the picture, has the same lengths to keep: *E* of the rigid case
 {change(rigid.energy, refined.energy)}, within ±5% it {change(five.energy, refined_five.energy)}.
 """

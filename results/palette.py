@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Colors and number texts that all pictures share; told apart by people with any color vision."""
+"""Colors and number texts that all pictures share; people with any color vision can distinguish them."""
 
 from __future__ import annotations
 

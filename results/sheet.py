@@ -102,7 +102,7 @@ def _summary(column: Column) -> str:
     found = summarize(column.shape.vertices, column.result)
     return (
         f"$E$ {found.energy:.4f}   $E_r$ mean {found.mean_aspect_ratio:.3f}, max {found.max_aspect_ratio:.2f}\n"
-        f"$E_A$ max {found.max_face_energy:.3g}   turned over: {found.flipped}"
+        f"$E_A$ max {found.max_face_energy:.3g}   flipped: {found.flipped}"
     )
 
 
@@ -115,5 +115,5 @@ def _draw_key(figure: Figure, columns: Sequence[Column]) -> None:
     if any(wire.tolerance > 0 for wire in wires):
         handles.append(Line2D([], [], color=ELASTIC, linewidth=2.2, label="elastic wire"))
     if any(len(p.metrics.flipped_faces) for c in columns for p in c.result.pieces):
-        handles.append(Patch(color=TURNED_OVER, label="turned over"))
+        handles.append(Patch(color=TURNED_OVER, label="flipped"))
     figure.legend(handles=handles, loc="lower left", fontsize=8, frameon=False)

@@ -64,7 +64,7 @@ Eq. (6), over its area; so *E* is the mean of *E_A*, and neither depends on how 
 a triangle's largest stretch and its largest squeeze: 1 only where nothing is distorted. Means are over the area. What
 happens to the length of a line is said of whole wires and of stretches of outline from junction to junction.
 
-**Where ours is not the paper's method.** The angles are the local minimum of Eq. (1) reached from the surface angles,
+**Differences from the paper.** The angles are the local minimum of Eq. (1) reached from the surface angles,
 where the paper stops at the first angles that close all loops; nodes count by the length of wire around them; the
 gradient of *E* by *h* is exact; and a piece that turns triangles over is said to do so. "Refined" is not in the paper
 at all: [Beyond the paper](#beyond-the-paper) says what it does.

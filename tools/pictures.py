@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pictures of docs/guide.md, made by the scripts beside them, from Blender's real window on a virtual screen."""
+"""The pictures of the pages in docs/, made by the scripts in docs/guide/, from Blender's window on a virtual screen."""
 
 import shutil
 
-from tools.blender import BLENDER_APT, blender_folder
+from tools.blender import BLENDER_APT, blender_folder, run_with_addon
 from tools.blender_window import WINDOW_APT, run_tours
 from tools.environment import BUILD, DEBIAN_PYTHON, ROOT, StepError, clean_environment, require_apt, run, say, venv
 from tools.package import BUILD_APT, package_legacy
@@ -17,7 +17,7 @@ SECONDS = 600.0  # for a slow machine; a tour takes about ten
 
 
 def pictures() -> None:
-    """Takes all anew; none is replaced before all are there."""
+    """Take all pictures again, and replace the old ones once all are there."""
     require_apt(*BUILD_APT, *BLENDER_APT, *WINDOW_APT, "librsvg2-bin", "poppler-utils")
     zip_file = package_legacy()
     taken = BUILD / "pictures"
@@ -35,4 +35,9 @@ def pictures() -> None:
     for name, (file, page, dots) in PRINTED.items():
         shown = ["-png", "-singlefile", "-r", str(dots), "-f", str(page), "-l", str(page)]
         run(["pdftoppm", *shown, taken / f"{file}.pdf", taken / name])
-    run([venv("pictures", DEBIAN_PYTHON, PILLOW), GUIDE / "shrink_pictures.py", taken, GUIDE])
+    python = venv("pictures", DEBIAN_PYTHON, PILLOW)
+    run([python, GUIDE / "shrink_pictures.py", taken, GUIDE])
+    frames = BUILD / "frames"
+    shutil.rmtree(frames, ignore_errors=True)
+    run_with_addon("pictures", ROOT / "blend_samples" / "moving_picture.py", frames)
+    run([python, GUIDE / "join_frames.py", frames, ROOT / "docs" / "unfold.gif"])

@@ -35,14 +35,14 @@ def draw_sample(
     sheet = Sheet(WIDTH, HEIGHT)
     body = read_model(model)
     pieces = read_flat(flat)
-    turned, normals = body.vertices @ _view(*view).T, body.normals @ _view(*view).T
+    turned, normals = body.vertices @ view_matrix(*view).T, body.normals @ view_matrix(*view).T
     scale = min(MODEL_BOX.fit(turned), FLAT_BOX.fit(pieces.vertices))
 
-    _draw_model(sheet, body, MODEL_BOX.center(turned, scale) + [0, 0, -10], normals)
+    draw_model(sheet, body, MODEL_BOX.center(turned, scale) + [0, 0, -10], normals)
     placed = FLAT_BOX.center(pieces.vertices, scale)
     stretch = cloth_stretch(pieces.vertices[:, :2], body.vertices[pieces.source_vertex], pieces.triangles)
     limit = round_limit(stretch)
-    _draw_pieces(sheet, pieces, placed, stretch_colors(stretch, limit))
+    draw_pieces(sheet, pieces, placed, stretch_colors(stretch, limit))
     _draw_numbers(sheet, pieces, placed, report)
 
     sheet.add_text(report["object"], MODEL_BOX.left, 3.3, 0.38, INK)
@@ -57,7 +57,7 @@ def draw_sample(
     sheet.render(path)
 
 
-def _draw_model(sheet: Sheet, body: Model, points: np.ndarray, normals: np.ndarray) -> None:
+def draw_model(sheet: Sheet, body: Model, points: np.ndarray, normals: np.ndarray) -> None:
     """The surface under soft light, its inside darker, with its lines."""
     corners = points[body.triangles]
     away = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 2] < 0
@@ -69,7 +69,7 @@ def _draw_model(sheet: Sheet, body: Model, points: np.ndarray, normals: np.ndarr
     _draw_wires(sheet, body, points)
 
 
-def _draw_pieces(sheet: Sheet, pieces: Flat, points: np.ndarray, colors: np.ndarray) -> None:
+def draw_pieces(sheet: Sheet, pieces: Flat, points: np.ndarray, colors: np.ndarray) -> None:
     sheet.add_triangles(points[pieces.triangles], colors[pieces.triangles])
     sheet.add_lines([points[chain] for chain in chains(pieces.outline)], LINE_WIDTH, SEAM)
     _draw_wires(sheet, pieces, points)
@@ -111,7 +111,7 @@ def _draw_lengths(sheet: Sheet, report: dict) -> None:
         sheet.add_text(text, MODEL_BOX.left, TABLE_Y - TABLE_STEP * len(rows), TABLE_TEXT, FAINT_INK)
 
 
-def _view(yaw: float, pitch: float) -> np.ndarray:
+def view_matrix(yaw: float, pitch: float) -> np.ndarray:
     """From the model (z up, its front toward -y) to the sheet (y up, z toward the viewer)."""
     upright = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
     a, b = np.radians([yaw, pitch])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The guide's pictures: tours through Blender's window with the fitted top of the samples. See tools/pictures.py."""
+"""The pictures of the pages, by tours through Blender's window with the sample fitted top. See tools/pictures.py."""
 
 import json
 import os
@@ -198,7 +198,7 @@ def contradiction() -> drive.Tour:
         bpy.ops.object.mode_set(mode="OBJECT")
     yield from flatten()
     hide_others()
-    yield from drive.ticks(10)
+    yield from look_at_model()  # Flatten has moved the view
     yield from take_picture("contradiction", MODEL)
 
 
@@ -235,7 +235,7 @@ def show_pieces_from_above() -> drive.Tour:
 
 def allowance() -> drive.Tour:
     """30 mm at the hem, and 20 mm on the sleeves' side of the armholes, just marked on the pieces."""
-    yield from open_sample("flatten", "mark", "pieces")
+    yield from open_sample("flatten", "mark", "export")
     bpy.context.scene.wirewarp.spacing = 70.0
     yield from flatten()
     source = bpy.context.object
@@ -268,7 +268,7 @@ def allowance() -> drive.Tour:
 
 
 def pages() -> drive.Tour:
-    yield from open_sample("flatten", "pieces")
+    yield from open_sample("flatten", "export")
     yield from flatten()
     settings = bpy.context.scene.wirewarp
     settings.show_pages, settings.arrangement = True, "AS_LAID_OUT"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solved charts kept from one run of flatten() to the next, so that only those that changed are solved again.
+// Keeps solved charts between runs of flatten(), so that only changed charts are solved again.
 #pragma once
 
 #include <memory>
@@ -9,20 +9,19 @@ namespace wirewarp {
 
 struct CachedCharts;
 
-/// Handed to flatten() again and again, it holds the charts of the last run: a chart whose geometry, order of vertices
-/// and faces, outline, wires, tolerances and solver options are the same bit for bit takes its shape from there. The
-/// result is the one that a run without a cache gives, but for the seconds that such a chart did not take. Charts that
-/// were cancelled are not kept, failed ones are; of a cloth that is worn stretched the shapes from before that are. It
-/// holds each chart's mesh and its shape, together about as much memory as the pieces take. Several threads may use one
-/// cache at once; it then holds the charts of the run that ended last.
+/// Holds the charts of the last run of flatten() that used it. A chart reuses its shape if geometry, order of vertices
+/// and faces, outline, wires, tolerances and solver options are the same bit for bit. Except for the seconds, the
+/// result equals that of a run without a cache. Failed charts are kept, and canceled ones are not. For a cloth with
+/// stretch, the shapes before the stretch are kept. The cache needs about as much memory as the pieces. Several threads
+/// may use one cache at the same time, and it then holds the charts of the run that ended last.
 class Cache {
  public:
   Cache();
 
-  /// Charts held.
+  /// Returns the number of charts that it holds.
   int size() const;
 
-  /// Forgets them.
+  /// Removes all charts.
   void clear();
 
  private:

@@ -8,55 +8,56 @@
 
 namespace wirewarp {
 
-/// What a cloth with a weft (x, across) and a warp (y, along the grain) resists, per area of the flat piece: threads of
-/// length f in the worn piece, 1 in the flat one, and the angle γ by which weft and warp leave the right angle cost
+/// A fabric with a weft (x, across) and a warp (y, along the grain). Its energy per area of the flat piece is
 ///
 ///   weft (f_weft − 1)² + warp (f_warp − 1)² + shear (f_weft f_warp sin γ)²
 ///
-/// Only ratios count. With (1, 1, ½) it is, for small strains, the isotropic energy of a run without a cloth.
+/// where f is the worn length of a thread divided by its flat length, and γ is the angle by which weft and warp differ
+/// from a right angle. Only ratios of the stiffnesses count. For small strains, (1, 1, ½) is the isotropic energy of a
+/// run without a cloth.
 struct Cloth {
-  double weft = 1;     // stiffness of the threads across; positive
-  double warp = 1;     // of those along the grain; positive
-  double shear = 0.5;  // against turning the two to one another; positive. Small for wovens
+  double weft = 1;     // stiffness of the threads across the grain; positive
+  double warp = 1;     // stiffness of the threads along the grain; positive
+  double shear = 0.5;  // stiffness against shear; positive, small for wovens
 
-  /// How much more than by stretching a thread costs when it is squeezed, as a factor: above 1 where the material
-  /// hardly compresses. In [0.01, 100].
+  /// Cost of compressing a thread divided by the cost of stretching it: above 1 if the material hardly compresses. In
+  /// [0.01, 100].
   double squeeze = 1;
   static constexpr double least_squeeze = 0.01;
   static constexpr double most_squeeze = 100;
 
-  /// How much longer than flat the cloth is when it is worn, along weft and warp: 0.2 is 20 %, negative ease. Threads
-  /// and the angle between them cost what they deviate from that, and lengths are promised so much shorter, each by
-  /// its direction; the sides of a seam alike. Dimensionless, in [-0.5, 4].
+  /// Negative ease: relative stretch of the cloth when worn, along weft and warp. 0.2 is 20%. The energy measures the
+  /// deviation from this state. Flat lengths are shorter accordingly, each by its direction, with both sides of a seam
+  /// alike. Dimensionless, in [-0.5, 4].
   std::array<double, 2> stretch = {0, 0};
   static constexpr double least_stretch = -0.5;
   static constexpr double most_stretch = 4;
 
-  /// γ, radians, in (0, π/2), from which on the threads press on one another: more costs 10 max(weft, warp)
-  /// (|sin γ| − sin locking)². None: never.
+  /// Angle γ in radians, in (0, π/2), from which threads press on each other. A larger γ adds the energy
+  /// 10 max(weft, warp) (|sin γ| − sin locking)². None: no locking.
   std::optional<double> locking;
 
-  /// Strains that the cloth bears along weft and warp, dimensionless and not negative: a piece that needs more in
-  /// either direction has a warning. None: not checked.
+  /// Maximum strain along weft and warp, dimensionless and not negative. A piece that needs more in either direction
+  /// has a warning. None: not checked.
   std::optional<std::array<double, 2>> limits;
 
-  /// Any two stiffnesses are at most this far apart, as a factor: real cloths stay below 300.
+  /// Largest ratio of two stiffnesses. Real fabrics stay below 300.
   static constexpr double most_anisotropy = 1e4;
 };
 
-/// A fabric that can be chosen by its name. Ratios and maximum stretch are those of an ordinary one: measure yours.
+/// A fabric that can be chosen by its name. Its figures are those of an ordinary fabric of this kind: measure yours.
 struct ClothPreset {
   std::string name;         // as in Options
-  std::string label;        // as on a bolt: "Woven Cotton"
+  std::string label;        // name for users: "Woven Cotton"
   std::string description;  // one sentence
   Cloth cloth;              // with limits: its maximum stretch across and along the grain
-  std::string source;       // where the figures are from
+  std::string source;       // source of the figures
 };
 
-/// The table of fabrics. Files of Blender store places in it: a new fabric goes at the end.
+/// Returns the table of fabrics. Blender files store indices into it, so new fabrics are added at the end.
 const std::vector<ClothPreset>& cloth_presets();
 
-/// Throws FlattenError (invalid_option) for a name that the table does not have.
+/// Returns a fabric by its name. Throws FlattenError (invalid_option) if the table does not have it.
 const ClothPreset& cloth_preset(const std::string& name);
 
 /// Throws FlattenError (invalid_option) unless every number is in its range.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How to flatten. The comments are what the Python package says of its attributes, too.
+// How to flatten. These comments are also the docstrings of the Python package.
 #pragma once
 
 #include <array>
@@ -9,45 +9,45 @@
 
 namespace wirewarp {
 
-/// How wire lengths and the shape are found. The default is the best method there is.
+/// How wire lengths and the shape are found. Use the default unless you compare with the paper.
 enum class Method {
   wirewarping,         // paper II-A: all wires rigid, planar angles closest to the surface angles (Eq. 1)
   wirewarp_plus_plus,  // paper II-B: the same, with the lengths of elastic wires chosen for the least distortion
-  refined,             // beyond the paper: the least distorted shape of all those with such lengths
+  refined,             // not in the paper: the least distorted shape with the requested lengths
 };
 
 /// Weight of a wire-node in Eq. (1).
 enum class NodeWeight {
-  length,   // 1 / mean length of the node's two edges: a property of the curve, whatever its vertices
-  uniform,  // 1: the paper's; the result depends on where the mesh happens to have vertices
+  length,   // 1 / mean length of the node's two edges: independent of how finely the curve is divided
+  uniform,  // 1, as in the paper; the result depends on where the mesh has vertices
 };
 
 /// Which planar angles the inner problem returns.
 enum class Inner {
-  minimum,     // the local minimiser of Eq. (1) reached from the surface angles
+  minimum,     // the local minimizer of Eq. (1) reached from the surface angles
   least_norm,  // the first feasible point of the paper's least-norm steps, all wires rigid; depends on the mesh, for
                // comparison
 };
 
-/// Where the pieces lie.
+/// How the pieces are placed.
 enum class PieceLayout {
-  packed,  // near-square
-  row,     // side by side from left to right in their order, standing on one line
+  packed,  // packed into about a square
+  row,     // side by side on one line, from left to right in their order
 };
 
-/// What stands upright in each piece.
+/// Which direction is up in each piece.
 enum class Orientation {
-  wire,      // its wire Options::grain; without wires the longest chain of its outline
-  boundary,  // its longest straight stretch of outline, the piece on the left of it
-  up,        // Options::up: the direction in which the surface rises most on average; where it is level as by wire
-  best,      // of a cloth: the direction in which it has the least energy
+  wire,      // the wire Options::grain; without wires the longest chain of its outline
+  boundary,  // its longest straight section of outline, with the piece on its left
+  up,        // Options::up: the direction in which the surface rises most on average; level pieces: as by wire
+  best,      // the direction with the least energy of the cloth; needs a cloth
 };
 
-/// Where in the thickness of the material the surface lies.
+/// Which surface of a thick material the input is.
 enum class Surface {
-  inside,   // behind the front faces there is no material: the skin that something worn must fit
-  middle,   // the material lies half on either side
-  outside,  // the material lies behind the front faces
+  inside,   // the inner one: the material is in front of the front faces, as on a body
+  middle,   // the middle one: half of the material is on either side
+  outside,  // the outer one: the material is behind the front faces
 };
 
 /// How to flatten. A value out of its range is a FlattenError (invalid_option).
@@ -56,52 +56,52 @@ struct Options {
   NodeWeight node_weight = NodeWeight::length;  // weight of a wire-node in Eq. (1)
   Inner inner = Inner::minimum;                 // which planar angles the inner problem returns
 
-  /// Of the refined method: the shortest wiggle of an outline or wire that is left alone, over the square root of the
-  /// piece's area. Larger: smoother lines, more distortion inside. In [0.001, 10].
+  /// For the refined method: shortest wavelength of an outline or wire that is not smoothed, divided by the square root
+  /// of the piece's area. Larger values give smoother lines and more distortion inside. In [0.001, 10].
   double fairness = 0.05;
   static constexpr double least_fairness = 0.001;
   static constexpr double most_fairness = 10;
 
-  /// For the refined method: after so many factorizations of its Newton systems, a piece stops at the shape it has. All
-  /// starts and stages count: a coarser mesh, closed slits and elastic seams. A factorization of several pieces coupled
-  /// by elastic seams counts for each of them. The stretch of a fabric, which begins where the piece without it ends,
-  /// has the same limit once more; so has each of several coupled pieces for itself, if no stretched shapes with common
-  /// lengths are found. The search for wires that contradict one another has limits of its own. >= 1.
+  /// For the refined method: maximum number of Newton factorizations for a piece. A piece that reaches it keeps its
+  /// current shape. All starts and stages count: a coarser mesh, closed slits and elastic seams. A factorization of
+  /// pieces coupled by elastic seams counts for each of them. The stretch of a fabric, which begins where the piece
+  /// without it ends, has the same limit again, and so has each coupled piece alone if no stretched shapes with common
+  /// lengths are found. The search for contradicting wires has its own limits. >= 1.
   int max_factorizations = 200;
 
-  /// Of the refined method: what the pieces are cut from, x along its weft, y along its warp. None: a material that
-  /// resists alike in all directions, Eq. (4). The piece is turned as orientation says and then held so; under wire,
-  /// boundary and up by the direction between two of its vertices.
+  /// For the refined method: fabric that the pieces are cut from, with x along its weft and y along its warp. None: an
+  /// isotropic material, Eq. (4). The piece is first turned by orientation and then keeps this direction. For wire,
+  /// boundary and up, two of its vertices define the direction.
   std::optional<Cloth> cloth;
 
-  /// How thick the material is, scene units. Foam and neoprene bend around the middle of their thickness: that is what
-  /// is flattened, and all lengths and areas are of it. 0 or above and finite.
+  /// Thickness of the material in scene units, finite and at least 0. Bent material keeps its length in the middle of
+  /// its thickness, so that surface is flattened, and all lengths and areas refer to it.
   double thickness = 0;
 
-  Surface surface = Surface::inside;  // where in the thickness the given surface lies
+  Surface surface = Surface::inside;  // which surface of the thick material the input is
 
-  PieceLayout layout = PieceLayout::packed;     // where the pieces lie
-  Orientation orientation = Orientation::wire;  // what stands upright in each piece
+  PieceLayout layout = PieceLayout::packed;     // how the pieces are placed
+  Orientation orientation = Orientation::wire;  // which direction is up in each piece
 
-  /// Of Orientation::wire: index of the input's wire that stands upright in the pieces it runs through. -1, and in the
-  /// other pieces: the piece's first wire. In [-1, number of wires).
+  /// For Orientation::wire: index of the wire that is upright in the pieces that it crosses, in [-1, number of wires).
+  /// -1, and pieces that it does not cross: the piece's first wire.
   int grain = -1;
 
-  /// Of Orientation::wire: how far the chain is turned from +y, counter-clockwise, radians in [-π, π]. With a cloth, y
-  /// is its warp: π/4 cuts on the bias.
+  /// For Orientation::wire: angle of the chain from +y, counterclockwise, in radians, in [-π, π]. With a cloth, y is
+  /// its warp, so π/4 cuts on the bias.
   double grain_angle = 0;
 
-  /// Of Orientation::up: a direction in space, of any length but 0; finite.
+  /// For Orientation::up: a direction in space, finite and not zero.
   std::array<double, 3> up = {0, 0, 1};
 
   /// Space between pieces, as a fraction of the side of a square with the area of all pieces. In [0, 1].
   double gap = 0.03;
 
-  /// Whether the pieces are as seen from inside (from behind the front faces).
+  /// Whether the pieces are seen from inside, from behind the front faces.
   bool mirror = false;
 };
 
-/// Throws FlattenError (invalid_option) unless every option is in its range, whatever the number of wires.
+/// Throws FlattenError (invalid_option) unless every option is in its range. Does not check the number of wires.
 void check_options(const Options& options);
 
 }  // namespace wirewarp
