@@ -60,7 +60,7 @@ With ±3% *E* falls by {plain_percent(gains[least])} ({least}) to {plain_percent
 a seam, flat, {differ(mismatch)}. The time of the processor is {ratios} times that with rigid seams.
 
 **What to choose.** Keep seams rigid where a tape measure will be held to them: waist, collar, a zip. Let the others
-change by an amount that anyone sewing can ease in easily, 1% in firm fabric, 3% in a knit or in neoprene: the pieces lie
-flatter, and every pair of edges still meets end to end. Where one side is to be longer than the other, for a sleeve
+change by an amount that anyone sewing can ease in easily, 1% in firm fabric, 3% in a knit or in neoprene: the pieces
+lie flatter, and every pair of edges still meets end to end. Where one side is to be longer than the other, for a sleeve
 head or for gathers, it takes an ease of its own.
 """
