@@ -62,7 +62,8 @@ meridian, which changes by {percent(one.wires[0].change)}, *E* {change(rigid.ene
 elastic, at {meridian} and {across}, it {change(rigid.energy, both.energy)} from the rigid case, and the largest *E_r*
 is {both.max_aspect_ratio:.2f}. This reproduces the paper's figure qualitatively. Ours is a quarter sphere without its
 tips. With the first angles that close all loops, as in the paper, and equal weights (`inner="least-norm"`,
-`node_weight="uniform"`) *E* of the rigid case is {first.energy:.4f} in place of {rigid.energy:.4f}. The refined method, second in the picture,
+`node_weight="uniform"`) *E* of the rigid case is {first.energy:.4f} in place of {rigid.energy:.4f}. The refined method,
+second in the picture,
 has the same lengths to keep: *E* of the rigid case {change(rigid.energy, refined.energy)}, with both elastic it
 {change(both.energy, refined_both.energy)}.
 """
