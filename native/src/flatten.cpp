@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The pipeline, top-down; the mathematics is in the files it names. native/README.md maps the paper to them.
-#include "wirewarp/flatten.h"
+#include "flatten.h"
 
 #include <stdexcept>
 #include <utility>
@@ -9,15 +9,14 @@
 #include "chart_errors.h"
 #include "charts/cut_into_charts.h"
 #include "check_input/check_input.h"
-#include "internal_options.h"
+#include "feasibility/open_chart.h"
 #include "metrics/assemble_result.h"
 #include "middle_surface.h"
 #include "packing/pack_pieces.h"
 #include "piece_report.h"
 #include "progress_report.h"
-#include "solve_chart.h"
+#include "refine/lies_flat.h"
 #include "solve_charts.h"
-#include "stop_token.h"
 
 namespace wirewarp {
 namespace {
@@ -81,6 +80,26 @@ Charts cut_with_progress(const Run& run, const EdgeTable& edges, ProgressReport&
   return cut_into_charts(run.input, edges, stop.in("charts"));
 }
 
+std::vector<VertexPair> propose_seams(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
+  const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, options, stop); };
+  const CutMask cut = open_chart(chart, lies_flat_alone, stop.in("shape"));
+  if (stop.is_stopped()) throw Stopped();
+  std::vector<VertexPair> seams;
+  for (const EdgeHandle e : chart.mesh.edges()) {
+    if (cut[e.idx()] != 0) seams.push_back(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
+  }
+  return seams;
+}
+
+Run run_of(const FlattenInput& input, const InternalOptions& options) {
+  Run run{input, options, {}};
+  if (!options.with_proposals) return run;
+  run.propose_seams = [&options](const Chart& chart, const StopToken& stop) {
+    return propose_seams(chart, options, stop);
+  };
+  return run;
+}
+
 }  // namespace
 
 FlattenResult flatten(const FlattenInput& input, const Options& options, const Progress& progress, Cache* cache) {
@@ -96,11 +115,12 @@ EdgeTable check_request(const FlattenInput& input, const Options& options) {
   return edges;
 }
 
-FlattenResult flatten_charts(Charts charts, const Run& run, const StopToken& stop) {
+FlattenResult flatten_charts(Charts charts, const FlattenInput& input, const InternalOptions& options,
+                             const StopToken& stop) {
   const Progress progress = [&](const std::string&, double) { return stop.may_go_on(); };
   ProgressReport report(progress);
   std::map<std::string, double> seconds;
-  FlattenResult result = flatten_cut(std::move(charts), run, report, nullptr, seconds);
+  FlattenResult result = flatten_cut(std::move(charts), run_of(input, options), report, nullptr, seconds);
   stop.check();
   return result;
 }
@@ -117,7 +137,7 @@ FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& opt
     try {
       std::optional<FlattenInput> middle;
       if (options.thickness > 0) middle = move_to_middle(input, options);
-      const Run run{middle ? *middle : input, options};
+      const Run run = run_of(middle ? *middle : input, options);
       result = flatten_cut(cut_with_progress(run, edges, report, seconds), run, report, cache, seconds);
     } catch (const Stopped&) {
       result = cancelled_result(input, edges);

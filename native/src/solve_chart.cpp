@@ -10,7 +10,6 @@
 #include "factorization_failed.h"
 #include "feasibility/folded_faces.h"
 #include "feasibility/isoperimetric.h"
-#include "feasibility/open_chart.h"
 #include "metrics/helper_wires.h"
 #include "network/length_variation.h"
 #include "outer/choose_variation.h"
@@ -30,7 +29,7 @@ FlattenError explain_infeasible(const Chart& chart, const Run& run, const Refine
                                 const StopToken& stop) {
   if (refined.shape.status == ShapeStatus::singular) return not_solvable(chart);
   LengthDiagnosis found;
-  if (run.options.with_proposals) found = diagnose_lengths(chart, run.options, stop);
+  if (run.propose_seams) found = diagnose_lengths(chart, run.options, stop);
   stop.check();
   const bool ran_out = refined.ran_out && !found.lengths_conflict;
   if (found.tolerances.empty()) return infeasible_outline(chart, run.options, propose_seams(chart, run, stop), ran_out);
@@ -102,15 +101,7 @@ void flatten_by_refining(const Chart& chart, const Run& run, RefineBudget& budge
 }  // namespace
 
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop) {
-  if (!run.options.with_proposals) return {};
-  const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, run.options, stop); };
-  const CutMask cut = open_chart(chart, lies_flat_alone, stop.in("shape"));
-  if (stop.is_stopped()) throw Stopped();
-  std::vector<VertexPair> seams;
-  for (const EdgeHandle e : chart.mesh.edges()) {
-    if (cut[e.idx()] != 0) seams.push_back(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
-  }
-  return seams;
+  return run.propose_seams ? run.propose_seams(chart, stop) : std::vector<VertexPair>{};
 }
 
 void propose_seams_for_layout(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <vector>
+
 #include "charts/chart.h"
 #include "internal_options.h"
-#include "mesh/edge_table.h"
 #include "refine/refine_budget.h"
 #include "solved_chart.h"
 #include "stop_token.h"
 
 namespace wirewarp {
 
+/// Finds seams along which a chart lies flat that has no good shape without them. Throws Stopped: what was found by
+/// then is not what a whole search finds.
+using ProposeSeams = std::function<std::vector<VertexPair>(const Chart& chart, const StopToken& stop)>;
+
 /// What all charts of a run have in common.
 struct Run {
   const FlattenInput& input;
   const InternalOptions& options;
+  ProposeSeams propose_seams;  // empty: errors are not reported, so that nothing is proposed
 };
-
-/// Throws FlattenError where flatten() refuses the whole input. The table refers to the input's faces.
-EdgeTable check_request(const FlattenInput& input, const Options& options);
-
-/// What flatten() makes of these charts of an input in the middle of its material. The token is polled in this thread.
-/// Throws Stopped.
-FlattenResult flatten_charts(Charts charts, const Run& run, const StopToken& stop);
 
 /// The layout of a chart with a mesh, or why it has none. budget: what several trials of the chart may spend together,
 /// of which the error names options.max_factorizations.
@@ -31,8 +31,7 @@ SolvedChart solve_chart(const Chart& chart, const Run& run, RefineBudget& budget
 SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, RefineBudget& budget,
                                          const StopToken& stop);
 
-/// Seams along which a chart lies flat that has no good shape without. Throws Stopped: what was found by then is not
-/// what a whole search finds.
+/// By Run::propose_seams.
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop);
 
 /// Adds such seams to a layout that is flipped or overlaps itself. If the caller stops, it stays without.

@@ -2,7 +2,6 @@
 #include "solve_charts.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -12,16 +11,13 @@
 #include "group_stage.h"
 #include "in_threads.h"
 #include "refine/injective_shape.h"
+#include "stretched_lengths.h"
 
 namespace wirewarp {
 namespace {
 
 /// Progress of a run when charts are flat but for the cloth's stretch, which begins near its end.
 constexpr double kUnstretched = 0.7;
-
-bool is_stretched(const Options& options) {
-  return options.cloth && options.cloth->stretch != std::array<double, 2>{0, 0};
-}
 
 /// The largest first, so that no core waits long for the last.
 std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
@@ -35,7 +31,7 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
 
 /// Options for shapes that others begin at. The best direction of a cloth stays, so it has to be exact.
 InternalOptions on_the_way(InternalOptions options) {
-  if (options.orientation != Orientation::best) options.aim = options.cloth ? Aim::rough : Aim::newton_step;
+  if (options.orientation != Orientation::best) options.target = options.cloth ? Target::rough : Target::newton_step;
   return options;
 }
 
@@ -121,14 +117,12 @@ class ChartsSolver {
       return;
     }
     const InternalOptions options = on_the_way(run_.options);
-    InternalOptions trial = options;
-    trial.with_proposals = false;  // its errors are not reported
     const StopToken stop = progress_.stop_token(c);
     RefineBudget budget(options.max_factorizations);
-    solved_[c] = solve_chart_with_fixed_seams(charts_[c], {run_.input, trial}, budget, stop);
+    solved_[c] = solve_chart_with_fixed_seams(charts_[c], {run_.input, options, {}}, budget, stop);
     is_nominal_[c] = solved_[c].error ? 0 : 1;
     if (!solved_[c].error || stop.is_stopped()) return;
-    solved_[c] = solve_chart(charts_[c], {run_.input, options}, budget, stop);
+    solved_[c] = solve_chart(charts_[c], {run_.input, options, run_.propose_seams}, budget, stop);
     solved_[c].report.factorizations = budget.spent();  // also if an error came before any of its own
   }
 

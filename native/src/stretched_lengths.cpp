@@ -2,6 +2,7 @@
 #include "stretched_lengths.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -97,6 +98,10 @@ std::vector<std::vector<std::string>> warn_of_sides(const Charts& charts, const 
 }
 
 }  // namespace
+
+bool is_stretched(const Options& options) {
+  return options.cloth && options.cloth->stretch != std::array<double, 2>{0, 0};
+}
 
 Eigen::RowVector2d flat_share(const Cloth& cloth) { return {1 / (1 + cloth.stretch[0]), 1 / (1 + cloth.stretch[1])}; }
 

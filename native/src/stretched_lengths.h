@@ -16,6 +16,8 @@
 
 namespace wirewarp {
 
+bool is_stretched(const Options& options);
+
 /// One figure per edge of a chart.
 using PerEdge = std::vector<double>;
 

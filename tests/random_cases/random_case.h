@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "internal_options.h"
+#include "flatten.h"
 
 namespace wirewarp::test {
 

@@ -26,7 +26,7 @@ constexpr double kNearFlat = 0.02;
 InternalOptions brief(InternalOptions options) {
   options.max_factorizations = kMaxFactorizations;
   options.mends_folds = false;  // a cut that folds the piece is not a good one, and to fix it takes as long as ten
-  options.aim = Aim::rough;
+  options.target = Target::rough;
   options.cloth.reset();  // takes about twice as long, and exact evaluations decide
   return options;
 }
@@ -43,7 +43,7 @@ RefinedShape refine_from(const Positions2& whole, const Chart& piece, const Inte
   RefinementStart start(whole(piece.source_vertex, Eigen::all),
                         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network.edges.size())));
   RefineBudget budget(options.max_factorizations);
-  return refine_shape({piece, network, options.fairness, nullptr, options.aim}, start, {budget, stop});
+  return refine_shape({piece, network, options.fairness, nullptr, options.target}, start, {budget, stop});
 }
 
 }  // namespace

@@ -2,21 +2,17 @@
 #include "propose/flat_pieces.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <utility>
 
 #include "charts/cut_into_charts.h"
+#include "flatten.h"
 #include "mesh/geometry.h"
 #include "propose/cut_faces.h"
-#include "solve_chart.h"
+#include "stretched_lengths.h"
 
 namespace wirewarp {
 namespace {
-
-bool is_stretched(const Options& options) {
-  return options.cloth && options.cloth->stretch != std::array<double, 2>{0, 0};
-}
 
 std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, bool has_cloth,
                                                const NeededStretch& needed) {
@@ -176,7 +172,7 @@ Charts ExactEvaluation::cut_chosen(const FlatPieces& pieces, const Selection& ch
 }
 
 FlatPieces ExactEvaluation::flatten_along_seams(Charts charts) const {
-  const FlattenResult result = flatten_charts(charts, {input_, options_}, stop_);
+  const FlattenResult result = flatten_charts(charts, input_, options_, stop_);
   FlatPieces pieces;
   for (std::size_t c = 0; c < charts.charts.size(); ++c) {
     pieces.push_back(as_flat_piece(std::move(charts.charts[c]), result.pieces[c], options_.cloth.has_value(), needed_));
@@ -231,7 +227,7 @@ FlattenError ExactEvaluation::explain(const FlatPieces& pieces, int piece) const
   }
   InternalOptions options = options_;
   options.with_proposals = true;
-  return flatten_charts(std::move(charts), {input_, options}, stop_).pieces[place].error.value();
+  return flatten_charts(std::move(charts), input_, options, stop_).pieces[place].error.value();
 }
 
 }  // namespace wirewarp

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "propose/surface_to_cut.h"
 
+#include "flatten.h"
 #include "middle_surface.h"
-#include "solve_chart.h"
 
 namespace wirewarp {
 

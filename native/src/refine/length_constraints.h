@@ -67,7 +67,7 @@ class LengthConstraints {
   /// little more than the rounding of coordinates are measured against that.
   double largest_error(const Eigen::VectorXd& residual) const;
 
-  static constexpr double exact = 1e-13;  // what steps to exact lengths aim at
+  static constexpr double exact = 1e-13;  // the target of steps to exact lengths
   static constexpr double kept = 1e-10;   // from here on a length counts as kept; the promise is 1e-9
 
   /// d̂, one row per edge; zero where an edge has no length.

@@ -79,8 +79,8 @@ RefineResult without_flips_and_overlaps(RefineResult result, StartProblem& probl
 RefineResult refine_chart(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
                           const StopToken& stop) {
   const HeldNetwork network = build_held_network(chart);
-  const Aim aim = options.cloth ? Aim::rough : options.aim;
-  StartProblem problem{{chart, network, options.fairness, nullptr, aim}, budget, stop, options.large_chart};
+  const Target target = options.cloth ? Target::rough : options.target;
+  StartProblem problem{{chart, network, options.fairness, nullptr, target}, budget, stop, options.large_chart};
   RefineResult result;
   if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) result = refine_with_slits(problem, slits);
   if (!result.shape.is_exact()) result = try_starts(problem);

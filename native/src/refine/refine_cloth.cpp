@@ -13,6 +13,7 @@
 #include "orientation/upright_direction.h"
 #include "planar.h"
 #include "refine/injective_shape.h"
+#include "refine/refine_constants.h"
 #include "refine/shut_slits.h"
 
 namespace wirewarp {
@@ -46,7 +47,7 @@ class ClothRefinement {
 
   std::vector<Turn> best_turns(const Positions2& uv) const;
   RefineTask task(const ClothOnChart& cloth) const {
-    return {chart_, network_, options_.fairness, &cloth, options_.aim};
+    return {chart_, network_, options_.fairness, &cloth, options_.target};
   }
   ClothOnChart cloth_held_as(const Positions2& uv) const;
   RefinedShape refine_held(const RefinementStart& start, RefineBudget& budget) const;

@@ -3,13 +3,6 @@
 
 namespace wirewarp {
 
-/// How far a shape is refined.
-enum class Aim {
-  minimum,      // until another step gains nothing worthwhile
-  rough,        // until another step gains little: others begin at it, and take its direction
-  newton_step,  // until a Newton step goes down: others begin at it. Farther takes a sixth more factorizations in all
-};
-
 /// The constants of refine_shape, each with the reason for its value. f is the objective, the slope of a step the first
 /// derivative of f along it.
 struct RefineConstants {

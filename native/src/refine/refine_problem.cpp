@@ -14,7 +14,8 @@ RefineProblem::RefineProblem(const RefineTask& task, Injectivity injectivity, co
     : chart_(task.chart),
       constraints_(task.chart, task.network, task.cloth, layout),
       objective_(task, injectivity, layout),
-      worthwhile_(task.aim == Aim::minimum ? RefineConstants::worthwhile : RefineConstants::worthwhile_on_the_way) {
+      worthwhile_(task.target == Target::minimum ? RefineConstants::worthwhile
+                                                 : RefineConstants::worthwhile_on_the_way) {
   // What rounding leaves of f is felt on slivers and edges of 1e-8 of the piece.
   const double extent = (layout.colwise().maxCoeff() - layout.colwise().minCoeff()).maxCoeff();
   isometric_value_ = std::max(RefineConstants::isometric * surface_area(task.chart.mesh),

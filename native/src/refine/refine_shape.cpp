@@ -22,7 +22,7 @@ ShapeStatus minimize(RefineState& state, StepOutcome outcome) {
   // f is at least 0, so nothing is left to gain.
   const auto is_isometric = [&] { return state.problem.is_isometric(state.now); };
   const auto is_enough = [&] {
-    return state.task.aim == Aim::newton_step && state.problem.objective().count_flips(state.now.uv) == 0;
+    return state.task.target == Target::newton_step && state.problem.objective().count_flips(state.now.uv) == 0;
   };
   TrustRegion trust_region;
   bool try_newton = true;

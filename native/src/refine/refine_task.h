@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "internal_options.h"
 #include "network/wire_network.h"
-#include "refine/refine_constants.h"
 #include "wirewarp/cloth.h"
 
 namespace wirewarp {
@@ -29,7 +29,7 @@ struct RefineTask {
   const HeldNetwork& network;
   double fairness;                      // shortest wiggle of wires that is left alone, over the square root of the area
   const ClothOnChart* cloth = nullptr;  // null: f has the shape error of Eq. (4)
-  Aim aim = Aim::minimum;
+  Target target = Target::minimum;
 };
 
 }  // namespace wirewarp

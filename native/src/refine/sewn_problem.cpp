@@ -7,7 +7,10 @@
 namespace wirewarp {
 
 SewnProblem::SewnProblem(const RefineTask& open, SewnChart sewn)
-    : sewn_(std::move(sewn)), network_(build_held_network(sewn_.chart)), fairness_(open.fairness), aim_(open.aim) {
+    : sewn_(std::move(sewn)),
+      network_(build_held_network(sewn_.chart)),
+      fairness_(open.fairness),
+      target_(open.target) {
   for (const WireEdge& edge : open.network.edges) {
     const HalfedgeHandle h = open.chart.mesh.halfedge_handle(edge.edge, 0);
     const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn_.vertex[v.idx()]); };

@@ -15,7 +15,7 @@ class SewnProblem {
   SewnProblem(const RefineTask& open, SewnChart sewn);
 
   /// Refers to this problem.
-  RefineTask task() const { return {sewn_.chart, network_, fairness_, cloth_ ? &*cloth_ : nullptr, aim_}; }
+  RefineTask task() const { return {sewn_.chart, network_, fairness_, cloth_ ? &*cloth_ : nullptr, target_}; }
 
   /// Edges that are sewn together bear the forces of both.
   RefinementStart to_sewn(const RefinementStart& open) const;
@@ -29,7 +29,7 @@ class SewnProblem {
   SewnChart sewn_;
   HeldNetwork network_;
   double fairness_;
-  Aim aim_;
+  Target target_;
   std::optional<ClothOnChart> cloth_;
   std::vector<int> row_;  // of the sewn constraints, one per row of the open ones
   int num_rows_;          // of the sewn constraints

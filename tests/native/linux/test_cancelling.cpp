@@ -7,7 +7,7 @@
 
 #include "arap/free_boundary_arap.h"
 #include "count_fronts.h"
-#include "internal_options.h"
+#include "flatten.h"
 #include "refine/refine_shape.h"
 #include "refine/starts.h"
 #include "test_meshes.h"
