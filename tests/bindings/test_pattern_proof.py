@@ -9,20 +9,18 @@ from wirewarp.pattern import Pattern
 
 
 def proof_lines(pattern, path, paper="a4"):
-    """Of the last page."""
+    """Of the pages after those of the pattern."""
     pattern.write(path, paper=paper, proof=True)
-    document = pypdfium2.PdfDocument(path)
-    return document[len(document) - 1].get_textpage().get_text_range().replace("\r", "").split("\n")
+    pages = list(pypdfium2.PdfDocument(path))
+    assert len(pages) == len(pattern.page_sizes(paper, proof=True))
+    own = pages[len(pattern.page_sizes(paper)) :]
+    return "\n".join(page.get_textpage().get_text_range().replace("\r", "") for page in own).split("\n")
 
 
 @pytest.mark.parametrize("paper", ["letter", 700.0])
 def test_the_proof_names_every_piece_and_both_sides_of_every_seam(tmp_path, paper):
     pattern = sample("Fitted top", date="2026-11-22")
-    pattern.write(tmp_path / "top.pdf", paper=paper, proof=True)
-    document = pypdfium2.PdfDocument(tmp_path / "top.pdf")
-    assert len(document) == len(pattern.page_sizes(paper, proof=True)) == len(pattern.page_sizes(paper)) + 1
-    lines = document[len(document) - 1].get_textpage().get_text_range().replace("\r", "").split("\n")
-    text = " ".join(lines)
+    text = " ".join(proof_lines(pattern, tmp_path / "top.pdf", paper))
     assert "Fitted top, 2026-11-22" in text
     assert all(piece.name in text for piece in pattern.pieces)
     for walk in pattern.walks:
@@ -48,7 +46,7 @@ def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):
     pattern = Pattern.from_result(result, piece_names=["A very long name of a piece " * 4] * 100)
     pattern.write(tmp_path / "strips.pdf", proof=True)
     pages = pattern.page_sizes("a4", proof=True)[len(pattern.page_sizes("a4")) :]
-    assert len(pages) == -(-(3 + 100 + 3 + 1 + 1 + 3 * 99) // 55)
+    assert len(pages) == -(-(3 + 100 + 3 + 1 + 1 + 3 * 99 + 2 + 99) // 55)
     document = pypdfium2.PdfDocument(tmp_path / "strips.pdf")
     assert "..." in document[len(document) - 1].get_textpage().get_text_range()
 

@@ -60,6 +60,7 @@ class PatternParts:
     allowances: Allowances
     units: Literal["metric", "imperial"]
     date: str
+    measures: Sequence[tuple[str, float]] = ()  # names and lengths on the model of rigid wires, millimeters
     kept: KeptMarker | None = None
 
     @property
@@ -92,6 +93,7 @@ class PatternParts:
                 darts=choices.darts,
                 pairs=choices.pairs,
                 on_fold=choices.on_fold,
+                measures=self.measures,
                 **self._marked,
             )
             return (yield from steps)

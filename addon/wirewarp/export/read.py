@@ -70,6 +70,7 @@ def _parts(
         allowances=_allowances(source, report, millimeters, depsgraph),
         units="imperial" if scene.unit_settings.system == "IMPERIAL" else "metric",
         date=datetime.date.today().isoformat(),
+        measures=[(wire.name, (wire.length_3d or 0.0) * millimeters) for wire in report.wires if wire.tolerance == 0],
         kept=kept_marker(marker_text(source)),
     )
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What can be chosen when a pattern is made."""
 
+from collections.abc import Sequence
 from typing import TypedDict
 
 import numpy.typing as npt
@@ -19,6 +20,7 @@ class PatternOptions(TypedDict, total=False):
     folds: npt.ArrayLike | None  # (k,2) edges that are not sewn, but at which the fabric lies double: not cut
     pairs: bool  # draw one piece of each mirrored pair, "Cut 1 pair" (False)
     on_fold: bool  # draw one half of each symmetric piece, "Cut 1 on the fold" (False)
+    measures: Sequence[tuple[str, float]]  # names and finished lengths, for the proof sheet (the rigid wires)
     notch_spacing: float  # along seams, 0 for none (100)
     corner: str  # "auto" (default) chooses by what is sewn first; "mitre", "right angle", "fold-back", "extend", "step"
     # or "round" for all corners

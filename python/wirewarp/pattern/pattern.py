@@ -22,6 +22,7 @@ from .make.notches import check_spacing
 from .make.outline import FlatPiece, Side, flat_piece
 from .make.pieces import finished, joined_by, lay_all, notes_on_sides, outlined, warnings_of
 from .make.seams import sewn_sides
+from .make.sewing import sewing_steps
 from .make.widths import Widths
 from .marker import Marker, at_corner
 from .model import PatternPiece
@@ -66,6 +67,8 @@ class Pattern(PatternData):
                 raise problem(f'"{name}" is not ready to cut: {piece.error.message}', piece.error.code)
         pieces = [flat_piece(piece, name, scale) for piece, name in zip(result.pieces, names, strict=True)]
         seam_names = [f"Seam {number}" for number in range(1, len(result.seams) + 1)]
+        rigid = [wire for wire in result.wires if str(wire.kind) == "rigid"]
+        options.setdefault("measures", [(wire.name, wire.length_3d * scale) for wire in rigid])
         return cls.from_pieces(pieces, seam_names, progress=progress, **options).arranged()
 
     @classmethod
@@ -97,6 +100,7 @@ class Pattern(PatternData):
         hem: float | None = None,
         pairs: bool = False,
         on_fold: bool = False,
+        measures: Sequence[tuple[str, float]] = (),
         notch_spacing: float = 100.0,
         corner: str = "auto",
         darts: str = "close",
@@ -131,7 +135,9 @@ class Pattern(PatternData):
         warnings = [warning for own in laid for warning in warnings_of(own)] + warnings_of_copies(drawn, system)
         low = np.min([piece.bounds[0] for piece in drawn], axis=0)
         moved = [piece.moved(-low) for piece in drawn]
-        return (yield from cls(title, moved, system, warnings, date, walks)._adding_cards())
+        steps = sewing_steps(laid, seams, seam_names)
+        made = cls(title, moved, system, warnings, date, walks, steps, list(measures))
+        return (yield from made._adding_cards())
 
     @classmethod
     def of_cut_lines(

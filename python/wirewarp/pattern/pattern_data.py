@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Self
+from typing import Literal, Self
 
 import numpy as np
 
@@ -28,6 +28,19 @@ class SeamWalk:
     lengths: tuple[float, ...]  # millimeters along the stitching line
     allowances: tuple[tuple[float, ...], ...]  # of each side the widths, millimeters
     notches: tuple[tuple[float, ...], ...]  # of each side their places, millimeters from the same end of the seam
+
+
+StepKind = Literal["dart", "flat", "ring", "all around", "closing"]
+
+
+@dataclass(frozen=True)
+class SewingStep:
+    """One seam. "closing": nothing of its pieces stays open then."""
+
+    seam: str
+    kind: StepKind
+    pieces: tuple[str, ...]  # each once
+    has_gap: bool  # to turn the work through; it is closed by hand at the end
 
 
 @dataclass(frozen=True)
@@ -55,6 +68,8 @@ class PatternData:
     warnings: list[str] = field(default_factory=list)
     date: str = ""  # as it stands on the pieces
     walks: list[SeamWalk] = field(default_factory=list)  # by index of the seam
+    steps: list[SewingStep] = field(default_factory=list)  # in an order in which the seams can be sewn
+    measures: list[tuple[str, float]] = field(default_factory=list)  # names and finished lengths in millimeters
     marker: Marker | None = None  # of which this is the drawing: every copy of a piece is a piece of its own
 
     @property

@@ -29,7 +29,7 @@ def write_pdf(
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
     a roll in millimeters; None takes A4, and for a marker a roll that is as wide as it needs.
-    proof: last come pages with every piece and both sides of every seam, to check beforehand.
+    proof: last come pages with every piece, finished measures, both sides of every seam, and an order to sew them in.
     keep_places: on sheets and rolls, too, the pieces stay as they lie; else they come in rows.
     """
     planned = yield from _with_texts_on_sheets(plan(pattern, paper, keep_places))
@@ -126,7 +126,7 @@ PDF_FORMAT = Format(
         Option(
             "proof",
             "Proof Sheet",
-            "Add a last sheet with tables of all pieces, and of all seams with the lengths of both sides",
+            "Add last sheets with tables of all pieces, finished measures and seams, and an order to sew them in",
         ),
     ),
     has_pages=True,

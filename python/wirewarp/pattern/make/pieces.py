@@ -41,6 +41,11 @@ class Laid:
     def sew_loops(self) -> list[np.ndarray]:
         return [np.concatenate([side.points[:-1] for side in loop]) for loop in self.loops]
 
+    @property
+    def area(self) -> float:
+        """Square millimeters inside the stitching lines."""
+        return abs(sum(map(signed_area, self.sew_loops)))
+
     def allowances(self, side: Side) -> tuple[float, ...]:
         """The widths along a side of this piece, in millimeters; none of a leg of a closed dart."""
         runs = [run for own in self.outlines for run in own.runs if run.side is side]
@@ -145,7 +150,6 @@ def finished(
     lines = [*closed_cuts(laid), *(Line("inner_cut", slit) for own in laid.outlines for slit in own.slits)]
     lines += [*_sewn(laid, describe), *laid.wires]
     lines.append(grain_line(laid.sew_loops, [wire.points for wire in laid.wires], laid.grain))
-    area = abs(sum(map(signed_area, laid.sew_loops)))
     on_fold = any(run.is_fold for outline in laid.outlines for run in outline.runs)
     widths = tuple(sorted({run.width for outline in laid.outlines for run in outline.runs if run.width}))
     return PatternPiece(
@@ -156,7 +160,7 @@ def finished(
         [],
         material=material,
         on_fold=on_fold,
-        area=area,
+        area=laid.area,
         allowances=widths,
     )
 

@@ -112,7 +112,7 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
         following = loop[(number + 1) % count]
         if rules.darts == "close" and is_leg(side):
             dart = next((dart for dart in darts if dart.first is side), None)
-            if dart:
+            if dart and np.linalg.norm(dart.mouth[1] - dart.mouth[0]) > LEAST_GAP:  # else the outline runs on
                 before, after = by_side[number - 1][-1], by_side[(number + 2) % count][0]
                 sections.append(Section(_cap(dart, before, after), before.width or 0.0))
             continue

@@ -10,7 +10,7 @@ from ..label.card import how_to_cut
 from ..label.glyphs import NoLettersError, line_of
 from ..make.seams import longer_texts
 from ..model import Text
-from ..pattern_data import PatternData, SeamWalk
+from ..pattern_data import PatternData, SeamWalk, SewingStep
 from ..units import UnitSystem
 from .papers import MARGIN
 
@@ -24,7 +24,8 @@ Row = Sequence[str]
 
 def proof_pages(pattern: PatternData, paper: np.ndarray) -> list[list[Text]]:
     """The texts of as many pages of this size (2,) as it takes."""
-    rows = [*_piece_rows(pattern), (), *_seam_rows(pattern)]
+    parts = [_piece_rows(pattern), _measure_rows(pattern), _step_rows(pattern), _seam_rows(pattern)]
+    rows = [row for part in parts if part for row in ((), *part)][1:]
     at_once = max(int((paper[1] - 2 * MARGIN) / LINE), 1)
     return [_page(rows[start : start + at_once], paper) for start in range(0, len(rows), at_once)]
 
@@ -45,6 +46,35 @@ def _piece_rows(pattern: PatternData) -> list[Row]:
             length = units.text(float(pattern.arranged(width).size[1]))
             rows.append((f"In rows, none turned, on cloth {units.text(width)} wide: {length}",))
     return rows
+
+
+def _measure_rows(pattern: PatternData) -> list[Row]:
+    """What the finished work measures along its rigid wires."""
+    if not pattern.measures:
+        return []
+    rows = [("", name, pattern.units.measured(length)) for name, length in pattern.measures]
+    return [("Finished measures", "Wire", "Length"), *rows]
+
+
+def _step_rows(pattern: PatternData) -> list[Row]:
+    """An order in which the seams can be sewn."""
+    rows = [(f"{number}  {step.seam}", _step_text(step)) for number, step in enumerate(pattern.steps, start=1)]
+    if rows and any(step.has_gap for step in pattern.steps):
+        rows.append((f"{len(rows) + 1}", "Turn the work through the gap and close the gap by hand"))
+    return [("Sewing order", "Step"), *rows] if rows else []
+
+
+def _step_text(step: SewingStep) -> str:
+    names = " to ".join(step.pieces)
+    match step.kind:
+        case "dart":
+            text = f"Close the dart in {names}"
+        case "all around":
+            text = f"Sew {names} all around"
+        case _:
+            what = f"the two sides of {names} together" if len(step.pieces) == 1 else names
+            text = f"Sew {what}{', which closes a ring' if step.kind == 'ring' else ''}"
+    return f"{text}; leave a gap for turning" if step.has_gap else text
 
 
 def _seam_rows(pattern: PatternData) -> list[Row]:
