@@ -200,6 +200,17 @@ def test_a_missing_map_is_explained(addon, source):
     assert notes() == ["Not flattened: no map", "Changed since: flatten again"]
 
 
+def test_a_map_of_stretch_says_the_figure_of_the_verdict(addon, source):
+    """And no other map does."""
+    needed = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
+    figure = f"99% of the area: up to {addon.core.percent_text(needed)}, worst direction"
+    shown, context = addon.overlay.shown, view_context()
+    for name, notes in (("STRETCH_COLOR", [figure]), ("LENGTH_VARIATION_COLOR", [])):
+        bpy.context.scene.wirewarp.shown_map = name
+        addon.state.drawings.forget()
+        assert shown.map_notes(list(shown.drawings(context)), shown.shown_map(context)) == notes
+
+
 def test_a_model_that_failed_has_not_changed_since(addon):
     failed = grid("Wide", bump, size=4)
     failed.data.vertices[6].co.z = float("nan")

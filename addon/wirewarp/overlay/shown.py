@@ -10,12 +10,13 @@ import numpy as np
 
 from ..blender.objects import metric
 from ..blender.units import meters_per_blender_unit
+from ..core import percent_text
 from ..export.markers import marker_text
 from ..export.pattern_parts import GRAINS, Cloth
 from ..export.sentences import copies_sentences
 from ..issues import ObjectError
 from ..names import MARKS
-from ..solve.maps import CLOTH_MAPS, COLOR_MAPS, ColorMap
+from ..solve.maps import ASPECT_RATIO, CLOTH_MAPS, COLOR_MAPS, STRETCH, ColorMap
 from ..solve.report import ObjectReport
 from ..state.drawings import Same, kept_drawing
 from ..state.identities import piece_names, seam_names
@@ -31,6 +32,7 @@ from .suggested import suggested_lines, uv_suggested_lines, with_cut
 from .surfaces import ColoredTriangles, Extremes
 
 MODES = {"OBJECT", "EDIT"}
+STRETCH_MAPS = (STRETCH, ASPECT_RATIO)
 
 
 @dataclass(frozen=True)
@@ -58,6 +60,16 @@ def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
         is_flat and not no_cloth for is_flat, no_cloth in zip(flattened, has_no_cloth, strict=True)
     )
     return [why for why, is_so in whys.items() if is_so]
+
+
+def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
+    """Why the map is not everywhere, and below a map of stretch the figure of the verdict."""
+    notes = missing_maps(shown, color_map)
+    reports = [last_report(model_or_self(each.target)) for each in shown if each.surface is not None]
+    needed = [piece.needed for report in reports if report for piece in report.pieces if piece.ok]
+    if needed and color_map in STRETCH_MAPS:
+        notes.append(f"99% of the area: up to {percent_text(max(needed))}, worst direction")
+    return notes
 
 
 def _has_cloth(report: ObjectReport) -> bool:

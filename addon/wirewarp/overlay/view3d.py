@@ -12,7 +12,7 @@ from mathutils import Matrix
 from ..state.owners import model_of
 from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
 from .screen import MAX_NAMES, PlacedName, write_over
-from .shown import Drawing, drawings, extremes, missing_maps, shown_map
+from .shown import Drawing, drawings, extremes, map_notes, shown_map
 
 # How much nearer to the eye, of its distance, what lies on a surface is drawn, so that it is not half hidden in it.
 SURFACE_NEARER = 0.0005
@@ -90,9 +90,7 @@ def draw_screen() -> None:
     if shown:
         names = (name for drawing in shown for name in _names_in_view(context, drawing))
         color_map = shown_map(context)
-        write_over(
-            context, shown, names, missing_maps(shown, color_map) if color_map else [], color_map, extremes(shown)
-        )
+        write_over(context, shown, names, map_notes(shown, color_map) if color_map else [], color_map, extremes(shown))
 
 
 def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:

@@ -181,6 +181,10 @@ def _model_options() -> argparse.ArgumentParser:
     options.add_argument("--grain", choices=GRAINS, default="one-way", help="how pieces of a marker may lie (one-way)")
     options.add_argument("--times", type=_count, default=1, metavar="N", help="how often a marker has the pattern (1)")
     options.add_argument("--seconds", type=_seconds, default=10.0, metavar="S", help="of search for a marker (10)")
+    options.add_argument("--repair", action="store_true", help="repair the mesh first, and say what was repaired")
+    options.add_argument(
+        "--take-proposals", action="store_true", help="mark what is suggested for failed pieces, and flatten again"
+    )
     options.add_argument("--picture", action="store_true", help="also a PNG of the flat pieces, colored by strain")
     return options
 
@@ -249,6 +253,8 @@ def _request(found: Found, given: argparse.Namespace) -> Request:
         picture=given.picture,
         blender=given.blender,
         resume=given.resume,
+        repair=given.repair,
+        take_proposals=given.take_proposals,
     )
 
 

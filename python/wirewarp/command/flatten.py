@@ -7,6 +7,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from .. import Cloth, FlattenError, FlattenResult, Options, __version__, flatten
 from ..pattern import Marker, Pattern, Written
 from ..pattern.files import today
@@ -16,6 +18,8 @@ from .figures import figures_of
 from .input_error import InputError
 from .lines import lines_of, seams_of
 from .model import Model, read_model
+from .proposals import with_proposals
+from .repair import repaired
 from .request import FROM_MODEL, MILLIMETERS, MarkerRequest, MaterialRequest, Request
 from .staged import staged_folder, take_places
 from .suffixes import BLEND
@@ -47,6 +51,8 @@ def _line(request: Request) -> Line:
     if request.refusal:
         raise InputError(request.refusal)
     is_blend = request.model.suffix.lower() == BLEND
+    if is_blend and (request.repair or request.take_proposals):
+        raise InputError("--repair and --take-proposals are not for .blend files: use Check and Repair in Blender.")
     model = None if is_blend else read_model(request.model)
     made_of = _made_of(request, model)
     before = _done_before(request, made_of)
@@ -99,9 +105,17 @@ def _made_of(request: Request, model: Model | None) -> str:
 
 def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict[str, Any]]:
     """Writes patterns and picture to the folder; the line, and what the report says besides."""
+    repairs: list[str] = []
     seams, lines = seams_of(model, request.seams), lines_of(request.wires)
+    if request.repair:
+        found = repaired(model)
+        model, repairs = found.model, found.done
+        seams = found.seams if not request.seams else np.concatenate([seams_of(model, request.seams), found.seams])
     options = material_options(request.material, request.unit)
     result = flatten(model.vertices, model.faces, seams=seams, wires=lines.wires, eases=lines.eases, options=options)
+    if request.take_proposals:
+        result, lines, taken = with_proposals(model, result, seams, lines, options)
+        repairs += taken
     measured = make_report(
         result,
         model.vertices,
@@ -113,11 +127,11 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
         meters=MILLIMETERS[request.unit] / 1000,
         name=request.model.stem,
     )
-    found = verdict(measured)
+    judged = verdict(measured)
     failed = [(n, piece.error) for n, piece in enumerate(result.pieces, start=1) if piece.error]
     line: Line = {
-        "verdict": word_of(found),
-        "says": [each.text for each in found.lines],
+        "verdict": word_of(judged),
+        "says": [each.text for each in judged.lines],
         "pieces": len(result.pieces),
         "figures": figures_of([measured]),
         "problems": [f"Piece {n}: {error.message}" for n, error in failed],
@@ -125,6 +139,8 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
         "warnings": [],
         "files": [request.report_path.name],
     }
+    if request.repair or request.take_proposals:
+        line["repairs"] = repairs
     report: dict[str, Any] = {"unit": request.unit}
     if request.picture:
         _draw_picture(folder / request.picture_path.name, request, model, result, line)

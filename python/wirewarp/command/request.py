@@ -75,6 +75,8 @@ class Request(ModelRequest):
     picture: bool
     blender: str  # the program, for .blend files
     resume: bool
+    repair: bool
+    take_proposals: bool
     refusal: str = ""  # why it cannot be done beside the other requests
 
     @property

@@ -1,0 +1,194 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Repairs of a triangle mesh, as Check and Repair of the add-on does them, each with a sentence on what was done.
+
+Vertices keep their numbers, so that files with seams and wires still name the same ones.
+"""
+
+from collections import defaultdict
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+
+from ..report import counted
+from .model import Model
+
+CLOSE = 1e-5  # of the model's size; files write coordinates to five or six digits
+OBLIQUE = np.array([0.3, 0.5, 0.81])  # a direction in which hardly any model has many vertices at one height
+
+
+@dataclass(frozen=True)
+class Repaired:
+    model: Model
+    seams: np.ndarray  # (k,2) edges of three or more faces, which must be seams
+    done: list[str]
+
+
+def repaired(model: Model) -> Repaired:
+    """Merges, then removes faces without area and duplicates, then makes neighbors face the same way."""
+    close = CLOSE * float(np.ptp(model.vertices, axis=0).max())
+    done: list[str] = []
+    model, merged = _with_merged_vertices(model, close)
+    if merged:
+        done.append(f"{counted(merged, 'overlapping vertex', 'overlapping vertices')} merged")
+    model, removed = _without_flat_faces(model, close)
+    if removed:
+        done.append(f"{counted(removed, 'zero-area face')} removed")
+    _, first = np.unique(np.sort(model.faces, axis=1), axis=0, return_index=True)
+    duplicates = len(model.faces) - len(first)
+    if duplicates:
+        model = _with_faces(model, np.sort(first))
+        done.append(f"{counted(duplicates, 'duplicate face')} removed")
+    flipped = _opposed_faces(model)
+    if len(flipped):
+        model = _with_flipped(model, flipped)
+        done.append(f"{counted(len(flipped), 'face')} flipped")
+    seams = _edges_of_many_faces(model.faces)
+    if len(seams):
+        done.append(f"{counted(len(seams), 'edge')} of three or more faces marked as seams")
+    return Repaired(model, seams, done)
+
+
+def _with_faces(model: Model, rows: np.ndarray) -> Model:
+    uv = None if model.corner_uv is None else model.corner_uv[rows]
+    return replace(model, faces=model.faces[rows], corner_uv=uv)
+
+
+def _with_flipped(model: Model, rows: np.ndarray) -> Model:
+    faces, uv = model.faces.copy(), None if model.corner_uv is None else model.corner_uv.copy()
+    faces[rows] = faces[rows][:, ::-1]
+    if uv is not None:
+        uv[rows] = uv[rows][:, ::-1]
+    return replace(model, faces=faces, corner_uv=uv)
+
+
+def _with_merged_vertices(model: Model, close: float) -> tuple[Model, int]:
+    """Each becomes the first of those close to it; returns how many used ones are gone, too."""
+    labels = np.arange(len(model.vertices))
+    pairs = _close_pairs(model.vertices, close)
+    while True:  # along chains of close vertices
+        before = labels.copy()
+        lowest = np.minimum(labels[pairs[:, 0]], labels[pairs[:, 1]])
+        np.minimum.at(labels, pairs.ravel(), np.repeat(lowest, 2))
+        labels = labels[labels]
+        if np.array_equal(labels, before):
+            break
+    faces = labels[model.faces]
+    merged = len(np.unique(model.faces)) - len(np.unique(faces))
+    a, b, c = faces.T
+    is_face = (a != b) & (b != c) & (c != a)
+    return _with_faces(replace(model, faces=faces), np.flatnonzero(is_face)), merged
+
+
+def _close_pairs(vertices: np.ndarray, close: float) -> np.ndarray:
+    """(k,2) of vertices no farther apart than that."""
+    heights = vertices @ (OBLIQUE / np.linalg.norm(OBLIQUE))
+    order = np.argsort(heights, kind="stable")
+    rows, found = np.arange(len(order)), [np.empty((0, 2), dtype=np.int64)]
+    for step in range(1, len(order)):
+        rows = rows[rows + step < len(order)]
+        rows = rows[heights[order[rows + step]] - heights[order[rows]] <= close]
+        if not len(rows):
+            break
+        pairs = np.column_stack([order[rows], order[rows + step]])
+        found.append(pairs[np.linalg.norm(vertices[pairs[:, 0]] - vertices[pairs[:, 1]], axis=1) <= close])
+    return np.concatenate(found)
+
+
+def _without_flat_faces(model: Model, close: float) -> tuple[Model, int]:
+    """A face whose vertex lies on its opposite edge goes, and the face across that edge is cut there."""
+    faces = [tuple(face) for face in model.faces.tolist()]
+    uv = [None] * len(faces) if model.corner_uv is None else list(model.corner_uv)
+    flat = {row for row, face in enumerate(faces) if _height(model.vertices, face) <= close}
+    if not flat:
+        return model, 0
+    by_edge: dict[frozenset[int], set[int]] = defaultdict(set)
+    for row, face in enumerate(faces):
+        for side in pairwise((*face, face[0])):
+            by_edge[frozenset(side)].add(row)
+    gone: set[int] = set()
+    for row in sorted(flat):
+        long_edge, tip = _longest_edge(model.vertices, faces[row])
+        gone.add(row)
+        for other in sorted(by_edge[frozenset(long_edge)] - gone - flat):
+            gone.add(other)
+            for face, corners in _cut_at(model.vertices, faces[other], uv[other], long_edge, tip):
+                for side in pairwise((*face, face[0])):
+                    by_edge[frozenset(side)].add(len(faces))
+                faces.append(face)
+                uv.append(corners)
+    rows = [row for row in range(len(faces)) if row not in gone]
+    corner_uv = None if model.corner_uv is None else np.array([uv[row] for row in rows])
+    kept = np.array([faces[row] for row in rows], dtype=np.int64).reshape(-1, 3)
+    return replace(model, faces=kept, corner_uv=corner_uv), len(flat)
+
+
+def _height(vertices: np.ndarray, face: tuple[int, ...]) -> float:
+    """Above the longest edge."""
+    a, b, c = vertices[list(face)]
+    longest = max(np.linalg.norm(b - a), np.linalg.norm(c - b), np.linalg.norm(a - c))
+    return float(np.linalg.norm(np.cross(b - a, c - a)) / longest) if longest > 0 else 0.0
+
+
+def _longest_edge(vertices: np.ndarray, face: tuple[int, ...]) -> tuple[tuple[int, int], int]:
+    """And the vertex opposite."""
+    a, b, c = face
+    sides = [((a, b), c), ((b, c), a), ((c, a), b)]
+    return max(sides, key=lambda side: float(np.linalg.norm(vertices[side[0][0]] - vertices[side[0][1]])))
+
+
+def _cut_at(
+    vertices: np.ndarray, face: tuple[int, ...], uv: np.ndarray | None, edge: tuple[int, int], tip: int
+) -> list[tuple[tuple[int, int, int], np.ndarray | None]]:
+    """The two parts of a face with this edge that the tip, which lies on it, divides; with their places on the map."""
+    first = next(k for k in range(3) if {face[k], face[(k + 1) % 3]} == set(edge))
+    a, b, c = (face[(first + k) % 3] for k in range(3))
+    parts = ((a, tip, c), (tip, b, c))
+    if uv is None:
+        return [(part, None) for part in parts]
+    at_a, at_b, at_c = (uv[(first + k) % 3] for k in range(3))
+    length = float(np.linalg.norm(vertices[b] - vertices[a]))
+    share = float(np.linalg.norm(vertices[tip] - vertices[a])) / length
+    at_tip = (1 - share) * at_a + share * at_b
+    return [(parts[0], np.array([at_a, at_tip, at_c])), (parts[1], np.array([at_tip, at_b, at_c]))]
+
+
+def _opposed_faces(model: Model) -> np.ndarray:
+    """(k,) of each connected part the lesser area that faces the other way than the rest."""
+    neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
+    at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)
+    for row, face in enumerate(model.faces.tolist()):
+        for a, b in pairwise((*face, face[0])):
+            at_edge[min(a, b), max(a, b)].append((row, a < b))
+    pairs = [sides for sides in at_edge.values() if len(sides) == 2]
+    if all(ascending != other for (_, ascending), (_, other) in pairs):
+        return np.empty(0, dtype=np.int64)
+    for (row, ascending), (other, other_ascending) in pairs:
+        neighbors[row].append((other, ascending == other_ascending))
+        neighbors[other].append((row, ascending == other_ascending))
+    a, b, c = model.vertices[model.faces].transpose(1, 0, 2)
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    side = np.full(len(model.faces), -1)
+    opposed: list[np.ndarray] = []
+    for begin in range(len(side)):
+        if side[begin] >= 0:
+            continue
+        side[begin], part, open_rows = 0, [begin], [begin]
+        while open_rows:
+            row = open_rows.pop()
+            for other, differs in neighbors[row]:
+                if side[other] < 0:
+                    side[other] = side[row] ^ differs
+                    part.append(other)
+                    open_rows.append(other)
+        rows = np.array(part)
+        sides = [rows[side[rows] == which] for which in (0, 1)]
+        opposed.append(min(sides, key=lambda own: float(areas[own].sum())))
+    return np.sort(np.concatenate(opposed))
+
+
+def _edges_of_many_faces(faces: np.ndarray) -> np.ndarray:
+    """(k,2) edges of three or more."""
+    edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    found, counts = np.unique(edges, axis=0, return_counts=True)
+    return found[counts > 2]

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""--repair and --take-proposals: what was wrong is repaired, what was suggested is marked, and both are said."""
+
+import json
+
+import numpy as np
+import pytest
+from test_command import FOLDED, run
+from wirewarp.command.model import Model
+from wirewarp.command.repair import repaired
+
+pytest.importorskip("trimesh")
+SQUARE = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], dtype=float)
+
+
+def model_of(vertices, faces, corner_uv=None):
+    return Model(np.asarray(vertices, dtype=float), np.asarray(faces), corner_uv)
+
+
+def areas(model):
+    a, b, c = model.vertices[model.faces].transpose(1, 0, 2)
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+
+
+def test_a_good_mesh_is_left_as_it_is():
+    model = model_of(SQUARE, [(0, 1, 2), (0, 2, 3)])
+    found = repaired(model)
+    assert found.done == [] and len(found.seams) == 0
+    assert np.array_equal(found.model.faces, model.faces)
+
+
+def test_vertices_closer_than_files_write_them_become_one_and_keep_their_numbers():
+    apart = [*SQUARE, (1 + 1e-6, 0, 0), (2, 0, 0), (1, 1 + 1e-6, 0)]
+    found = repaired(model_of(apart, [(0, 1, 2), (0, 2, 3), (4, 5, 6)]))
+    assert found.done == ["2 overlapping vertices merged"]
+    assert found.model.faces.tolist() == [[0, 1, 2], [0, 2, 3], [1, 5, 2]]
+
+
+def test_vertices_that_are_merely_near_stay_apart():
+    found = repaired(model_of([*SQUARE, (1.001, 0, 0), (2, 0, 0), (1.001, 1, 0)], [(0, 1, 2), (4, 5, 6)]))
+    assert found.done == []
+
+
+def test_a_face_without_area_goes_and_its_neighbor_is_cut_there():
+    """Of a square whose right triangle's long edge has a vertex in its middle, which the left one does not know."""
+    vertices = [*SQUARE, (0.5, 0.5, 0)]
+    uv = np.array([SQUARE[list(face), :2] for face in [(0, 2, 3)]] + [np.zeros((3, 2))] * 3)
+    faces = [(0, 2, 3), (0, 4, 2), (0, 1, 4), (1, 2, 4)]
+    found = repaired(model_of(vertices, faces, uv))
+    assert found.done == ["1 zero-area face removed"]
+    assert areas(found.model) == pytest.approx([0.25] * 4)
+    new = [row for row, face in enumerate(found.model.faces.tolist()) if {3, 4} <= set(face)]
+    for row in new:  # the map is cut where the face is
+        for corner, vertex in enumerate(found.model.faces[row]):
+            assert found.model.corner_uv[row, corner] == pytest.approx(np.array(vertices[vertex])[:2])
+
+
+def test_duplicates_go_whichever_way_they_face():
+    found = repaired(model_of(SQUARE, [(0, 1, 2), (2, 1, 0), (0, 2, 3)]))
+    assert found.done == ["1 duplicate face removed"]
+    assert len(found.model.faces) == 2
+
+
+def test_the_lesser_part_is_flipped_to_face_as_the_rest():
+    grid = np.array([(x, y, 0) for y in range(3) for x in range(3)], dtype=float)
+    faces = [(a, a + 1, a + 4) for a in (0, 1, 3, 4)] + [(a, a + 4, a + 3) for a in (0, 1, 3, 4)]
+    faces[5] = faces[5][::-1]
+    found = repaired(model_of(grid, faces))
+    assert found.done == ["1 face flipped"]
+    a, b, c = found.model.vertices[found.model.faces].transpose(1, 0, 2)
+    assert (np.cross(b - a, c - a)[:, 2] > 0).all()
+
+
+def test_edges_of_three_faces_become_seams():
+    found = repaired(model_of([*SQUARE, (0.5, 0.5, 1)], [(0, 1, 2), (0, 2, 3), (0, 2, 4)]))
+    assert found.seams.tolist() == [[0, 2]]
+    assert found.done == ["1 edge of three or more faces marked as seams"]
+
+
+def test_a_model_that_fails_is_repaired_on_request(tmp_path):
+    path = tmp_path / "double.obj"
+    path.write_text(FOLDED + "f 1/1 2/2 5/3 4/4\n")  # a face twice
+    ((line,), _) = run(path, "--out", tmp_path / "out", code=1)
+    assert line["verdict"] == "not ready to cut"
+    ((line,), _) = run(path, "--out", tmp_path / "out", "--repair")
+    assert line["repairs"] == ["2 duplicate faces removed"]  # of the two triangles of the square
+    assert line["pieces"] == 1 and "repairs" in json.loads((tmp_path / "out" / "double.json").read_text())["line"]
+
+
+def test_suggested_seams_are_marked_on_request(tmp_path):
+    """Of a tube, which has to be cut once."""
+    count = 12
+    turn = 2 * np.pi * np.arange(count) / count
+    rings = [f"v {np.cos(a) / 20} {np.sin(a) / 20} {z}" for z in (0, 0.1) for a in turn]
+    sides = [f"f {k + 1} {(k + 1) % count + 1} {(k + 1) % count + 1 + count} {k + 1 + count}" for k in range(count)]
+    (tmp_path / "tube.obj").write_text("\n".join(rings + sides) + "\n")
+    ((line,), _) = run(tmp_path / "tube.obj", "--out", tmp_path / "out", code=1)
+    assert line["verdict"] == "not ready to cut" and "repairs" not in line
+    ((line,), _) = run(tmp_path / "tube.obj", "--out", tmp_path / "out", "--take-proposals")
+    assert line["verdict"] == "ready to cut"
+    assert line["repairs"] == ["1 suggested edge marked as seams"]
+
+
+def test_blender_files_are_repaired_in_blender(tmp_path):
+    (tmp_path / "a.blend").write_bytes(b"BLENDER")
+    ((line,), _) = run(tmp_path / "a.blend", "--out", tmp_path / "out", "--repair", code=2)
+    assert "Check and Repair in Blender" in line["problems"][0]
