@@ -13,6 +13,9 @@ from typing import Any
 
 import bpy
 
+sys.path.insert(0, str(Path(__file__).parent))
+from error_examples import EXAMPLES, example_sentence  # noqa: E402 (the folder must be on the path first)
+
 ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]  # of whichever Blender's kind of add-on it is
 PANELS = {  # the class of a group of settings: where Blender shows them
     "FlattenSettings": "Flatten > Settings",
@@ -21,47 +24,6 @@ PANELS = {  # the class of a group of settings: where Blender shows them
     "EaseAmount": "Mark > Ease",
     "WIREWARP_PG_settings": "Other panels",
 }
-EXAMPLE_WIRES = ["Hip", "Bust"]
-# Values that fill the sentences of each error: the code, its arguments, other facts, the elements it is about.
-PROPOSED = {"proposed_seams": [(0, 1)]}
-EXAMPLES: list[tuple[str, dict[str, Any], dict[str, int], dict[str, Any]]] = [
-    ("empty_mesh", {}, {}, {}),
-    ("non_finite_coordinates", {}, {}, {"vertices": [1, 2]}),
-    ("loose_faces", {"num_parts": 1200}, {}, {}),
-    ("repeated_vertex_in_face", {}, {"faces": 2}, {}),
-    ("repeated_face", {}, {"faces": 2}, {}),
-    ("zero_area_face", {}, {"faces": 2}, {}),
-    ("non_manifold_edge", {}, {}, {"edges": [(0, 1), (1, 2)]}),
-    ("non_manifold_vertex", {}, {}, {"vertices": [1]}),
-    ("inconsistent_orientation", {"is_one_sided": False}, {}, {"edges": [(0, 1)]}),
-    ("inconsistent_orientation", {"is_one_sided": True}, {}, {"edges": [(0, 1)]}),
-    ("closed_chart", {}, {}, PROPOSED),
-    ("handles", {"num_handles": 1}, {}, PROPOSED),
-    ("boundary_too_short", {"lengths": [0.25]}, {}, PROPOSED),
-    ("boundary_too_short", {"lengths": [0.31, 0.28]}, {}, PROPOSED),
-    ("boundary_too_short", {"lengths": [0.31, 0.28, 0.2]}, {}, PROPOSED),
-    ("infeasible_lengths", {"reason": "wires", "is_refined": True}, {}, {"proposed_tolerances": [(0, 0.012)]}),
-    ("infeasible_lengths", {"reason": "wires", "is_refined": True}, {}, {"proposed_tolerances": [(1, math.inf)]}),
-    ("infeasible_lengths", {"reason": "outline", "has_wires": True}, {}, PROPOSED),
-    ("infeasible_lengths", {"reason": "stretch"}, {}, PROPOSED),
-    ("infeasible_lengths", {"reason": "method"}, {}, {}),
-    ("not_solvable", {"reason": "sizes"}, {"faces": 2}, {}),
-    ("not_solvable", {"reason": "precision"}, {}, {}),
-    ("not_solvable", {"reason": "helper_wires"}, {}, {"edges": [(0, 1)]}),
-    ("cancelled", {}, {}, {}),
-    ("invalid_option", {"name": "thickness"}, {"faces": 3}, {"faces": [0]}),
-    ("invalid_option", {"name": "method", "wires": [0]}, {}, {"edges": [(0, 1)]}),
-    ("lengths_not_kept", {"wires": [], "difference": 0.004, "has_wires": True}, {}, {"edges": [(0, 1)]}),
-    ("lengths_not_kept", {"wires": [0], "tolerance": 0.03, "has_wires": True}, {}, {"edges": [(0, 1)]}),
-    ("flipped_faces", {"has_wires": True}, {"faces": 2}, PROPOSED),
-    ("overlapping_faces", {}, {"faces": 2}, PROPOSED),
-    ("no_proposal", {"reason": "unfolded"}, {}, {}),
-    ("no_proposal", {"reason": "strain", "strain": 0.004, "limit": 0.005}, {}, {}),
-    ("no_proposal", {"reason": "too_long", "length": 0.4, "limit": 0.15}, {}, {}),
-    ("no_proposal", {"reason": "no_set"}, {}, {}),
-    ("no_proposal", {"reason": "no_gain", "kind": "dart"}, {}, {}),
-    ("no_proposal", {"reason": "no_room", "kind": "dart"}, {}, {}),
-]
 
 
 def module(name: str) -> Any:  # noqa: ANN401
@@ -153,16 +115,7 @@ def description(operator: type[bpy.types.Operator]) -> str:
 def errors_page() -> list[str]:
     library = module("core").library()
     sentences = module("solve.error_sentences")
-    units = module("words").LengthText("mm", 1000.0)
-    rows = []
-    for code, arguments, facts, elements in EXAMPLES:
-        counts = [facts.get(name, 0) for name in ("faces", "flipped", "overlapping")]
-        error = library.FlattenError(code, "", **elements, arguments=arguments)
-        text = sentences.error_sentence(sentences.ErrorFacts(error, *counts, EXAMPLE_WIRES, units))
-        rows.append([text, f"`{code}`"])
-    missing = set(sentences.SENTENCES) - {code for code, *_ in EXAMPLES}
-    if missing:
-        raise SystemExit(f"docs/write_blender_pages.py has no example of the errors {', '.join(sorted(missing))}")
+    rows = [[example_sentence(library, sentences, module("words"), each), f"`{each[0]}`"] for each in EXAMPLES]
     codes = [
         [f"`{code.value}`", sentence(code.meaning), sentence(code.remedy), sentence(code.arguments)]
         for code in library.ErrorCode

@@ -12,7 +12,7 @@ PILLOW = "pillow==13.0.0"
 GUIDE = ROOT / "docs" / "guide"  # the scripts and the pictures
 SCRIPT = GUIDE / "take_pictures.py"
 TOURS = ("mark", "flat", "report", "suggest", "tube", "contradiction", "pieces", "allowance", "pages", "export")
-PRINTED = {"sheet": ("sheets", 6, 60), "marker": ("marker", 1, 20)}  # of which file which page, dots an inch
+PRINTED = {"sheet": ("sheets", 6, 60), "marker": ("marker", 1, 40)}  # of which file which page, dots an inch
 SECONDS = 600.0  # for a slow machine; a tour takes about ten
 
 

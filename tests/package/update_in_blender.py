@@ -9,6 +9,7 @@ import os
 import shutil
 import subprocess
 import sys
+import traceback
 import zipfile
 from pathlib import Path
 
@@ -78,9 +79,9 @@ code = 1
 try:
     main()
     code = 0
-finally:
-    sys.stdout.flush()
-    sys.stderr.flush()
-    shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
-    if code == 0:
-        os._exit(0)  # the module may wait for ever for a thread of its own when Python ends
+except Exception:
+    traceback.print_exc()
+sys.stdout.flush()
+sys.stderr.flush()
+shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
+os._exit(code)  # the module may wait for ever for a thread of its own when Python ends
