@@ -48,8 +48,8 @@ def draw_color_scale(sheet: Sheet, begin: float, end: float, y: float, limit: fl
         beyond = {-1: "≤ ", 1: "≥ "}.get(share, "") if largest > limit else ""
         number = f"{100 * share * limit:+.4g}%".replace("-", "\N{MINUS SIGN}") if share else "0"
         sheet.add_text(beyond + number, x, y - 0.24, SMALL_TEXT, INK, "CENTER")
-    sheet.add_text("cloth eased in", begin, y + 0.26, SMALL_TEXT, FAINT_INK)
-    sheet.add_text("cloth stretched", end, y + 0.26, SMALL_TEXT, FAINT_INK, "RIGHT")
+    sheet.add_text("fabric compressed", begin, y + 0.26, SMALL_TEXT, FAINT_INK)
+    sheet.add_text("fabric stretched", end, y + 0.26, SMALL_TEXT, FAINT_INK, "RIGHT")
 
 
 def _line(*points: tuple[float, float]) -> np.ndarray:

@@ -9,7 +9,7 @@ import numpy as np
 def cloth_stretch(flat: np.ndarray, worn: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     """How much longer the cloth around each vertex is on the model than flat, the mean of all directions.
 
-    flat (n, 2) and worn (n, 3) are positions. 0.1 is stretched by 10%, -0.1 is eased in by 10%.
+    flat (n, 2) and worn (n, 3) are positions. 0.1 is stretched by 10%, -0.1 is compressed by 10%.
     """
     return np.sqrt(_areas_around(worn, triangles) / _areas_around(np.pad(flat, ((0, 0), (0, 1))), triangles)) - 1
 

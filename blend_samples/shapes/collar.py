@@ -31,7 +31,7 @@ def wetsuit_collar(half_columns: int = 34, rows: int = 24) -> Shape:
     left = _half(half_columns, rows)
     grid = builder.add_grid(np.concatenate([left[:, :0:-1] * [-1, 1, 1], left], axis=1))
     builder.add_wire(grid[rows // 2], "Base of the neck", TOLERANCE)
-    builder.add_wire(grid[:, half_columns], "Middle front", TOLERANCE)
+    builder.add_wire(grid[:, half_columns], "Center front", TOLERANCE)
     return builder.build("Wetsuit collar", cloth="neoprene")
 
 

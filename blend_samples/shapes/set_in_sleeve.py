@@ -25,7 +25,7 @@ TOLERANCE = 0.05
 def set_in_sleeve(
     shoulder: int = 3, neck: int = 16, ribs: int = 12, side: int = 4, armhole: int = 16, upper: int = 16, fore: int = 14
 ) -> Shape:
-    """Front, back and sleeve with elastic lines down each, and rigid bust and biceps lines.
+    """Front, back and sleeve with elastic lines down each, and rigid bust and upper-arm lines.
 
     The counts are edges along each stretch; neck is that of both halves.
     """
@@ -45,7 +45,7 @@ def set_in_sleeve(
     sleeve = builder.add_grid(_sleeve(loop, upper, fore), flip=True)
     builder.add_seam(sleeve[:, 0])
     builder.add_wire(sleeve[::-1, armhole], "Sleeve middle", TOLERANCE)
-    builder.add_wire(sleeve[upper // 2], "Biceps line")
+    builder.add_wire(sleeve[upper // 2], "Upper-arm line")
     notch = round(NOTCH * armhole)
     builder.add_ease(sleeve[0, notch : len(loop) - notch][::-1], EASE)
     return builder.build("Set-in sleeve", cloth="jersey")

@@ -36,8 +36,8 @@ def gathered_skirt(panel: int = 40, length: int = 20, band: int = 3) -> Shape:
     builder.add_seam(skirt[-1])
     builder.add_seam(waistband[:, back])
     builder.add_ease(skirt[-1, ::-1], GATHERS)
-    builder.add_wire(skirt[:, front], "Middle front")
-    builder.add_wire(skirt[:, back], "Middle back")
+    builder.add_wire(skirt[:, front], "Center front")
+    builder.add_wire(skirt[:, back], "Center back")
     return builder.build("Gathered skirt", cloth="jersey", fairness=FAIRNESS)
 
 

@@ -45,7 +45,7 @@ def swimsuit(
             builder.add_seam(grids[half][leg : bust + side + 1, edge])
         builder.add_seam(grids[half][-1, : strap + 1])
         builder.add_seam(grids[half][-1, columns - strap :])
-        builder.add_wire(grids[half][:, columns // 2], "Middle front" if half > 0 else "Middle back")
+        builder.add_wire(grids[half][:, columns // 2], "Center front" if half > 0 else "Center back")
     builder.add_seam(grids[1][0])
     for row, name in ((bust, "Bust line"), (hem, "Waist line")):
         builder.add_wire(np.concatenate([grids[1][row], grids[-1][row, -2::-1]]), name)

@@ -19,7 +19,7 @@ CAP_FULLNESS = 0.16  # how far the sleeve leaves the armhole before it bends to 
 def fitted_top(
     shoulder: int = 8, neck: int = 16, hem: int = 11, ribs: int = 10, side: int = 4, armhole: int = 14, sleeve: int = 12
 ) -> Shape:
-    """The top with its bust, waist and biceps lines and middle lines; the counts are edges along each stretch."""
+    """The top with its bust, waist and upper-arm lines and middle lines; the counts are edges along each stretch."""
     builder = ShapeBuilder()
     bust, underarm, columns = hem + ribs, hem + ribs + side, 2 * shoulder + neck
     grids, armholes = {}, {}
@@ -33,7 +33,7 @@ def fitted_top(
             builder.add_seam(grids[half][:, edge])
         builder.add_seam(grids[half][-1, : shoulder + 1])
         builder.add_seam(grids[half][-1, columns - shoulder :])
-        builder.add_wire(grids[half][:, columns // 2], "Middle front" if half > 0 else "Middle back")
+        builder.add_wire(grids[half][:, columns // 2], "Center front" if half > 0 else "Center back")
     for row, name in ((bust, "Bust line"), (hem, "Waist line")):
         builder.add_wire(np.concatenate([grids[1][row], grids[-1][row, -2::-1]]), name)
 
@@ -43,7 +43,7 @@ def fitted_top(
         builder.add_seam(grid[:, 0])
         builder.add_group(grid, f"{name} sleeve")
         builder.add_wire(grid[::-1, armhole], f"{name} sleeve middle")
-        builder.add_wire(grid[sleeve // 2], f"{name} biceps line")
+        builder.add_wire(grid[sleeve // 2], f"{name} upper-arm line")
     return builder.build("Fitted top", cloth="jersey")
 
 

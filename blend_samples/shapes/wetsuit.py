@@ -51,7 +51,7 @@ def wetsuit_upper_body(
     ):
         around = [panels[1][row], sides[1][row, 1:], panels[-1][row, -2::-1], sides[-1][row, -2::-1]]
         builder.add_wire(np.concatenate(around), name, tolerance)
-    builder.add_wire(panels[1][:, columns // 2], "Middle front", TOLERANCE)
+    builder.add_wire(panels[1][:, columns // 2], "Center front", TOLERANCE)
     for half, place in ((1, "front"), (-1, "back")):
         for column, name in ((columns - shoulder, "Left"), (shoulder, "Right")):
             builder.add_wire(panels[half][:, column], f"{name} {place} line", TOLERANCE)

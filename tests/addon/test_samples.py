@@ -103,7 +103,7 @@ def test_the_swimsuit_is_cut_shorter_by_the_stretch_along_its_grain(tmp_path):
     open_sample("swimsuit")
     wires = {wire["name"]: wire for wire in flatten_as_the_file_says(tmp_path)["wires"]}
     along = 1 + SAMPLES["swimsuit"].stretch[1]
-    for name in ("Middle front", "Middle back"):
+    for name in ("Center front", "Center back"):
         assert wires[name]["length_2d_m"] == pytest.approx([wires[name]["length_3d_m"] / along], rel=1e-6)
 
 
