@@ -199,7 +199,8 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, AimSettings, EaseAm
     )
     true_height: FloatProperty(
         name="Height (cm)",
-        description="How high the model is in reality, from its lowest to its highest point",
+        description="How high the model is in reality, from its lowest to its highest point. Undo (Ctrl+Z) takes a "
+        "wrong one back",
         min=0.1,
         soft_max=300.0,
         max=100000.0,

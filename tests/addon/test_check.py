@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Check and Repair: each kind of fault is counted, shown and repaired, and nothing else is changed."""
 
+import itertools
+
 import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, read
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_only, wire_marks
 
 pytestmark = pytest.mark.api
 
@@ -58,30 +60,83 @@ def test_all_repairs_leave_a_model_that_flattens(addon, kind):
     assert addon.state.reports.last_report(target).ok
 
 
-def test_interior_faces_are_found_and_deleted(addon):
-    """A wall between two cubes that share it."""
-    grid_of = [(x, y, z) for x in range(3) for y in range(2) for z in range(2)]
-    at = {place: index for index, place in enumerate(grid_of)}
-    edit = bmesh.new()
-    vertices = [edit.verts.new(place) for place in grid_of]
-    for x in range(2):
-        corners = [vertices[at[x + dx, dy, dz]] for dx in (0, 1) for dy in (0, 1) for dz in (0, 1)]
-        sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-        for side in sides:
-            face = [corners[corner] for corner in side]
-            if edit.faces.get(face) is None:
-                edit.faces.new(face)
+def block(size):
+    """Of cells along each axis, with walls between them."""
+    edit, faces, vertices = bmesh.new(), set(), {}
+    for cell in itertools.product(range(size[0]), range(size[1]), range(size[2])):
+        for axis, end in itertools.product(range(3), (0, 1)):
+            across = [other for other in range(3) if other != axis]
+            corners = []
+            for steps in ((0, 0), (1, 0), (1, 1), (0, 1)):
+                corner = list(cell)
+                corner[axis] += end
+                for other, step in zip(across, steps, strict=True):
+                    corner[other] += step
+                corners.append(tuple(corner))
+            if frozenset(corners) not in faces:
+                faces.add(frozenset(corners))
+                edit.faces.new(
+                    [vertices.setdefault(each, None) or new_vertex(edit, vertices, each) for each in corners]
+                )
     target, _ = faulty("LOOSE")
     edit.to_mesh(target.data)
     edit.free()
-    assert counts(addon, target)["INTERIOR"] == 1
+    return target
+
+
+def vertex_at(edit, vertices, place):
+    if place not in vertices:
+        vertices[place] = edit.verts.new(place)
+    return vertices[place]
+
+
+@pytest.mark.parametrize(("size", "inside"), [((2, 1, 1), 1), ((3, 3, 3), 3 * 2 * 9)])
+def test_walls_inside_are_found_but_no_face_that_is_seen_from_outside(addon, size, inside):
+    target = block(size)
+    shell = len(target.data.polygons) - inside
+    assert counts(addon, target)["INTERIOR"] == inside
+    assert CHECK() == {"FINISHED"}  # unasked they stay
+    assert counts(addon, target)["INTERIOR"] == inside
     CHECK(repairs={"INTERIOR"})
-    assert len(target.data.polygons) == 10
+    assert len(target.data.polygons) == shell
+
+
+def test_duplicates_after_a_merge_are_those_with_the_same_vertices(addon):
+    """Two squares whose corners are merged first are still two."""
+    target, _ = faulty("MERGE")
+    assert addon.blender.faults.repair_faults(target.data, ["MERGE", "DUPLICATES"]) == {"MERGE": 2}
+    assert len(target.data.polygons) == 2
+
+
+def test_a_repair_keeps_seams_wires_and_maps(addon):
+    source = grid("Bump", bump, size=4)
+    mark_seam(source, on_line(0, 0.0))
+    mark(source, on_line(1, 0.0))
+    source.data.uv_layers.new(name="Own")
+    source.data.vertices.add(1)  # loose
+    seams, wires = count_seams(source), len(wire_marks(source.data))
+    assert CHECK() == {"FINISHED"}
+    assert (count_seams(source), len(wire_marks(source.data))) == (seams, wires)
+    assert source.data.uv_layers[0].name == "Own" and len(source.data.vertices) == 25
+
+
+def count_seams(source):
+    return sum(edge.use_seam for edge in source.data.edges)
+
+
+def test_a_repair_from_edit_mode_of_the_pieces_leaves_it_so_that_undo_has_the_model(addon):
+    source = grid("Bump", bump, size=4)
+    bpy.ops.object.wirewarp_flatten()
+    source.data.vertices.add(1)
+    select_only(flat_of(source))
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert CHECK() == {"FINISHED"}
+    assert bpy.context.mode == "OBJECT" and len(source.data.vertices) == 25
 
 
 def test_only_the_kinds_that_are_chosen_are_repaired(addon):
     target, _ = faulty("MERGE")
-    assert CHECK(repairs={"LOOSE"}) == {"CANCELLED"}
+    assert CHECK(repairs={"LOOSE"}) == {"FINISHED"}  # so that other kinds can be chosen in Adjust Last Operation
     assert len(target.data.vertices) == 8
 
 

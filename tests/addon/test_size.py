@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Models that nobody could sew in the size they have: told, with the units that would do."""
 
+import math
+
 import bpy
 import pytest
 from everything import draw_panels
@@ -54,6 +56,12 @@ def test_the_unit_follows_from_the_height_that_the_model_should_have(addon, size
     source, buttons = bpy.data.objects["Chair"], []
     draw_panels(addon, buttons)
     assert buttons.count("scene.wirewarp_set_unit") == 4 * 2  # three units and the height; narrow and wide
+    across = source.dimensions.x
+    source.rotation_euler.y = math.pi / 2  # as importers turn models
+    bpy.context.view_layer.update()
+    assert addon.blender.units.unit_of_height(source, 1.2) == pytest.approx(1.2 / across)
+    source.rotation_euler.y = 0.0
+    bpy.context.view_layer.update()
     meters = addon.blender.units.unit_of_height(source, 1.2)
     bpy.ops.scene.wirewarp_set_unit(meters=meters)
     assert source.dimensions.z * addon.blender.units.meters_per_blender_unit(bpy.context.scene) == pytest.approx(1.2)

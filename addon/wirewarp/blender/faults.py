@@ -9,6 +9,7 @@ from typing import Any
 import bmesh
 import bpy
 import numpy as np
+from mathutils.bvhtree import BVHTree
 
 from ..words import counted
 
@@ -47,30 +48,43 @@ def find_faults(mesh: bpy.types.Mesh) -> dict[str, Elements]:
     try:
         edit.from_mesh(mesh)
         close = _close_distance(edit)
-        found = {fault.kind: fault.find(edit, close) for fault in FAULTS}
+        found = {fault.kind: _found(fault, edit, close) for fault in FAULTS}
         return {kind: _elements(own) for kind, own in found.items() if own}
     finally:
         edit.free()
 
 
 def repair_faults(mesh: bpy.types.Mesh, kinds: Sequence[str]) -> dict[str, int]:
-    """Repairs these kinds, one after the other; returns how many elements of each were at fault when it came to it."""
+    """Repairs these kinds, one after the other; returns how many elements of each are no longer at fault."""
     repaired = {}
     edit = bmesh.new()
     try:
         edit.from_mesh(mesh)
         close = _close_distance(edit)
         for fault in FAULTS:
-            found = fault.find(edit, close) if fault.kind in kinds else []
-            if found:
-                fault.repair(edit, close, found)
-                repaired[fault.kind] = len(found)
+            found = _found(fault, edit, close) if fault.kind in kinds else []
+            if not found:
+                continue
+            count = len(found)
+            fault.repair(edit, close, found)
+            left = len(_found(fault, edit, close))
+            if left < count:
+                repaired[fault.kind] = count - left
         if repaired:
             edit.to_mesh(mesh)
             mesh.update()
         return repaired
     finally:
         edit.free()
+
+
+def _found(fault: Fault, edit: bmesh.types.BMesh, close: float) -> Found:
+    """With indices that are right after earlier repairs."""
+    for elements in (edit.verts, edit.edges, edit.faces):
+        elements.index_update()
+        elements.ensure_lookup_table()
+    edit.normal_update()
+    return fault.find(edit, close)
 
 
 def _close_distance(edit: bmesh.types.BMesh) -> float:
@@ -109,15 +123,26 @@ def _dissolve(edit: bmesh.types.BMesh, close: float, _found: Found) -> None:
 
 def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
     """All but the first of those with the same vertices."""
-    by_vertices: dict[frozenset[int], Found] = defaultdict(list)
+    by_vertices: dict[frozenset[Any], Found] = defaultdict(list)
     for face in edit.faces:
-        by_vertices[frozenset(vertex.index for vertex in face.verts)].append(face)
+        by_vertices[frozenset(face.verts)].append(face)
     return [face for faces in by_vertices.values() for face in faces[1:]]
 
 
 def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
-    """As Select > Select All by Trait > Interior Faces: other faces meet at all of their edges."""
-    return [face for face in edit.faces if all(len(edge.link_faces) > 2 for edge in face.edges)]
+    """As Select > Select All by Trait > Interior Faces, but for those that can be seen from outside."""
+    walled = [face for face in edit.faces if all(len(edge.link_faces) > 2 for edge in face.edges)]
+    if not walled:
+        return []
+    surface = BVHTree.FromBMesh(edit)
+    return [face for face in walled if all(_is_covered(surface, face, side) for side in (1, -1))]
+
+
+def _is_covered(surface: BVHTree, face: bmesh.types.BMFace, side: int) -> bool:
+    """Whether other faces lie before the middle of the face on this side."""
+    toward = side * face.normal
+    begin = face.calc_center_median() + toward * 1e-4 * face.calc_perimeter()  # off the face itself
+    return surface.ray_cast(begin, toward)[0] is not None
 
 
 def _delete_faces(edit: bmesh.types.BMesh, _close: float, found: Found) -> None:

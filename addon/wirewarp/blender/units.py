@@ -4,6 +4,7 @@
 from collections.abc import Sequence
 
 import bpy
+from mathutils import Vector
 
 from ..words import LengthText
 
@@ -61,8 +62,10 @@ def likely_units(target: bpy.types.Object) -> Sequence[float]:
 
 
 def unit_of_height(target: bpy.types.Object, height: float) -> float | None:
-    """Meters in a Blender unit with which the model is so many meters high; None if it is flat."""
-    return height / target.dimensions.z if target.dimensions.z > 0 else None
+    """Meters in a Blender unit with which the model is so many meters high as it stands; None if it is flat."""
+    heights = [(target.matrix_world @ Vector(corner)).z for corner in target.bound_box]
+    own = max(heights) - min(heights)
+    return height / own if own > 0 else None
 
 
 def unit_text(target: bpy.types.Object, unit: float) -> str:

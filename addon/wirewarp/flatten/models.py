@@ -52,12 +52,12 @@ class Outcome:
 
 
 def solve_models(
-    library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float
+    library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
 ) -> Steps[list[Outcome]]:
-    """Flattens every model; meters: in a Blender unit."""
+    """Flattens every model; meters: in a Blender unit; tries_uv_seams: if the marked ones fail."""
     outcomes: list[Outcome] = []
     for model in models:
-        steps = _solve(library, model, choices, meters)
+        steps = _solve(library, model, choices, meters, tries_uv_seams)
         outcomes.append((yield from told_as(steps, lambda share: (len(outcomes) + share) / len(models))))
     return outcomes
 
@@ -67,7 +67,9 @@ def failed_report(model: Model, issue: Issue) -> ObjectReport:
     return replace(failure_report(issue, model.facts), model_state=model.state)
 
 
-def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcome]:
+def _solve(
+    library: ModuleType, model: Model, choices: FlattenChoices, meters: float, tries_uv_seams: bool
+) -> Steps[Outcome]:
     try:
         if model.issue:
             raise ObjectError(model.issue)
@@ -85,7 +87,8 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
             outcome.report.notes.append(note(NO_ANGLE))
         outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report.notes += model.notes
-    outcome.report.uv_seams = yield from _try_uv_seams(library, model, choices, meters, outcome.report)
+    if tries_uv_seams:
+        outcome.report.uv_seams = yield from _try_uv_seams(library, model, choices, meters, outcome.report)
     if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
         outcome.report.notes.append(warning(INWARD))
     if model.arrays:
@@ -115,8 +118,11 @@ def _try_uv_seams(
     except ObjectError:
         return None  # what is wrong with the model as a whole is in the report
     found = uv_seams(result, tried, meters, choices.cloth)
-    good, stretches = sum(piece.ok for piece in report.pieces), [piece.needed for piece in report.pieces if piece.ok]
-    is_better = found.pieces - found.failed > good if report.issues else found.stretch < max(stretches)
+    if not report.issues:
+        is_better = not found.failed and found.stretch < max(piece.needed for piece in report.pieces)
+    else:
+        good = sum(piece.ok for piece in report.pieces)
+        is_better = found.pieces - found.failed > good and found.failed <= max(len(report.pieces) - good, 1)
     return found if is_better else None
 
 

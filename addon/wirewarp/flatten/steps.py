@@ -40,6 +40,8 @@ def write_json(path: Path, report: dict) -> None:
 class FlattenSteps(WindowSteps, FlattenSettings):
     """Mixed into operators."""
 
+    tries_uv_seams = True  # which takes as long as the run
+
     @property
     def report_file(self) -> Path | None:
         """Where the report goes as JSON."""
@@ -73,7 +75,8 @@ class FlattenSteps(WindowSteps, FlattenSettings):
 
     def _solving(self, context: bpy.types.Context, models: list[Model]) -> Steps[list[Outcome]]:
         meters = meters_per_blender_unit(context.scene)
-        return solve_models(core.library(), models, choices_of(self, meters), meters)
+        choices = choices_of(self, meters)
+        return solve_models(core.library(), models, choices, meters, tries_uv_seams=self.tries_uv_seams)
 
     def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:

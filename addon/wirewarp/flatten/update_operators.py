@@ -24,6 +24,7 @@ class UpdateSteps(FlattenSteps):
 
     bl_label = LABEL
     bl_options = {"INTERNAL", "UNDO_GROUPED"}
+    tries_uv_seams = False
 
     # As it was begun, it ends with a movement of the mouse that no tool has taken: see auto_update.
     ends_on = "MOUSEMOVE"

@@ -16,6 +16,7 @@ KINDS = [
     (fault.kind, f"{fault.verb} {fault.many}".capitalize(), f"{fault.verb} all {fault.many} of the model", 1 << place)
     for place, fault in enumerate(FAULTS)
 ]
+NOT_UNASKED = {"INTERIOR"}  # walls inside may be wanted, and some of them cannot be told from a shell
 WIDTH = 340  # of the dialog, in Blender's own pixels
 
 
@@ -41,13 +42,13 @@ class OBJECT_OT_wirewarp_check(OnFaultyModel, bpy.types.Operator):
         description="What to repair",
         items=KINDS,
         options={"ENUM_FLAG"},
-        default={kind for kind, *_ in KINDS},
+        default={kind for kind, *_ in KINDS} - NOT_UNASKED,
     )
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         source = model_or_self(context.active_object)
         with in_object_mode(context):
-            self._counts = {kind: _count(found) for kind, found in find_faults(source.data).items()}
+            self._counts = _counts(source)
         if not self._counts:
             self.report({"INFO"}, f'No faults found in the mesh of "{source.name}"')
             return {"CANCELLED"}
@@ -57,20 +58,22 @@ class OBJECT_OT_wirewarp_check(OnFaultyModel, bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         source = model_or_self(context.active_object)
         check_local(source, source.data)
+        if context.mode == "EDIT_MESH" and source.mode != "EDIT":
+            bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
         with in_object_mode(context):
             check_not_edited(source)
-            self._counts = repair_faults(source.data, list(self.repairs))
-        if not self._counts:
-            self.report({"INFO"}, f'Nothing to repair in the mesh of "{source.name}"')
-            return {"CANCELLED"}
-        done = [
-            f"{fault.text(self._counts[fault.kind])} {fault.done}" for fault in FAULTS if fault.kind in self._counts
-        ]
-        self.report({"INFO"}, f"{'; '.join(done)}. Flatten again.")
-        return {"FINISHED"}
+            self._counts = _counts(source)
+            repaired = repair_faults(source.data, list(self.repairs))
+        done = [f"{fault.text(repaired[fault.kind])} {fault.done}" for fault in FAULTS if fault.kind in repaired]
+        if done:
+            self.report({"INFO"}, f"{'; '.join(done)}. Flatten again.")
+        else:
+            self.report({"INFO"}, f'Nothing was repaired in the mesh of "{source.name}"')
+        # With faults left, the kinds can be chosen anew in Adjust Last Operation.
+        return {"FINISHED"} if self._counts else {"CANCELLED"}
 
     def draw(self, _context: bpy.types.Context) -> None:
-        """In the dialog, and in Adjust Last Operation with what was repaired."""
+        """What was found, in the dialog and in Adjust Last Operation."""
         column = self.layout.column(align=True)
         for fault in FAULTS:
             if fault.kind not in self._counts:
@@ -99,6 +102,10 @@ class OBJECT_OT_wirewarp_show_fault(OnFaultyModel, bpy.types.Operator):
             return {"CANCELLED"}
         select_elements(context, source, found.vertices, found.edges, found.faces)
         return {"FINISHED"}
+
+
+def _counts(source: bpy.types.Object) -> dict[str, int]:
+    return {kind: _count(found) for kind, found in find_faults(source.data).items()}
 
 
 def _count(found: Elements) -> int:

@@ -128,6 +128,14 @@ def _draw_step(context: bpy.types.Context, layout: bpy.types.UILayout, step: Nex
         setattr(asked, name, value)
 
 
+def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> int | None:
+    """The piece for which the panel has Suggest Darts and Suggest Seams."""
+    if untrue_sentence(context.active_object, source, report):
+        return None
+    left_out = _left_out(context, source, report)
+    return piece_to_cut(report, next_step(report, left_out, has_suggestions=are_shown(context)))
+
+
 def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
     """As it is now, where that can be seen; else as it was in the run."""
     if report.with_modifiers or not shows_modified(source):

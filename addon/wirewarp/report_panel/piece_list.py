@@ -10,7 +10,7 @@ from ..state.reports import pieces_report
 from ..suggest.panel import draw_suggest
 from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of
 from ..ui.shown import shown_report, shown_source
-from .next_step import next_step, piece_to_cut
+from .flatten_panel import offered_piece
 from .table import draw_select
 
 NO_STRAIN = 5e-4  # what is shown as 0.0%
@@ -96,7 +96,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
     def _is_offered(self, context: bpy.types.Context, piece: int) -> bool:
         """Whether the panel of Flatten has the buttons for this piece."""
         report = shown_report(context)
-        return report is not None and piece_to_cut(report, next_step(report, [])) == piece
+        return report is not None and offered_piece(context, shown_source(context), report) == piece
 
 
 def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: PieceRow) -> None:
