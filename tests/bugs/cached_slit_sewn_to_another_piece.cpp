@@ -6,7 +6,7 @@
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 
-namespace wirewarp {
+namespace wirewarp::cached_slit_sewn_to_another_piece_test {
 namespace {
 
 constexpr int kQuads = 8;
@@ -72,4 +72,4 @@ TEST(Bugs, ACachedSlitIsNoHoleOfTheSameGeometry) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::cached_slit_sewn_to_another_piece_test

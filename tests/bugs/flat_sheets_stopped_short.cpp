@@ -8,7 +8,7 @@
 
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::flat_sheets_stopped_short_test {
 namespace {
 
 constexpr double kRounding = 1e-20;  // of E: strains of 1e-10
@@ -62,4 +62,4 @@ TEST(Bugs, AFlatNetOfRigidWiresConverges) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::flat_sheets_stopped_short_test

@@ -6,7 +6,7 @@
 #include "charts/slits.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::outer_loop_was_a_slit_test {
 namespace {
 
 /// A spike at one end of a slit of one edge and little between: a turn of nearly 2 pi around it.
@@ -53,4 +53,4 @@ TEST(Bugs, AClosedSurfaceWithTwoSlitsHasOneForItsOutline) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::outer_loop_was_a_slit_test

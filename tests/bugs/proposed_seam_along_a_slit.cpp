@@ -9,7 +9,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::proposed_seam_along_a_slit_test {
 namespace {
 
 TEST(Bugs, NoSeamIsProposedAlongASlitOfOneEdge) {
@@ -32,4 +32,4 @@ TEST(Bugs, NoSeamIsProposedAlongASlitOfOneEdge) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::proposed_seam_along_a_slit_test

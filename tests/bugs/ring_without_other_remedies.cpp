@@ -7,7 +7,7 @@
 #include "metrics/metrics.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::ring_without_other_remedies_test {
 namespace {
 
 TEST(Bugs, ARingIsToldEveryRemedy) {
@@ -33,4 +33,4 @@ TEST(Bugs, ARingIsToldEveryRemedy) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::ring_without_other_remedies_test

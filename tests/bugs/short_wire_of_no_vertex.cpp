@@ -4,7 +4,7 @@
 
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::short_wire_of_no_vertex_test {
 namespace {
 
 TEST(Bugs, AShortWireOfNoVertexIsOutOfRange) {
@@ -20,4 +20,4 @@ TEST(Bugs, AShortWireOfNoVertexIsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::short_wire_of_no_vertex_test

@@ -11,7 +11,7 @@
 #include "refine/refine_chart.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::shut_slits_stopped_short_test {
 namespace {
 
 /// Steps (i, j) on the grid from the middle.
@@ -69,4 +69,4 @@ TEST(Bugs, ShutSlitsOfAFewEdgesTakeHardlyLongerThanWires) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::shut_slits_stopped_short_test

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::slit_in_a_large_piece_test {
 namespace {
 
 TEST(Bugs, ALargePieceMayHaveASlitOfOneEdge) {
@@ -24,4 +24,4 @@ TEST(Bugs, ALargePieceMayHaveASlitOfOneEdge) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::slit_in_a_large_piece_test

@@ -5,7 +5,7 @@
 
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::slit_of_one_edge_test {
 namespace {
 
 TEST(Bugs, ASlitOfOneEdgeTakesNoLongerThanAWire) {
@@ -21,4 +21,4 @@ TEST(Bugs, ASlitOfOneEdgeTakesNoLongerThanAWire) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::slit_of_one_edge_test

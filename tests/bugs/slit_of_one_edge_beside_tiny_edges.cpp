@@ -10,7 +10,7 @@
 #include "processed_chart.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::slit_of_one_edge_beside_tiny_edges_test {
 namespace {
 
 TEST(Bugs, ASlitOfOneEdgeBesideTinyEdgesHasAFactor) {
@@ -35,4 +35,4 @@ TEST(Bugs, ASlitOfOneEdgeBesideTinyEdgesHasAFactor) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::slit_of_one_edge_beside_tiny_edges_test

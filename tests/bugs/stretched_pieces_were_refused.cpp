@@ -13,7 +13,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::stretched_pieces_were_refused_test {
 namespace {
 
 Options stretched(double weft, double warp) {
@@ -100,4 +100,4 @@ TEST(Bugs, APieceThatIsTurnedOverAnywayIsNoOtherUnderAStretch) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::stretched_pieces_were_refused_test

@@ -6,7 +6,7 @@
 #include "orientation/rising_direction.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::turned_over_piece_upside_down_test {
 namespace {
 
 TEST(Bugs, ATurnedOverPieceStandsUpToo) {
@@ -20,4 +20,4 @@ TEST(Bugs, ATurnedOverPieceStandsUpToo) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::turned_over_piece_upside_down_test

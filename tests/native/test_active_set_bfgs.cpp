@@ -8,7 +8,7 @@
 #include "optimize/active_set_bfgs.h"
 #include "optimize/box_quadratic.h"
 
-namespace wirewarp {
+namespace wirewarp::test_active_set_bfgs {
 namespace {
 
 Eigen::VectorXd constant(int n, double value) { return Eigen::VectorXd::Constant(n, value); }
@@ -108,4 +108,4 @@ TEST(ActiveSetBfgs, StopsAtItsBudgetWithTheBestPoint) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_active_set_bfgs

@@ -11,7 +11,7 @@
 #include "network/wire_network.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_arap {
 namespace {
 
 using Planar = std::array<Eigen::Vector2d, 3>;
@@ -118,4 +118,4 @@ TEST(Arap, CollapsedTriangleHasInfiniteAspectRatio) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_arap

@@ -10,7 +10,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_charts {
 namespace {
 
 using test::charts_of;
@@ -297,4 +297,4 @@ TEST(Charts, PartsOfAClosedWirePartlyAlongTheOutlineDoNotDependOnWhereItsListBeg
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_charts

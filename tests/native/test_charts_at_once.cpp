@@ -10,7 +10,7 @@
 #include "in_threads.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_charts_at_once {
 namespace {
 
 FlattenInput many_gores() { return test::sphere_of_gores(12, 4, 16); }
@@ -109,4 +109,4 @@ TEST(RunInThreads, WhatWorkThrowsArrives) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_charts_at_once

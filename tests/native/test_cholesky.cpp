@@ -19,7 +19,7 @@
 #include "cholesky_problems.h"
 #include "dense_algebra.h"
 
-namespace wirewarp {
+namespace wirewarp::test_cholesky {
 namespace {
 
 Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
@@ -304,4 +304,4 @@ TEST(MultifrontalCholesky, RefusesWhatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_cholesky

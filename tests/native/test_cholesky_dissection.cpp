@@ -10,7 +10,7 @@
 #include "cholesky/vertex_separator.h"
 #include "cholesky_problems.h"
 
-namespace wirewarp {
+namespace wirewarp::test_cholesky_dissection {
 namespace {
 
 std::size_t index_of(int i) { return static_cast<std::size_t>(i); }
@@ -153,4 +153,4 @@ TEST(VertexSeparator, IsTheSmallest) {
 TEST(NestedDissection, EmptyGraph) { EXPECT_TRUE(nested_dissection({{0}, {}}, Positions2(0, 2)).nodes.empty()); }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_cholesky_dissection

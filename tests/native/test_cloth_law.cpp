@@ -12,7 +12,7 @@
 #include "dense_algebra.h"
 #include "planar.h"
 
-namespace wirewarp {
+namespace wirewarp::test_cloth_law {
 namespace {
 
 Cloth cloth_of(double weft, double warp, double shear) {
@@ -153,4 +153,4 @@ TEST_F(ClothLawOnRandomMaps, TheConvexHessianIsPositiveAndAboveTheExactOne) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_cloth_law

@@ -20,7 +20,7 @@
 #include "refine/refine_chart.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_coarsen {
 namespace {
 
 /// Moves the inner grid vertices about, so that nothing is regular and wires across are jagged.
@@ -394,4 +394,4 @@ TEST(CoarseStart, AFalseClaimIsNoticed) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_coarsen

@@ -8,7 +8,7 @@
 
 #include "cpu_quota.h"
 
-namespace wirewarp {
+namespace wirewarp::test_cpu_quota {
 namespace {
 
 using Files = std::map<std::string, std::string>;  // text by path
@@ -65,4 +65,4 @@ TEST(CpuQuota, VersionOneBesideOtherControllers) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_cpu_quota

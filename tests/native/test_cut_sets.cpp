@@ -17,7 +17,7 @@
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
 
-namespace wirewarp {
+namespace wirewarp::test_cut_sets {
 namespace {
 
 using Shape = std::function<Eigen::Vector3d(const Eigen::Vector3d& direction)>;
@@ -325,4 +325,4 @@ TEST(CutSetSearch, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_cut_sets

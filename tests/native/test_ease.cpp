@@ -9,7 +9,7 @@
 #include "test_meshes.h"
 #include "wirewarp/flatten.h"
 
-namespace wirewarp {
+namespace wirewarp::test_ease {
 namespace {
 
 using Code = ErrorCode;
@@ -140,4 +140,4 @@ TEST(Ease, BadOnesAreNamed) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_ease

@@ -10,7 +10,7 @@
 #include "test_meshes.h"
 #include "topology/process_topology.h"
 
-namespace wirewarp {
+namespace wirewarp::test_elimination_order {
 namespace {
 
 /// A flat rectangle of n by n quads with every `spacing`th line of it a wire, in both directions.
@@ -133,4 +133,4 @@ TEST(EliminationOrder, FillsLittleMoreThanMinimumDegreeHoweverDenseTheWires) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_elimination_order

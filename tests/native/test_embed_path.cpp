@@ -7,7 +7,7 @@
 #include "topology/embed_path.h"
 #include "topology/straightest_geodesic.h"
 
-namespace wirewarp {
+namespace wirewarp::test_embed_path {
 namespace {
 
 /// A flat 8 by 8 square of side 8 with a rigid wire along column 6.
@@ -144,4 +144,4 @@ TEST(EmbedPath, InsideAnInputFaceTheTrianglesAreDelaunay) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_embed_path

@@ -12,7 +12,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_eq1 {
 namespace {
 
 /// A bent plate with two holes and wires that join them to the rim and to one another: wire-patches, holes, crossings.
@@ -183,4 +183,4 @@ TEST(Eq1, EdgesMustHangTogether) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_eq1

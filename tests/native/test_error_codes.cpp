@@ -11,7 +11,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_error_codes {
 namespace {
 
 using Code = ErrorCode;
@@ -397,4 +397,4 @@ TEST(ErrorCodes, EveryCodeHasItsDescription) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_error_codes

@@ -9,7 +9,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_extreme_input {
 namespace {
 
 Eigen::Vector3d dome(double s, double t) { return {s, t, 0.2 * std::cos(kPi * (s - 0.5)) * std::cos(kPi * (t - 0.5))}; }
@@ -158,4 +158,4 @@ TEST(ExtremeInput, FiveHundredWiresOnOneChart) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_extreme_input

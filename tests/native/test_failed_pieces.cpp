@@ -9,7 +9,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_failed_pieces {
 namespace {
 
 /// The piece knows its faces and their area, and nothing in it passes for a flat shape.
@@ -117,4 +117,4 @@ TEST(FailedPieces, AChartOfTheWrongTopologyHasNoFiguresEither) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_failed_pieces

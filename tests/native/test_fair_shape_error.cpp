@@ -10,7 +10,7 @@
 #include "refine/fair_shape_error.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_fair_shape_error {
 namespace {
 
 Positions2 random_positions(Eigen::Index rows, unsigned seed) {
@@ -287,4 +287,4 @@ TEST_F(BendingOfAFold, ALineIsHeldThroughACrossingAsByItsCornersOnACoarseMesh) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_fair_shape_error

@@ -12,7 +12,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_flatten {
 namespace {
 
 // A millionth of the piece: the refined method stops where another step promises less than 1e-9 of f.
@@ -353,4 +353,4 @@ TEST(Flatten, StagesAreToldInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_flatten

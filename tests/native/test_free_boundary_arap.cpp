@@ -15,7 +15,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_free_boundary_arap {
 namespace {
 
 constexpr int kUntilConverged = 5000;
@@ -261,4 +261,4 @@ TEST_F(FreeArapOnASphere, DoesNotDependOnTheOrderOfVerticesAndFaces) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_free_boundary_arap

@@ -10,7 +10,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_guarantee {
 namespace {
 
 using test::charts_of;
@@ -165,4 +165,4 @@ TEST(Guarantee, NoAdviceOnWiresWhereThereAreNone) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_guarantee

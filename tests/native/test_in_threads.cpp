@@ -10,7 +10,7 @@
 #include "in_threads.h"
 #include "progress_report.h"
 
-namespace wirewarp {
+namespace wirewarp::test_in_threads {
 namespace {
 
 TEST(InThreads, NothingIsBegunOnceWorkHasThrown) {
@@ -49,4 +49,4 @@ TEST(ProgressReport, StaysCancelledIfTheCallerWouldGoOn) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_in_threads

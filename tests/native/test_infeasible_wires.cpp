@@ -19,7 +19,7 @@
 #include "refine/relax_lengths.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_infeasible_wires {
 namespace {
 
 using Where = std::function<bool(const Eigen::Vector3d& middle)>;
@@ -280,4 +280,4 @@ TEST(InfeasibleWires, CancellingTheSearchCancelsThePiece) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_infeasible_wires

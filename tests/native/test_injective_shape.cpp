@@ -11,7 +11,7 @@
 #include "refine/refine_chart.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_injective_shape {
 namespace {
 
 /// A bump as high as its square is wide, a level and an upright line across: a finger of a glove.
@@ -108,4 +108,4 @@ TEST(InjectiveShape, FactorizationsAreCounted) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_injective_shape

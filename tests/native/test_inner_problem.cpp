@@ -8,7 +8,7 @@
 #include "test_meshes.h"
 #include "topology/process_topology.h"
 
-namespace wirewarp {
+namespace wirewarp::test_inner_problem {
 namespace {
 
 Eigen::VectorXd rest_lengths(const WireNetwork& network) {
@@ -230,4 +230,4 @@ TEST(InnerProblem, ReportsThatLengthsCannotBeKept) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_inner_problem

@@ -11,7 +11,7 @@
 #include "inner/mean_value.h"
 #include "planar.h"
 
-namespace wirewarp {
+namespace wirewarp::test_interior_placement {
 namespace {
 
 using Height = std::function<OpenMesh::Vec3d(double x, double y)>;
@@ -174,4 +174,4 @@ TEST(InteriorPlacement, HasNothingToFactorWhereEveryVertexIsOnTheNetwork) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_interior_placement

@@ -10,7 +10,7 @@
 #include "judge_case.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_judge_errors {
 namespace {
 
 using test::expect_broken;
@@ -126,4 +126,4 @@ TEST(Judge, TellsOfErrorsWithoutSentenceOrElements) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_judge_errors

@@ -12,7 +12,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_judge_layout {
 namespace {
 
 using test::expect_broken;
@@ -130,4 +130,4 @@ TEST(Judge, TellsWhatALayoutChanges) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_judge_layout

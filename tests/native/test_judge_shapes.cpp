@@ -14,7 +14,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_judge_shapes {
 namespace {
 
 using test::expect_broken;
@@ -149,4 +149,4 @@ TEST(Judge, KnowsTheShapeOfAStretchedPieceThatUnfolds) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_judge_shapes

@@ -12,7 +12,7 @@
 #include "factorization_failed.h"
 #include "refine/lanczos_trust_region.h"
 
-namespace wirewarp {
+namespace wirewarp::test_lanczos_trust_region {
 namespace {
 
 constexpr int kUnknowns = 14, kConstraints = 4;
@@ -134,4 +134,4 @@ TEST(LanczosTrustRegion, AGradientThatIsNoNumberIsNotSmall) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_lanczos_trust_region

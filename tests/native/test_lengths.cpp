@@ -8,7 +8,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_lengths {
 namespace {
 
 using test::charts_of;
@@ -186,4 +186,4 @@ TEST(Lengths, FittedVariationStaysWithinTheTolerance) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_lengths

@@ -6,7 +6,7 @@
 
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_measure {
 namespace {
 
 TEST(Measure, ATornFlatteningIsRefused) {
@@ -62,4 +62,4 @@ TEST(Measure, AFlatteningWithGapsIsRefused) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_measure

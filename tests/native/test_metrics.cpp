@@ -7,7 +7,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_metrics {
 namespace {
 
 using test::charts_of;
@@ -143,4 +143,4 @@ TEST(Metrics, SameAfterARigidMotionAndInAnyUnit) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_metrics

@@ -11,7 +11,7 @@
 #include "dense_algebra.h"
 #include "factorization_failed.h"
 
-namespace wirewarp {
+namespace wirewarp::test_multifrontal_lu {
 namespace {
 
 using Matrix = MultifrontalLu::Matrix;
@@ -116,4 +116,4 @@ TEST(MultifrontalLu, RefusesAPatternThatIsNotSymmetric) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_multifrontal_lu

@@ -14,7 +14,7 @@
 #include "refine/retract_to_lengths.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_newton_system {
 namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
@@ -260,4 +260,4 @@ TEST_F(NewtonSystemOnASaddle, TheWayBackToLengthsEndsWhereTheCallerStops) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_newton_system

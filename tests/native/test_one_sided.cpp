@@ -8,7 +8,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_one_sided {
 namespace {
 
 TEST(OneSidedSurface, AMobiusStripIsCutWhereItsFacesTurn) {
@@ -41,4 +41,4 @@ TEST(OneSidedSurface, AMobiusStripIsCutWhereItsFacesTurn) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_one_sided

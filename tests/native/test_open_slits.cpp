@@ -9,7 +9,7 @@
 #include "refine/refine_chart.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_open_slits {
 namespace {
 
 constexpr int kSize = 20;
@@ -163,4 +163,4 @@ TEST(OpenSlits, AsFarOnFineMeshesAsOnCoarseOnes) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_open_slits

@@ -11,7 +11,7 @@
 #include "orientation/upright_direction.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_orientation {
 namespace {
 
 using test::charts_of;
@@ -161,4 +161,4 @@ TEST(UprightPair, OfVerticesAtOneHeightDoesNotDependOnTheNumbering) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_orientation

@@ -12,7 +12,7 @@
 #include "refine/outline_barrier.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_outline_barrier {
 namespace {
 
 constexpr double kGap = 0.02;
@@ -106,4 +106,4 @@ TEST_F(OutlineOfANotch, KnowsWhichContactsItsHessianCovers) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_outline_barrier

@@ -8,7 +8,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_overlap {
 namespace {
 
 using test::charts_of;
@@ -203,4 +203,4 @@ TEST(Overlap, AgreesWithTheAreaOfEveryPairOfFaces) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_overlap

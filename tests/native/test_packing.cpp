@@ -9,7 +9,7 @@
 #include "packing/pack_pieces.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_packing {
 namespace {
 
 using test::charts_of;
@@ -182,4 +182,4 @@ TEST(MirrorImage, TwiceIsTheSame) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_packing

@@ -12,7 +12,7 @@
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
 
-namespace wirewarp {
+namespace wirewarp::test_plan_cuts {
 namespace {
 
 /// Two hills, mirror images of each other across x = 0, on a sheet of 2 by 3.
@@ -186,4 +186,4 @@ TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_plan_cuts

@@ -11,7 +11,7 @@
 #include "test_meshes.h"
 #include "topology/process_topology.h"
 
-namespace wirewarp {
+namespace wirewarp::test_process_topology {
 namespace {
 
 using test::process;
@@ -304,4 +304,4 @@ TEST(ProcessTopology, WanderingWiresOnAnySurface) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_process_topology

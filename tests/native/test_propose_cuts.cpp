@@ -17,7 +17,7 @@
 #include "wirewarp/propose.h"
 #include "work_meter.h"
 
-namespace wirewarp {
+namespace wirewarp::test_propose_cuts {
 namespace {
 
 /// A hill off the middle of a square of side 2: no symmetry.
@@ -463,4 +463,4 @@ TEST(ProposeCuts, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_propose_cuts

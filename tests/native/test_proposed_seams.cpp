@@ -20,7 +20,7 @@
 #include "reference_cases.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_proposed_seams {
 namespace {
 
 /// A part of the unit sphere around the south pole up to an angle from it, without a disk of the given angle there.
@@ -387,4 +387,4 @@ TEST(ShortOutline, IsNotFoundInPiecesThatCanBeCut) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_proposed_seams

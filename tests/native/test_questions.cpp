@@ -12,7 +12,7 @@
 #include "topology/process_topology.h"
 #include "work_meter.h"
 
-namespace wirewarp {
+namespace wirewarp::test_questions {
 namespace {
 
 /// A flat sheet of n by n squares, each cut from all others by seams.
@@ -135,4 +135,4 @@ TEST(Questions, TheLastStageOfASmallRunIsNotCancelled) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_questions

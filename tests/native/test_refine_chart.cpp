@@ -16,7 +16,7 @@
 #include "refine/starts.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_refine_chart {
 namespace {
 
 TEST(RefineChart, CountsStartsThatFail) {
@@ -170,4 +170,4 @@ TEST(RefineChart, WiresThatContradictOnTheCoarseChartAreLeftToTheFineOne) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_refine_chart

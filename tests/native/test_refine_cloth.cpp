@@ -11,7 +11,7 @@
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 
-namespace wirewarp {
+namespace wirewarp::test_refine_cloth {
 namespace {
 
 Options with_cloth(const Cloth& cloth) {
@@ -241,4 +241,4 @@ TEST(RefineCloth, ThePapersMethodsKnowNoClothAndNoClothHasNoBestDirection) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_refine_cloth

@@ -23,7 +23,7 @@
 #include "test_meshes.h"
 #include "topology/process_topology.h"
 
-namespace wirewarp {
+namespace wirewarp::test_refine_shape {
 namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
@@ -385,4 +385,4 @@ TEST_P(RefinePanels, AreNeverAboveTheWarpOfTheSameLengths) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_refine_shape

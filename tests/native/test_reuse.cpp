@@ -14,7 +14,7 @@
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 
-namespace wirewarp {
+namespace wirewarp::test_reuse {
 namespace {
 
 /// Two domes side by side, a seam between them, a wire along each.
@@ -140,4 +140,4 @@ TEST(Cache, KeepsNothingOfASearchThatWasStopped) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_reuse

@@ -14,7 +14,7 @@
 #include "wirewarp/cache.h"
 #include "wirewarp/flatten.h"
 
-namespace wirewarp {
+namespace wirewarp::test_seams_that_give {
 namespace {
 
 using test::ease_along;
@@ -319,4 +319,4 @@ TEST(SeamsThatGive, CancelledTheyKeepThePromisesOfTheirEase) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_seams_that_give

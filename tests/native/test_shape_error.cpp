@@ -8,7 +8,7 @@
 #include "arap/shape_error.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_shape_error {
 namespace {
 
 Positions2 random_positions(const Chart& chart, unsigned seed) {
@@ -121,4 +121,4 @@ TEST(ShapeError, HasAFiniteGradientWhereNoRotationIsBest) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_shape_error

@@ -9,7 +9,7 @@
 #include "refine/unfold.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_shear_smoothing {
 namespace {
 
 /// Unit square of two triangles that share the diagonal: l = √2, the centroids √2/3 apart.
@@ -56,4 +56,4 @@ TEST(ShearSmoothing, GradientAndHessianAreThoseOfAQuadraticFunction) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_shear_smoothing

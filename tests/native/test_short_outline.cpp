@@ -12,7 +12,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_short_outline {
 namespace {
 
 TEST(Isoperimetric, TheLeastShapeErrorIsThatOfUniformShrinking) {
@@ -76,4 +76,4 @@ TEST(ShortOutline, SparesTheOtherPieces) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_short_outline

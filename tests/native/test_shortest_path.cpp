@@ -8,7 +8,7 @@
 #include "test_meshes.h"
 #include "topology/shortest_path.h"
 
-namespace wirewarp {
+namespace wirewarp::test_shortest_path {
 namespace {
 
 /// Length of the straightened shortest path between two vertices.
@@ -119,4 +119,4 @@ TEST(ShortestPath, SaysWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_shortest_path

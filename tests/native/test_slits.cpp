@@ -6,7 +6,7 @@
 #include "mesh/geometry.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_slits {
 namespace {
 
 int vertex(int i, int j) { return i + 9 * j; }  // of a grid of 8 by 8
@@ -100,4 +100,4 @@ TEST(Slits, SomeMayStayOpen) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_slits

@@ -7,7 +7,7 @@
 #include "propose/smooth_paths.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_smooth_paths {
 namespace {
 
 constexpr int kN = 14;  // edges a side
@@ -53,4 +53,4 @@ TEST(SmoothPaths, AWayThatWouldCrossItselfIsNone) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_smooth_paths

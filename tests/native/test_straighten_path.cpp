@@ -8,7 +8,7 @@
 #include "test_meshes.h"
 #include "wirewarp/straighten.h"
 
-namespace wirewarp {
+namespace wirewarp::test_straighten_path {
 namespace {
 
 constexpr int kN = 12;  // edges a side of the grid
@@ -183,4 +183,4 @@ TEST(StraightenPath, SaysWhatIsWrongWithThePiece) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_straighten_path

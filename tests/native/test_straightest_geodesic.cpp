@@ -7,7 +7,7 @@
 #include "test_meshes.h"
 #include "topology/straightest_geodesic.h"
 
-namespace wirewarp {
+namespace wirewarp::test_straightest_geodesic {
 namespace {
 
 /// Where each vertex of a grid lies in the unrolled plane.
@@ -205,4 +205,4 @@ TEST(StraightestGeodesic, DoesNotDependOnScale) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_straightest_geodesic

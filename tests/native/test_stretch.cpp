@@ -13,7 +13,7 @@
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 
-namespace wirewarp {
+namespace wirewarp::test_stretch {
 namespace {
 
 constexpr double kWeft = 0.25, kWarp = 0.1;  // the stretch
@@ -301,4 +301,4 @@ TEST(Thickness, ThatTheSurfaceIsTooCurvedForIsRefused) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_stretch

@@ -12,7 +12,7 @@
 #include "refine/unfold.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_unfold {
 namespace {
 
 /// Of the unfolded chart over its area; infinite where it does not unfold.
@@ -75,4 +75,4 @@ TEST(Unfold, ANearlyFlatChartIsRefinedFromThere) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_unfold

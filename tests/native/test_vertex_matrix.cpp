@@ -7,7 +7,7 @@
 
 #include "refine/vertex_matrix.h"
 
-namespace wirewarp {
+namespace wirewarp::test_vertex_matrix {
 namespace {
 
 /// Some of all pairs, a few of them twice and either way round.
@@ -92,4 +92,4 @@ TEST(VertexMatrix, TheGraphHasEachCoupledPairOnceFromEitherSide) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_vertex_matrix

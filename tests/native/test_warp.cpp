@@ -15,7 +15,7 @@
 #include "test_meshes.h"
 #include "topology/process_topology.h"
 
-namespace wirewarp {
+namespace wirewarp::test_warp {
 namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
@@ -373,4 +373,4 @@ TEST(ChooseVariation, AMirrorSymmetricMeshGivesAMirrorSymmetricPiece) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_warp

@@ -10,7 +10,7 @@
 #include "planar.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_wire_network {
 namespace {
 
 struct Network {
@@ -166,4 +166,4 @@ TEST(WireLines, AClosedWireHasNoEnd) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_wire_network

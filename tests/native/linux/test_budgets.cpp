@@ -16,7 +16,7 @@
 #include "refine/refine_shape.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_budgets {
 namespace {
 
 /// A bent sheet of n x n quads with a rigid and an elastic wire.
@@ -131,4 +131,4 @@ TEST(Budgets, ARefinementSubstitutesAFewTimesPerFactorization) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_budgets

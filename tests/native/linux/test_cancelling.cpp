@@ -12,7 +12,7 @@
 #include "refine/starts.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_cancelling {
 namespace {
 
 /// Counts of what was done between two questions, at most, and after the first no.
@@ -76,4 +76,4 @@ TEST(Cancelling, IsHeardAtOnceWhateverIsTried) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_cancelling

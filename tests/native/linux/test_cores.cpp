@@ -10,7 +10,7 @@
 #include "refuse_threads.h"
 #include "test_meshes.h"
 
-namespace wirewarp {
+namespace wirewarp::test_cores {
 namespace {
 
 /// While one lives, this thread may use only the first cores of those that it may use.
@@ -64,4 +64,4 @@ TEST(Cores, ChartsThatKeepAllCoresBusyStartNoThreadsOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_cores

@@ -17,7 +17,7 @@
 #include "test_meshes.h"
 #include "topology/process_topology.h"
 
-namespace wirewarp {
+namespace wirewarp::test_known_optimizer {
 namespace {
 
 constexpr double kNothingBetter = 1e-4;  // relative
@@ -159,4 +159,4 @@ INSTANTIATE_TEST_SUITE_P(OwnMeshes, KnownOptimizer, testing::ValuesIn(own_cases(
 INSTANTIATE_TEST_SUITE_P(Panels, KnownOptimizer, testing::ValuesIn(reference_cases()), name_of);
 
 }  // namespace
-}  // namespace wirewarp
+}  // namespace wirewarp::test_known_optimizer
