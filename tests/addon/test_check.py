@@ -75,9 +75,7 @@ def block(size):
                 corners.append(tuple(corner))
             if frozenset(corners) not in faces:
                 faces.add(frozenset(corners))
-                edit.faces.new(
-                    [vertices.setdefault(each, None) or new_vertex(edit, vertices, each) for each in corners]
-                )
+                edit.faces.new([vertex_at(edit, vertices, each) for each in corners])
     target, _ = faulty("LOOSE")
     edit.to_mesh(target.data)
     edit.free()
