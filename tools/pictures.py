@@ -13,6 +13,7 @@ GUIDE = ROOT / "docs" / "guide"  # the scripts and the pictures
 SCRIPT = GUIDE / "take_pictures.py"
 TOURS = ("mark", "flat", "report", "suggest", "tube", "contradiction", "pieces", "allowance", "pages", "export")
 PRINTED = {"sheet": ("sheets", 6, 60), "marker": ("marker", 1, 40)}  # of which file which page, dots an inch
+GALLERY = ("toy", "armchair_cover", "carnival_mask", "wetsuit_upper_body")  # samples of four trades
 SECONDS = 600.0  # for a slow machine; a tour takes about ten
 
 
@@ -37,6 +38,10 @@ def pictures() -> None:
         run(["pdftoppm", *shown, taken / f"{file}.pdf", taken / name])
     python = venv("pictures", DEBIAN_PYTHON, PILLOW)
     run([python, GUIDE / "shrink_pictures.py", taken, GUIDE])
+    gallery = BUILD / "gallery"
+    shutil.rmtree(gallery, ignore_errors=True)
+    run_with_addon("pictures", ROOT / "blend_samples" / "demo.py", gallery, *GALLERY)
+    run([python, GUIDE / "shrink_pictures.py", gallery, ROOT / "docs" / "gallery"])
     frames = BUILD / "frames"
     shutil.rmtree(frames, ignore_errors=True)
     run_with_addon("pictures", ROOT / "blend_samples" / "moving_picture.py", frames)
