@@ -80,6 +80,8 @@ if TYPE_CHECKING:
     from wirewarp.report import ANY_LIMIT as ANY_LIMIT
     from wirewarp.report import BEYOND_FABRIC as BEYOND_FABRIC
     from wirewarp.report import CLOSED_CODE as CLOSED_CODE
+    from wirewarp.report import COARSE as COARSE
+    from wirewarp.report import COARSE_ADVICE as COARSE_ADVICE
     from wirewarp.report import SHOWN_NAMES as SHOWN_NAMES
     from wirewarp.report import STRAINED as STRAINED
     from wirewarp.report import TORN as TORN

@@ -14,7 +14,7 @@ from ..marks.change import mark_seams
 from ..marks.uv_seams import seams_from_uv
 from ..properties import take_settings
 from ..state.memory import read_anew
-from ..state.modifiers import apply_modifiers
+from ..state.modifiers import apply_modifiers, subdivide
 from ..state.owners import check_not_edited, model_or_self
 from ..state.reports import last_report
 from ..state.suggestions import chosen_cut
@@ -56,6 +56,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             ("APPLY", "Apply Modifiers", "Make what modifiers show the model itself, with edges that can be marked"),
             ("UV_SEAMS", "Seams of the UV Map", "Mark the borders of the islands of the model's own UV map as seams"),
             ("FABRIC", "Fabric", "Choose this fabric"),
+            ("SUBDIVIDE", "Subdivide", "Add a Subdivision Surface modifier, or one more level, and use modifiers"),
             ("MODIFIERS", "Modifiers", "Use the mesh with its modifiers and shape keys from now on"),
         ],
         options={"HIDDEN"},
@@ -102,6 +103,12 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         source = self._model(context)
         try:
             if self.what == "MODIFIERS":
+                self.use_modifiers = context.scene.wirewarp.use_modifiers = True
+                return True
+            if self.what == "SUBDIVIDE":
+                check_local(source, source)
+                report = last_report(source)
+                subdivide(source, report is not None and report.with_modifiers)
                 self.use_modifiers = context.scene.wirewarp.use_modifiers = True
                 return True
             if self.what == "FABRIC":  # its own maximum stretch, not that of another fabric

@@ -3,7 +3,19 @@
 
 import bpy
 
-from ..core import BEYOND_FABRIC, CLOSED_CODE, STRAINED, TORN, TORN_ADVICE, WIRE_AT_LIMIT, Issue, hint_text, issue_text
+from ..core import (
+    BEYOND_FABRIC,
+    CLOSED_CODE,
+    COARSE,
+    COARSE_ADVICE,
+    STRAINED,
+    TORN,
+    TORN_ADVICE,
+    WIRE_AT_LIMIT,
+    Issue,
+    hint_text,
+    issue_text,
+)
 from ..solve.report import ObjectReport
 from ..ui.layout import draw_sentence
 from ..words import counted, tolerance_text
@@ -12,6 +24,7 @@ from .table import SHOWN_ROWS, draw_select
 
 SHOWN_HINTS = 5
 ADVICE = {
+    COARSE: f"{COARSE_ADVICE}:",
     TORN: f"{TORN_ADVICE}:",
     WIRE_AT_LIMIT: "A wider tolerance on these wires would lower the distortion:",
     BEYOND_FABRIC: "The fabric must stretch much at these places. If yours does not, add a dart or seam:",
@@ -46,6 +59,9 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: O
         for index, hint in hints[:SHOWN_HINTS]:
             placed = is_there and hint.has_place
             _draw_entry(context, column, hint_text(report, hint), "HINT", index, placed)
+        if code == COARSE:
+            button = column.operator("object.wirewarp_mend", text="Subdivide and Flatten", icon="MOD_SUBSURF")
+            button.what = "SUBDIVIDE"
         if len(hints) > SHOWN_HINTS:
             column.label(text=f"and {len(hints) - SHOWN_HINTS} more", icon="BLANK1")
 

@@ -11,6 +11,7 @@ from ..names import UV_LAYER
 from ..solve.arrays import MeshArrays
 from ..words import counted
 
+LEVELS = 2  # a turn of 60 degrees, the largest that a curve has, becomes four of 15
 ROUNDING = 1e-5  # of the model's size: what matrices of single precision move a vertex that an armature at rest holds
 
 
@@ -40,6 +41,17 @@ def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[
     if not makers:
         return []
     return [] if _is_same_shape(source.data, source.evaluated_get(depsgraph).data) else makers
+
+
+def subdivide(source: bpy.types.Object, is_used: bool) -> None:
+    """Adds a level of subdivision, by a modifier; corners of outlines stay. is_used: the last run had modifiers."""
+    found = [modifier for modifier in source.modifiers if modifier.type == "SUBSURF" and modifier.show_viewport]
+    if found and is_used:
+        found[-1].levels += 1
+    elif not found:
+        added = source.modifiers.new("Subdivision", "SUBSURF")
+        added.levels = added.render_levels = LEVELS
+        added.boundary_smooth = "PRESERVE_CORNERS"
 
 
 def apply_modifiers(source: bpy.types.Object) -> None:

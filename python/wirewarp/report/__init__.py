@@ -4,6 +4,7 @@
 The Blender add-on and the command line use the same ones.
 """
 
+from .coarse import COARSE, COARSE_ADVICE, coarse_hints
 from .csv_table import report_csv
 from .elements import Elements, elements_of
 from .hints import BEYOND_FABRIC, STRAINED, TORN, TORN_ADVICE, WIRE_AT_LIMIT, torn_hints
@@ -20,6 +21,9 @@ from .words import LengthText, counted, ease_text, paragraph, quoted, tolerance_
 __all__ = [
     "ANY_LIMIT",
     "CLOSED_CODE",
+    "COARSE",
+    "COARSE_ADVICE",
+    "coarse_hints",
     "report_csv",
     "Elements",
     "elements_of",

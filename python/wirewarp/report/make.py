@@ -13,6 +13,7 @@ from .. import BoundaryReport, Cloth, Ease, FlattenResult, HelperWire, Piece, Se
 from .. import Wire as MarkedWire
 from . import model
 from .asked import LENGTH_LIMIT, asked_of_outline, asked_of_wire, kept
+from .coarse import coarse_hints
 from .hints import Places, strain_hints, thread_hints, wire_hints
 from .model import Hint, Issue, LooserWire, Note, Report, Threads
 from .strain import (
@@ -104,11 +105,14 @@ class _Maker:
             seams=[self._seam(index, seam, failed) for index, seam in enumerate(result.seams)],
             wires=wires,
             issues=list(issues),
-            hints=wire_hints(wires) + self._strain_hints(pieces),
+            hints=wire_hints(wires) + self._strain_hints(pieces) + coarse_hints(self._laid(pieces)),
             notes=notes,
             reused_pieces=result.report["reused_pieces"],
             seconds=dict(result.report["seconds"]),
         )
+
+    def _laid(self, pieces: Sequence[model.Piece]) -> list[Piece]:
+        return [own for piece, own in zip(pieces, self._result.pieces, strict=True) if piece.ok]
 
     def _strain_hints(self, pieces: Sequence[model.Piece]) -> list[Hint]:
         if self._cloth:

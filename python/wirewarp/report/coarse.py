@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Outlines that a coarse model gives corners where a smooth one has a curve."""
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from .. import Piece
+from .model import Hint
+
+COARSE = "coarse"
+COARSE_ADVICE = (
+    "The model is coarse here, so curves are cut with corners. A Subdivision Surface modifier makes them smooth, with "
+    "equal lengths on both sides of seams"
+)
+LEAST_TURN = np.radians(15.0)  # at one vertex: what turns less looks round on fabric
+CORNER = np.radians(60.0)  # what turns further is a corner: a curve of so few edges has no shape of its own
+ALIKE = 0.5  # of its turn, by which a neighbor on a curve turns the same way at least; beside a corner it is straight
+
+
+def coarse_hints(pieces: Sequence[Piece]) -> list[Hint]:
+    """One hint, or none. pieces: those with a layout."""
+    turns: dict[int, float] = {}
+    for piece in pieces:
+        for sources, points in _outlines(piece):
+            for row, turn in _curved(points):
+                vertex = int(sources[row])
+                turns[vertex] = max(turns.get(vertex, 0.0), turn)
+    if not turns:
+        return []
+    largest = np.degrees(max(turns.values()))
+    short = f"{len(turns)} {'corner' if len(turns) == 1 else 'corners'} of up to {largest:.0f}°"
+    return [Hint(COARSE, f"{COARSE_ADVICE}.", short=short, vertices=sorted(turns))]
+
+
+def _outlines(piece: Piece) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Vertices of the model (k,) and their places (k,2) of each section of the outline."""
+    faces, count = np.asarray(piece.faces, dtype=np.int64), len(piece.vertices)
+    sides = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    outline = sides[~np.isin(sides[:, 0] * count + sides[:, 1], sides[:, 1] * count + sides[:, 0])]
+    ends = dict(zip(map(tuple, piece.source_vertex[outline].tolist()), outline.tolist(), strict=True))
+    for chain in piece.boundaries:
+        steps = [ends[step] for step in pairwise(chain.vertices.tolist())]
+        rows = [steps[0][0], *(end for _, end in steps)]
+        if rows[0] == rows[-1]:  # a whole outline has no ends
+            rows = [rows[-2], *rows, rows[1]]
+        yield piece.source_vertex[rows], piece.vertices[rows]
+
+
+def _curved(points: np.ndarray) -> Iterator[tuple[int, float]]:
+    """The rows of points (k,2) at which a curve turns too far, and by how much."""
+    along = np.diff(points, axis=0)
+    crossed = along[:-1, 0] * along[1:, 1] - along[:-1, 1] * along[1:, 0]
+    turns = np.arctan2(crossed, (along[:-1] * along[1:]).sum(axis=1))
+    beside = np.pad(turns, 1)
+    for row, turn in enumerate(turns):
+        neighbors = np.array([beside[row], beside[row + 2]]) * np.sign(turn)
+        is_curved = (neighbors >= ALIKE * abs(turn)) & (neighbors <= CORNER)
+        if LEAST_TURN < abs(turn) <= CORNER and is_curved.any():
+            yield row + 1, float(abs(turn))
