@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nothing that `dev` has started outlives it: it is told to end, and ended if it does not.
+"""Nothing that `dev` has started outlives it: it is asked to end, and killed if it does not.
 
 Linux only. A child that leaves our process group, as Blender on its virtual screen does, is found all the same.
 """

@@ -39,6 +39,6 @@ def build_and_check(name: str, **definitions: str) -> None:
     build: list[str | Path] = ["cmake", "--build", folder, "-j", str(CORES), "--target", "flatten_dome"]
     run_quietly(f"building build/example/{name}", build)
     printed = output_of([folder / "flatten_dome"])
-    promised = re.findall(r"```\n(rigid: .*?)```", (ROOT / "docs" / "cpp.md").read_text(), re.DOTALL)
-    if [printed] != promised:
+    expected = re.findall(r"```\n(rigid: .*?)```", (ROOT / "docs" / "cpp.md").read_text(), re.DOTALL)
+    if [printed] != expected:
         raise StepError(f"build/example/{name}/flatten_dome prints other lines than docs/cpp.md has:\n{printed}")

@@ -75,13 +75,13 @@ def run_side_by_side(steps: Sequence[Step]) -> list[Outcome]:
             process.join()
             word = EXIT_CODES.get(process.exitcode, FAILED)
             outcomes[step.name] = Outcome(step.name, word, time.monotonic() - begin)
-            say(f"{step.name} {outcomes[step.name].word}, as told in {LOGS / step.name}")
+            say(f"{step.name} {outcomes[step.name].word}, as shown in {LOGS / step.name}")
         running = [entry for entry in running if entry[1].sentinel not in ended]
     return [outcomes[step.name] for step in steps]
 
 
 def show_what_failed(outcomes: Iterable[Outcome]) -> None:
-    """The end of what each step printed that failed or was not tested; steps that passed are not told at length."""
+    """The end of what each step printed that failed or was not tested; of steps that passed, nothing."""
     for outcome in outcomes:
         if outcome.word != PASSED:
             lines = (LOGS / outcome.name).read_text(errors="replace").splitlines()

@@ -370,11 +370,11 @@ def test_simplified_outlines_are_as_near_as_asked():
     assert shapely.Polygon(found).exterior.hausdorff_distance(shapely.LinearRing(circle)) <= 0.2
 
 
-def test_500_pieces():
-    side, count = 30.0, 500
+def test_230_pieces():
+    side, count = 30.0, 230
     points = [(x + 40 * n, y) for n in range(count) for x, y in ((0, 0), (side, 0), (side, side), (0, side))]
     pattern = Pattern.from_result(quads(points, np.arange(4 * count).reshape(-1, 4).tolist()), allowance=0)
     marker = pattern.nested(870, gap=5.0, seconds=0)
     assert len(marker.placements) == count
     # Each takes 35.4 mm, and with the rows that the cloth is divided into 37.2 mm: 23 side by side.
-    assert marker.length == pytest.approx(22 * 30 + 21 * 5.4, abs=0.1)
+    assert marker.length == pytest.approx(10 * 30 + 9 * 5.4, abs=0.1)

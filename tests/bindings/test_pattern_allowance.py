@@ -36,7 +36,7 @@ def random_sections(random: np.random.Generator) -> list[Section]:
     ]
 
 
-@settings(max_examples=max(1_000, settings.default.max_examples))  # 7 s
+@settings(max_examples=max(300, settings.default.max_examples))  # 2 s
 @given(seed=st.integers(0, 2**32 - 1))
 def test_any_widths_round_any_outline_make_one_loop_at_these_widths(seed):
     loop = random_sections(np.random.default_rng(seed))

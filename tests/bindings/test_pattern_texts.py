@@ -76,7 +76,7 @@ def letters(text):
     return shapely.affinity.translate(turned, *text.center)
 
 
-@pytest.mark.parametrize("angle", [0, 30, 45, 60, 90, 160])
+@pytest.mark.parametrize("angle", [0, 30, 90, 160])
 def test_texts_beside_pieces_in_rows_keep_apart(angle):
     """Rows are 10 mm apart."""
     strap = flat_piece(rectangle(60, 2).pieces[0], "A strap to tie", 1000.0)

@@ -16,7 +16,7 @@ KINDS = [
     (fault.kind, f"{fault.verb} {fault.many}".capitalize(), f"{fault.verb} all {fault.many} of the model", 1 << place)
     for place, fault in enumerate(FAULTS)
 ]
-NOT_UNASKED = {"INTERIOR"}  # walls inside may be wanted, and some of them cannot be told from a shell
+NOT_UNASKED = {"INTERIOR"}  # walls inside may be wanted, and some look like faces of the shell
 WIDTH = 340  # of the dialog, in Blender's own pixels
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every model in a process of its own: one that crashes, hangs or takes too much memory spares the others.
+"""Every model in a process of its own: one that crashes, hangs or takes too much memory leaves the others running.
 
 Processes are those of the standard library, for its pools, and pebble's, share a pipe and a lock between their workers:
 one that is killed at the wrong moment takes the pool with it. psutil measures and ends what a process has started.

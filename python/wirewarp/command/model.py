@@ -37,7 +37,7 @@ def read_model(path: Path) -> Model:
         import trimesh
     except ModuleNotFoundError as error:
         raise InputError("Models are read by trimesh, which is missing: pip install wirewarp[command]") from error
-    logging.getLogger("trimesh").setLevel(logging.CRITICAL)  # what is wrong is told in a sentence
+    logging.getLogger("trimesh").setLevel(logging.CRITICAL)  # an InputError says what is wrong
     kind = path.suffix.lower()[1:]
     is_gltf = kind in ("gltf", "glb")  # reads files beside it
     try:

@@ -67,7 +67,7 @@ def _line(request: CutRequest) -> Line:
 
 def _proposal(cut: DartProposal, meters: float, has_twin: bool) -> dict[str, Any]:
     """Its lines are as --seams reads them. meters: in a unit of the model; has_twin: it may be taken by itself."""
-    told: dict[str, Any] = {
+    described: dict[str, Any] = {
         "piece": cut.piece + 1,
         "lines": _lines_along(cut.edges.tolist()),
         "length_m": cut.length * meters,
@@ -78,8 +78,8 @@ def _proposal(cut: DartProposal, meters: float, has_twin: bool) -> dict[str, Any
         "strain_before": _if_finite(cut.strain_before),
     }
     if not has_twin:
-        return told
-    return told | {
+        return described
+    return described | {
         "twin": None if cut.twin is None else cut.twin + 1,
         "energy_with_twin": cut.energy_with_twin,
         "strain_with_twin": cut.strain_with_twin,

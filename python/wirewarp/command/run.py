@@ -93,5 +93,5 @@ def _line(request: AnyRequest, result: Line | Stopped) -> Line:
 
 def _remove_staged(request: AnyRequest) -> None:
     if isinstance(request, Request):
-        with suppress(OSError):  # the next run of this model tries again, and its line tells what is wrong
+        with suppress(OSError):  # the next run of this model tries again, and its line says what is wrong
             remove_staged(request)

@@ -148,8 +148,8 @@ class Piece:
     cloth_energy: float | None
     stretch: float | None  # see strain.py: the one figure of the verdict; inf for a piece that has collapsed
     aspect_ratio_max: float | None
-    stretch_max: float | None  # of the worst face; likewise in faces around it
-    stretch_faces: list[int]
+    stretch_max: float | None  # of the worst face
+    stretch_faces: list[int]  # around the worst one
     ease_max: float | None
     ease_faces: list[int]
     angle_deviation_rms: float | None
