@@ -140,7 +140,21 @@ TEST_P(FirstCutsOf, LetAllLieFlatWithTheFiguresOfAFreshRun) {
   for (std::size_t i = 1; i < sets.size(); ++i) {
     EXPECT_GT(sets[i].strain, sets[i - 1].strain);
     EXPECT_LT(sets[i].length, sets[i - 1].length);
+    if (sets[i].num_pieces > sets[i - 1].num_pieces) {
+      EXPECT_LT(sets[i].length, 0.9 * sets[i - 1].length);
+    }
   }
+}
+
+TEST(CutSetSearch, TellsProgressThatNeverFallsAndIsNotStuckAtTheEnd) {
+  std::vector<double> told;
+  propose_seams(head(), {}, {}, [&](const std::string&, double fraction) {
+    told.push_back(fraction);
+    return true;
+  });
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_LT(told.back(), 1);
+  EXPECT_LT(told[told.size() / 2], 0.9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, FirstCutsOf,
@@ -282,7 +296,7 @@ TEST(MergeSections, LeaveOneOfThreeSeamsOfATube) {
   const Chart& chart = uncut[0]->chart;
   const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
   ASSERT_EQ(state.pieces.size(), 3U);
-  const CutState merged = merge_sections(state, chart, MirroredCuts(chart, {}), 1e-6, exact);
+  const CutState merged = merge_sections(state, chart, MirroredCuts(chart, {}), {1e-6}, exact, [](double) {}).front();
   ASSERT_EQ(merged.pieces.size(), 1U);
   EXPECT_FALSE(merged.pieces[0]->error);
   EXPECT_NEAR(length_of_cut(chart.mesh, merged.cut), height, 1e-12);
@@ -305,7 +319,7 @@ TEST(MergeSections, KeepWhatHoldsTheStrain) {
   const double cut_strain = std::max(state.pieces[0]->strain, state.pieces[1]->strain);
   ASSERT_LT(cut_strain, uncut[0]->strain);
   for (const double most : {(cut_strain + uncut[0]->strain) / 2, uncut[0]->strain}) {
-    const CutState merged = merge_sections(state, chart, MirroredCuts(chart, {}), most, exact);
+    const CutState merged = merge_sections(state, chart, MirroredCuts(chart, {}), {most}, exact, [](double) {}).front();
     for (const std::shared_ptr<const FlatPiece>& piece : merged.pieces) EXPECT_LE(piece->strain, most);
     EXPECT_EQ(is_empty(merged.cut), most == uncut[0]->strain);
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "propose/cut_candidates.h"
+#include "propose/cut_progress.h"
 #include "propose/flat_pieces.h"
 #include "wirewarp/propose.h"
 
@@ -18,6 +19,6 @@ bool lacks_seams(const FlatPiece& piece);
 
 /// What propose_darts() and propose_seams() propose for these pieces. Throws their errors, and Stopped.
 std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, const CutWishes& wishes,
-                                    const ExactEvaluation& exact);
+                                    const ExactEvaluation& exact, CutProgress& progress);
 
 }  // namespace wirewarp

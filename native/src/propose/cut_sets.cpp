@@ -40,9 +40,15 @@ constexpr double kWorthSewing = 0.02;
 /// Lower strains count as this one: ratios to them say nothing.
 constexpr double kFlat = 1e-4;
 
+/// A set with more pieces than one with less strain has to be so much shorter to be worth a row.
+constexpr double kMuchShorter = 0.9;
+
+/// Shares of the time after which a cow and a penguin were opened, and cut finely enough.
+constexpr double kOpened = 0.1, kCut = 0.5;
+
 /// Sets that are made of the last one by merging, and the ratio of the strains that they are allowed: from 5%, which
 /// woven fabric takes, to 10% and the 20% that plush and knits take.
-constexpr int kMergedSets = 3;
+constexpr std::size_t kMergedSets = 3;
 constexpr double kStrainStep = 2;
 
 /// Cuts that take this share come before those that take more for their length: many small darts are slow to sew, and
@@ -67,7 +73,7 @@ FlattenError too_long(const Chart& chart, double length, double longest) {
 }  // namespace
 
 CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes,
-                           const ExactEvaluation& exact)
+                           const ExactEvaluation& exact, CutProgress& progress)
     : pieces_(pieces),
       input_chart_(pieces[piece]->chart),
       chart_(in_canonical_order(input_chart_, exact.stop())),
@@ -77,7 +83,8 @@ CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const Cu
       forbidden_(mirrored_.with_image(map_.mask_of(as_list(wishes.no_seam)))),
       wishes_(wishes),
       target_(wishes.strain.value_or(kAim)),
-      exact_(exact) {
+      exact_(exact),
+      progress_(progress) {
   mirrored_.forbid_those_without_image(forbidden_);
 }
 
@@ -215,7 +222,12 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
     if (!best.empty() && best.back().strain <= target_) break;
     const double strain = set.proposal.strain;
     const bool meets_target = !best.empty() && strain <= target_ && best.back().strain > target_;
-    if (best.empty() || meets_target || strain <= (1 - kWorthSewing) * best.back().strain) best.push_back(set.proposal);
+    if (!best.empty() && !meets_target && strain > (1 - kWorthSewing) * best.back().strain) continue;
+    const auto has_needless_pieces = [&](const DartProposal& shorter) {
+      return shorter.num_pieces > set.proposal.num_pieces && shorter.length > kMuchShorter * set.proposal.length;
+    };
+    best.erase(std::remove_if(best.begin(), best.end(), has_needless_pieces), best.end());
+    best.push_back(set.proposal);
   }
   std::reverse(best.begin(), best.end());
   const auto count = static_cast<std::size_t>(wishes_.count);
@@ -232,18 +244,27 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
 }
 
 /// From the last one, sets with fewer sections for the same strain, and for more and more.
-void CutSetSearch::add_merged(std::vector<CutSet>& sets) const {
-  double most_strain = std::max(target_, sets.back().proposal.strain);
-  for (int i = 0; i < kMergedSets; ++i, most_strain *= kStrainStep) {
-    const CutState merged =
-        merge_sections({sets.back().cut, sets.back().pieces}, chart_, mirrored_, most_strain, exact_);
-    CutSet set = evaluate(pieces_, merged.cut);
-    if (!set.lies_flat || set.proposal.strain > most_strain) return;
-    sets.push_back(std::move(set));
+void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
+  std::vector<double> most_strains{std::max(target_, sets.back().proposal.strain)};
+  while (most_strains.size() < kMergedSets) most_strains.push_back(kStrainStep * most_strains.back());
+  const std::vector<CutState> merged =
+      merge_sections({sets.back().cut, sets.back().pieces}, chart_, mirrored_, most_strains, exact_,
+                     [&](double share) { progress_.enter(kCut + (1 - kCut) * share, kCut + (1 - kCut) * share); });
+  for (std::size_t i = 0; i < merged.size(); ++i) {
+    CutSet set = evaluate(pieces_, merged[i].cut);
+    if (set.lies_flat && set.proposal.strain <= most_strains[i]) sets.push_back(std::move(set));
   }
 }
 
+/// Cuts lower the strain by about the same ratio each.
+void CutSetSearch::tell_strain(double first, double now) {
+  const double least = std::max(target_, kFlat);
+  const double share = first > least ? std::clamp(std::log(first / now) / std::log(first / least), 0.0, 1.0) : 1;
+  progress_.enter(kOpened + (kCut - kOpened) * share, kOpened + (kCut - kOpened) * share);
+}
+
 std::vector<DartProposal> CutSetSearch::search() {
+  progress_.enter(0, kOpened);
   const CutMask opened = opening();
   if (is_empty(opened)) throw none_serves(input_chart_, wishes_);
   std::vector<CutSet> sets{evaluate(pieces_, opened)};
@@ -251,6 +272,7 @@ std::vector<DartProposal> CutSetSearch::search() {
   if (!sets.front().lies_flat) throw none_serves(input_chart_, wishes_);
   if (least.length > wishes_.longest) throw too_long(input_chart_, least.length, wishes_.longest);
   while (sets.size() <= kMostCuts && sets.back().proposal.strain > target_) {
+    tell_strain(sets.front().proposal.strain, sets.back().proposal.strain);
     std::optional<CutSet> more = cut_once_more(sets.back());
     if (!more) break;
     sets.push_back(std::move(*more));

@@ -8,6 +8,7 @@
 #include "feasibility/cut_mask.h"
 #include "feasibility/mirrored_cuts.h"
 #include "feasibility/part_map.h"
+#include "propose/cut_progress.h"
 #include "propose/flat_pieces.h"
 #include "wirewarp/propose.h"
 
@@ -19,7 +20,8 @@ namespace wirewarp {
 class CutSetSearch {
  public:
   /// piece: one of the pieces. All references are kept.
-  CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes, const ExactEvaluation& exact);
+  CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes, const ExactEvaluation& exact,
+               CutProgress& progress);
 
   /// The set with most cuts first; without piece. Throws no_proposal.
   std::vector<DartProposal> search();
@@ -44,8 +46,9 @@ class CutSetSearch {
 
   CutMask opening() const;
   CutSet evaluate(const FlatPieces& before, const CutMask& cut) const;
+  void tell_strain(double first, double now);
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
-  void add_merged(std::vector<CutSet>& sets) const;
+  void add_merged(std::vector<CutSet>& sets);
   std::vector<DartProposal> best_of(const std::vector<CutSet>& sets) const;
   void add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;
   void add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;
@@ -62,6 +65,7 @@ class CutSetSearch {
   const CutWishes& wishes_;
   const double target_;  // strain
   const ExactEvaluation& exact_;
+  CutProgress& progress_;
 };
 
 }  // namespace wirewarp

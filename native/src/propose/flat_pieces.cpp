@@ -185,8 +185,10 @@ FlatPieces ExactEvaluation::uncut() const {
   return flatten_along_seams(cut_into_charts(input_, edges, stop_));
 }
 
-FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
-                                     const std::vector<VertexPair>& opened) const {
+/// Those that a cut runs through or that lie beside a seam that is opened, and all that are coupled with them.
+ExactEvaluation::Selection ExactEvaluation::changed_pieces(const FlatPieces& before,
+                                                           const std::vector<VertexPair>& edges,
+                                                           const std::vector<VertexPair>& opened) const {
   const std::set<VertexPair> no_seams = undirected(opened);
   Selection cut{std::vector<char>(before.size(), 0)};
   for (std::size_t i = 0; i < before.size(); ++i) {
@@ -195,7 +197,17 @@ FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector
     });
     if (has_outline_edge(before[i]->chart, no_seams)) cut.is_chosen[i] = 1;
   }
-  Selection changed = coupled(before, std::move(cut)), solved = changed;
+  return coupled(before, std::move(cut));
+}
+
+std::vector<Chart> ExactEvaluation::changed_charts(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                                                   const std::vector<VertexPair>& opened) const {
+  return cut_chosen(before, changed_pieces(before, edges, opened), edges, opened).charts;
+}
+
+FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                                     const std::vector<VertexPair>& opened) const {
+  Selection changed = changed_pieces(before, edges, opened), solved = changed;
   if (is_stretched(options_)) {
     changed = with_neighbors(before, changed);
     solved = with_neighbors(before, changed);  // what the lengths of the changed ones depend on

@@ -67,6 +67,10 @@ class ExactEvaluation {
   FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
                       const std::vector<VertexPair>& opened = {}) const;
 
+  /// The charts of the pieces that such a cut changes. Throws Stopped.
+  std::vector<Chart> changed_charts(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                                    const std::vector<VertexPair>& opened) const;
+
   /// The error of a piece, with the seams or tolerances that flatten() proposes. Throws Stopped.
   FlattenError explain(const FlatPieces& pieces, int piece) const;
 
@@ -78,6 +82,8 @@ class ExactEvaluation {
   struct Selection;
 
   Selection coupled(const FlatPieces& pieces, Selection chosen) const;
+  Selection changed_pieces(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                           const std::vector<VertexPair>& opened) const;
   Selection with_neighbors(const FlatPieces& pieces, const Selection& chosen) const;
   FlatPieces flatten_along_seams(Charts charts) const;
   Charts cut_chosen(const FlatPieces& pieces, const Selection& chosen, const std::vector<VertexPair>& edges,

@@ -11,7 +11,6 @@
 #include "errors/sentence.h"
 #include "mesh/geometry.h"
 #include "propose/best_cuts.h"
-#include "propose/cut_progress.h"
 #include "propose/piece_search.h"
 
 namespace wirewarp {
@@ -77,12 +76,12 @@ class PlanOfCuts {
     wishes.longest = std::min(aim_.longest, length_left());
     wishes.no_seam = aim_.no_seam;
     const std::vector<int> order = pieces_in_order();
-    if (order.empty() && cuts_.empty()) return best_cuts(pieces_, kind_, wishes, exact_);  // throws why
+    if (order.empty() && cuts_.empty()) return best_cuts(pieces_, kind_, wishes, exact_, progress_);  // throws why
     std::optional<FlattenError> first_refusal;
     for (const int piece : order) {
       wishes.piece = piece;
       try {
-        std::vector<DartProposal> proposals = best_cuts(pieces_, kind_, wishes, exact_);
+        std::vector<DartProposal> proposals = best_cuts(pieces_, kind_, wishes, exact_, progress_);
         if (helps(best_of_round(proposals), proposals)) return proposals;
         throw none_helps(pieces_[piece]->chart, kind_, pieces_[piece]->strain);
       } catch (const FlattenError& error) {

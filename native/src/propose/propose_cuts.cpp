@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "propose/best_cuts.h"
-#include "propose/cut_progress.h"
 
 namespace wirewarp {
 namespace {
@@ -13,7 +12,7 @@ std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options&
     const ExactEvaluation exact(to_cut, options, cut_progress.token());
     const FlatPieces pieces = exact.uncut();
     check_wishes(wishes, input, pieces.size());
-    return best_cuts(pieces, kind, wishes, exact);
+    return best_cuts(pieces, kind, wishes, exact, cut_progress);
   } catch (const Stopped&) {
     throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
   }
