@@ -24,27 +24,8 @@ FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER))
 
 from pictures.sheet import draw_sample  # noqa: E402 (the folder must be on the path first)
+from pictures.views import VIEWS  # noqa: E402
 from tables import object_tables  # noqa: E402
-
-# From where each sample is drawn: degrees it is turned to the left and tipped toward the viewer.
-VIEWS = {
-    "fitted_top": (-28, 8),
-    "quarter_sphere": (-62, 10),
-    "ball_of_six_gores": (-20, 22),
-    "half_cylinder": (-62, 20),
-    "lampshade": (-52, 14),
-    "cushion": (-30, 28),
-    "hat": (-40, 20),
-    "carnival_mask": (-18, 6),
-    "jeans": (152, 8),
-    "wetsuit_collar": (-28, 16),
-    "wetsuit_upper_body": (-30, 10),
-    "toy": (-28, 14),
-    "armchair_cover": (-32, 20),
-    "swimsuit": (-28, 8),
-    "set-in_sleeve": (-24, 8),
-    "gathered_skirt": (-28, 14),
-}
 
 
 def settings_of_the_file() -> dict[str, str | float]:
@@ -54,7 +35,7 @@ def settings_of_the_file() -> dict[str, str | float]:
 
 
 def flatten_sample(name: str, output: Path, terminal: TextIO) -> bool:
-    """Writes the files of one sample and prints its lengths; False if a promise was broken."""
+    """Writes the files of one sample and prints its lengths; False if a guarantee is broken."""
     bpy.ops.wm.open_mainfile(filepath=str(FOLDER / f"{name}.blend"))
     model = bpy.context.view_layer.objects.active
     report_path = output / f"{name}.json"
@@ -105,7 +86,7 @@ def main() -> int:
         failed = [name for name in arguments[1:] or VIEWS if not flatten_sample(name, output, terminal)]
         print(f"\nPictures, .blend files with the pieces and reports: {output}", file=terminal)
         if failed:
-            print(f"Not every promise was kept: {', '.join(failed)}", file=terminal)
+            print(f"A guarantee is broken: {', '.join(failed)}", file=terminal)
     return 1 if failed else 0
 
 

@@ -6,6 +6,7 @@ blender --background --addons wirewarp_addon --python docs/write_blender_pages.p
 
 import importlib
 import math
+import re
 import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -17,12 +18,12 @@ sys.path.insert(0, str(Path(__file__).parent))
 from error_examples import EXAMPLES, example_sentence  # noqa: E402 (the folder must be on the path first)
 
 ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]  # of whichever Blender's kind of add-on it is
-PANELS = {  # the class of a group of settings: where Blender shows them
-    "FlattenSettings": "Flatten > Settings",
+PARTS = {"FRONT": "Flatten", "MAIN": "Flatten > Settings", "ADVANCED": "Flatten > Settings > Advanced"}
+PANELS = {  # the class of a group of other settings: where Blender shows them
     "PatternSettings": "Export Pattern",
     "AimSettings": "Suggest Darts and Suggest Seams",
     "EaseAmount": "Mark > Ease",
-    "WIREWARP_PG_settings": "Other panels",
+    "WIREWARP_PG_settings": "Auto, Tolerance, Overlay and previews",
 }
 
 
@@ -67,10 +68,25 @@ def about(prop: bpy.types.Property) -> str:
 
 def settings_of_scene() -> Iterator[tuple[str, list[bpy.types.Property]]]:
     """Yield each group of the scene's settings, with the panel that shows it."""
-    struct = bpy.types.Scene.bl_rna.properties["wirewarp"].fixed_type
-    kinds = [kind for kind in type(bpy.context.scene.wirewarp).__mro__ if vars(kind).get("__annotations__")]
+    settings = bpy.context.scene.wirewarp
+    properties = settings.bl_rna.properties
+    table = module("state.settings").SETTINGS
+    for part, panel in PARTS.items():
+        yield panel, [properties[each.name] for each in table if each.part(settings) == part]
+    kinds = [kind for kind in type(settings).__mro__ if vars(kind).get("__annotations__")]
     for kind in [*kinds[1:], kinds[0]]:  # those of the class itself last
-        yield PANELS[kind.__name__], [struct.properties[name] for name in vars(kind)["__annotations__"]]
+        if kind.__name__ != "FlattenSettings":
+            yield PANELS[kind.__name__], [properties[name] for name in vars(kind)["__annotations__"]]
+
+
+def button_texts() -> dict[str, list[str]]:
+    """Return the texts of the buttons of each operator that differ from its own name."""
+    texts: dict[str, list[str]] = {}
+    for file in sorted(Path(sys.modules[ADDON].__file__).parent.rglob("*.py")):
+        for name, text in re.findall(r'operator\(\s*"([\w.]+)", text="([^"]+)"', file.read_text(encoding="utf-8")):
+            if text not in texts.setdefault(name, []):
+                texts[name].append(text)
+    return texts
 
 
 def operators() -> list[type[bpy.types.Operator]]:
@@ -102,8 +118,14 @@ def settings_page() -> list[str]:
         "",
         *table(["Setting", "Default", "What it does", "In scripts"], rows),
     ]
+    texts = button_texts()
     rows = (
-        [f"**{each.bl_label}**", sentence(description(each)), f"`bpy.ops.{each.bl_idname}`"] for each in operators()
+        [
+            ", ".join(f"**{text}**" for text in dict.fromkeys([each.bl_label, *texts.get(each.bl_idname, [])])),
+            sentence(description(each)),
+            f"`bpy.ops.{each.bl_idname}`",
+        ]
+        for each in operators()
     )
     return [*lines, "", "## Buttons", "", *table(["Button", "What it does", "In scripts"], rows), ""]
 

@@ -18,7 +18,7 @@ def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def picture(alternative: str, path: Path) -> str:
-    return f"![{alternative}](results/{path.name})"
+    return f"[![{alternative}](results/{path.name})](results/{path.name})"  # a click enlarges it
 
 
 def change(before: float, after: float) -> str:
@@ -54,5 +54,5 @@ def wrap(page: str) -> str:
     """Breaks the lines of paragraphs anew; headings, tables, pictures and lists stay."""
     blocks = page.split("\n\n")
     return "\n\n".join(
-        block if block.lstrip().startswith(("#", "|", "![", "- ")) else textwrap.fill(block, WIDTH) for block in blocks
+        block if block.lstrip().startswith(("#", "|", "[![", "- ")) else textwrap.fill(block, WIDTH) for block in blocks
     )
