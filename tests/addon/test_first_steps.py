@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A file without a model offers samples, which are added with all that belongs to them, and a guide."""
 
+import blf
 import bpy
 import pytest
 from everything import draw_panels
+from surfaces import bump, grid
 
 pytestmark = pytest.mark.api
 
@@ -31,3 +33,32 @@ def test_a_sample_is_added_with_its_fabric_and_is_ready_to_cut(addon, place):
 def test_all_samples_that_are_offered_are_in_the_zip(addon):
     module = addon.report_panel.first_steps
     assert {path.stem for path in module.FOLDER.glob("*.blend")} == {name.lower() for name, *_ in module.SAMPLES}
+
+
+def test_a_sample_in_a_file_with_models_leaves_its_settings_and_has_its_size(addon):
+    grid("Bump", bump)
+    scene = bpy.context.scene
+    scene.unit_settings.scale_length, scene.wirewarp.cloth = 0.01, "DENIM"
+    bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")
+    bpy.context.view_layer.update()
+    assert scene.wirewarp.cloth == "DENIM" and scene.unit_settings.scale_length == pytest.approx(0.01)
+    height = bpy.context.active_object.dimensions.z * scene.unit_settings.scale_length
+    assert 0.5 < height < 1
+
+
+def test_a_sample_in_an_empty_file_brings_its_units():
+    bpy.context.scene.unit_settings.scale_length = 0.01
+    bpy.ops.object.wirewarp_open_sample(sample="CUSHION")
+    assert bpy.context.scene.unit_settings.scale_length == 1
+
+
+def test_a_sample_that_is_not_there_is_named(addon, monkeypatch, tmp_path):
+    monkeypatch.setattr(addon.report_panel.first_steps, "FOLDER", tmp_path)
+    with pytest.raises(RuntimeError, match='"cushion.blend" is not installed'):
+        bpy.ops.object.wirewarp_open_sample(sample="CUSHION")
+
+
+def test_the_guide_fits_its_popup(addon):
+    module = addon.report_panel.first_steps
+    blf.size(0, 11)
+    assert max(blf.dimensions(0, step)[0] for step in module.STEPS) < module.WIDTH - 40

@@ -203,7 +203,7 @@ def test_a_missing_map_is_explained(addon, source):
 def test_a_map_of_stretch_says_the_figure_of_the_verdict(addon, source):
     """And no other map does."""
     needed = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
-    figure = f"99% of the area: up to {addon.core.percent_text(needed)}, worst direction"
+    figure = f"99% of the area: up to {addon.core.percent_text(needed)} in the worst direction"
     shown, context = addon.overlay.shown, view_context()
     for name, notes in (("STRETCH_COLOR", [figure]), ("LENGTH_VARIATION_COLOR", [])):
         bpy.context.scene.wirewarp.shown_map = name

@@ -55,7 +55,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     )
 
     seconds: IntProperty(
-        name="Search",
+        name="Search Time (s)",
         description="Seconds to search for a layout that needs less fabric. Esc stops the export",
         min=0,
         max=3600,

@@ -7,7 +7,7 @@ from types import ModuleType
 
 import numpy as np
 
-from ..core import Cache, FlattenResult, Note, torn_hints
+from ..core import ANY_LIMIT, Cache, FlattenResult, Note, torn_hints
 from ..issues import Issue, ObjectError, note, warning
 from ..solve.arrays import INWARD, MeshArrays, faces_inward
 from ..solve.flat_mesh import FlatMesh, flat_mesh
@@ -123,7 +123,7 @@ def _try_uv_seams(
     else:
         good = sum(piece.ok for piece in report.pieces)
         is_better = found.pieces - found.failed > good and found.failed <= max(len(report.pieces) - good, 1)
-    return found if is_better else None
+    return found if is_better and found.stretch < ANY_LIMIT else None
 
 
 def _outcome(model: Model, result: FlattenResult, choices: FlattenChoices, meters: float) -> Outcome:

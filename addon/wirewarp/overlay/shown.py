@@ -66,9 +66,11 @@ def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
     """Why the map is not everywhere, and below a map of stretch the figure of the verdict."""
     notes = missing_maps(shown, color_map)
     reports = [last_report(model_or_self(each.target)) for each in shown if each.surface is not None]
-    needed = [piece.needed for report in reports if report for piece in report.pieces if piece.ok]
-    if needed and color_map in STRETCH_MAPS:
-        notes.append(f"99% of the area: up to {percent_text(max(needed))}, worst direction")
+    pieces = [piece for report in reports if report for piece in report.pieces if piece.ok]
+    if pieces and color_map in STRETCH_MAPS:
+        worst = max(pieces, key=lambda piece: piece.needed)
+        where = "along the threads" if worst.threads else "in the worst direction"
+        notes.append(f"99% of the area: up to {percent_text(worst.needed)} {where}")
     return notes
 
 

@@ -146,10 +146,13 @@ def _are_behind(
     linear, shift = np.array(inverse)[:3, :3], np.array(inverse)[:3, 3]
     begins, ends = eyes @ linear.T + shift, places @ linear.T + shift
     lengths = np.linalg.norm(ends - begins, axis=1)
-    return np.array([
-        length > 0 and surface.ray_cast(begin, (end - begin) / length, distance=(1 - HIDDEN_BY) * length)[0]
-        for begin, end, length in zip(begins.tolist(), ends, lengths.tolist(), strict=True)
-    ], dtype=bool)  # fmt: skip
+    try:
+        return np.array([
+            length > 0 and surface.ray_cast(begin, (end - begin) / length, distance=(1 - HIDDEN_BY) * length)[0]
+            for begin, end, length in zip(begins.tolist(), ends, lengths.tolist(), strict=True)
+        ], dtype=bool)  # fmt: skip
+    except RuntimeError:  # after undo Blender draws once before it has evaluated the object
+        return np.zeros(len(places), dtype=bool)
 
 
 def _chosen_piece(target: bpy.types.Object) -> int | None:

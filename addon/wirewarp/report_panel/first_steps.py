@@ -6,6 +6,7 @@ from pathlib import Path
 import bpy
 from bpy.props import EnumProperty
 
+from ..blender.units import meters_per_blender_unit
 from ..blender.views import show_objects, work_area
 from ..state.settings import FlattenSettings
 from ..ui.layout import draw_sentence
@@ -19,17 +20,18 @@ SAMPLES = [  # files of that folder, the plainest first
 ]
 STEPS = (
     "1. Open a sample, or select your model and press Mark This Model.",
-    "2. Select the edges where the fabric is cut (Alt+click selects a whole line), and press Mark Seam.",
+    "2. Select the edges where the fabric is cut, and press Mark Seam.",
+    "    Alt+click selects a whole line of edges.",
     "3. Select lines that must keep their length, and press Rigid.",
     "4. Choose the fabric, and press Flatten.",
     "5. Read the sentence below Flatten. If it is not green, press a button below it.",
     "6. Press Export Pattern, and print at 100%.",
 )
-WIDTH = 420  # of the guide, in Blender's own pixels
+WIDTH = 480  # of the guide, in Blender's own pixels
 
 
 class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
-    """Add a sample model with its seams, wires and fabric to this file"""
+    """Add a sample model with its seams and wires to this file; to an empty one with its settings and units, too"""
 
     bl_idname = "object.wirewarp_open_sample"
     bl_label = "Open Sample"
@@ -44,14 +46,18 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         scene, is_first = context.scene, not any(each.type == "MESH" for each in context.scene.objects)
         path = FOLDER / f"{self.sample.lower()}.blend"
-        with bpy.data.libraries.load(str(path)) as (held, loaded):
-            loaded.scenes = held.scenes
+        try:
+            with bpy.data.libraries.load(str(path)) as (held, loaded):
+                loaded.scenes = held.scenes
+        except OSError:
+            self.report({"ERROR"}, f'The sample "{path.name}" is not installed. Install the zip of WireWarp again.')
+            return {"CANCELLED"}
         (sample_scene,) = loaded.scenes
         (model,) = sample_scene.objects
-        for name in FlattenSettings.__annotations__:
-            setattr(scene.wirewarp, name, getattr(sample_scene.wirewarp, name))
         if is_first:
-            scene.unit_settings.length_unit = sample_scene.unit_settings.length_unit
+            _take_settings(scene, sample_scene)
+        else:
+            model.scale /= meters_per_blender_unit(scene)  # samples are in meters
         context.collection.objects.link(model)
         bpy.data.scenes.remove(sample_scene)
         for other in context.selected_objects:
@@ -63,6 +69,13 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
             context.view_layer.update()
             show_objects(context, area, [model])
         return {"FINISHED"}
+
+
+def _take_settings(scene: bpy.types.Scene, sample: bpy.types.Scene) -> None:
+    for name in FlattenSettings.__annotations__:
+        setattr(scene.wirewarp, name, getattr(sample.wirewarp, name))
+    for name in ("system", "scale_length", "length_unit"):
+        setattr(scene.unit_settings, name, getattr(sample.unit_settings, name))
 
 
 class WM_OT_wirewarp_guide(bpy.types.Operator):

@@ -82,14 +82,13 @@ def _draw_state(
     untrue = untrue_sentence(context.active_object, source, report)
     if untrue:
         is_auto = context.scene.wirewarp.auto_update
-        if is_auto and is_due(context.scene):
-            draw_sentence(context, layout, DUE, "FILE_REFRESH")
-            return
         warning = layout.column()
         warning.alert = True
         draw_sentence(context, warning, untrue, "ERROR")
         if is_auto and is_left(source):
             draw_sentence(context, layout, LEFT, "INFO")
+        elif is_auto and is_due(context.scene):
+            draw_sentence(context, layout, DUE, "INFO")
         return
     left_out = _left_out(context, source, report)
     verdict = as_seen(report.tables.verdict, left_out)
@@ -99,12 +98,12 @@ def _draw_state(
     is_looked_at = step is not None and step.operator == SHOW  # which is less than to do something
     if step and not is_looked_at:
         _draw_step(context, layout, step)
-    if report.uv_seams and not report.uv_seams.is_good:
-        _draw_step(context, layout, uv_step(report.uv_seams))
     if any(line.kind in FABRIC_HELPS for line in verdict.lines):
         layout.menu(VIEW3D_MT_wirewarp_fabrics.__name__, icon=ICON)
     if wants_seams(report):
         draw_suggest(layout, context.scene.wirewarp, -1, ["seams"])
+    if report.uv_seams and not report.uv_seams.is_good:
+        _draw_step(context, layout, uv_step(report.uv_seams))
     piece = piece_to_cut(report, step)
     if piece is not None:
         draw_suggest(layout, context.scene.wirewarp, piece)

@@ -6,7 +6,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..core import (
-    ANY_LIMIT,
     TORN,
     FlattenResult,
     Issue,
@@ -54,7 +53,7 @@ class UvSeams:
 
     @property
     def is_good(self) -> bool:
-        return not self.failed and self.stretch < ANY_LIMIT
+        return not self.failed
 
 
 @dataclass(kw_only=True)

@@ -9,8 +9,8 @@ import numpy as np
 
 from .. import Piece
 from .model import Hint, Pairs, Threads, Wire
-from .strain import PieceStrain, connected_regions, edge_keys, thread_strains
-from .wording import needs_text, strain_figures, strain_words
+from .strain import PieceStrain, connected_regions, edge_keys, percent_text, thread_strains
+from .wording import needs_text, strain_text
 from .words import tolerance_text
 
 # A stretch from which a dart is worth a thought: the piece can be cut from stretch fabric, but is pulled there.
@@ -67,10 +67,10 @@ def strain_hints(
         strain = strains[index]
         if strain is None or len({hint.piece for hint in hints}) == MOST_PIECES:
             continue
-        alike: dict[str, list[Region]] = {}  # one line for all that read alike
+        alike: dict[tuple[str, str], list[Region]] = {}  # one line for those with equal strain
         for region in _worth_words(_regions(pieces[index], strain, places)):
-            alike.setdefault(strain_figures(region.stretch, region.ease), []).append(region)
-        hints += [_strain_hint(index, figures_text, regions, places) for figures_text, regions in alike.items()]
+            alike.setdefault((percent_text(region.stretch), percent_text(region.ease)), []).append(region)
+        hints += [_strain_hint(index, regions, rank == 0, places) for rank, regions in enumerate(alike.values())]
     return hints
 
 
@@ -82,12 +82,12 @@ def _worth_words(regions: list[Region]) -> list[Region]:
     return sorted((r for r in ranked if r in chosen or r is worst), key=lambda region: -region.worst)
 
 
-def _strain_hint(piece: int, figures: str, alike: list[Region], places: Places) -> Hint:
-    words = strain_words(max(region.stretch for region in alike), max(region.ease for region in alike))
+def _strain_hint(piece: int, alike: list[Region], is_worst: bool, places: Places) -> Hint:
+    text = strain_text(alike[0].stretch, alike[0].ease) + (" most" if is_worst else "")
     return Hint(
         STRAINED,
-        f"{words[0].upper()}{words[1:]} near here. Add a dart or seam here.",
-        short=figures if len(alike) == 1 else f"{figures}, at {len(alike)} places",
+        f"The fabric is {text} here. Add a dart or seam.",
+        short=text if len(alike) == 1 else f"{text}, at {len(alike)} places",
         piece=piece,
         faces=places.faces_of(np.concatenate([region.triangles for region in alike])),
     )

@@ -83,21 +83,10 @@ def gives_text(threads: Threads) -> str:
     return " and ".join(f"{text} {way}" for way, text in known.items())
 
 
-def strain_words(stretch: float, ease: float) -> str:
-    """What fabric must do, of shares of its flat length: "stretch up to 12% and be compressed up to 9.0%"."""
-    if stretch >= 1:
-        return "stretch more than any fabric can"
-    worth = _worth_words([("stretch", stretch), ("be compressed", ease)])
-    return " and ".join(f"{verb} up to {percent_text(share)}" for verb, share in worth)
+def strain_text(stretch: float, compression: float) -> str:
+    """ "stretched", "compressed" or both, if the lesser is not much less; shares of the flat length.
 
-
-def strain_figures(stretch: float, ease: float) -> str:
-    """The same in short: "stretch 12%, compressed 9.0%"."""
-    worth = _worth_words([("stretch", stretch), ("compressed", ease)])
-    return ", ".join(f"{noun} {percent_text(share)}" for noun, share in worth)
-
-
-def _worth_words(strains: list[tuple[str, float]]) -> list[tuple[str, float]]:
-    """The greater, and the lesser if it is not much less."""
-    greatest = max(share for _, share in strains)
-    return [(word, share) for word, share in strains if share >= LESSER * greatest]
+    Without a figure: that of the piece is the one that counts, and a second one beside it would confuse.
+    """
+    strains = {"stretched": stretch, "compressed": compression}
+    return " and ".join(word for word, share in strains.items() if share >= LESSER * max(strains.values()))
