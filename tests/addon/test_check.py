@@ -12,6 +12,7 @@ from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select
 pytestmark = pytest.mark.api
 
 CHECK = bpy.ops.object.wirewarp_check
+KINDS = ("MERGE", "DISSOLVE", "DUPLICATES", "INTERIOR", "LOOSE", "NON_MANIFOLD", "NORMALS")
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 FAULTY = {  # vertices, faces, loose edges, and the number of elements at fault
     "MERGE": ([*SQUARE, (1, 0, 0), (2, 0, 0), (2, 1, 0), (1, 1, 0)], [(0, 1, 2, 3), (4, 5, 6, 7)], [], 2),
@@ -36,6 +37,11 @@ def faulty(kind):
     return target, count
 
 
+def repair(kind):
+    """This kind alone."""
+    return CHECK(**{each.lower(): each == kind for each in KINDS})
+
+
 def counts(addon, target):
     found = addon.blender.faults.find_faults(target.data)
     return {kind: len(own.vertices) + len(own.edges) + len(own.faces) for kind, own in found.items()}
@@ -45,7 +51,7 @@ def counts(addon, target):
 def test_each_kind_is_found_and_repaired(addon, kind, capfd):
     target, count = faulty(kind)
     assert counts(addon, target)[kind] == count
-    assert CHECK(repairs={kind}) == {"FINISHED"}
+    assert repair(kind) == {"FINISHED"}
     assert kind not in counts(addon, target)
     fault = next(each for each in addon.blender.faults.FAULTS if each.kind == kind)
     assert f"{fault.text(count)} {fault.done}" in capfd.readouterr().out
@@ -95,7 +101,7 @@ def test_walls_inside_are_found_but_no_face_that_is_seen_from_outside(addon, siz
     assert counts(addon, target)["INTERIOR"] == inside
     assert CHECK() == {"FINISHED"}  # unasked they stay
     assert counts(addon, target)["INTERIOR"] == inside
-    CHECK(repairs={"INTERIOR"})
+    repair("INTERIOR")
     assert len(target.data.polygons) == shell
 
 
@@ -134,7 +140,7 @@ def test_a_repair_from_edit_mode_of_the_pieces_leaves_it_so_that_undo_has_the_mo
 
 def test_only_the_kinds_that_are_chosen_are_repaired(addon):
     target, _ = faulty("MERGE")
-    assert CHECK(repairs={"LOOSE"}) == {"FINISHED"}  # so that other kinds can be chosen in Adjust Last Operation
+    assert repair("LOOSE") == {"FINISHED"}  # so that other kinds can be chosen in Adjust Last Operation
     assert len(target.data.vertices) == 8
 
 

@@ -48,3 +48,11 @@ def test_both_sides_of_a_seam_name_its_vertices_once():
     seams = [(1 + k, 1 + (k + 1) % 12) for k in range(12)]
     (hint,) = hints(np.concatenate([vertices, outer]), np.concatenate([faces, ring]), {"seams": seams})
     assert hint.vertices == list(range(1, 25))
+
+
+def test_a_slit_of_one_edge_inside_a_piece_has_no_outline_of_its_own():
+    side = np.arange(5)
+    vertices = np.array([(x, y, 0.0) for y in side for x in side]) / 10
+    corners = [y * 5 + x for y in range(4) for x in range(4)]
+    faces = np.array([face for a in corners for face in ((a, a + 1, a + 6), (a, a + 6, a + 5))])
+    assert hints(vertices, faces, {"seams": [(11, 12)]}) == []

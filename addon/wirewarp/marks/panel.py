@@ -24,8 +24,8 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
         layout, model = self.layout, model_of(context.active_object)
         if model:
             sentence = (
-                f'These are the flat pieces of "{model.name}". Select that to mark seams and wires. In Edit Mode of '
-                "the pieces you can mark the ease and the allowance of one side."
+                f'Select "{model.name}" to mark seams and wires. In Edit Mode of these flat pieces you can mark the '
+                "ease and the allowance of one side."
             )
             if is_deleted(model):
                 draw_sentence(context, layout, f"These are flat pieces. {DELETED.format(model.name)}", "ERROR")

@@ -7,6 +7,8 @@ from bpy.props import BoolProperty
 
 from ..ui.editing import OnModel
 
+WIDTH = 360  # of the question, in Blender's own pixels
+
 
 def has_every_edge(mesh: bpy.types.Mesh) -> bool:
     """Whether all edges of a mesh in Edit Mode are selected, as they are in a model that was just imported."""
@@ -56,6 +58,7 @@ class MESH_OT_wirewarp_mark_seam(OnModel, bpy.types.Operator):
     bl_label = "Mark Seam"
     bl_options = {"INTERNAL", "REGISTER", "UNDO"}
     on_model = "mark seams"
+    _asks = False
 
     clear: BoolProperty(name="Clear", description="Clear seams", default=False, options={"HIDDEN"})
 
@@ -67,15 +70,17 @@ class MESH_OT_wirewarp_mark_seam(OnModel, bpy.types.Operator):
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if not self.clear and any(has_every_edge(each.data) for each in context.objects_in_mode_unique_data):
-            return context.window_manager.invoke_props_dialog(self)
+            self._asks = True
+            return context.window_manager.invoke_props_dialog(self, width=WIDTH)
         return self.execute(context)
 
     def draw(self, _context: bpy.types.Context) -> None:
-        """The question."""
-        if not self.clear:
+        """The question, in the dialog alone."""
+        if self._asks:
             self.layout.label(text="Every edge is selected. Cut the fabric along all of them?", icon="QUESTION")
 
     def execute(self, _context: bpy.types.Context) -> set[str]:
+        self._asks = False
         return bpy.ops.mesh.mark_seam(clear=self.clear)
 
 

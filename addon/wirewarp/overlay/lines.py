@@ -50,7 +50,7 @@ STYLES = {
     "cut": LineStyle("Cutting line", _hex("#99bb77"), 2.0),
     "ease": LineStyle("Side with ease", _hex("#ff4bb4"), 3.0),
     "grain": LineStyle("Grain", _hex("#0a8f7a"), 3.0),
-    "default grain": LineStyle("Grain, not chosen", _hex("#7fc4b5"), 1.2),
+    "default grain": LineStyle("Grain (automatic)", _hex("#7fc4b5"), 1.2),
     "outline": LineStyle("Outline", _hex("#786068"), 2.5),
     "seam": LineStyle("Seam", _hex("#101018"), 4.5),
     "free": LineStyle("Free wire", _hex("#4fc3f7"), 3.5, dash=(4, 8)),

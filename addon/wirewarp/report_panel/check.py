@@ -2,9 +2,9 @@
 """Check and Repair: what is wrong with the mesh of a model, by kind; each kind is shown, and repaired on request."""
 
 import bpy
-from bpy.props import EnumProperty
+from bpy.props import BoolProperty, EnumProperty
 
-from ..blender.faults import FAULTS, Elements, find_faults, repair_faults
+from ..blender.faults import FAULTS, Elements, Fault, find_faults, repair_faults
 from ..blender.modes import WORKING_MODES, in_object_mode
 from ..blender.objects import check_local
 from ..blender.selection import select_elements
@@ -12,12 +12,23 @@ from ..state.owners import check_not_edited, model_or_self
 from ..ui import window_run
 from ..ui.editing import reporting_refusals
 
-KINDS = [
-    (fault.kind, f"{fault.verb} {fault.many}".capitalize(), f"{fault.verb} all {fault.many} of the model", 1 << place)
-    for place, fault in enumerate(FAULTS)
-]
-NOT_UNASKED = {"INTERIOR"}  # walls inside may be wanted, and some look like faces of the shell
+KINDS = [(fault.kind, fault.many.capitalize(), f"All {fault.many} of the model") for fault in FAULTS]
+NOT_UNASKED = "INTERIOR"  # walls inside may be wanted, and some look like faces of the shell
 WIDTH = 340  # of the dialog, in Blender's own pixels
+
+
+def _chosen_by_default(fault: Fault) -> object:
+    return BoolProperty(
+        name=f"{fault.verb} {fault.many}".capitalize(),
+        description=f"Whether to repair the {fault.many} of the model",
+        default=fault.kind != NOT_UNASKED,
+    )
+
+
+class Repairs:
+    """A switch for each kind of fault, by its name in small letters. Mixed into operators."""
+
+    __annotations__ = {fault.kind.lower(): _chosen_by_default(fault) for fault in FAULTS}  # noqa: RUF012
 
 
 class OnFaultyModel:
@@ -30,20 +41,12 @@ class OnFaultyModel:
         return is_mesh and context.mode in WORKING_MODES and not window_run.is_running()
 
 
-class OBJECT_OT_wirewarp_check(OnFaultyModel, bpy.types.Operator):
+class OBJECT_OT_wirewarp_check(OnFaultyModel, Repairs, bpy.types.Operator):
     """List what is wrong with the mesh, and repair the kinds that you choose"""
 
     bl_idname = "object.wirewarp_check"
     bl_label = "Check and Repair"
     bl_options = {"REGISTER", "UNDO"}
-
-    repairs: EnumProperty(
-        name="Repairs",
-        description="What to repair",
-        items=KINDS,
-        options={"ENUM_FLAG"},
-        default={kind for kind, *_ in KINDS} - NOT_UNASKED,
-    )
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         source = model_or_self(context.active_object)
@@ -63,7 +66,8 @@ class OBJECT_OT_wirewarp_check(OnFaultyModel, bpy.types.Operator):
         with in_object_mode(context):
             check_not_edited(source)
             self._counts = _counts(source)
-            repaired = repair_faults(source.data, list(self.repairs))
+            kinds = [fault.kind for fault in FAULTS if getattr(self, fault.kind.lower())]
+            repaired = repair_faults(source.data, kinds)
         done = [f"{fault.text(repaired[fault.kind])} {fault.done}" for fault in FAULTS if fault.kind in repaired]
         if done:
             self.report({"INFO"}, f"{'; '.join(done)}. Flatten again.")
@@ -79,7 +83,7 @@ class OBJECT_OT_wirewarp_check(OnFaultyModel, bpy.types.Operator):
             if fault.kind not in self._counts:
                 continue
             row, text = column.row(align=True), fault.text(self._counts[fault.kind])
-            row.prop_enum(self, "repairs", fault.kind, text=f"{fault.verb}: {text}")
+            row.prop(self, fault.kind.lower(), text=f"{fault.verb}: {text}")
             row.operator("object.wirewarp_show_fault", text="", icon="RESTRICT_SELECT_OFF").kind = fault.kind
 
 
@@ -90,7 +94,7 @@ class OBJECT_OT_wirewarp_show_fault(OnFaultyModel, bpy.types.Operator):
     bl_label = "Show Fault"
     bl_options = {"INTERNAL", "UNDO"}
 
-    kind: EnumProperty(name="Kind", description="Which fault to show", items=[each[:3] for each in KINDS])
+    kind: EnumProperty(name="Kind", description="Which fault to show", items=KINDS)
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:

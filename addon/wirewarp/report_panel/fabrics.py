@@ -8,13 +8,17 @@ from ..solve.report import ObjectReport
 from ..state.settings import fabric_label
 from ..ui.shown import shown_report
 
+OTHER_SHAPE = 1.5  # leather must stretch 11% in the fitted top, of which woven cotton must stretch 7.6%
 ICON = "MATCLOTH"
 NONE_CAN = "No fabric in the list stretches that far"
 
 
 def fabrics_that_can(report: ObjectReport) -> list[str]:
-    """The presets that stretch far enough for all pieces, whatever their grain; the least stretching first."""
-    needed = max((piece.needed for piece in report.pieces), default=0.0)
+    """The presets that stretch far enough for all pieces, whatever their grain; the least stretching first.
+
+    Each fabric makes other shapes: what is needed after a flatten for one is no more than a measure for others.
+    """
+    needed = max((piece.needed * (OTHER_SHAPE if piece.threads else 1) for piece in report.pieces), default=0.0)
     limits = {name: min(Cloth.preset(name).limits) for name in Cloth.presets()}
     return sorted((name for name, limit in limits.items() if limit >= needed), key=limits.__getitem__)
 

@@ -9,7 +9,6 @@ from bpy.props import EnumProperty
 from ..blender.units import meters_per_blender_unit
 from ..blender.views import show_objects, work_area
 from ..state.settings import FlattenSettings
-from ..ui.layout import draw_sentence
 
 FOLDER = Path(__file__).parent.parent / "samples"
 SAMPLES = [  # files of that folder, the plainest first
@@ -96,8 +95,7 @@ class WM_OT_wirewarp_guide(bpy.types.Operator):
             self.layout.label(text=step)
 
 
-def draw_first_steps(context: bpy.types.Context, layout: bpy.types.UILayout) -> None:
-    draw_sentence(context, layout, "Select a mesh, or try a sample.", "INFO")
+def draw_first_steps(layout: bpy.types.UILayout) -> None:
     layout.operator_menu_enum("object.wirewarp_open_sample", "sample", icon="FILE_FOLDER")
     layout.operator("wm.wirewarp_guide", icon="HELP")
 

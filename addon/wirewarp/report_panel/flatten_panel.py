@@ -27,7 +27,7 @@ from .next_step import CHECK, SHOW, NextStep, next_step, piece_to_cut, uv_step, 
 DUE = "Auto: the pieces follow when the mouse moves."
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
 FABRIC_HELPS = (Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC)
-WAITS = f"Of more than {EDIT_LIMIT:,} vertices: Auto waits until you leave Edit Mode."
+WAITS = f"This model has more than {EDIT_LIMIT:,} vertices, so Auto waits until you leave Edit Mode."
 
 
 class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
@@ -44,12 +44,15 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
         active = context.active_object
         if active is None or active.type != "MESH":
-            draw_first_steps(context, layout)
+            draw_sentence(context, layout, "Select a mesh, or try a sample.", "INFO")
+            draw_first_steps(layout)
             return
         source = model_or_self(active)
         _draw_size(context, layout, source)
         report = last_report(source)
-        if report:
+        if report is None:
+            draw_first_steps(layout)
+        else:
             _draw_state(context, layout, source, report)
         if report and settings.auto_update and waits_for_object_mode(source):
             draw_sentence(context, layout, WAITS, "INFO")

@@ -27,7 +27,7 @@ ADVICE = {
     COARSE: f"{COARSE_ADVICE}:",
     TORN: f"{TORN_ADVICE}:",
     WIRE_AT_LIMIT: "A wider tolerance on these wires would lower the distortion:",
-    BEYOND_FABRIC: "The fabric must stretch much at these places. If yours does not, add a dart or seam:",
+    BEYOND_FABRIC: "Your fabric does not stretch far enough at these places. Add a dart or seam:",
     STRAINED: "The fabric must stretch or be compressed at these places. If yours does not, add a dart or seam:",
 }
 

@@ -123,7 +123,7 @@ def _barred_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam) -
 
 
 def _with_twins(proposals: list[DartProposal], across: set[tuple[int, int]]) -> list[Cut]:
-    """Those of the least strain first. Mirror images as one cut; one of them, where two are no better than one."""
+    """In the library's order. Mirror images as one cut; one of them, where two are no better than one."""
     cuts = []
     for index, proposal in enumerate(proposals):
         if proposal.twin is not None and proposal.twin < index:
@@ -133,7 +133,7 @@ def _with_twins(proposals: list[DartProposal], across: set[tuple[int, int]]) -> 
         else:
             both = [proposal, proposals[proposal.twin]]
             cuts.append(_cut(both, proposal.strain_with_twin, proposal.strain_before, across))
-    return sorted(cuts, key=lambda cut: cut.strain)
+    return cuts
 
 
 def _steps_of(plan: list[DartProposal], across: set[tuple[int, int]], piece: int | None) -> list[Cut]:

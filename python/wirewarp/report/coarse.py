@@ -36,10 +36,10 @@ def coarse_hints(pieces: Sequence[Piece]) -> list[Hint]:
 
 def _outlines(piece: Piece) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     """Vertices of the model (k,) and their places (k,2) of each section of the outline."""
-    faces, count = np.asarray(piece.faces, dtype=np.int64), len(piece.vertices)
+    faces = np.asarray(piece.faces, dtype=np.int64)
     sides = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    outline = sides[~np.isin(sides[:, 0] * count + sides[:, 1], sides[:, 1] * count + sides[:, 0])]
-    ends = dict(zip(map(tuple, piece.source_vertex[outline].tolist()), outline.tolist(), strict=True))
+    # Of all sides, each of one triangle: those of a slit of one edge are not the outline's, for its ends are not split.
+    ends = dict(zip(map(tuple, piece.source_vertex[sides].tolist()), sides.tolist(), strict=True))
     for chain in piece.boundaries:
         steps = [ends[step] for step in pairwise(chain.vertices.tolist())]
         rows = [steps[0][0], *(end for _, end in steps)]

@@ -131,7 +131,7 @@ def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: b
         case Kind.FAILED:
             return [wording.failed(len(own), len(entries))]
         case Kind.CLOSED:
-            return [wording.closed("" if everything and len(own) == 1 else names)]
+            return [wording.closed("" if everything and len(own) == 1 else names, len(own))]
         case Kind.NO_FABRIC:
             return [wording.no_fabric(names)]
         case Kind.BEYOND_FABRIC:

@@ -13,9 +13,10 @@ NOT_FLATTENED = "Not flattened"
 EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"
 
 
-def closed(name: str) -> str:
-    """name: of the closed pieces, or "" for a whole model."""
-    return f"{name or 'This model'} is closed: choose where to cut it"
+def closed(names: str, count: int) -> str:
+    """names: of the closed pieces, or "" for a whole model."""
+    what = "are closed: choose where to cut them" if count > 1 else "is closed: choose where to cut it"
+    return f"{names or 'This model'} {what}"
 
 
 def failed(count: int, of: int) -> str:
