@@ -159,3 +159,12 @@ def test_the_first_page_has_a_key_of_the_lines_that_are_drawn(tmp_path, paper):
     labels = ["Cutting line", "Stitching line", "Fold of the fabric", "Rigid wire", "Grain", "Notch"]
     assert all(label in words(top) for label in labels) and "Elastic wire" not in words(top)
     assert "Stitching line" not in words(top.with_only([]))
+
+
+def test_sheets_name_only_neighbors_that_are_printed(tmp_path):
+    pattern = sample("Jeans", pairs=True, on_fold=True)
+    names = {page.name for page in pattern.pages("a4")[1]}
+    pattern.with_only([]).write(tmp_path / "a.pdf")
+    pages = list(pypdfium2.PdfDocument(tmp_path / "a.pdf"))[1:]
+    named = {word for page in pages for word in page.get_textpage().get_text_range().split()}
+    assert named == names and len(names) == len(pages)

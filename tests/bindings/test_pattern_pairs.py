@@ -108,6 +108,40 @@ def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
     assert checked > 10
 
 
+def test_a_mirror_keeps_the_grain():
+    """Two equal squares are a pair, and a square is cut on the fold, only if the grain of the copy is right."""
+    points = [(0, 0), (90, 0), (90, 120), (0, 120), (200, 0), (290, 0), (290, 120), (200, 120)]
+    result = quads(points, [(0, 1, 2, 3), (4, 5, 6, 7)])
+    pieces = [flat_piece(piece, "Front", 1000.0) for piece in result.pieces]
+
+    def drawn(first, second, **options):
+        grains = [np.array(grain) / np.linalg.norm(grain) for grain in (first, second)]
+        turned = [replace(piece, grain=grain) for piece, grain in zip(pieces, grains, strict=True)]
+        return Pattern.from_pieces(turned, [], **options).pieces
+
+    up, down, across, bias, other_bias = (0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (1.0, 1.0), (1.0, -1.0)
+    assert len(drawn(up, up, pairs=True)) == len(drawn(up, down, pairs=True)) == 1
+    assert len(drawn(bias, other_bias, pairs=True)) == 1
+    assert len(drawn(up, across, pairs=True)) == len(drawn(bias, bias, pairs=True)) == 2
+    assert [piece.on_fold for piece in drawn(across, bias, on_fold=True)] == [True, False]
+
+
+@pytest.mark.parametrize("name", ["Fitted top", "Ball of six gores", "Jeans", "Toy"])
+def test_every_seam_is_named_on_paper(name):
+    """A piece that is drawn for its copies has the numbers of all their seams."""
+    drawn = sample(name, pairs=True, on_fold=True)
+    names = " ".join(line.name for piece in drawn.pieces for line in piece.of_role("sew"))
+    numbers = set(names.replace("/", " ").split())
+    assert {str(number) for number in range(1, len(drawn.walks) + 1)} <= numbers
+
+
+def test_a_line_for_two_seams_joins_the_partners_of_both():
+    names = ("Front", "Back", "Left sleeve", "Right sleeve")
+    drawn = sample("Fitted top", pairs=True, on_fold=True, piece_names=names)
+    joins = {line.name: line.joins for line in drawn.pieces[0].of_role("sew") if line.name}
+    assert "Left sleeve – Right sleeve" in joins.values() or "Right sleeve – Left sleeve" in joins.values()
+
+
 def right_of(line):
     way = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
     return np.array([way[1], -way[0]])

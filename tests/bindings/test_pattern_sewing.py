@@ -4,6 +4,7 @@
 import numpy as np
 import pypdfium2
 import pytest
+import wirewarp
 from patterns import cut_polygon, quads, sample
 from samples import SAMPLES, flattened
 from wirewarp.pattern import Pattern
@@ -62,6 +63,17 @@ def test_a_dart_is_closed_first(tmp_path):
     areas = sorted(cut_polygon(piece).area for piece in pattern.pieces)
     assert areas == pytest.approx([220 * 100, 220 * 120], rel=1e-6)  # the dart is shut
     assert "Close the dart in Piece" in proof(pattern, tmp_path / "a.pdf")
+
+
+def test_a_closed_body_beside_an_open_one_has_its_gap():
+    """A tetrahedron of four triangles, and a strip of two pieces."""
+    corners = 0.1 * np.array([(1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1)])
+    strip = np.array([(x, y, 0) for y in (1.0, 1.1) for x in (0.0, 0.1, 0.2)])
+    faces = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2), (4, 5, 8), (4, 8, 7), (5, 6, 9), (5, 9, 8)]
+    seams = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3), (5, 8)]
+    result = wirewarp.flatten(np.concatenate([corners, strip]), np.array(faces), seams=seams)
+    steps = Pattern.from_result(result).steps
+    assert sum(step.has_gap for step in steps) == 1 and [step.kind for step in steps].count("closing") == 1
 
 
 def test_steps_are_numbered_and_rigid_wires_measured(tmp_path):

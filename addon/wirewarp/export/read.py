@@ -70,7 +70,11 @@ def _parts(
         allowances=_allowances(source, report, millimeters, depsgraph),
         units="imperial" if scene.unit_settings.system == "IMPERIAL" else "metric",
         date=datetime.date.today().isoformat(),
-        measures=[(wire.name, (wire.length_3d or 0.0) * millimeters) for wire in report.wires if wire.tolerance == 0],
+        measures=[
+            (wire.name, wire.length_3d * millimeters)
+            for wire in report.wires
+            if wire.tolerance == 0 and wire.length_3d is not None and None not in wire.length_2d
+        ],
         kept=kept_marker(marker_text(source)),
     )
 

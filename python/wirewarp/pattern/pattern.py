@@ -25,7 +25,7 @@ from .make.seams import sewn_sides
 from .make.sewing import sewing_steps
 from .make.widths import Widths
 from .marker import Marker, at_corner
-from .model import PatternPiece
+from .model import PatternPiece, short_name
 from .nest.items import Grain
 from .nest.nesting import Cloth, Preview, nesting
 from .options import PatternOptions
@@ -67,8 +67,11 @@ class Pattern(PatternData):
                 raise problem(f'"{name}" is not ready to cut: {piece.error.message}', piece.error.code)
         pieces = [flat_piece(piece, name, scale) for piece, name in zip(result.pieces, names, strict=True)]
         seam_names = [f"Seam {number}" for number in range(1, len(result.seams) + 1)]
-        rigid = [wire for wire in result.wires if str(wire.kind) == "rigid"]
-        options.setdefault("measures", [(wire.name, wire.length_3d * scale) for wire in rigid])
+        wires = enumerate(result.wires, start=1)
+        rigid = [
+            (wire.name or f"Wire {number}", wire.length_3d * scale) for number, wire in wires if not wire.tolerance
+        ]
+        options.setdefault("measures", rigid)
         return cls.from_pieces(pieces, seam_names, progress=progress, **options).arranged()
 
     @classmethod
@@ -117,15 +120,21 @@ class Pattern(PatternData):
         seams = sewn_sides([loop for piece in laid for loop in piece.loops], len(seam_names))
         check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seam_names, seams)
         system = UnitSystem(units)
-        copies = copies_of([outlined(own) for own in laid], pairs, on_fold)
+        copies = copies_of(laid, [outlined(own) for own in laid], pairs, on_fold)
         mirrored = mirrored_sides(copies, laid, seams)
         points = marks(laid, seams, mirrored.groups, notch_spacing)
         joined, notes = joined_by(laid), notes_on_sides(seams, system)
 
-        def described(side: Side, seam: int) -> dict[str, str]:
-            others = [name for name in joined[seam] if name != laid[side.piece].name]
-            joins = " – ".join(dict.fromkeys(others))
-            return {"name": mirrored.name(side, seam, seam_names), "joins": joins, "note": notes.get(id(side), "")}
+        def described(side: Side) -> dict[str, str]:
+            """Of all seams that the side is drawn for: "Seam 3 / 5"."""
+            by_seam = {own.seam: own for own in mirrored.copies(side) if own.seam is not None}
+            first, *others = (seam_names[seam] for seam in by_seam)
+            names = [first, *map(short_name, others)]
+            partners = [name for seam, own in by_seam.items() for name in joined[seam] if name != laid[own.piece].name]
+            told = [notes.get(id(own), "") for own in by_seam.values()]
+            each = [f"{short_name(name)}: {note}" for name, note in zip(names, told, strict=True) if note]
+            note = told[0] if len(set(told)) == 1 else "; ".join(each)
+            return {"name": " / ".join(names), "joins": " – ".join(dict.fromkeys(partners)), "note": note}
 
         done = []
         for own in laid:
@@ -135,7 +144,7 @@ class Pattern(PatternData):
         warnings = [warning for own in laid for warning in warnings_of(own)] + warnings_of_copies(drawn, system)
         low = np.min([piece.bounds[0] for piece in drawn], axis=0)
         moved = [piece.moved(-low) for piece in drawn]
-        steps = sewing_steps(laid, seams, seam_names)
+        steps = yield from sewing_steps(laid, seams, seam_names)
         made = cls(title, moved, system, warnings, date, walks, steps, list(measures))
         return (yield from made._adding_cards())
 
@@ -155,8 +164,9 @@ class Pattern(PatternData):
     ) -> "Pattern":
         """Only the lines, where they lie: as from_pieces, but quicker, to show them and their pages."""
         widths = Widths(allowance, None, allowances, side_allowances, folds)
-        lined = [outlined(own) for own in in_one_go(lay_all(pieces, widths, "auto", darts))]
-        return cls("", drawn_once(lined, copies_of(lined, pairs, on_fold)), UnitSystem(units))
+        laid = in_one_go(lay_all(pieces, widths, "auto", darts))
+        lined = [outlined(own) for own in laid]
+        return cls("", drawn_once(lined, copies_of(laid, lined, pairs, on_fold)), UnitSystem(units))
 
     def _with_cards(self) -> "Pattern":
         return in_one_go(self._adding_cards())

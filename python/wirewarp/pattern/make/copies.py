@@ -5,21 +5,21 @@ Notches stand at the same places on seams that a mirror lays onto each other, or
 """
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 import numpy as np
 
-from ..model import PatternPiece, short_name
+from ..model import PatternPiece
 from ..units import UnitSystem
-from .fold import folded
+from .fold import ALONG, folded
 from .mirror import ALIKE, Mirror, fold_of, mirrors_between
 from .outline import Side
 from .pieces import Laid
 from .seams import SewnSide
 
-EXACT = 0.01  # millimeters: what is less off is cut as exactly as the file is written
+VISIBLE = 0.05  # millimeters: what differs less reads 0.0 mm
 
 
 @dataclass(frozen=True)
@@ -35,18 +35,26 @@ class Copies:
         return {second for second, _ in self.pairs.values()}
 
 
-def copies_of(pieces: Sequence[PatternPiece], pairs: bool, on_fold: bool) -> Copies:
-    """pieces: with their lines; each is in one pair at most, and one with a fold is not folded again."""
+def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool, on_fold: bool) -> Copies:
+    """pieces: those of laid, with their lines. Each is in one pair at most, and one with a fold is not folded again."""
     found = Copies({}, {})
+
+    def mirrors(first: int, second: int) -> Iterator[Mirror]:
+        """Those that keep the grain, or turn it end for end."""
+        for mirror in mirrors_between(pieces[first], pieces[second]):
+            grain = mirror.direction(laid[second].grain)
+            if abs(grain[0] * laid[first].grain[1] - grain[1] * laid[first].grain[0]) < ALONG:
+                yield mirror
+
     for first, second in combinations(range(len(pieces)), 2) if pairs else ():
         if first not in found.left_out and second not in found.left_out and first not in found.pairs:
-            mirror = next(mirrors_between(pieces[first], pieces[second]), None)
+            mirror = next(mirrors(first, second), None)
             if mirror:
                 found.pairs[first] = second, mirror
     for index, piece in enumerate(pieces) if on_fold else ():
         if piece.on_fold or index in found.left_out:
             continue
-        folds = ((fold_of(piece, mirror), mirror) for mirror in mirrors_between(piece, piece))
+        folds = ((fold_of(piece, mirror), mirror) for mirror in mirrors(index, index))
         first_fold = next(((fold, mirror) for fold, mirror in folds if fold is not None), None)
         if first_fold:
             found.folds[index] = first_fold
@@ -66,17 +74,20 @@ class MirroredSides:
     """What the mirrors do to the sides of seams."""
 
     groups: list[SeamGroup]
-    seams: dict[int, list[int]] = field(default_factory=dict)  # by the side's id(): other seams that its copies are in
+    images: dict[int, list[Side]] = field(default_factory=dict)  # by the id() of a side, those that are laid onto it
 
-    def name(self, side: Side, seam: int, names: Sequence[str]) -> str:
-        """Of the seam of a side, and of those that its copies are in: "Seam 3 / 5"."""
-        return " / ".join([names[seam], *(short_name(names[other]) for other in self.seams.get(id(side), ()))])
+    def copies(self, side: Side) -> list[Side]:
+        """The side, and all sides that it is drawn for: images of images, too."""
+        found = [side]
+        for own in found:
+            found += [image for image in self.images.get(id(own), ()) if all(image is not other for other in found)]
+        return found
 
 
 def mirrored_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]]) -> MirroredSides:
     forward = {id(own.side): own.is_forward for sides in seams for own in sides}
     turns: dict[int, list[tuple[int, bool]]] = defaultdict(list)  # by seam: others, and whether these run back
-    others: dict[int, list[int]] = defaultdict(list)
+    images: dict[int, list[Side]] = defaultdict(list)
     mirrors = [(first, second, mirror) for first, (second, mirror) in copies.pairs.items()]
     mirrors += [(index, index, mirror) for index, (_, mirror) in copies.folds.items()]
     for first, second, mirror in mirrors:
@@ -87,9 +98,9 @@ def mirrored_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequenc
             is_turned = forward[id(side)] == forward[id(image)]  # outlines run the other way in a mirror
             turns[a].append((b, is_turned))
             turns[b].append((a, is_turned))
-            if a != b and b not in others[id(side)]:
-                others[id(side)].append(b)
-    return MirroredSides(_groups(len(seams), turns), others)
+            images[id(side)].append(image)
+            images[id(image)].append(side)
+    return MirroredSides(_groups(len(seams), turns), images)
 
 
 def _matched(first: Laid, second: Laid, mirror: Mirror) -> list[tuple[Side, Side]]:
@@ -127,10 +138,10 @@ def _groups(count: int, turns: dict[int, list[tuple[int, bool]]]) -> list[SeamGr
 def warnings_of_copies(pieces: Sequence[PatternPiece], units: UnitSystem) -> list[str]:
     """Where a mirror image is not quite what was flattened."""
     return [
-        f'"{piece.name}" is drawn once for its mirror image, which is off by up to '
-        f"{units.difference_text(piece.deviation)}."
+        f'"{piece.name}" is drawn {"as a half" if piece.on_fold else "for its mirror image"}. '
+        f"The two differ by up to {units.measured(piece.deviation)}."
         for piece in pieces
-        if piece.deviation > EXACT
+        if piece.deviation > VISIBLE
     ]
 
 

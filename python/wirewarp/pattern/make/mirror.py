@@ -30,6 +30,11 @@ class Mirror:
         point = self.shift / 2
         return np.array([point.real, point.imag]), np.array([along.real, along.imag])
 
+    def direction(self, vector: np.ndarray) -> np.ndarray:
+        """The image of a vector (2,) that has no place."""
+        image = self.turn * complex(vector[0], -vector[1])
+        return np.array([image.real, image.imag])
+
     def image(self, points: np.ndarray) -> np.ndarray:
         """The images of points (k,2)."""
         images = self.turn * np.conj(points @ (1, 1j)) + self.shift

@@ -120,8 +120,8 @@ def closed_cuts(laid: Laid) -> list[Line]:
     return lines + [Line("inner_cut", points, closed=True) for points in laid.cut.holes]
 
 
-def _sewn(laid: Laid, describe: Callable[[Side, int], Mapping[str, str]]) -> list[Line]:
-    """Stitching lines and folds. describe: fields of the line of a side of the seam with this index."""
+def _sewn(laid: Laid, describe: Callable[[Side], Mapping[str, str]]) -> list[Line]:
+    """Stitching lines and folds. describe: fields of the line of a side of a seam."""
     lines = []
     for own in laid.outlines:
         for run in own.runs:
@@ -130,7 +130,7 @@ def _sewn(laid: Laid, describe: Callable[[Side, int], Mapping[str, str]]) -> lis
             if run.is_fold:
                 lines.append(Line("fold", points, name=FOLD_NAME))
             else:
-                words = {} if run.side.seam is None else describe(run.side, run.side.seam)
+                words = {} if run.side.seam is None else describe(run.side)
                 lines.append(Line("sew", points, is_whole, width=run.width, seam=run.side.seam, **words))
     return lines
 
@@ -144,9 +144,9 @@ def grain_line(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray
 
 
 def finished(
-    laid: Laid, points: Sequence[Point], describe: Callable[[Side, int], Mapping[str, str]], material: str
+    laid: Laid, points: Sequence[Point], describe: Callable[[Side], Mapping[str, str]], material: str
 ) -> PatternPiece:
-    """The piece, still without a text. describe: fields of the line of a side of the seam with this index."""
+    """The piece, still without a text. describe: fields of the line of a side of a seam."""
     lines = [*closed_cuts(laid), *(Line("inner_cut", slit) for own in laid.outlines for slit in own.slits)]
     lines += [*_sewn(laid, describe), *laid.wires]
     lines.append(grain_line(laid.sew_loops, [wire.points for wire in laid.wires], laid.grain))

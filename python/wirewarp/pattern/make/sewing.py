@@ -12,6 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from ..pattern_data import SewingStep, StepKind
+from ..progress import Steps
 from .outline import Side
 from .pieces import Laid
 from .seams import SewnSide, is_dart, sewn_first
@@ -19,66 +20,66 @@ from .sections import WIDEST_DART
 
 RANKS: dict[StepKind, int] = {"dart": 0, "flat": 1, "ring": 2, "all around": 2, "closing": 3}
 Likeness = tuple[set[int], float]
-LEAST_GAP = 150.0  # millimeters: a shorter seam has no room for a gap of half its length to turn the work through
+ROOM_FOR_GAP = 150.0  # millimeters: of a shorter seam a hand's width, 75 mm, would be more than half
 
 
-def sewing_steps(laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], names: Sequence[str]) -> list[SewingStep]:
-    """Each seam once. names: of the seams. If nothing stays open, one seam has a gap to turn the work through."""
-    loops = [loop for piece in laid for loop in piece.loops]
-    first = sewn_first(loops)
-    waiting = {number: sides for number, sides in enumerate(seams) if len(sides) > 1}
+def sewing_steps(
+    laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], names: Sequence[str]
+) -> Steps[list[SewingStep]]:
+    """Each seam once. names: of the seams. A body of which nothing stays open has a gap to turn it through."""
+    first = sewn_first([loop for piece in laid for loop in piece.loops])
+    waiting = {number: [own.side for own in sides] for number, sides in enumerate(seams) if len(sides) > 1}
     ends = {number: {int(sides[0].sources[0]), int(sides[0].sources[-1])} for number, sides in waiting.items()}
-    gap = None if any(side.seam is None for loop in loops for side in loop) else _gap(waiting)
+    meeting: dict[int, set[int]] = {}  # by vertex of the model, the seams that wait and end there
+    for number, own in ends.items():
+        for vertex in own:
+            meeting.setdefault(vertex, set()).add(number)
+    gaps = _gaps(laid, waiting)
     assemblies, steps = _Assemblies(laid), list[SewingStep]()
     last: Likeness | None = None
     while waiting:
-        ranks = {number: _rank(number, waiting, ends, first, assemblies, last) for number in waiting}
+        yield "marks and lines", 1.0
+        ranks = {}
+        for number, sides in waiting.items():
+            kind = assemblies.kind(sides)
+            is_other_side = kind != "closing" and _likeness(sides) == last
+            crossed = sum((v, other) in first for v in ends[number] for other in meeting[v] if other != number)
+            ranks[number] = not is_other_side, RANKS[kind], crossed, min(map(assemblies.area, sides))
         number = min(ranks, key=ranks.__getitem__)
-        last = _likeness(waiting[number])
-        sides = [own.side for own in waiting.pop(number)]
-        kind = assemblies.sew(sides)
+        sides = waiting.pop(number)
+        last = _likeness(sides)
+        for vertex in ends[number]:
+            meeting[vertex].remove(number)
         pieces = tuple(dict.fromkeys(laid[side.piece].name for side in sides))
-        steps.append(SewingStep(names[number], kind, pieces, number == gap))
+        steps.append(SewingStep(names[number], assemblies.sew(sides), pieces, number in gaps))
     return steps
 
 
-def _rank(
-    number: int,
-    waiting: Mapping[int, Sequence[SewnSide]],
-    ends: Mapping[int, set[int]],
-    first: set[tuple[int, int]],
-    assemblies: "_Assemblies",
-    last: Likeness | None,
-) -> tuple[bool, int, int, float]:
-    """The lowest is sewn next. first: see sewn_first; last: of the seam before this one."""
-    sides = [own.side for own in waiting[number]]
-    kind = assemblies.kind(sides)
-    is_other_side = kind != "closing" and _likeness(waiting[number]) == last
-    crossed = sum(
-        vertex in ends[other] and (vertex, other) in first
-        for other in waiting
-        for vertex in ends[number]
-        if other != number
-    )
-    return not is_other_side, RANKS[kind], crossed, min(map(assemblies.area, sides))
+def _gaps(laid: Sequence[Laid], seams: Mapping[int, Sequence[Side]]) -> set[int]:
+    """One seam of each body that has no open edge: the straightest of those that are long enough, else the longest."""
+    bodies = [{piece.index} for piece in laid]
+    for sides in seams.values():
+        joined = {side.piece for side in sides}
+        met = [body for body in bodies if body & joined]
+        bodies = [body for body in bodies if not body & joined] + [set().union(*met)]
+    gaps = set()
+    for body in bodies:
+        own = {number: sides[0] for number, sides in seams.items() if sides[0].piece in body}
+        is_open = any(side.seam is None for piece in body for loop in laid[piece].loops for side in loop)
+        if own and not is_open:
+            gaps.add(max(own, key=lambda number: _fitness(own[number])))  # noqa: B023 (called at once)
+    return gaps
 
 
-def _gap(seams: dict[int, Sequence[SewnSide]]) -> int | None:
-    """The straightest of the seams that are long enough; the longest if none is."""
-    lengths = {number: float(sides[0].along[-1]) for number, sides in seams.items()}
-    enough = [number for number, length in lengths.items() if length >= LEAST_GAP]
-    if not enough:
-        return max(lengths, key=lambda number: lengths[number], default=None)
-
-    def straightness(number: int) -> float:
-        return min(float(np.linalg.norm(own.points[-1] - own.points[0])) for own in seams[number]) / lengths[number]
-
-    return max(enough, key=straightness)
+def _fitness(side: Side) -> tuple[bool, float]:
+    length = float(side.along[-1])
+    is_enough = length >= ROOM_FOR_GAP
+    return is_enough, float(np.linalg.norm(side.points[-1] - side.points[0])) / length if is_enough else length
 
 
-def _likeness(sides: Sequence[SewnSide]) -> Likeness:
+def _likeness(sides: Sequence[Side]) -> Likeness:
     """What a seam has in common with that on the other side of the body, which is sewn next: pieces and length."""
-    return {own.side.piece for own in sides}, round(float(sides[0].along[-1]), 1)
+    return {side.piece for side in sides}, round(float(sides[0].along[-1]), 1)
 
 
 class _Assemblies:
@@ -86,7 +87,7 @@ class _Assemblies:
         self._loops: dict[int, list[int]] = {}  # by number, the id() of each side, in order
         self._of_side: dict[int, int] = {}  # by its id(), the loop of a side
         self._assembly = list(range(len(laid)))  # by piece
-        self._areas = [piece.area for piece in laid]
+        self._areas = [piece.area for piece in laid]  # by assembly
         self._legs: set[int] = set()  # the id() of each side of a dart
         for loop in (loop for piece in laid for loop in piece.loops):
             self._add([id(side) for side in loop])
@@ -96,8 +97,7 @@ class _Assemblies:
 
     def area(self, side: Side) -> float:
         """Of the whole assembly that the side belongs to."""
-        own = self._assembly[side.piece]
-        return sum(area for area, assembly in zip(self._areas, self._assembly, strict=True) if assembly == own)
+        return self._areas[self._assembly[side.piece]]
 
     def kind(self, sides: Sequence[Side]) -> StepKind:
         first, second = sides[:2]
@@ -126,6 +126,7 @@ class _Assemblies:
         for loop in left:
             self._add(loop)
         joined = {self._assembly[side.piece] for side in sides}
+        self._areas[min(joined)] = sum(self._areas[each] for each in joined)
         self._assembly = [min(joined) if each in joined else each for each in self._assembly]
         return kind
 

@@ -97,6 +97,7 @@ def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
     strokes = [Stroke("sheet", low + plan.shown * UNIT, True)]
     texts = [Text((sheet_name(row, column),), low + (9.0, 7.0), 6.0)]
     middle = (low + high) / 2
+    printed = {(tile.row, tile.column) for tile in plan.tiles}
     sides = (
         (np.array([-1, 0]), (row, column - 1), np.array([low[0] + OVERLAP / 2, middle[1]])),
         (np.array([1, 0]), (row, column + 1), np.array([high[0] - OVERLAP / 2, middle[1]])),
@@ -104,7 +105,7 @@ def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
         (np.array([0, -1]), (row + 1, column), np.array([middle[0], low[1] + OVERLAP / 2])),
     )
     for direction, (other_row, other_column), at in sides:
-        if plan.overlap and 0 <= other_row < plan.rows and 0 <= other_column < plan.columns:
+        if plan.overlap and (other_row, other_column) in printed:
             # Both sheets show the whole overlap, so the diamond in its middle lies on itself.
             strokes.append(Stroke("sheet", at + OVERLAP / 2 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]]), True))
             aside = np.array([direction[1], direction[0]])

@@ -14,6 +14,7 @@ import numpy as np
 from ..geometry import are_inside, sampled
 from ..pattern_data import OVERLAP
 
+MOST_WORK = 1_000_000  # cells times pieces, over all arrangements on one kind of sheet: well below a second
 CELL = OVERLAP  # millimeters, about: the overlap of two sheets is one cell
 
 
@@ -47,11 +48,15 @@ def placed_on_sheets(
         sorted(range(len(shapes)), key=lambda k: -sizes[k][0] * sizes[k][1]),
         sorted(range(len(shapes)), key=lambda k: -sizes[k][1]),
     ]
-    best = None
+    best, work = None, 0
     for count in columns:
         if max(width for width, _ in sizes) > count * per_sheet[0] + 1:  # the last sheet shows its overlap, too
             continue
         for order in orders:
+            # Each piece is laid over about all cells that are taken in the end.
+            work += len(shapes) * sum(width * height for width, height in sizes)
+            if work > MOST_WORK:
+                return best
             cells = _placed([shapes[k] for k in order], count, per_sheet, best.sheets if best else fewest)
             if cells:
                 corners = np.zeros((len(shapes), 2))
