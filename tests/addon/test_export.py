@@ -95,14 +95,14 @@ def told(addon, **settings):
 
 def test_sheets_and_sizes_are_told_before_anything_is_written(source, tmp_path, addon):
     sheets, largest = told(addon, format="PDF", paper="A4", allowance=10.0)
-    count = int(re.fullmatch(r"2 pieces on (\d+) sheets of A4, one of them the map\.", sheets)[1])
+    count = 1 + int(re.fullmatch(r"2 pieces on (\d+) sheets and a first page with the map of A4\.", sheets)[1])
     assert len(re.findall(rb"/Type /Page\b", export(tmp_path, "a.pdf", paper="A4").read_bytes())) == count
     assert re.fullmatch(r"Largest piece: Top (?:Left|Right), \d+ × \d+ mm\.", largest)
 
 
 def test_a_proof_sheet_is_told_and_comes_last(source, tmp_path, addon):
     sheets, _ = told(addon, format="PDF", paper="A4", proof_sheet=True)
-    assert sheets.endswith("one of them the map and a proof sheet.")
+    assert sheets.endswith(" sheets, a first page with the map and 1 proof sheet of A4.")
     without, proved = (
         export(tmp_path, f"{name}.pdf", paper="A4", proof_sheet=name == "proved") for name in ("without", "proved")
     )

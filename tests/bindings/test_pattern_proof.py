@@ -36,7 +36,7 @@ def test_the_proof_states_how_far_mirror_images_are_off(tmp_path):
     borders = [piece for piece in pattern.pieces if piece.mirrored_name and piece.on_fold]
     assert len(borders) == 2 and all(0.001 < piece.deviation < 0.1 for piece in borders)
     for piece in borders:
-        assert f"its mirror image is off by up to {piece.deviation:.3f} mm" in text
+        assert f"Its mirror image differs by up to {piece.deviation:.3f} mm" in text
 
 
 def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):

@@ -63,7 +63,7 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
     path = Path(bpy.app.tempdir) / "pattern.pdf"
     yield from open_dialog(path)
     operator = browser().spaces.active.active_operator
-    assert "sheets of A4, one of them the map." in told(operator)
+    assert "sheets and a first page with the map of A4." in told(operator)
     operator.paper = "A0"  # of which Blender tells the dialog no sooner than of what the user does
     assert "sheets of A4" in told(operator)
     yield from tick_failed_pieces()

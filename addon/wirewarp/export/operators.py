@@ -150,8 +150,11 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
             return [f"{count} on {length} of a roll of {width}, {counted(len(pages), 'page')}."]
         if self.paper == ONE_PAGE:
             return size_sentences(made, pages[0])
-        proofs = " and a proof sheet" if self.proof_sheet else ""
-        sheets = f"{counted(len(pages), 'sheet')} of {PAPERS[self.paper][1]}, one of them the map{proofs}"
+        what = [counted(len(pages) - 1, "sheet"), "a first page with the map"]
+        if self.proof_sheet:
+            whole = made.page_sizes(**self._write_options() | {"proof": True})
+            what.append(counted(len(whole) - len(pages), "proof sheet"))
+        sheets = f"{', '.join(what[:-1])} and {what[-1]} of {PAPERS[self.paper][1]}"
         return [f"{count} on {sheets}.", largest_sentence(made)]
 
 

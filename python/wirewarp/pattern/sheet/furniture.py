@@ -165,9 +165,9 @@ def _advice(plan: Tiles) -> list[str]:
     sheets += f", {skipped} more are empty and left out" if skipped else ""
     return [
         pattern.title or "Pattern",
-        "Print at 100% (actual size), not fitted to the page; then measure the squares and bars.",
-        f"{sheets}; neighbors overlap by {pattern.units.text(OVERLAP)}: lay diamond on diamond."
+        "Print at 100% (actual size). Turn off Fit to Page. Measure the squares before you cut.",
+        f"{sheets}. Neighboring sheets overlap by {pattern.units.text(OVERLAP)}: lay each diamond on the same diamond."
         if plan.overlap
-        else f"{count}, every piece on one of them.",
+        else f"{count}. No piece crosses two sheets.",
         f"{counted(len(pattern.pieces), 'piece')}. Allowance included: {pattern.allowance_text}.",
     ]

@@ -112,8 +112,8 @@ def _on_roll(pattern: P, width: float, keep_places: bool) -> P:
         if piece.size[0] > inner or piece.size[1] > LONGEST - 2 * MARGIN - SIZE[1]:
             size = " x ".join(units.measured(float(side)) for side in piece.size)
             raise problem(
-                f'"{piece.name}" is {size}: too large for a roll of {units.text(width)}, of which '
-                f"{units.text(inner)} can be printed, and for pages of {units.text(LONGEST)}."
+                f'"{piece.name}" is {size}: too large for a roll of {units.text(width)}. Only {units.text(inner)} of '
+                f"it can be printed, on pages of up to {units.text(LONGEST)}. Choose a wider roll or sheets."
             )
     if inner < SIZE[0]:
         raise problem(
@@ -121,8 +121,8 @@ def _on_roll(pattern: P, width: float, keep_places: bool) -> P:
         )
     if keep_places and pattern.size[0] > inner:
         raise problem(
-            f"As they lie the pieces are {units.text(float(pattern.size[0]))} wide: too wide for a roll of "
-            f"{units.text(width)}, of which {units.text(inner)} can be printed. Lay them in rows, or move them."
+            f"The pieces as laid out are {units.text(float(pattern.size[0]))} wide, but only {units.text(inner)} of a "
+            f"roll of {units.text(width)} can be printed. Choose In Rows, or move the pieces."
         )
     return pattern.at_origin() if keep_places else pattern.arranged(inner)
 

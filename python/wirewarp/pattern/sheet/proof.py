@@ -16,6 +16,7 @@ from .papers import MARGIN
 
 HEIGHT, LINE = 3.2, 5.0  # millimeters: of letters and between the base lines of rows
 COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # where they begin, as shares of the width
+SHOWN = 0.0005  # millimeters: what differs less reads 0.000 mm
 CLOTHS = (900.0, 1400.0, 1500.0)  # millimeters: usual widths
 AT_ONCE = 6  # places of notches in a row
 SHORTENED = "..."
@@ -34,17 +35,18 @@ def _piece_rows(pattern: PatternData) -> list[Row]:
     units = pattern.units
     rows: list[Row] = [(pattern.heading or "Pattern",), (), ("Piece", "Cut", "Size to cut", "Area sewn")]
     for piece in pattern.pieces:
-        size = " x ".join(units.measured(float(side)) for side in piece.size)
-        rows.append((f"{piece.number}  {piece.name}", how_to_cut(piece), size, units.area_text(piece.area)))
-        if piece.on_fold or piece.mirrored_name:
+        cut = how_to_cut(piece).split(" (")[0]
+        size = " × ".join(units.measured(float(side)) for side in piece.size)
+        rows.append((f"{piece.number}  {piece.name}", cut, size, units.area_text(piece.area)))
+        if piece.deviation > SHOWN:
             off = units.difference_text(piece.deviation)
-            rows.append(("", f"Drawn once; its mirror image is off by up to {off}"))
+            rows.append(("", f"Drawn once. Its mirror image differs by up to {off}"))
     if pattern.marker:
         return [*rows, (pattern.marker.sentence(units),)]
     for width in CLOTHS:
         if max(piece.size[0] for piece in pattern.pieces) <= width:
             length = units.text(float(pattern.arranged(width).size[1]))
-            rows.append((f"In rows, none turned, on cloth {units.text(width)} wide: {length}",))
+            rows.append((f"Fabric {units.text(width)} wide, pieces in rows and not turned: {length}",))
     return rows
 
 
@@ -53,7 +55,7 @@ def _measure_rows(pattern: PatternData) -> list[Row]:
     if not pattern.measures:
         return []
     rows = [("", name, pattern.units.measured(length)) for name, length in pattern.measures]
-    return [("Finished measures", "Wire", "Length"), *rows]
+    return [("Finished measures", "Line", "Length"), *rows]
 
 
 def _step_rows(pattern: PatternData) -> list[Row]:
