@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The source package for PyPI: the Python package and the core with the sources of Eigen and OpenMesh inside, so that
 pip builds it with nothing but what PyPI has.
+
+`python -m build` would not make this smaller: it calls the function that BUILD_SDIST calls.
 """
 
 import shutil

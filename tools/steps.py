@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the steps of ./dev test: some one after the other, or all of them two at a time."""
+"""Runs the steps of ./dev test: some one after the other, or all of them two at a time.
+
+nox would not make this smaller: it runs its sessions one after the other and knows no order between them.
+"""
 
 import multiprocessing
 import os
