@@ -2,6 +2,9 @@
 """The pictures of the pages in docs/, made by the scripts in docs/guide/, from Blender's window on a virtual screen."""
 
 import shutil
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from pathlib import Path
 
 from tools.blender import BLENDER_APT, blender_folder, run_with_addon
 from tools.blender_window import WINDOW_APT, run_tours
@@ -13,7 +16,14 @@ GUIDE = ROOT / "docs" / "guide"  # the scripts and the pictures
 SCRIPT = GUIDE / "take_pictures.py"
 TOURS = ("mark", "flat", "report", "suggest", "tube", "contradiction", "pieces", "allowance", "pages", "export")
 PRINTED = {"sheet": ("sheets", 6, 60), "marker": ("marker", 1, 40)}  # of which file which page, dots an inch
+AT_ONCE = 4  # Blenders, which wait for their windows most of the time
 SECONDS = 600.0  # for a busy machine; a tour takes about ten on an idle one
+
+
+def take_tour(zip_file: Path, taken: Path, name: str) -> tuple[int, str]:
+    say(f"taking pictures: {name}")
+    settings = blender_folder(f"pictures-{name}") | {"WIREWARP_ZIP": str(zip_file), "WIREWARP_PICTURES": str(taken)}
+    return run_tours(SCRIPT, [name], clean_environment(**settings), SECONDS)
 
 
 def pictures() -> None:
@@ -23,13 +33,11 @@ def pictures() -> None:
     taken = BUILD / "pictures"
     shutil.rmtree(taken, ignore_errors=True)
     taken.mkdir(parents=True)
-    for name in TOURS:  # each in a Blender of its own: the window remembers which panels were open
-        say(f"taking pictures: {name}")
-        settings = blender_folder("pictures") | {"WIREWARP_ZIP": str(zip_file), "WIREWARP_PICTURES": str(taken)}
-        code, output = run_tours(SCRIPT, [name], clean_environment(**settings), SECONDS)
-        if code:
-            print(output, flush=True)
-            raise StepError(f"the tour {name} of {SCRIPT.name} failed; its last picture is in {taken}")
+    with ThreadPoolExecutor(AT_ONCE) as pool:  # each in its own Blender: the window remembers which panels were open
+        for name, (code, output) in zip(TOURS, pool.map(partial(take_tour, zip_file, taken), TOURS), strict=True):
+            if code:
+                print(output, flush=True)
+                raise StepError(f"the tour {name} of {SCRIPT.name} failed; its last picture is in {taken}")
     paper = ["--width", "1300", "--background-color", "white", "--stylesheet", str(GUIDE / "paper.css")]
     run(["rsvg-convert", *paper, taken / "pattern.svg", "-o", taken / "pattern.png"])
     for name, (file, page, dots) in PRINTED.items():
