@@ -55,6 +55,47 @@ def test_a_face_without_area_goes_and_its_neighbor_is_cut_there():
             assert found.model.corner_uv[row, corner] == pytest.approx(np.array(vertices[vertex])[:2])
 
 
+def test_two_flat_faces_between_two_others_leave_them_joined():
+    """A pair of needles on one line: each has a vertex on the long edge of the other."""
+    vertices = [(0, 0, 0), (3, 0, 0), (1, 0, 0), (2, 0, 0), (1, 1, 0), (1, -1, 0)]
+    faces = [(0, 1, 2), (1, 0, 3), (0, 2, 4), (2, 1, 4), (0, 5, 3), (3, 5, 1)]
+    found = repaired(model_of(vertices, faces))
+    assert found.done == ["2 zero-area faces removed"]
+    edges = np.sort(found.model.faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+    edges, counts = np.unique(edges, axis=0, return_counts=True)
+    on_line = (edges < 4).all(axis=1)
+    assert (counts[on_line] == 2).all()
+    assert areas(found.model).sum() == pytest.approx(3.0)
+
+
+def test_a_strip_with_one_side_is_left_as_it_is():
+    count = 12
+    angles = np.pi * np.arange(count) / count  # half a turn of the strip while it goes round once
+    middle = np.column_stack([np.cos(2 * angles), np.sin(2 * angles), np.zeros(count)])
+    across = np.column_stack([np.cos(angles)[:, None] * middle[:, :2], np.sin(angles)]) / 3
+    vertices = np.concatenate([middle - across, middle + across])
+    faces = []
+    for k in range(count):
+        a, b = (k, k + count), ((k + 1) % count, (k + 1) % count + count)
+        b = b[::-1] if k == count - 1 else b
+        faces += [(a[0], b[0], b[1]), (a[0], b[1], a[1])]
+    assert repaired(model_of(vertices, faces)).done == []
+
+
+def test_lines_of_the_file_are_translated():
+    """A merged vertex, an edge that is divided, and the side of a face that is flipped."""
+    apart = repaired(
+        model_of([*SQUARE, (1 + 1e-6, 0, 0), (2, 0, 0), (1, 1 + 1e-6, 0)], [(0, 1, 2), (0, 2, 3), (4, 5, 6)])
+    )
+    assert apart.chain(np.array([0, 4, 6])) == [0, 1, 2]
+    assert apart.pairs(np.array([(4, 6), (1, 4)])).tolist() == [[1, 2]]
+    divided = repaired(model_of([*SQUARE, (0.5, 0.5, 0)], [(0, 2, 3), (0, 4, 2), (0, 1, 4), (1, 2, 4)]))
+    assert divided.chain(np.array([3, 0, 2])) == [3, 0, 4, 2]
+    flipped = repaired(model_of([*SQUARE, (2, 0, 0)], [(0, 1, 2), (0, 2, 3), (1, 2, 4)]))
+    assert flipped.done == ["1 face flipped"]
+    assert flipped.sides(np.array([(2, 4), (0, 1)])).tolist() == [[4, 2], [0, 1]]
+
+
 def test_duplicates_go_whichever_way_they_face():
     found = repaired(model_of(SQUARE, [(0, 1, 2), (2, 1, 0), (0, 2, 3)]))
     assert found.done == ["1 duplicate face removed"]

@@ -9,17 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from .. import Cloth, FlattenError, FlattenResult, Options, __version__, flatten
+from .. import Cloth, Ease, FlattenError, FlattenResult, Options, Wire, __version__, flatten
 from ..pattern import Marker, Pattern, Written
 from ..pattern.files import today
 from ..report import make_report, verdict
 from .blend import BlenderError, flatten_blend
 from .figures import figures_of
 from .input_error import InputError
-from .lines import lines_of, seams_of
+from .lines import Lines, lines_of, seams_of
 from .model import Model, read_model
 from .proposals import with_proposals
-from .repair import repaired
+from .repair import Repaired, repaired
 from .request import FROM_MODEL, MILLIMETERS, MarkerRequest, MaterialRequest, Request
 from .staged import staged_folder, take_places
 from .suffixes import BLEND
@@ -106,11 +106,13 @@ def _made_of(request: Request, model: Model | None) -> str:
 def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict[str, Any]]:
     """Writes patterns and picture to the folder; the line, and what the report says besides."""
     repairs: list[str] = []
-    seams, lines = seams_of(model, request.seams), lines_of(request.wires)
+    lines = lines_of(request.wires)
     if request.repair:
         found = repaired(model)
-        model, repairs = found.model, found.done
-        seams = found.seams if not request.seams else np.concatenate([seams_of(model, request.seams), found.seams])
+        model, repairs, lines = found.model, found.done, _translated(lines, found)
+        seams = np.concatenate([found.pairs(seams_of(model, request.seams)), found.seams])
+    else:
+        seams = seams_of(model, request.seams)
     options = material_options(request.material, request.unit)
     result = flatten(model.vertices, model.faces, seams=seams, wires=lines.wires, eases=lines.eases, options=options)
     if request.take_proposals:
@@ -142,6 +144,8 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
     if request.repair or request.take_proposals:
         line["repairs"] = repairs
     report: dict[str, Any] = {"unit": request.unit}
+    if request.repair:
+        report["repaired_faces"] = model.faces.tolist()
     if request.picture:
         _draw_picture(folder / request.picture_path.name, request, model, result, line)
     if not failed:
@@ -156,6 +160,12 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
                 _note(laid.write(folder / request.marker_path(kind).name), line)  # PDF on a roll as wide as it needs
             line["marker"], report["marker"] = marker.sentence(laid.units), marker.to_dict()
     return line, report | _timeless(result.to_dict())
+
+
+def _translated(lines: Lines, found: Repaired) -> Lines:
+    """Wires and eases of the file for the repaired mesh."""
+    wires = [Wire(found.chain(wire.vertices), wire.tolerance, wire.name, wire.ease) for wire in lines.wires]
+    return Lines(wires, [Ease(found.sides(ease.half_edges), ease.ratio) for ease in lines.eases])
 
 
 def material_options(material: MaterialRequest, unit: str) -> Options:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repairs of a triangle mesh, as Check and Repair of the add-on does them, each with a sentence on what was done.
+"""Repairs of a triangle mesh, each with a sentence on what was done.
 
-Vertices keep their numbers, so that files with seams and wires still name the same ones.
+Vertices keep their numbers; lines that name a merged vertex, or an edge that was divided, are translated. Unlike Check
+and Repair of the add-on this leaves interior faces, and loose edges, which no file of triangles has.
 """
 
 from collections import defaultdict
@@ -22,16 +23,43 @@ class Repaired:
     model: Model
     seams: np.ndarray  # (k,2) edges of three or more faces, which must be seams
     done: list[str]
+    labels: np.ndarray  # (n,) the vertex that each has become
+    divided: dict[frozenset[int], int]  # edges, and the vertex that divides each
+    reversed: set[tuple[int, int]]  # directed edges of faces that were flipped
+
+    def chain(self, vertices: np.ndarray) -> list[int]:
+        """A line of vertices of the file as one of the repaired mesh."""
+        found: list[int] = []
+        for vertex in vertices.tolist():
+            own = int(self.labels[vertex]) if 0 <= vertex < len(self.labels) else vertex
+            if not found or found[-1] != own:
+                found += self._between(found[-1], own) if found else []
+                found.append(own)
+        return found
+
+    def pairs(self, edges: np.ndarray) -> np.ndarray:
+        """(k,2) edges likewise."""
+        steps = [step for edge in edges for step in pairwise(self.chain(edge))]
+        return np.array(steps, dtype=np.int64).reshape(-1, 2)
+
+    def sides(self, half_edges: np.ndarray) -> np.ndarray:
+        """(k,2) directed edges likewise, on the side of the same faces."""
+        return np.array([step[::-1] if step in self.reversed else step for step in map(tuple, self.pairs(half_edges))])
+
+    def _between(self, a: int, b: int) -> list[int]:
+        middle = self.divided.get(frozenset((a, b)))
+        return [] if middle is None else [*self._between(a, middle), middle, *self._between(middle, b)]
 
 
 def repaired(model: Model) -> Repaired:
     """Merges, then removes faces without area and duplicates, then makes neighbors face the same way."""
     close = CLOSE * float(np.ptp(model.vertices, axis=0).max())
     done: list[str] = []
-    model, merged = _with_merged_vertices(model, close)
+    labels = _labels(model.vertices, close)
+    model, merged = _with_merged_vertices(model, labels)
     if merged:
         done.append(f"{counted(merged, 'overlapping vertex', 'overlapping vertices')} merged")
-    model, removed = _without_flat_faces(model, close)
+    model, removed, divided = _without_flat_faces(model, close)
     if removed:
         done.append(f"{counted(removed, 'zero-area face')} removed")
     _, first = np.unique(np.sort(model.faces, axis=1), axis=0, return_index=True)
@@ -40,13 +68,14 @@ def repaired(model: Model) -> Repaired:
         model = _with_faces(model, np.sort(first))
         done.append(f"{counted(duplicates, 'duplicate face')} removed")
     flipped = _opposed_faces(model)
+    turned = {step for face in model.faces[flipped].tolist() for step in pairwise((*face, face[0]))}
     if len(flipped):
         model = _with_flipped(model, flipped)
         done.append(f"{counted(len(flipped), 'face')} flipped")
     seams = _edges_of_many_faces(model.faces)
     if len(seams):
         done.append(f"{counted(len(seams), 'edge')} of three or more faces marked as seams")
-    return Repaired(model, seams, done)
+    return Repaired(model, seams, done, labels, divided, turned)
 
 
 def _with_faces(model: Model, rows: np.ndarray) -> Model:
@@ -62,17 +91,21 @@ def _with_flipped(model: Model, rows: np.ndarray) -> Model:
     return replace(model, faces=faces, corner_uv=uv)
 
 
-def _with_merged_vertices(model: Model, close: float) -> tuple[Model, int]:
-    """Each becomes the first of those close to it; returns how many used ones are gone, too."""
-    labels = np.arange(len(model.vertices))
-    pairs = _close_pairs(model.vertices, close)
+def _labels(vertices: np.ndarray, close: float) -> np.ndarray:
+    """(n,) the first of the vertices that are close to each."""
+    labels = np.arange(len(vertices))
+    pairs = _close_pairs(vertices, close)
     while True:  # along chains of close vertices
         before = labels.copy()
         lowest = np.minimum(labels[pairs[:, 0]], labels[pairs[:, 1]])
         np.minimum.at(labels, pairs.ravel(), np.repeat(lowest, 2))
         labels = labels[labels]
         if np.array_equal(labels, before):
-            break
+            return labels
+
+
+def _with_merged_vertices(model: Model, labels: np.ndarray) -> tuple[Model, int]:
+    """Returns how many used ones are gone, too."""
     faces = labels[model.faces]
     merged = len(np.unique(model.faces)) - len(np.unique(faces))
     a, b, c = faces.T
@@ -95,32 +128,46 @@ def _close_pairs(vertices: np.ndarray, close: float) -> np.ndarray:
     return np.concatenate(found)
 
 
-def _without_flat_faces(model: Model, close: float) -> tuple[Model, int]:
-    """A face whose vertex lies on its opposite edge goes, and the face across that edge is cut there."""
+def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[frozenset[int], int]]:
+    """A face whose vertex lies on its opposite edge goes, and the face across that edge is cut there.
+
+    One after the other, for the parts of a flat face that was cut are flat, too. Returns how many were flat at first,
+    and what divides the edges that were cut.
+    """
     faces = [tuple(face) for face in model.faces.tolist()]
     uv = [None] * len(faces) if model.corner_uv is None else list(model.corner_uv)
-    flat = {row for row, face in enumerate(faces) if _height(model.vertices, face) <= close}
+    flat = [row for row, face in enumerate(faces) if _height(model.vertices, face) <= close]
+    divided: dict[frozenset[int], int] = {}
     if not flat:
-        return model, 0
+        return model, 0, divided
+    count = len(flat)
     by_edge: dict[frozenset[int], set[int]] = defaultdict(set)
     for row, face in enumerate(faces):
         for side in pairwise((*face, face[0])):
             by_edge[frozenset(side)].add(row)
     gone: set[int] = set()
-    for row in sorted(flat):
+    while flat:
+        row = flat.pop()
+        if row in gone:
+            continue
         long_edge, tip = _longest_edge(model.vertices, faces[row])
         gone.add(row)
-        for other in sorted(by_edge[frozenset(long_edge)] - gone - flat):
+        divided[frozenset(long_edge)] = tip
+        for other in sorted(by_edge[frozenset(long_edge)] - gone):
             gone.add(other)
+            if tip in faces[other]:
+                continue  # the same three vertices: nothing of it is left
             for face, corners in _cut_at(model.vertices, faces[other], uv[other], long_edge, tip):
                 for side in pairwise((*face, face[0])):
                     by_edge[frozenset(side)].add(len(faces))
+                if _height(model.vertices, face) <= close:
+                    flat.append(len(faces))
                 faces.append(face)
                 uv.append(corners)
     rows = [row for row in range(len(faces)) if row not in gone]
     corner_uv = None if model.corner_uv is None else np.array([uv[row] for row in rows])
     kept = np.array([faces[row] for row in rows], dtype=np.int64).reshape(-1, 3)
-    return replace(model, faces=kept, corner_uv=corner_uv), len(flat)
+    return replace(model, faces=kept, corner_uv=corner_uv), count, divided
 
 
 def _height(vertices: np.ndarray, face: tuple[int, ...]) -> float:
@@ -154,7 +201,10 @@ def _cut_at(
 
 
 def _opposed_faces(model: Model) -> np.ndarray:
-    """(k,) of each connected part the lesser area that faces the other way than the rest."""
+    """(k,) of each connected part the lesser area that faces the other way than the rest.
+
+    Of a part with one side only, as a Möbius strip, none: no flip makes it consistent.
+    """
     neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)
     for row, face in enumerate(model.faces.tolist()):
@@ -173,7 +223,7 @@ def _opposed_faces(model: Model) -> np.ndarray:
     for begin in range(len(side)):
         if side[begin] >= 0:
             continue
-        side[begin], part, open_rows = 0, [begin], [begin]
+        side[begin], part, open_rows, is_two_sided = 0, [begin], [begin], True
         while open_rows:
             row = open_rows.pop()
             for other, differs in neighbors[row]:
@@ -181,10 +231,13 @@ def _opposed_faces(model: Model) -> np.ndarray:
                     side[other] = side[row] ^ differs
                     part.append(other)
                     open_rows.append(other)
-        rows = np.array(part)
-        sides = [rows[side[rows] == which] for which in (0, 1)]
-        opposed.append(min(sides, key=lambda own: float(areas[own].sum())))
-    return np.sort(np.concatenate(opposed))
+                elif side[other] != side[row] ^ differs:
+                    is_two_sided = False
+        if is_two_sided:
+            rows = np.array(part)
+            sides = [rows[side[rows] == which] for which in (0, 1)]
+            opposed.append(min(sides, key=lambda own: float(areas[own].sum())))
+    return np.sort(np.concatenate(opposed)) if opposed else np.empty(0, dtype=np.int64)
 
 
 def _edges_of_many_faces(faces: np.ndarray) -> np.ndarray:
