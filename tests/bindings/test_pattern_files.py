@@ -303,8 +303,8 @@ def test_paths_that_cannot_be_written(tmp_path):
         pattern.write(tmp_path / "folder.svg")
 
 
-def test_200_pieces(tmp_path):
-    side, count = 30.0, 200  # millimeters
+def test_500_pieces(tmp_path):
+    side, count = 30.0, 500  # millimeters
     points = [(x + 40 * number, y) for number in range(count) for x, y in ((0, 0), (side, 0), (side, side), (0, side))]
     result = quads(points, np.arange(4 * count).reshape(-1, 4).tolist())
     pattern = Pattern.from_result(result)

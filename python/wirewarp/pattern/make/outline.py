@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..._errors import FlattenError
 from ..checks import problem
 from ..geometry import lengths_along, signed_area
 
@@ -107,8 +108,9 @@ def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
     for chain in piece.chains:
         sources = chain.sources
         pairs = list(zip(sources[:-1].tolist(), sources[1:].tolist(), strict=True))
-        if not all(pair in ends for pair in pairs):
-            raise problem(f'The outline of "{piece.name}" does not run along the edges that it should.')
+        missing = [pair for pair in pairs if pair not in ends]
+        if missing:
+            raise _not_cut(piece.name, missing, chain.seam is not None)
         vertices = [ends[pairs[0]][0], *(ends[pair][1] for pair in pairs)]
         if vertices[0] == vertices[-1]:  # all sides of a closed seam begin at one vertex
             first = int(np.argmin(sources[:-1]))
@@ -117,6 +119,15 @@ def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
     loops = _joined(chains)
     areas = [signed_area(np.concatenate([side.points[:-1] for side in loop])) for loop in loops]
     return loops if sum(areas) > 0 else [[_turned(side) for side in reversed(loop)] for loop in loops]
+
+
+def _not_cut(name: str, edges: list[tuple[int, int]], is_seam: bool) -> FlattenError:
+    a, b = edges[0]
+    if is_seam:
+        message = f'Edge {a}-{b} is a seam inside "{name}" that opens nothing: clear it, or make it longer.'
+    else:
+        message = f'Edge {a}-{b} should be on the outline of "{name}", but it is not: flatten the model again.'
+    return FlattenError("invalid_option", message, edges=edges)
 
 
 def _rotated(closed: np.ndarray, first: int) -> np.ndarray:

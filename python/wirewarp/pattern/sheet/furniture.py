@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..label import helvetica
+from ..label.room import joined, touches
+from ..label.text_place import text_width
 from ..model import Text
 from ..pattern_data import OVERLAP, PatternData
 from ..units import INCH, UnitSystem, counted
@@ -16,6 +18,7 @@ from .tiles import Tile, Tiles
 
 SIZE = np.array([166.0, 158.0])  # millimeters that the squares and bars take; fits on A4 and Letter
 CORNER = 4.0
+NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0  # millimeters: heights of the name of a sheet and of those of its neighbors
 KEY = (18.0, 150.0)  # millimeters from the lower left corner of all this to the upper left one of the key of lines
 KEY_ROWS, KEY_WIDTH, KEY_HEIGHT, KEY_SAMPLE, KEY_TEXT = 3, 44.0, 7.0, 12.0, 3.0
 TICK = 3.0
@@ -95,7 +98,7 @@ def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
     """The frame, its name, diamonds that two sheets complete, and which sheet comes at which side."""
     low, high = np.array([MARGIN, MARGIN]), MARGIN + plan.shown
     strokes = [Stroke("sheet", low + plan.shown * UNIT, True)]
-    texts = [Text((sheet_name(row, column),), low + (9.0, 7.0), 6.0)]
+    texts = [_own_name(plan, row, column)]
     middle = (low + high) / 2
     printed = {(tile.row, tile.column) for tile in plan.tiles}
     sides = (
@@ -110,8 +113,22 @@ def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
             strokes.append(Stroke("sheet", at + OVERLAP / 2 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]]), True))
             aside = np.array([direction[1], direction[0]])
             angle = 90.0 if direction[0] else 0.0
-            texts.append(Text((sheet_name(other_row, other_column),), at + 12.0 * np.abs(aside), 3.0, angle))
+            name = sheet_name(other_row, other_column)
+            texts.append(Text((name,), at + 12.0 * np.abs(aside), NEIGHBOR_TEXT, angle))
     return Marks(SHEET_LAYER, strokes, texts)
+
+
+def _own_name(plan: Tiles, row: int, column: int) -> Text:
+    """ "C3 of 11" in a corner of the sheet where no piece is cut, if there is one."""
+    low = next(tile.low for tile in plan.tiles if (tile.row, tile.column) == (row, column))
+    words = f"{sheet_name(row, column)} of {len(plan.tiles)}"
+    inset = np.array([text_width(words, NAME_TEXT) / 2 + 2.0, 7.0])
+    places = [inset + np.array(side) * (plan.shown - 2 * inset) for side in ((0, 0), (1, 0), (0, 1), (1, 1))]
+    cut = [line.points for piece in plan.pattern.pieces for line in piece.of_role("cut")]
+    near = joined([(line, np.roll(line, -1, axis=0)) for line in cut])
+    choices = [Text((words,), low + place, NAME_TEXT) for place in places]
+    chosen = next((number for number, text in enumerate(choices) if not touches(text, near)), 0)
+    return Text((words,), MARGIN + places[chosen], NAME_TEXT)
 
 
 def part_marks(corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool) -> Marks:
@@ -131,7 +148,7 @@ def map_marks(plan: Tiles, paper: np.ndarray) -> list[Marks]:
     """A first page: title and advice, the sheets with the pieces on them, and what is to be measured."""
     pattern = plan.pattern
     top = paper[1] - MARGIN
-    room = np.array([paper[0] - 2 * MARGIN, top - 26 - MARGIN - SIZE[1]])
+    room = np.array([paper[0] - 2 * MARGIN, top - 31 - MARGIN - SIZE[1]])
     whole = np.array([plan.columns, plan.rows]) * (plan.shown - plan.overlap) + plan.overlap
     scale = float((room / whole).min())
     corner = np.array([(paper[0] - scale * whole[0]) / 2, MARGIN + SIZE[1] + 2]) - scale * plan.low
@@ -166,8 +183,9 @@ def _advice(plan: Tiles) -> list[str]:
     return [
         pattern.title or "Pattern",
         "Print at 100% (actual size). Turn off Fit to Page. Measure the squares before you cut.",
-        f"{sheets}. Neighboring sheets overlap by {pattern.units.text(OVERLAP)}: lay each diamond on the same diamond."
+        f"{sheets}." if plan.overlap else f"{count}.",
+        f"Neighboring sheets overlap by {pattern.units.text(OVERLAP)}: lay each diamond on the same diamond."
         if plan.overlap
-        else f"{count}. No piece crosses two sheets.",
+        else "No piece crosses two sheets.",
         f"{counted(len(pattern.pieces), 'piece')}. Allowance included: {pattern.allowance_text}.",
     ]
