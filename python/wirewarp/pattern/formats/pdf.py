@@ -13,7 +13,7 @@ from ..pattern_data import PatternData
 from ..progress import Steps
 from ..sheet.drawing import LAYERS, LOOKS, strokes_of
 from ..sheet.papers import SHEETS
-from ..sheet.plan import BORDER, Plan, met, plan
+from ..sheet.plan import BORDER, Plan, plan
 from ..sheet.proof import proof_pages
 from .file_format import Format, Option
 from .pdf_document import Content, Document
@@ -90,13 +90,22 @@ def _with_texts_on_sheets(planned: Plan[PatternData]) -> Steps[Plan[PatternData]
         return planned
     pattern, pieces = planned.pattern, list[PatternPiece]()
     cut = [[line.points for line in piece.of_role("cut")] for piece in pattern.pieces]
+    low, high = np.array([piece.bounds for piece in pattern.pieces]).transpose(1, 0, 2)
     beside: list[np.ndarray] = []
     for index, piece in enumerate(pattern.pieces):
         yield "texts", index / len(pattern.pieces)
-        if piece.of_role("sew") and piece.texts:  # names of lines that are left out cannot be placed anew
-            near = [n for n in met(pattern.pieces, *piece.bounds) if n != index]
-            others = [*(line for n in near for line in cut[n]), *beside]
-            sheets = planned.text_sheets._replace(others=others)
+        borders = [
+            line
+            for line in planned.text_sheets.borders
+            if np.all(line.min(axis=0) < high[index]) and np.all(line.max(axis=0) > low[index])
+        ]
+        has_reason = borders or any(text.is_beside for text in piece.texts)
+        if (
+            has_reason and piece.of_role("sew") and piece.texts
+        ):  # names of lines that are left out cannot be placed anew
+            near = np.all((low - BORDER < high[index]) & (high + BORDER > low[index]), axis=1)
+            others = [line for n in np.flatnonzero(near) if n != index for line in cut[n]]
+            sheets = planned.text_sheets._replace(borders=borders, others=[*others, *beside])
             piece = with_card_anew(piece, len(pattern.pieces), pattern.heading, pattern.units, sheets)
             beside += [corners(text) for text in piece.texts if text.is_beside]
         pieces.append(piece)

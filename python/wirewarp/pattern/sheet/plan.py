@@ -172,7 +172,7 @@ def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
             paper = np.array([width, size[1] + MARGIN + corner[1]])
             place = len(sheets) + 1
             marks = partial(_marker_marks, pattern, marker, corner, size, place, number == 0, number == count - 1)
-            pieces = met(pattern.pieces, low, low + size)
+            pieces = _met(pattern.pieces, low, low + size)
             sheets.append(Sheet(str(place), low, size, paper, corner, pieces, marks, is_clipped=True))
     return Plan(pattern, sheets, (SHEET_LAYER,))
 
@@ -205,7 +205,7 @@ def _tiles(pattern: P, paper: str, keep_places: bool) -> Plan[P]:
             tiles.shown,
             tiles.paper,
             AT_MARGIN,
-            met(tiles.pattern.pieces, tile.low, tile.low + tiles.shown),
+            _met(tiles.pattern.pieces, tile.low, tile.low + tiles.shown),
             lambda tile=tile: [sheet_marks(tiles, tile.row, tile.column)],  # type: ignore[misc]
             is_clipped=True,
         )
@@ -215,7 +215,7 @@ def _tiles(pattern: P, paper: str, keep_places: bool) -> Plan[P]:
     return Plan(tiles.pattern, sheets, (SHEET_LAYER,), cover=cover, text_sheets=texts)
 
 
-def met(pieces: Sequence[PatternPiece], low: np.ndarray, high: np.ndarray) -> list[int]:
+def _met(pieces: Sequence[PatternPiece], low: np.ndarray, high: np.ndarray) -> list[int]:
     """The indices of the pieces whose box, with its border, meets the one from low (2,) to high (2,)."""
     boxes = (piece.bounds for piece in pieces)
     return [n for n, box in enumerate(boxes) if np.all(box[0] - BORDER < high) and np.all(box[1] + BORDER > low)]
