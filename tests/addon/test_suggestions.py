@@ -103,7 +103,14 @@ def test_twins_without_common_figures_are_one_row(addon):
     def proposal(strain, twin, together):
         edges = np.array([[0, 1]])
         return types.SimpleNamespace(
-            edges=edges, piece=0, length=1.0, strain=strain, strain_before=0.5, twin=twin, strain_with_twin=together
+            edges=edges,
+            piece=0,
+            length=1.0,
+            num_pieces=1,
+            strain=strain,
+            strain_before=0.5,
+            twin=twin,
+            strain_with_twin=together,
         )
 
     apart = [proposal(0.3, 1, None), proposal(0.3, 0, None)]
@@ -334,7 +341,7 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     assert "object.wirewarp_suggest_seams" in buttons and "object.wirewarp_suggest_darts" not in buttons
     assert SUGGEST["SEAMS"]() == {"FINISHED"}
     cuts = found(addon, source).cuts
-    assert f"{len(cuts)} sets of seams suggested; for " in capfd.readouterr().out
+    assert f"{len(cuts)} sets of seams suggested. The first: {cuts[0].num_pieces} piece" in capfd.readouterr().out
     assert all(cut.is_first and cut.piece == 0 and len(cut.lengths) == 1 for cut in cuts)
     assert [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
     words = draw_panels(addon)

@@ -146,15 +146,15 @@ TEST_P(FirstCutsOf, LetAllLieFlatWithTheFiguresOfAFreshRun) {
   }
 }
 
-TEST(CutSetSearch, TellsProgressThatNeverFallsAndIsNotStuckAtTheEnd) {
-  std::vector<double> told;
+TEST(CutSetSearch, ReportsProgressThatNeverFallsAndIsNotStuckAtTheEnd) {
+  std::vector<double> reported;
   propose_seams(head(), {}, {}, [&](const std::string&, double fraction) {
-    told.push_back(fraction);
+    reported.push_back(fraction);
     return true;
   });
-  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-  EXPECT_LT(told.back(), 1);
-  EXPECT_LT(told[told.size() / 2], 0.9);
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_LT(reported.back(), 1);
+  EXPECT_LT(reported[reported.size() / 2], 0.9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, FirstCutsOf,

@@ -53,6 +53,7 @@ class Cut:
     lengths: list[float]  # of each of them on the model, of a set in all, Blender units
     strain: float  # what 99% of the piece (of the worst part) must stretch or ease less than, when cut so
     strain_before: float  # infinite before first cuts
+    num_pieces: int  # that the first of them divides the piece into: of a set of first cuts, all of it
 
     @property
     def is_first(self) -> bool:
@@ -148,4 +149,5 @@ def _steps_of(plan: list[DartProposal], across: set[tuple[int, int]], piece: int
 def _cut(proposals: list[DartProposal], strain: float, before: float, across: set[tuple[int, int]]) -> Cut:
     edges = [(min(pair), max(pair)) for proposal in proposals for pair in proposal.edges.tolist()]
     new = [edge for edge in edges if edge in across]
-    return Cut(edges, new, proposals[0].piece, [each.length for each in proposals], strain, before)
+    lengths, num_pieces = [each.length for each in proposals], proposals[0].num_pieces
+    return Cut(edges, new, proposals[0].piece, lengths, strain, before, num_pieces)

@@ -53,8 +53,10 @@ def shortfall(kind: str, cuts: list[Cut], aim: Aim) -> str:
 def cut_text(cut: Cut, text: LengthText) -> str:
     """ "stretch 12 → 6.0%, 140 mm", of mirror images "2×140 mm": it fits a button in a narrow sidebar.
 
-    Of first cuts "stretch 6.0%, 1.40 m".
+    Of first cuts "3 pieces, stretch 6.0%, seams 1.40 m".
     """
+    if cut.is_first:
+        return f"{counted(cut.num_pieces, 'piece')}, stretch {_shares(cut)}, seams {text.rough(cut.lengths[0])}"
     times = f"{len(cut.lengths)}×" if len(cut.lengths) > 1 else ""
     return f"stretch {_shares(cut)}, {times}{text.rough(cut.lengths[0])}"
 

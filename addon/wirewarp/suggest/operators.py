@@ -101,6 +101,8 @@ class SuggestCuts(WindowSteps):
         if found.aim:
             step = step_text(self.kind, cuts[-1], lengths)
             said = [f"Stretch of {piece} with {step}", shortfall(self.kind, cuts, found.aim)]
+        elif cuts[0].is_first:
+            said = [f"{found_words(self.kind, cuts)} suggested", f"The first: {cut_text(cuts[0], lengths)}"]
         else:
             said = [f"{found_words(self.kind, cuts)} suggested; for {piece}: {cut_text(cuts[0], lengths)}"]
         self.report({"INFO"}, paragraph(each for each in said if each))

@@ -257,7 +257,7 @@ void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
 }
 
 /// Cuts lower the strain by about the same ratio each.
-void CutSetSearch::tell_strain(double first, double now) {
+void CutSetSearch::report_strain(double first, double now) {
   const double least = std::max(target_, kFlat);
   const double share = first > least ? std::clamp(std::log(first / now) / std::log(first / least), 0.0, 1.0) : 1;
   progress_.enter(kOpened + (kCut - kOpened) * share, kOpened + (kCut - kOpened) * share);
@@ -272,7 +272,7 @@ std::vector<DartProposal> CutSetSearch::search() {
   if (!sets.front().lies_flat) throw none_serves(input_chart_, wishes_);
   if (least.length > wishes_.longest) throw too_long(input_chart_, least.length, wishes_.longest);
   while (sets.size() <= kMostCuts && sets.back().proposal.strain > target_) {
-    tell_strain(sets.front().proposal.strain, sets.back().proposal.strain);
+    report_strain(sets.front().proposal.strain, sets.back().proposal.strain);
     std::optional<CutSet> more = cut_once_more(sets.back());
     if (!more) break;
     sets.push_back(std::move(*more));

@@ -46,7 +46,7 @@ class CutSetSearch {
 
   CutMask opening() const;
   CutSet evaluate(const FlatPieces& before, const CutMask& cut) const;
-  void tell_strain(double first, double now);
+  void report_strain(double first, double now);
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
   void add_merged(std::vector<CutSet>& sets);
   std::vector<DartProposal> best_of(const std::vector<CutSet>& sets) const;

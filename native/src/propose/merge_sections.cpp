@@ -97,10 +97,10 @@ class Merging {
   Merging(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact)
       : state_(std::move(state)), chart_(chart), mirrored_(mirrored), exact_(exact) {}
 
-  /// tell: called with the share of the candidates that were tried.
-  const CutState& run(double most_strain, const std::function<void(double)>& tell) {
+  /// report: called with the share of the candidates that were tried.
+  const CutState& run(double most_strain, const std::function<void(double)>& report) {
     most_strain_ = most_strain;
-    tell_ = tell;
+    report_ = report;
     while (open_one(false) || open_one(true)) continue;
     return state_;
   }
@@ -123,7 +123,7 @@ class Merging {
     const std::vector<CutMask> candidates = list_candidates(is_half);
     const std::size_t at_once = num_cores();
     for (std::size_t first = 0; first < candidates.size(); first += at_once) {
-      tell_((static_cast<double>(first) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
+      report_((static_cast<double>(first) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
       std::vector<Trial> tried(std::min(at_once, candidates.size() - first));
       run_in_threads(
           tried.size(), num_cores(),
@@ -199,7 +199,7 @@ class Merging {
   const Chart& chart_;
   const MirroredCuts& mirrored_;
   double most_strain_ = 0;
-  std::function<void(double)> tell_;
+  std::function<void(double)> report_;
   const ExactEvaluation& exact_;
   std::map<CutMask, Rejected> rejected_;
 };
@@ -208,14 +208,14 @@ class Merging {
 
 std::vector<CutState> merge_sections(CutState state, const Chart& chart, const MirroredCuts& mirrored,
                                      const std::vector<double>& most_strains, const ExactEvaluation& exact,
-                                     const std::function<void(double)>& tell) {
+                                     const std::function<void(double)>& report) {
   const ExactEvaluation quick(exact.surface(), without_long_runs(exact.options()), exact.stop());
   Merging merging(std::move(state), chart, mirrored, quick);
   std::vector<CutState> merged;
   const double count = static_cast<double>(most_strains.size());
   for (const double most_strain : most_strains) {
     const double before = static_cast<double>(merged.size()) / count;
-    merged.push_back(merging.run(most_strain, [&](double share) { tell(before + share / count); }));
+    merged.push_back(merging.run(most_strain, [&](double share) { report(before + share / count); }));
   }
   return merged;
 }

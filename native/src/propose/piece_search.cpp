@@ -246,14 +246,16 @@ bool PieceSearch::is_worth_sewing(const PieceFigures& after) const {
 /// Those that help by themselves or with their mirror images, the best first, none beside another.
 std::vector<PieceSearch::Helpful> PieceSearch::find_helpful() const {
   const std::vector<HalfEdgeChain> chains = without_mirror_images(best_chains());
+  const std::vector<std::optional<PieceFigures>> alone = evaluate(chains);
   std::vector<HalfEdgeChain> images(chains.size()), pairs(chains.size());
   for (std::size_t i = 0; i < chains.size() && effort_ == Effort::thorough; ++i) {
+    if (!alone[i]) continue;
     images[i] = image_of(chains[i]);
     if (images[i].empty() || have_common_vertex(chart_.mesh, chains[i], images[i])) continue;
     pairs[i] = chains[i];
     pairs[i].insert(pairs[i].end(), images[i].begin(), images[i].end());
   }
-  const std::vector<std::optional<PieceFigures>> alone = evaluate(chains), both = evaluate(pairs);
+  const std::vector<std::optional<PieceFigures>> both = evaluate(pairs);
   std::vector<Helpful> helpful;
   for (std::size_t i = 0; i < chains.size(); ++i) {
     if (!alone[i]) continue;
