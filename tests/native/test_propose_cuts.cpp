@@ -4,18 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <ostream>
-#include <set>
 #include <string>
 
 #include "disguise.h"
 #include "metrics/widespread.h"
-#include "planar.h"
-#include "propose/canonical_order.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
-#include "work_meter.h"
 
 namespace wirewarp::test_propose_cuts {
 namespace {
@@ -156,71 +150,6 @@ TEST(ProposeCuts, ThatHelpNothingAreRefusedInOneSentence) {
     EXPECT_NE(std::string(error.what()).find("Divide it by a seam"), std::string::npos) << error.what();
   }
 }
-
-/// Pieces that are not cut count, too: elastic seams and a stretched cloth make their lengths depend on one another.
-struct Neighbors {
-  const char* name;
-  FlattenInput input;
-  Options options;
-};
-
-/// For the names of tests in a report.
-void PrintTo(const Neighbors& test, std::ostream* out) { *out << test.name; }
-
-/// Three pieces side by side, a wire across all of them, and one side of a seam longer than its mate.
-FlattenInput three_pieces(int n) {
-  FlattenInput input = hill(n);
-  for (const int column : {n / 4, 3 * n / 4}) test::add_seam(input, test::grid_column(n, n, column));
-  test::add_wire(input, test::grid_row(n, n / 2), 0.02);
-  input.eases.push_back({(VertexPairs(1, 2) << n / 4, n / 4 + n + 1).finished(), 0.05});
-  return input;
-}
-
-Neighbors with_elastic_seam(int n) {
-  Neighbors test{"elastic_seam", three_pieces(n), {}};
-  test::add_wire(test.input, test::grid_column(n, n, n / 4), 0.03);
-  return test;
-}
-
-Neighbors with_stretched_cloth(int n) {
-  Neighbors test{"stretched_cloth", three_pieces(n), {}};
-  test.options.cloth.emplace();
-  test.options.cloth->stretch = {0.1, 0.05};
-  test.options.grain = 0;
-  return test;
-}
-
-Neighbors with_thick_material(int n) {
-  Neighbors test{"thick_material", three_pieces(n), {}};
-  test.options.thickness = 0.05;
-  test.options.surface = Surface::inside;
-  return test;
-}
-
-class CutsBesideNeighbors : public testing::TestWithParam<Neighbors> {};
-
-TEST_P(CutsBesideNeighbors, HaveTheFiguresOfAFreshRunOfTheWholeModel) {
-  const auto& [name, input, options] = GetParam();
-  CutWishes wishes = few();
-  wishes.piece = 1;
-  const std::vector<int> own = flatten(input, options).pieces[1].source_face;
-  for (const auto& propose : {propose_darts, propose_seams}) {
-    for (const DartProposal& cut : propose(input, options, wishes, {})) {
-      double energy = 0, area = 0;
-      for (const Piece& piece : flatten(test::with_seams(input, cut.edges), options).pieces) {
-        if (std::count(own.begin(), own.end(), piece.source_face[0]) == 0) continue;
-        EXPECT_FALSE(piece.error);
-        energy += (options.cloth ? piece.metrics.cloth_energy : piece.metrics.arap_energy) * piece.metrics.area_3d;
-        area += piece.metrics.area_3d;
-      }
-      EXPECT_NEAR(cut.energy, energy / area, 1e-6 * cut.energy_before);
-    }
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Models, CutsBesideNeighbors,
-                         testing::Values(with_elastic_seam(8), with_stretched_cloth(8), with_thick_material(8)),
-                         [](const testing::TestParamInfo<Neighbors>& test) { return std::string(test.param.name); });
 
 TEST(ProposeCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
   const FlattenInput input = hill(8);
@@ -423,29 +352,6 @@ TEST(ProposeCuts, OfAPieceThatDoesNotLieFlatThrowItsErrorWithProposedSeams) {
     EXPECT_EQ(error.elements.proposed_seams, expected.elements.proposed_seams);
   }
   EXPECT_EQ(stages, "cuts");
-}
-
-/// A regular polygon around its center: wherever a walk around it begins, it looks the same.
-FlattenInput regular_polygon(int corners) {
-  FlattenInput input;
-  input.vertices.setZero(corners + 1, 3);
-  input.faces.resize(corners, 3);
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 2 * kPi * i / corners;
-    input.vertices.row(i) << std::cos(angle), std::sin(angle), 0;
-    input.faces.row(i) << i, (i + 1) % corners, corners;
-  }
-  return input;
-}
-
-TEST(CanonicalOrder, OfARegularOutlineTakesWorkInProportionToItAndCanBeStopped) {
-  const int corners = 60'000;
-  const Charts charts = test::charts_of(regular_polygon(corners));
-  int asked = 0;
-  in_canonical_order(charts.charts.at(0), StopToken([&](const char*) { return ++asked > 0; }));
-  EXPECT_GE(asked, 2 * corners / static_cast<int>(WorkMeter::work_per_question));
-  EXPECT_LE(asked, 8 * corners / static_cast<int>(WorkMeter::work_per_question));
-  EXPECT_THROW(in_canonical_order(charts.charts.at(0), StopToken([](const char*) { return false; })), Stopped);
 }
 
 TEST(ProposeCuts, CanBeCancelled) {
