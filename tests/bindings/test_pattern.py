@@ -382,3 +382,11 @@ def test_a_notch_is_half_as_deep_as_the_allowance_and_at_most_5_mm(allowance):
     for point in piece.points:
         assert sew_polygon(piece).distance(shapely.Point(point.at)) == pytest.approx(allowance)
         assert sew_polygon(piece).distance(shapely.LineString(point.stroke)) > allowance / 2 - 1e-6
+
+
+def test_a_seam_that_opens_nothing_is_named():
+    points = [(10 * x, 10 * y) for y in range(3) for x in range(4)]
+    corners = [(4 * y + x, 4 * y + x + 1, 4 * y + x + 5, 4 * y + x + 4) for y in range(2) for x in range(3)]
+    with pytest.raises(wirewarp.FlattenError, match='Edge 5-6 is a seam inside "Piece 1" that opens nothing') as error:
+        Pattern.from_result(quads(points, corners, seams=[(5, 6)]))
+    assert list(error.value.edges) == [(5, 6)]

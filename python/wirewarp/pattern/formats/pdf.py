@@ -99,10 +99,8 @@ def _with_texts_on_sheets(planned: Plan[PatternData]) -> Steps[Plan[PatternData]
             for line in planned.text_sheets.borders
             if np.all(line.min(axis=0) < high[index]) and np.all(line.max(axis=0) > low[index])
         ]
-        has_reason = borders or any(text.is_beside for text in piece.texts)
-        if (
-            has_reason and piece.of_role("sew") and piece.texts
-        ):  # names of lines that are left out cannot be placed anew
+        can_cross = borders or any(text.is_beside for text in piece.texts)
+        if can_cross and piece.of_role("sew") and piece.texts:  # lines that are left out would lose their names
             near = np.all((low - BORDER < high[index]) & (high + BORDER > low[index]), axis=1)
             others = [line for n in np.flatnonzero(near) if n != index for line in cut[n]]
             sheets = planned.text_sheets._replace(borders=borders, others=[*others, *beside])
