@@ -38,12 +38,12 @@ class Repaired:
         return found
 
     def pairs(self, edges: np.ndarray) -> np.ndarray:
-        """(k,2) edges likewise."""
+        """(k,2) edges, in the same way."""
         steps = [step for edge in edges for step in pairwise(self.chain(edge))]
         return np.array(steps, dtype=np.int64).reshape(-1, 2)
 
     def sides(self, half_edges: np.ndarray) -> np.ndarray:
-        """(k,2) directed edges likewise, on the side of the same faces."""
+        """(k,2) directed edges, in the same way, on the side of the same faces."""
         return np.array([step[::-1] if step in self.reversed else step for step in map(tuple, self.pairs(half_edges))])
 
     def _between(self, a: int, b: int) -> list[int]:
