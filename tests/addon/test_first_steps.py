@@ -5,6 +5,7 @@ import blf
 import bpy
 import pytest
 from everything import draw_panels
+from mathutils import Vector
 from surfaces import bump, grid
 
 pytestmark = pytest.mark.api
@@ -42,6 +43,10 @@ def test_a_sample_in_a_file_with_models_leaves_its_settings_and_has_its_size(add
     bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")
     bpy.context.view_layer.update()
     assert scene.wirewarp.cloth == "DENIM" and scene.unit_settings.scale_length == pytest.approx(0.01)
+    left = min(
+        (bpy.context.active_object.matrix_world @ Vector(each)).x for each in bpy.context.active_object.bound_box
+    )
+    assert left > 1  # the right edge of the other
     height = bpy.context.active_object.dimensions.z * scene.unit_settings.scale_length
     assert 0.5 < height < 1
 

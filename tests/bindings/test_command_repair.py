@@ -2,10 +2,14 @@
 """--repair and --take-proposals: what was wrong is repaired, what was suggested is marked, and both are said."""
 
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from test_command import FOLDED, run
+from wirewarp import Options, Wire
+from wirewarp.command import proposals
+from wirewarp.command.lines import Lines
 from wirewarp.command.model import Model
 from wirewarp.command.repair import repaired
 
@@ -140,6 +144,26 @@ def test_suggested_seams_are_marked_on_request(tmp_path):
     ((line,), _) = run(tmp_path / "tube.obj", "--out", tmp_path / "out", "--take-proposals")
     assert line["verdict"] == "ready to cut"
     assert line["repairs"] == ["1 suggested edge marked as seams"]
+
+
+def test_of_several_suggested_tolerances_the_widest_counts_once(monkeypatch):
+    def result(*suggested):
+        errors = [SimpleNamespace(proposed_seams=[], proposed_tolerances=[pair]) for pair in suggested]
+        return SimpleNamespace(pieces=[SimpleNamespace(error=error) for error in errors])
+
+    rounds = []
+
+    def flattened_again(*_, wires, **__):
+        rounds.append([wire.tolerance for wire in wires])
+        return result((0, 0.05))  # which the wire has already
+
+    monkeypatch.setattr(proposals, "flatten", flattened_again)
+    lines = Lines([Wire([0, 1]), Wire([1, 2])])
+    seams = np.empty((0, 2), dtype=np.int64)
+    model = model_of(SQUARE, [(0, 1, 2)])
+    _, lines, done = proposals.with_proposals(model, result((0, 0.05), (0, 0.1), (0, 0.02)), seams, lines, Options())
+    assert rounds == [[0.1, 0.0]] and [wire.tolerance for wire in lines.wires] == [0.1, 0.0]
+    assert done == ["tolerance of 1 wire widened as suggested"]
 
 
 def test_blender_files_are_repaired_in_blender(tmp_path):

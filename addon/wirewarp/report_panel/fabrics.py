@@ -10,7 +10,7 @@ from ..ui.shown import shown_report
 
 OTHER_SHAPE = 1.5  # leather must stretch 11% in the fitted top, of which woven cotton must stretch 7.6%
 ICON = "MATCLOTH"
-NONE_CAN = "No fabric in the list stretches that far"
+NONE_CAN = "No fabric in the list surely stretches far enough"
 
 
 def fabrics_that_can(report: ObjectReport) -> list[str]:

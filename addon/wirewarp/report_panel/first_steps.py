@@ -5,6 +5,7 @@ from pathlib import Path
 
 import bpy
 from bpy.props import EnumProperty
+from mathutils import Vector
 
 from ..blender.units import meters_per_blender_unit
 from ..blender.views import show_objects, work_area
@@ -57,6 +58,7 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
             _take_settings(scene, sample_scene)
         else:
             model.scale /= meters_per_blender_unit(scene)  # samples are in meters
+            model.location.x = _free_place(scene, model)
         context.collection.objects.link(model)
         bpy.data.scenes.remove(sample_scene)
         for other in context.selected_objects:
@@ -68,6 +70,14 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
             context.view_layer.update()
             show_objects(context, area, [model])
         return {"FINISHED"}
+
+
+def _free_place(scene: bpy.types.Scene, model: bpy.types.Object) -> float:
+    """Where on the x axis it lies beside the meshes of the scene, with half its width between."""
+    meshes = [each for each in scene.objects if each.type == "MESH"]
+    right = max((each.matrix_world @ Vector(corner)).x for each in meshes for corner in each.bound_box)
+    edges = [corner[0] * model.scale.x for corner in model.bound_box]
+    return right - min(edges) + (max(edges) - min(edges)) / 2
 
 
 def _take_settings(scene: bpy.types.Scene, sample: bpy.types.Scene) -> None:

@@ -18,16 +18,18 @@ def with_proposals(
 ) -> tuple[FlattenResult, Lines, list[str]]:
     """The last result with the lines that it has, and what was done. Raises FlattenError."""
     marked = {(int(min(a, b)), int(max(a, b))) for a, b in seams}
-    before, widened = len(marked), 0
+    before, tolerances = len(marked), [wire.tolerance for wire in lines.wires]
     for _ in range(MOST_ROUNDS):
         errors = [piece.error for piece in result.pieces if piece.error]
         new = {(min(edge), max(edge)) for error in errors for edge in error.proposed_seams} - marked
-        wider = {wire: tolerance for error in errors for wire, tolerance in error.proposed_tolerances}
-        if not (new or wider):
+        suggested = [pair for error in errors for pair in error.proposed_tolerances]
+        wires = [
+            _widened(wire, max((tolerance for own, tolerance in suggested if own == index), default=wire.tolerance))
+            for index, wire in enumerate(lines.wires)
+        ]
+        if not new and all(wire is own for wire, own in zip(wires, lines.wires, strict=True)):
             break
         marked |= new
-        widened += len(wider)
-        wires = [_widened(wire, wider.get(index)) for index, wire in enumerate(lines.wires)]
         lines = replace(lines, wires=wires)
         result = flatten(
             model.vertices, model.faces, seams=sorted(marked), wires=wires, eases=lines.eases, options=options
@@ -35,12 +37,14 @@ def with_proposals(
     done = []
     if len(marked) > before:
         done.append(f"{counted(len(marked) - before, 'suggested edge')} marked as seams")
+    widened = sum(wire.tolerance > tolerance for wire, tolerance in zip(lines.wires, tolerances, strict=True))
     if widened:
-        done.append(f"{counted(widened, 'tolerance')} widened as suggested")
+        done.append(f"tolerance of {counted(widened, 'wire')} widened as suggested")
     return result, lines, done
 
 
-def _widened(wire: Wire, tolerance: float | None) -> Wire:
-    if tolerance is None or tolerance <= wire.tolerance:
+def _widened(wire: Wire, tolerance: float) -> Wire:
+    """The wire itself if it has this tolerance already."""
+    if tolerance <= wire.tolerance:
         return wire
     return Wire(wire.vertices, tolerance, wire.name, wire.ease)
