@@ -13,8 +13,9 @@ from .make.outline import Chain, FlatPiece, FlatWire
 from .make.seams import longer_text
 from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
+from .options import PatternOptions
 from .pattern import Pattern
-from .pattern_data import PatternData, Written
+from .pattern_data import PatternData, SewingStep, Written
 from .progress import STAGES
 from .sheet.papers import Page
 from .units import UnitSystem
@@ -33,9 +34,11 @@ __all__ = [
     "Page",
     "Pattern",
     "PatternData",
+    "PatternOptions",
     "PatternPiece",
     "Placement",
     "Point",
+    "SewingStep",
     "Text",
     "UnitSystem",
     "Written",
