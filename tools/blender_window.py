@@ -13,18 +13,21 @@ DRIVER = Path(__file__).resolve().parent.parent / "tests" / "window"
 DRIVE = f"import sys; sys.path.insert(0, {str(DRIVER)!r}); import drive; drive.main()"
 
 
-def run_tours(script: Path, names: Sequence[str], environment: dict[str, str], seconds: float) -> tuple[int, str]:
+def run_tours(
+    script: Path, names: Sequence[str], environment: dict[str, str], seconds: float, display: int = 99
+) -> tuple[int, str]:
     """Runs these generator functions of `script` in the window; returns the exit code and the output.
 
     See tests/window/drive.py for what such a function may do.
 
     environment: for Blender; WIREWARP_ZIP names the zip to install, BLENDER_USER_SCRIPTS and _CONFIG empty folders,
-    WIREWARP_PICTURES the folder for pictures. Tours that take longer than `seconds` are stopped: exit code -9.
+    WIREWARP_PICTURES the folder for pictures. display: the first number to try for the virtual screen; those that start
+    at the same time need different ones. Tours that take longer than `seconds` are stopped: exit code -9.
     """
     blender = ["/usr/bin/blender", "--factory-startup", "--no-window-focus"]
     blender += ["--window-geometry", "0", "0", "1600", "900", "--enable-event-simulate"]
     blender += ["--python-exit-code", "1", "--python-expr", DRIVE]
-    command = ["/usr/bin/xvfb-run", "-a", "-s", SCREEN, *blender, "--", str(script), *names]
+    command = ["/usr/bin/xvfb-run", "-a", "-n", str(display), "-s", SCREEN, *blender, "--", str(script), *names]
     started = subprocess.Popen(
         command,
         env={**environment, "LIBGL_ALWAYS_SOFTWARE": "1"},

@@ -23,7 +23,8 @@ SECONDS = 600.0  # for a busy machine; a tour takes about ten on an idle one
 def take_tour(zip_file: Path, taken: Path, name: str) -> tuple[int, str]:
     say(f"taking pictures: {name}")
     settings = blender_folder(f"pictures-{name}") | {"WIREWARP_ZIP": str(zip_file), "WIREWARP_PICTURES": str(taken)}
-    return run_tours(SCRIPT, [name], clean_environment(**settings), SECONDS)
+    display = 99 + 10 * TOURS.index(name)  # far enough apart, if some numbers are taken
+    return run_tours(SCRIPT, [name], clean_environment(**settings), SECONDS, display)
 
 
 def pictures() -> None:
