@@ -15,7 +15,7 @@ from .formats import writing
 from .formats.pdf import page_sizes
 from .formats.svg import page_size
 from .label.card import with_card, with_card_anew
-from .make.copies import copies_of, drawn_once, mirrored_sides, warnings_of_copies
+from .make.copies import copies_of, drawn_once, mirrored_sides
 from .make.fold import unfolded
 from .make.marks import marks, walks_of
 from .make.notches import check_spacing
@@ -141,7 +141,7 @@ class Pattern(PatternData):
             yield "marks and lines", own.index / len(laid)
             done.append(finished(own, points[own.index], described, material))
         drawn, walks = drawn_once(done, copies), walks_of(laid, seam_names, seams, points)
-        warnings = [warning for own in laid for warning in warnings_of(own)] + warnings_of_copies(drawn, system)
+        warnings = [warning for own in laid for warning in warnings_of(own)]
         low = np.min([piece.bounds[0] for piece in drawn], axis=0)
         moved = [piece.moved(-low) for piece in drawn]
         steps = yield from sewing_steps(laid, seams, seam_names)

@@ -12,14 +12,11 @@ from itertools import combinations
 import numpy as np
 
 from ..model import PatternPiece
-from ..units import UnitSystem
 from .fold import ALONG, folded
 from .mirror import ALIKE, Mirror, fold_of, mirrors_between
 from .outline import Side
 from .pieces import Laid
 from .seams import SewnSide
-
-VISIBLE = 0.05  # millimeters: what differs less reads 0.0 mm
 
 
 @dataclass(frozen=True)
@@ -133,16 +130,6 @@ def _groups(count: int, turns: dict[int, list[tuple[int, bool]]]) -> list[SeamGr
         met |= set(group.turned)
         groups.append(group)
     return groups
-
-
-def warnings_of_copies(pieces: Sequence[PatternPiece], units: UnitSystem) -> list[str]:
-    """Where a mirror image is not quite what was flattened."""
-    return [
-        f'"{piece.name}" is drawn {"as a half" if piece.on_fold else "for its mirror image"}. '
-        f"The two differ by up to {units.measured(piece.deviation)}."
-        for piece in pieces
-        if piece.deviation > VISIBLE
-    ]
 
 
 def drawn_once(pieces: Sequence[PatternPiece], copies: Copies) -> list[PatternPiece]:
