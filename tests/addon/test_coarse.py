@@ -45,3 +45,16 @@ def test_a_modifier_smooths_the_outline_and_both_sides_of_a_seam(addon):
     assert seam.length_2d[0] == pytest.approx(seam.length_2d[1], rel=1e-6)
     bpy.ops.object.wirewarp_mend(what="SUBDIVIDE")
     assert modifier.levels == 3 and len(source.modifiers) == 1
+
+
+def test_how_much_shorter_outlines_become_is_said_and_levels_have_an_end(addon, capfd):
+    """Of 12 sides becomes the B-spline of their corners, nearly a circle of (4 + 2 cos 30°) / 6 of the radius."""
+    source = disc(12)
+    bpy.ops.object.wirewarp_flatten()
+    for _ in range(6):
+        bpy.ops.object.wirewarp_mend(what="SUBDIVIDE")
+    said = capfd.readouterr().out
+    circle, polygon = 2 * math.pi * (4 + 2 * math.cos(math.pi / 6)) / 6, 24 * math.sin(math.pi / 12)
+    shorter = addon.core.percent_text(1 - circle / polygon)
+    assert f"Subdivision makes the outlines {shorter} shorter." in said
+    assert source.modifiers[0].levels == addon.state.modifiers.MOST_LEVELS

@@ -7,6 +7,7 @@ from bpy.props import EnumProperty
 from ..blender.faults import repair_faults
 from ..blender.modes import WORKING_MODES, in_object_mode
 from ..blender.objects import check_local
+from ..core import percent_text
 from ..flatten.steps import FlattenSteps
 from ..flatten.targets import active_target, nothing_to_flatten
 from ..issues import ObjectError, object_error
@@ -14,7 +15,7 @@ from ..marks.change import mark_seams
 from ..marks.uv_seams import seams_from_uv
 from ..properties import take_settings
 from ..state.memory import read_anew
-from ..state.modifiers import apply_modifiers, subdivide
+from ..state.modifiers import apply_modifiers, outline_change, subdivide
 from ..state.owners import check_not_edited, model_or_self
 from ..state.reports import last_report
 from ..state.suggestions import chosen_cut
@@ -24,6 +25,7 @@ from ..ui import window_run
 from ..ui.settings import draw_settings
 from .operators import PROPOSALS, take_proposals
 
+WORTH_WORDS = 0.001  # of the length of outlines: a millimeter on a meter
 NOTHING = {  # by kind
     "SEAMS": "Already marked. Flatten again.",
     "SUGGESTION": "Already marked. Flatten again.",
@@ -56,7 +58,12 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             ("APPLY", "Apply Modifiers", "Make what modifiers show the model itself, with edges that can be marked"),
             ("UV_SEAMS", "Seams of the UV Map", "Mark the borders of the islands of the model's own UV map as seams"),
             ("FABRIC", "Fabric", "Choose this fabric"),
-            ("SUBDIVIDE", "Subdivide", "Add a Subdivision Surface modifier, or one more level, and use modifiers"),
+            (
+                "SUBDIVIDE",
+                "Subdivide",
+                "Add a Subdivision Surface modifier, or one more level, and use modifiers. It rounds the model, "
+                "so that it becomes a little smaller",
+            ),
             ("MODIFIERS", "Modifiers", "Use the mesh with its modifiers and shape keys from now on"),
         ],
         options={"HIDDEN"},
@@ -110,6 +117,12 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
                 report = last_report(source)
                 subdivide(source, report is not None and report.with_modifiers)
                 self.use_modifiers = context.scene.wirewarp.use_modifiers = True
+                with in_object_mode(context):
+                    context.view_layer.update()
+                    change = outline_change(source, context.evaluated_depsgraph_get())
+                if abs(change) >= WORTH_WORDS:
+                    longer = "longer" if change > 0 else "shorter"
+                    self.report({"WARNING"}, f"Subdivision makes the outlines {percent_text(abs(change))} {longer}.")
                 return True
             if self.what == "FABRIC":  # its own maximum stretch, not that of another fabric
                 settings = context.scene.wirewarp

@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 
-from ..blender.mesh import vertex_places
+from ..blender.mesh import edge_vertices, evaluated_mesh, faces_at_edges, vertex_places
 from ..core import Note
 from ..issues import note, object_error, warning
 from ..names import UV_LAYER
@@ -12,6 +12,7 @@ from ..solve.arrays import MeshArrays
 from ..words import counted
 
 LEVELS = 2  # a turn of 60 degrees, the largest that a curve has, becomes four of 15
+MOST_LEVELS = 4  # each has four times the faces of the one before
 ROUNDING = 1e-5  # of the model's size: what matrices of single precision move a vertex that an armature at rest holds
 
 
@@ -47,11 +48,23 @@ def subdivide(source: bpy.types.Object, is_used: bool) -> None:
     """Adds a level of subdivision, by a modifier; corners of outlines stay. is_used: the last run had modifiers."""
     found = [modifier for modifier in source.modifiers if modifier.type == "SUBSURF" and modifier.show_viewport]
     if found and is_used:
-        found[-1].levels += 1
+        found[-1].levels = max(found[-1].levels, min(found[-1].levels + 1, MOST_LEVELS))
     elif not found:
         added = source.modifiers.new("Subdivision", "SUBSURF")
         added.levels = added.render_levels = LEVELS
         added.boundary_smooth = "PRESERVE_CORNERS"
+
+
+def outline_change(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> float:
+    """By which share modifiers make the outlines longer; below 0 shorter, as subdivision does. In Object Mode."""
+    before = _outline_length(source.data)
+    with evaluated_mesh(source, depsgraph) as mesh:
+        return _outline_length(mesh) / before - 1 if before else 0.0
+
+
+def _outline_length(mesh: bpy.types.Mesh) -> float:
+    ends = vertex_places(mesh)[edge_vertices(mesh)[faces_at_edges(mesh) == 1]]
+    return float(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).sum())
 
 
 def apply_modifiers(source: bpy.types.Object) -> None:
