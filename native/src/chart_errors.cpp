@@ -131,35 +131,35 @@ FlattenError needs_refinement(const Chart& chart) {
 namespace {
 
 /// Those along the outline that have a tolerance, and their edges there.
-struct GivingWires {
+struct ElasticWires {
   std::set<int> wires;
   std::set<VertexPair> edges;
 };
 
-GivingWires find_giving_wires(const Chart& chart) {
-  GivingWires giving;
+ElasticWires find_elastic_wires(const Chart& chart) {
+  ElasticWires elastic;
   for (const WirePart& part : chart.wire_parts) {
-    if (!gives_on_boundary(part)) continue;
-    giving.wires.insert(part.wire_index);
-    for (const HalfedgeHandle h : part.half_edges) giving.edges.insert(source_edge(chart, h));
+    if (!is_elastic_boundary(part)) continue;
+    elastic.wires.insert(part.wire_index);
+    for (const HalfedgeHandle h : part.half_edges) elastic.edges.insert(source_edge(chart, h));
   }
-  return giving;
+  return elastic;
 }
 
 }  // namespace
 
-void check_outline_is_settled(const Chart& chart, const std::vector<Wire>& wires) {
-  const GivingWires giving = find_giving_wires(chart);
-  if (giving.wires.empty()) return;
-  const std::vector<int> indices(giving.wires.begin(), giving.wires.end());
+std::optional<FlattenError> elastic_outline(const Chart& chart, const std::vector<Wire>& wires) {
+  const ElasticWires elastic = find_elastic_wires(chart);
+  if (elastic.wires.empty()) return std::nullopt;
+  const std::vector<int> indices(elastic.wires.begin(), elastic.wires.end());
   ErrorArguments arguments = arguments_of_wires(wires, indices);
   arguments["name"] = "method";
   arguments["value"] = "wirewarp++";
   arguments["allowed"] = "be refined if wires along seams and outlines have a tolerance, as here " +
                          name_wires(indices, std::get<std::vector<std::string>>(arguments["wire_names"])) +
                          "; or give these a tolerance of 0 and an ease";
-  throw FlattenError(ErrorCode::invalid_option, std::move(arguments),
-                     {{}, {giving.edges.begin(), giving.edges.end()}, chart.source_face});
+  return FlattenError(ErrorCode::invalid_option, std::move(arguments),
+                      {{}, {elastic.edges.begin(), elastic.edges.end()}, chart.source_face});
 }
 
 FlattenError not_solvable(const Chart& chart) {

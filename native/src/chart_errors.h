@@ -2,6 +2,9 @@
 // The errors of charts that have no flat shape.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "charts/chart.h"
 #include "wirewarp/options.h"
 
@@ -32,8 +35,8 @@ FlattenError infeasible_stretch(const Chart& chart, const Options& options, std:
 /// Returns the error of a chart whose wires the paper's methods cannot close, while the refined one keeps the lengths.
 FlattenError needs_refinement(const Chart& chart);
 
-/// Throws invalid_option if a wire gives the outline a tolerance, which WireWarping++ cannot use.
-void check_outline_is_settled(const Chart& chart, const std::vector<Wire>& wires);
+/// Returns invalid_option if a wire gives the outline a tolerance, which WireWarping++ cannot use.
+std::optional<FlattenError> elastic_outline(const Chart& chart, const std::vector<Wire>& wires);
 
 /// Returns the error of a chart for which a factorization broke down. If its faces differ too much in size, the error
 /// names the small ones.

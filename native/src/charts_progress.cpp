@@ -8,7 +8,7 @@ namespace wirewarp {
 namespace {
 
 // Where each stage begins and ends in a chart's share of the time. Nobody knows how many steps it takes: each step is
-// told as a part of what is left.
+// reported as a part of what is left.
 struct Span {
   double begin, end;
 };

@@ -15,13 +15,13 @@
 
 namespace wirewarp {
 
-/// Gathers the steps of all charts; tells them in the thread that made it alone, as callers expect.
+/// Gathers the steps of all charts. Reports them in the thread that made it alone, as callers expect.
 class ChartsProgress {
  public:
   /// begin, end: of all that is done for them, as fractions of the run.
   ChartsProgress(ProgressReport& report, const std::vector<Chart>& charts, double begin, double end);
 
-  /// Calls work(0) to work(count - 1) on all cores. Once one has thrown, the others are told to stop.
+  /// Calls work(0) to work(count - 1) on all cores. Once one has thrown, the others stop.
   template <typename Work>
   void run(std::size_t count, const Work& work) {
     const auto work_or_stop_all = [&](std::size_t i) {

@@ -67,7 +67,7 @@ class GroupStage {
   /// shapes from before.
   Outcome solve_parts(const std::vector<Part>& parts, bool keeps_good) {
     if (!stop_.may_go_on()) return {false, false, {}};
-    // For a stretch as many again at each attempt: without a shape for it, a good piece is lost.
+    // Each attempt at a stretch may spend the whole limit: without a shape for it, a good piece is lost.
     std::vector<int> limits;
     int left = std::numeric_limits<int>::max();
     for (const Part& part : parts) {
@@ -178,19 +178,19 @@ class GroupStage {
       report_as_fixed(k);
     } else if (is_stretched_) {
       explain_stretch(k, ran_out || outcome.ran_out);
-    } else if (!group_[k].is_nominal) {
-      explain_nominal(k);
-    } else if (stop_.is_stopped()) {
+    } else if (group_[k].is_nominal && stop_.is_stopped()) {
       report_as_cancelled(k);
-    } else {
+    } else if (group_[k].is_nominal && outcome.ran_out) {  // from scratch, too little is left for any shape
       finish(k, fixed, has_folds(fixed, solved(k).uv));
       report_as_fixed(k);
+    } else {
+      solve_anew(k);
     }
   }
 
   /// chart: what the shape is for.
   void finish(std::size_t k, const Chart& chart, bool is_folded) {
-    if (is_stretched_) ask_for_stretched_lengths(k, group_[k].chart);
+    if (is_stretched_) set_stretched_lengths(k, group_[k].chart);
     if (is_folded) propose_seams_for_layout(is_stretched_ ? group_[k].chart : chart, run_, stop_, solved(k));
     if (is_stretched_) lie_flat(k);
   }
@@ -203,8 +203,8 @@ class GroupStage {
     if (solved(k).report.termination != Termination::cancelled) report_cancelled(solved(k).report);
   }
 
-  /// Solves the chart anew at h = ease, for the error that it has there.
-  void explain_nominal(std::size_t k) const {
+  /// From scratch at h = ease, or for the error that the chart has there.
+  void solve_anew(std::size_t k) const {
     RefineBudget budget(run_.options.max_factorizations);
     budget.spend(solved(k).report.factorizations);
     solved(k) =
@@ -217,7 +217,7 @@ class GroupStage {
   void explain_stretch(std::size_t k, bool ran_out) const {
     if (injectivity_of(group_[k].chart, before_[k].uv) != Injectivity::global && !stop_.is_stopped()) return;
     Chart stretched = group_[k].chart;
-    ask_for_stretched_lengths(k, stretched);
+    set_stretched_lengths(k, stretched);
     std::vector<VertexPair> seams;
     if (!stop_.is_stopped()) seams = attempt([&] { return propose_seams(stretched, run_, stop_); });
     SolvedChart& one = solved(k);
@@ -228,7 +228,7 @@ class GroupStage {
     one.error = stop_.is_stopped() ? cancelled() : infeasible_stretch(stretched, run_.options, seams, ran_out);
   }
 
-  void ask_for_stretched_lengths(std::size_t k, Chart& chart) const {
+  void set_stretched_lengths(std::size_t k, Chart& chart) const {
     const PerEdge& ratio = group_[k].flat_ratio;
     chart.length_ratio.resize(chart.mesh.n_edges(), 1);
     for (std::size_t e = 0; e < ratio.size(); ++e) chart.length_ratio[e] *= ratio[e];

@@ -30,7 +30,7 @@ struct GroupMember {
 /// Stage 1. A chart that has no shape at h = ease and finds no common lengths gets the error that it has at h = ease.
 void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop);
 
-/// Stage 2. Layouts become the flat ones, and the charts ask for the stretched lengths.
+/// Stage 2. Layouts become the flat ones, and the stretched lengths become targets of the charts.
 void stretch_group(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop);
 
 }  // namespace wirewarp

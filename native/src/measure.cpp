@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same measures and promises for a flattening made elsewhere.
+// The same measures and guarantees for a flattening made elsewhere.
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -105,7 +105,7 @@ void share_variations(const std::vector<Chart>& charts, std::vector<SolvedChart>
     for (std::size_t c = 0; c < charts.size(); ++c) {
       for (std::size_t i = 0; i < solved[c].variation.size(); ++i) {
         const WirePart& part = charts[c].wire_parts[i];
-        if (gives_on_boundary(part)) visit(part, means[{part.wire_index, part.part}], solved[c].variation[i]);
+        if (is_elastic_boundary(part)) visit(part, means[{part.wire_index, part.part}], solved[c].variation[i]);
       }
     }
   };

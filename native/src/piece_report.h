@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the solvers tell of a piece. Of one that they found no shape for, what was tried.
+// What the solvers report about a piece. If they found no shape, that is what they tried.
 #pragma once
 
 #include "outer/choose_variation.h"

@@ -37,10 +37,12 @@ FlattenError explain_infeasible(const Chart& chart, const Run& run, const Refine
 }
 
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).
-void flatten_by_warping(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop,
-                        SolvedChart& solved) {
+std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& run, RefineBudget& budget,
+                                               const StopToken& stop, SolvedChart& solved) {
   std::map<std::string, double>& seconds = solved.report.seconds;
-  if (run.options.method == Method::wirewarp_plus_plus) check_outline_is_settled(chart, run.input.wires);
+  if (run.options.method == Method::wirewarp_plus_plus) {
+    if (std::optional<FlattenError> error = elastic_outline(chart, run.input.wires)) return error;
+  }
   stop.in("wires").check();
   std::optional<Chart> split;
   WireNetwork network;
@@ -67,20 +69,21 @@ void flatten_by_warping(const Chart& chart, const Run& run, RefineBudget& budget
     const StopToken in_no_other_stage([&](const char*) { return at_lengths.may_go_on(); });
     const RefineResult refined = refine_chart(chart, run.options, budget, in_no_other_stage);
     if (stop.is_stopped()) throw Stopped();
-    if (refined.shape.is_exact()) throw needs_refinement(chart);
-    throw explain_infeasible(chart, run, refined, in_no_other_stage);
+    if (refined.shape.is_exact()) return needs_refinement(chart);
+    return explain_infeasible(chart, run, refined, in_no_other_stage);
   }
   solved.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
   solved.variation = variations_of(chart, solution.variation);
   solved.uv = std::move(solution.shape.uv);
   const bool is_folded = !find_folded_faces(chart.mesh, solved.uv).empty();
   if (is_folded && !lies_flat(chart, run.options, stop)) solved.proposed_seams = propose_seams(chart, run, stop);
+  return std::nullopt;
 }
 
 /// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
 /// leaves the piece at the best shape so far.
-void flatten_by_refining(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop,
-                         SolvedChart& solved) {
+std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& run, RefineBudget& budget,
+                                                const StopToken& stop, SolvedChart& solved) {
   stop.in("start").check();
   const StageTimer timer(solved.report.seconds, "shape");
   solved.network = build_wire_network(chart);
@@ -90,12 +93,22 @@ void flatten_by_refining(const Chart& chart, const Run& run, RefineBudget& budge
     refine_cloth(chart, run.options, budget, stop.in("shape"), refined);
   }
   report_refinement(refined, stop.is_stopped(), solved.report);
-  if (!refined.shape.is_exact()) throw explain_infeasible(chart, run, refined, stop.in("shape"));
+  if (!refined.shape.is_exact()) return explain_infeasible(chart, run, refined, stop.in("shape"));
   solved.variation = variations_of(chart, refined.shape.variation);
   solved.multipliers = std::move(refined.shape.multipliers);
   solved.uv = std::move(refined.shape.uv);
   const bool is_folded = refined.shape.injectivity != Injectivity::global;
   if (is_folded && !stop.is_stopped()) solved.proposed_seams = propose_seams(chart, run, stop);
+  return std::nullopt;
+}
+
+/// Sets the layout, or returns why there is none.
+std::optional<FlattenError> flatten_chart(const Chart& chart, const Run& run, RefineBudget& budget,
+                                          const StopToken& stop, SolvedChart& solved) {
+  if (chart.error) return with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
+  if (is_outline_too_short(chart)) return outline_too_short(chart, propose_seams(chart, run, stop));
+  const auto flatten = run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping;
+  return flatten(chart, run, budget, stop, solved);
 }
 
 }  // namespace
@@ -120,12 +133,7 @@ SolvedChart cancelled_chart() {
 SolvedChart solve_chart(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop) {
   SolvedChart solved;
   try {
-    if (chart.error) throw with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
-    if (is_outline_too_short(chart)) throw outline_too_short(chart, propose_seams(chart, run, stop));
-    (run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping)(chart, run, budget, stop,
-                                                                                       solved);
-  } catch (const FlattenError& error) {
-    solved.error = error;
+    solved.error = flatten_chart(chart, run, budget, stop, solved);
   } catch (const Stopped&) {
     solved = cancelled_chart();
   } catch (const UnjoinedWires&) {

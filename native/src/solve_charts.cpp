@@ -154,8 +154,8 @@ class ChartsSolver {
   std::vector<char> is_nominal_;              // begun with its elastic seams at h = ease
 };
 
-bool gives(const Chart& chart) {
-  return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(), gives_on_boundary);
+bool has_elastic_boundary(const Chart& chart) {
+  return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic_boundary);
 }
 
 /// solved: upright, without the stretch. Charts without a layout or with flipped triangles stay as they are: they have
@@ -166,7 +166,7 @@ void stretch_charts(Charts& charts, const Run& run, ProgressReport& report, std:
   const std::vector<std::vector<int>> groups = group_by_elastic_seams(charts.charts);
   progress.run(groups.size(), [&](std::size_t g) {
     const std::vector<int>& group = groups[g];
-    const bool is_elastic = std::any_of(group.begin(), group.end(), [&](int c) { return gives(charts.charts[c]); });
+    const bool is_elastic = std::any_of(group.begin(), group.end(), [&](int c) { return has_elastic_boundary(charts.charts[c]); });
     std::vector<GroupMember> members;
     for (const int c : group) {
       Chart& chart = charts.charts[c];

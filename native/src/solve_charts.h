@@ -14,7 +14,7 @@ namespace wirewarp {
 constexpr double kChartsCut = 0.2, kChartsFlat = 0.9;
 
 /// Solves all charts on all cores: each by itself, then those with common elastic seams together, then all for a cloth
-/// that is stretched (group_stage.h). For such a cloth, charts ask for the stretched lengths from then on.
+/// that is stretched (group_stage.h). For such a cloth, the stretched lengths are the targets of charts from then on.
 std::vector<SolvedChart> solve_charts(Charts& charts, const Run& run, ProgressReport& report, CacheSession& session);
 
 }  // namespace wirewarp

@@ -17,7 +17,7 @@ struct SolvedChart {
   Eigen::VectorXd multipliers;    // λ of the refined method, one per held edge
   std::vector<PlacedHelperWire> helper_wires;
   PieceReport report;
-  std::vector<VertexPair> proposed_seams;  // of a layout that is turned over or covers itself
+  std::vector<VertexPair> proposed_seams;  // of a layout that is flipped or overlaps itself
   std::optional<FlattenError> error;       // why there is no layout
 };
 

@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// The caller told a chart's solver to stop.
+/// The caller stopped the solver of a chart.
 class Stopped : public std::exception {
  public:
   const char* what() const noexcept override { return "stopped"; }

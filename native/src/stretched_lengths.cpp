@@ -12,7 +12,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kToldDifference = 0.01;  // between the sides of a seam, over their length: what a seam eases in
+constexpr double kReportedDifference = 0.01;  // between the sides of a seam, over their length: what a seam eases in
 
 /// Edges whose flat length follows the stretch: of the outline and of wires whose length is held, without an ease.
 std::vector<char> find_stretched_edges(const Chart& chart) {
@@ -84,7 +84,7 @@ std::vector<std::vector<std::string>> warn_of_sides(const Charts& charts, const 
     }
     if (lengths.size() < 2) continue;
     const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
-    if (*most - *least <= kToldDifference * *most) continue;
+    if (*most - *least <= kReportedDifference * *most) continue;
     const std::string warning = "The cloth's stretch would make the sides of the seam along " +
                                 name_elements("edge", seam.edges) + " " + percent(1 - *most / length_3d) + " to " +
                                 percent(1 - *least / length_3d) +

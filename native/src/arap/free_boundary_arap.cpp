@@ -20,8 +20,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kSmallestDrop = 1e-6;     // of E in a step, over E
-constexpr double kLongestStep = 8;         // in lengths of the direction
+constexpr double kSmallestDrop = 1e-6;     // of E in a step, over E: a start needs no more digits
+constexpr double kLongestStep = 8;         // in lengths of the direction: E is a parabola along it only nearby
 constexpr double kRegularization = 1e-12;  // of the diagonal: far above rounding, so that a sliver cannot fail it
 
 class GlobalStep {

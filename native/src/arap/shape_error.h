@@ -27,7 +27,7 @@ class ShapeError {
   /// rotation fits equally well: there ẑ = 0 is taken, the middle of the possible gradients.
   double energy_and_gradient(const Positions2& uv, Positions2& gradient) const;
 
-  /// Triangles turned over or without area.
+  /// Flipped triangles, and those without area.
   int count_flips(const Positions2& uv) const;
 
   /// G d with the Gauss-Newton Hessian of E at uv, of |z| and w alone: K without what turning the triangles costs.

@@ -47,7 +47,7 @@ class Springs {
     if (column >= 0) entries_.emplace_back(row, column, -stiffness);
   }
 
-  /// Where all springs are at rest. layout: any that tells near points from far ones, for the order of elimination.
+  /// Where all springs are at rest. layout: any that separates near points from far ones, for the order of elimination.
   void relax(const Positions2& layout, const StopToken& stop) {
     if (x_.rows() == 0) return;
     Eigen::SparseMatrix<double> stiffness(x_.rows(), x_.rows());

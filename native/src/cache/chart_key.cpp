@@ -86,16 +86,17 @@ void write_chart(const Chart& chart, SharedLengths& shared, KeyWriter& key) {
     key.write(part.kind);
     key.write(part.tolerance);
     key.write(part.ease);
-    if (gives_on_boundary(part)) key.write(shared.number_of(part));
+    if (is_elastic_boundary(part)) key.write(shared.number_of(part));
     key.write_chain(part.half_edges);
   });
   key.write_list(chart.length_ratio, [&](double ratio) { key.write(ratio); });
   key.write_list(chart.boundary_loops, [&](const HalfEdgeChain& loop) { key.write_chain(loop); });
   key.write_list(chart.boundary_chains, [&](const BoundaryChain& chain) { key.write_chain(chain.half_edges); });
-  key.write_list(find_slits(chart), [&](const Slit& slit) {  // told by the input's vertices, which are not in the key
-    key.write_chain(slit.rims);
-    key.write_list(slit.mate);
-  });
+  key.write_list(find_slits(chart),
+                 [&](const Slit& slit) {  // they depend on the input's vertices, which are not in the key
+                   key.write_chain(slit.rims);
+                   key.write_list(slit.mate);
+                 });
   write_mesh(chart.mesh, key);
 }
 

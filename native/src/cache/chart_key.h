@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tells whether a chart is the same as one that was solved before. Whole bytes and no digest: equal keys are equal
+// A key that two charts share if and only if one solution serves both. Whole bytes and no digest: equal keys are equal
 // charts, never a collision.
 #pragma once
 

@@ -92,8 +92,8 @@ double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
 }
 
 /// The outer loop is the one that turns most to the left: exact on anything developable. Loops that turn alike (the
-/// two ends of a tube) are told apart by length. A slit, which may turn more on a rough surface, is the outer loop only
-/// where all loops are slits: in a surface that is closed without them.
+/// two ends of a tube) are distinguished by length. A slit, which may turn more on a rough surface, is the outer loop
+/// only where all loops are slits: in a surface that is closed without them.
 std::size_t find_outer_loop(const Chart& chart, const std::vector<HalfEdgeChain>& loops) {
   constexpr double kSameTurning = 1e-6;  // radians: far above rounding, far below what a mesh means
   std::size_t outer = 0;

@@ -26,7 +26,7 @@ struct WirePart {
   double ease = 0;
 };
 
-/// Solvers know lengths by what is asked for at h = ease: they have (1 + g) of that, |g| <= solver_tolerance().
+/// Solvers know lengths by their targets at h = ease: they have (1 + g) of that, |g| <= solver_tolerance().
 inline double solver_tolerance(const WirePart& part) { return part.tolerance / (1 + part.ease); }
 
 /// h of a solver's g.
@@ -34,8 +34,8 @@ inline double variation_of(const WirePart& part, double g) {
   return std::clamp(part.ease + (1 + part.ease) * g, part.ease - part.tolerance, part.ease + part.tolerance);
 }
 
-/// A run on the boundary whose length is not settled beforehand.
-inline bool gives_on_boundary(const WirePart& part) { return part.kind == WireKind::boundary && part.tolerance > 0; }
+/// A run on the boundary whose length is elastic.
+inline bool is_elastic_boundary(const WirePart& part) { return part.kind == WireKind::boundary && part.tolerance > 0; }
 
 /// One stretch of the outline between junctions of seams and boundaries.
 struct BoundaryChain {
@@ -48,20 +48,20 @@ struct Chart {
   std::vector<int> source_vertex;  // input vertex of each chart vertex
   std::vector<int> source_face;    // input face of each chart face
   std::vector<WirePart> wire_parts;
-  std::vector<double> length_ratio;  // per edge of the mesh: the length asked for at h = ease over that in 3D, (1 +
+  std::vector<double> length_ratio;  // per edge of the mesh: the target length at h = ease over that in 3D, (1 +
                                      // r)(1 + ease); those beyond the list, and all without one: 1
   std::vector<BoundaryChain> boundary_chains;
   std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer one, the others are holes; the chart on the left
   std::optional<FlattenError> error;          // set: the chart cannot be flattened, and its parts and chains are empty
 };
 
-/// The length asked for at h = ease over that in 3D.
+/// The target length at h = ease over that in 3D.
 inline double length_ratio(const Chart& chart, HalfedgeHandle h) {
   const auto edge = static_cast<std::size_t>(chart.mesh.edge_handle(h).idx());
   return edge < chart.length_ratio.size() ? chart.length_ratio[edge] : 1;
 }
 
-/// Gives a chart made of faces of another one, its source faces, the lengths that are asked for there.
+/// Gives a chart made of faces of another one, its source faces, the targets of lengths there.
 void inherit_lengths(const Chart& parent, Chart& chart);
 
 /// The ends of a half-edge in the input.

@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-/// A triangle whose height over its longest side is below this fraction of that side has no area to speak of.
+/// A triangle whose height over its longest side is below this fraction of that side counts as one without area.
 constexpr double kFlatness = 1e-12;
 
 /// A shorter side, scene units, is a point: squared areas of smaller triangles underflow.

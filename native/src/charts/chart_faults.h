@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults of the mesh that spoil one chart and spare the others.
+// Faults of the mesh that concern one chart alone.
 #pragma once
 
 #include <optional>

@@ -46,7 +46,7 @@ std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& c
   std::map<std::pair<int, int>, int> first_with_run;  // by wire and part
   for (int c = 0; c < static_cast<int>(charts.size()); ++c) {
     for (const WirePart& part : charts[c].wire_parts) {
-      if (charts[c].error || !gives_on_boundary(part)) continue;
+      if (charts[c].error || !is_elastic_boundary(part)) continue;
       sets.unite(first_with_run.insert({{part.wire_index, part.part}, c}).first->second, c);
     }
   }
@@ -60,7 +60,7 @@ std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& c
 Chart with_fixed_seams(Chart chart, const std::vector<double>& variation) {
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     WirePart& part = chart.wire_parts[i];
-    if (!gives_on_boundary(part)) continue;
+    if (!is_elastic_boundary(part)) continue;
     chart.length_ratio.resize(chart.mesh.n_edges(), 1);
     for (const HalfedgeHandle h : part.half_edges) {
       chart.length_ratio[chart.mesh.edge_handle(h).idx()] *= (1 + variation[i]) / (1 + part.ease);

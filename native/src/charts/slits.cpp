@@ -88,7 +88,7 @@ std::optional<Slit> as_slit(const Chart& chart, const HalfEdgeChain& loop) {
 std::vector<Slit> find_slits(const Chart& chart) {
   std::vector<char> gives(chart.mesh.n_edges(), 0);
   for (const WirePart& part : chart.wire_parts) {
-    if (!gives_on_boundary(part)) continue;
+    if (!is_elastic_boundary(part)) continue;
     for (const HalfedgeHandle h : part.half_edges) gives[chart.mesh.edge_handle(h).idx()] = 1;
   }
   const auto asks_otherwise = [&](HalfedgeHandle h) {
@@ -140,7 +140,7 @@ std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits)
   keep_outer_loop(chart, sewn);
   inherit_lengths(chart, sewn.chart);
   for (const WirePart& part : chart.wire_parts) {
-    if (!gives_on_boundary(part)) continue;
+    if (!is_elastic_boundary(part)) continue;
     sewn.chart.wire_parts.push_back(part);
     for (HalfedgeHandle& h : sewn.chart.wire_parts.back().half_edges) h = sewn_half_edge(chart, sewn, h);
   }

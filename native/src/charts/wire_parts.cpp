@@ -76,7 +76,7 @@ HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int f
   return chain;
 }
 
-/// ratio 1 leaves a chart that asks for its 3D lengths without a list.
+/// ratio 1 leaves a chart whose targets are its 3D lengths without a list.
 void multiply_length(Chart& chart, HalfedgeHandle h, double ratio) {
   if (ratio == 1) return;
   chart.length_ratio.resize(chart.mesh.n_edges(), 1);

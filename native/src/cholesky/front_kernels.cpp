@@ -16,7 +16,7 @@ bool has_avx2() {
   if (!__get_cpuid_count(7, 0, &a, &b, &c, &d) || (b & bit_AVX2) == 0) return false;
   unsigned saved = 0, high = 0;
   __asm__("xgetbv" : "=a"(saved), "=d"(high) : "c"(0));
-  constexpr unsigned kWideRegisters = 0b110;
+  constexpr unsigned kWideRegisters = 0b110;          // the bits of SSE and AVX
   return (saved & kWideRegisters) == kWideRegisters;  // the system keeps them across its switches of threads
 }
 #else

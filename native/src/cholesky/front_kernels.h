@@ -38,8 +38,8 @@ struct FrontKernels {
   /// at a pivot that is not a positive finite number.
   bool (*factor)(Tile* panel, Tile* schur, int m, int r);
 
-  /// The same for an unsymmetric matrix A = L U: L and Uᵀ have the same shape, so each has a panel, and the lower and
-  /// the upper half of S likewise. The pivots are shared evenly: L and U have the same diagonal.
+  /// The same for an unsymmetric matrix A = L U: L and Uᵀ have the same shape, so each has a panel and a half of S.
+  /// The pivots are shared evenly: L and U have the same diagonal.
   bool (*factor_lu)(Tile* lower, Tile* lower_schur, Tile* upper, Tile* upper_schur, int m, int r);
 
   /// [x₁; x₂] := [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁] for one right-hand side, and for four with those of a row side by side.

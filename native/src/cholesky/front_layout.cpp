@@ -181,7 +181,7 @@ class Builder {
   struct Entry {
     int row, column, source;
   };
-  static constexpr std::size_t kMostTiles = std::numeric_limits<std::uint32_t>::max() / 16;
+  static constexpr std::size_t kMostTiles = std::numeric_limits<std::uint32_t>::max() / 16;  // entries have 32 bits
 
   const Eigen::SparseMatrix<double>& lower_;
   const DissectionTree& tree_;

@@ -23,8 +23,8 @@ struct Front {
   int pivot_tiles;        // m
   int row_tiles;          // r
   int first_entry;        // in FrontLayout::entries; the next front's are the end
-  int first_child;        // in FrontLayout::children; likewise
-  int first_row;          // in FrontLayout::rows_in_parent; likewise
+  int first_child;        // in FrontLayout::children
+  int first_row;          // in FrontLayout::rows_in_parent
   std::size_t panel = 0;  // first tile, among all panels
   std::size_t schur = 0;  // first tile, in the space for Schur complements
 

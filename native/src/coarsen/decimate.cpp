@@ -103,7 +103,8 @@ Decimation::Decimation(const Chart& chart, const HeldNetwork& network, double ed
     if (wire_neighbors_[v][0] != -1 && wire_neighbors_[v][1] == -1) is_kept_[v] = 1;
   }
   for (const WirePart& wire : chart.wire_parts) {
-    if (wire.kind == WireKind::super_elastic || (wire.kind == WireKind::boundary && !gives_on_boundary(wire))) continue;
+    if (wire.kind == WireKind::super_elastic || (wire.kind == WireKind::boundary && !is_elastic_boundary(wire)))
+      continue;
     is_kept_[mesh_.from_vertex_handle(wire.half_edges.front()).idx()] = 1;
     is_kept_[mesh_.to_vertex_handle(wire.half_edges.back()).idx()] = 1;
   }
@@ -155,7 +156,7 @@ bool Decimation::lay_out_fans(VertexHandle v) {
 }
 
 /// The least 4√3 · area over the sum of squared sides, of the faces that the fan has when its vertex moves to
-/// rim[apex]; 0 where one is turned over, has a side that is too long or is worse than the least that serves.
+/// rim[apex]; 0 where one is flipped, has a side that is too long or is worse than the least that serves.
 double Decimation::worst_quality(const Fan& fan, std::size_t apex, double least) const {
   double worst = 1;
   const auto& a = fan.positions[apex];

@@ -151,7 +151,6 @@ std::string fault_of_outlines(std::size_t num_loops) {
 }
 
 std::string boundary_too_short(const Parts& parts) {
-  constexpr std::size_t kMostNamed = 5;  // longer lists are not read
   const std::vector<double>& lengths = parts.get<std::vector<double>>("lengths");
   std::vector<std::string> loops;
   for (std::size_t i = 0; i < std::min(lengths.size(), kMostNamed); ++i) {

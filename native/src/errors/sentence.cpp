@@ -10,8 +10,6 @@
 namespace wirewarp {
 namespace {
 
-constexpr std::size_t kNamed = 5;
-
 std::string join(const std::string& noun, const std::vector<std::string>& names, std::size_t count) {
   const std::string plural = noun == "vertex" ? "vertices" : noun + "s";
   return (count == 1 ? noun : plural) + " " + listed(names, count);
@@ -27,13 +25,13 @@ std::string listed(const std::vector<std::string>& names, std::size_t count) {
 
 std::string name_elements(const std::string& noun, const std::vector<int>& indices) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(kNamed, indices.size()); ++i) names.push_back(std::to_string(indices[i]));
+  for (std::size_t i = 0; i < std::min(kMostNamed, indices.size()); ++i) names.push_back(std::to_string(indices[i]));
   return join(noun, names, indices.size());
 }
 
 std::string name_elements(const std::string& noun, const std::vector<VertexPair>& edges) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(kNamed, edges.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(kMostNamed, edges.size()); ++i) {
     names.push_back(std::to_string(edges[i][0]) + "-" + std::to_string(edges[i][1]));
   }
   return join(noun, names, edges.size());

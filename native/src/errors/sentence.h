@@ -2,12 +2,16 @@
 // Elements in a sentence: the first few by name, the rest by number; wires, and shares in percent.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "wirewarp/flatten.h"
 
 namespace wirewarp {
+
+/// Elements and lengths that a sentence names: longer lists are not read.
+inline constexpr std::size_t kMostNamed = 5;
 
 /// "a", "a and b", "a, b and c", or "a, b and 7 more" where they are the first of so many.
 std::string listed(const std::vector<std::string>& names, std::size_t count);

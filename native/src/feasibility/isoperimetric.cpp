@@ -24,7 +24,7 @@ constexpr double kRequiredOfTube = 0.45;
 double longest_length(const Chart& chart, const HalfEdgeChain& loop) {
   std::vector<double> stretch(chart.mesh.n_edges(), 1);
   for (const WirePart& part : chart.wire_parts) {
-    if (!gives_on_boundary(part)) continue;
+    if (!is_elastic_boundary(part)) continue;
     for (const HalfedgeHandle h : part.half_edges) stretch[chart.mesh.edge_handle(h).idx()] += solver_tolerance(part);
   }
   double length = 0;

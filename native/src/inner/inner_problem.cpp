@@ -11,10 +11,10 @@ namespace {
 constexpr double kClosed = 1e-12;       // a loop closes: gap / length of the loop
 constexpr double kNearlyClosed = 1e-3;  // the factor at hand is good enough to close the rest
 constexpr double kRounding = 2e-15;     // no better can be had in double precision
-constexpr double kStationary = 1e-10;   // projected gradient
+constexpr double kStationary = 1e-10;   // projected gradient: E has six digits then, wherever loops start
 constexpr int kMaxSteps = 100;          // 3 to 16 are usual
 constexpr double kSmallestStep = 1e-6;  // twenty halvings
-constexpr double kBend = 0.3;           // radians at the edge that turns most
+constexpr double kBend = 0.3;           // radians at the edge that turns most: off the saddle, and loops still close
 constexpr double kLongestTurn = 2;      // radians of two edges against each other: beyond, no gap is linear in headings
 constexpr double kStalledRatio = 0.4;   // share of the gap that a whole step leaves only where symmetry is in the way
 
@@ -104,7 +104,7 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
 /// Closes the loops again after a step along them, with the factor at hand.
 bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const {
   constexpr int kMaxRestorations = 40;  // each a back-substitution: cheaper than shorter steps and new factors
-  constexpr double kWorthwhile = 0.8;
+  constexpr double kWorthwhile = 0.8;   // share of the gap that a step may leave: slower ones have stalled
   const Eigen::VectorXd no_gradient = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);
   for (int i = 0; i < kMaxRestorations && largest(gap) > kRounding; ++i) {
@@ -137,7 +137,7 @@ bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const
 /// least: a few steps of inverse iteration. Begun at the symmetry_breaker of the network, of two mirror images the same
 /// one is found whatever the numbering.
 Eigen::VectorXd InnerProblem::inverse_iteration(Eigen::VectorXd turn) const {
-  constexpr int kIterations = 4;
+  constexpr int kIterations = 4;  // any turn that falls will do, so that few digits of the softest one are enough
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
   for (int i = 0; i < kIterations; ++i) {
     turn = kkt_.solve(turn, no_gap).step;
@@ -161,14 +161,14 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
   return true;
 }
 
-/// Leaves a saddle along a soft turn, to either side, as far as that promises more than at_least. Without this and the
-/// bend in close_loops, 2 of 1,000 random networks that have a good shape are refused. The promise is by the
+/// Leaves a saddle along a soft turn, to either side, as far as the gain predicted is above at_least. Without this and
+/// the bend in close_loops, 2 of 1,000 random networks that have a good shape are refused. The prediction is by the
 /// curvature of the Lagrangian, whatever share of it is in the factor. Close to the saddle a turn is sought until one
 /// falls: where the network is symmetric, its symmetry_breaker may hold little of it.
 bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
                                 Eigen::VectorXd& psi, double& value) const {
-  constexpr int kMaxSearches = 10;
-  constexpr double kClose = 0.01;  // what is left to gain without leaving, over the value
+  constexpr int kMaxSearches = 10;  // each takes a few substitutions
+  constexpr double kClose = 0.01;   // what is left to gain without leaving, over the value
   const int searches = at_least < kClose * value ? kMaxSearches : 1;
   Eigen::VectorXd turn = eq1_.symmetry_breaker();
   double fall = 0;

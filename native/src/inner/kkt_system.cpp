@@ -64,7 +64,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
 
 KktSystem::Solution KktSystem::solve(const Eigen::VectorXd& r1, const Eigen::VectorXd& r2) const {
   if (factor_.info() != Eigen::Success) throw FactorizationFailed("KktSystem: a pivot is zero");
-  constexpr int kRefinements = 2;  // against δ = 0
+  constexpr int kRefinements = 2;  // each takes away δ over the curvature of what is solved for
   Eigen::VectorXd right(num_edges_ + num_closures_);
   right << r1, r2;
   right = order_ * right;

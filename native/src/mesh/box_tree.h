@@ -21,7 +21,7 @@ class BoxTree {
   }
 
  private:
-  static constexpr int kLeafSize = 4;
+  static constexpr int kLeafSize = 4;  // so few boxes are quicker to test one by one than by further levels
 
   void build(const std::vector<Box2>& boxes, int node, int first, int last);
 

@@ -5,7 +5,7 @@
 
 namespace wirewarp {
 
-/// Points along the two directions in which they spread most: a layout that tells near points from far ones, before
+/// Points along the two directions in which they spread most: a layout that separates near points from far ones, before
 /// there is a flat one.
 Positions2 project_to_principal_plane(const Positions3& points);
 

@@ -80,7 +80,7 @@ Piece assemble_piece(const FlattenInput& input, const Chart& chart, SolvedChart&
     }
     piece.vertices = std::move(solved.uv);
   }
-  piece.report.message = piece.error ? piece.error->what() : "Every promise is kept: lengths, no flips, no overlap.";
+  piece.report.message = piece.error ? piece.error->what() : "All guarantees hold: lengths, no flips, no overlap.";
   return piece;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From layouts to the result: pieces measured, promises checked, seams and wires reported.
+// From layouts to the result: pieces measured, guarantees checked, seams and wires reported.
 #pragma once
 
 #include <vector>

@@ -12,9 +12,9 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kRelativeLengthError = 1e-9;
+constexpr double kRelativeLengthError = 1e-9;  // the documented guarantee
 
-/// A wire edge whose planar length is not the promised one.
+/// A wire edge whose planar length is not the guaranteed one.
 struct WrongEdge {
   VertexPair vertices;  // input
   int part;             // index into chart.wire_parts, -1 boundary
@@ -47,7 +47,7 @@ std::vector<int> parts_beyond_tolerance(const Chart& chart, const std::vector<do
   std::vector<int> parts;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
-    const bool is_bounded = part.kind == WireKind::elastic || gives_on_boundary(part);
+    const bool is_bounded = part.kind == WireKind::elastic || is_elastic_boundary(part);
     if (is_bounded && !(variation[i] >= part.ease - part.tolerance && variation[i] <= part.ease + part.tolerance)) {
       parts.push_back(static_cast<int>(i));
     }

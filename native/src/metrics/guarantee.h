@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every promise about a flat piece, checked: exact lengths, no flipped face, no overlap with itself.
+// All guarantees about a flat piece, checked: exact lengths, no flipped face, no overlap with itself.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace wirewarp {
 
-/// The first broken promise, or nothing if all are kept:
+/// The first guarantee that does not hold, or nothing if all do:
 ///   lengths_not_kept   |l2 - (1+r)(1+h) l| > 1e-9 l + 8 machine epsilon max|uv| on a boundary, rigid or elastic edge,
 ///                      r the ease of its side, or |h - ease| > tolerance on an elastic part
 ///   flipped_faces      metrics.flipped_faces is not empty

@@ -68,7 +68,7 @@ struct SideLength {
   double without_ease = 0;  // l2 / (1 + r)
 };
 
-/// promised: (1 + r)(1 + h) l, one per chart edge.
+/// guaranteed: (1 + r)(1 + h) l, one per chart edge.
 SideLength measure_side(const Chart& chart, const HalfEdgeChain& chain, const Piece& piece,
                         const std::vector<double>& promised, const std::map<VertexPair, double>& side_eases) {
   SideLength side;

@@ -21,7 +21,7 @@ Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Po
 double measure_cloth_energy(const Chart& chart, const Positions2& flat, const Cloth& cloth);
 
 /// What the cloth would have to bear beyond its limits, a sentence; nothing where it bears all. Of the 99th percentile
-/// of strain by area in each direction: single slivers tell nothing of a piece.
+/// of strain by area in each direction: single slivers say nothing about a piece.
 std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth);
 
 /// The planar angle θ of a wire-node's sector, radians, on the branch nearest to its surface angle.

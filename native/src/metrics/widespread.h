@@ -6,7 +6,7 @@
 
 namespace wirewarp {
 
-/// What 99 % of the area stay below: single slivers tell nothing of a piece. Both arguments: one per face.
+/// What 99 % of the area stay below: single slivers say nothing about a piece. Both arguments: one per face.
 double widespread(const std::vector<double>& areas, const Eigen::VectorXd& of_faces);
 
 }  // namespace wirewarp

@@ -25,7 +25,7 @@ void add_wire_edges(const Chart& chart, bool with_free_wires, WireNetwork& netwo
     for (const HalfedgeHandle h : loop) add(h, -1, true);
   }
   for (int part = 0; part < static_cast<int>(chart.wire_parts.size()); ++part) {
-    if (!gives_on_boundary(chart.wire_parts[part])) continue;
+    if (!is_elastic_boundary(chart.wire_parts[part])) continue;
     for (const HalfedgeHandle h : chart.wire_parts[part].half_edges) {
       network.edges[network.wire_edge_of_edge[mesh.edge_handle(h).idx()]].part = part;
     }

@@ -19,7 +19,7 @@ namespace wirewarp {
 /// A chart edge on a wire or on the boundary.
 struct WireEdge {
   EdgeHandle edge;
-  int part = -1;  // index into Chart::wire_parts, -1: boundary whose length is settled
+  int part = -1;  // index into Chart::wire_parts, -1: boundary of fixed length
   bool is_boundary = false;
   double length = 0;                                 // in 3D, times what eases ask for; scene units
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // 3D, where it lies on the surface

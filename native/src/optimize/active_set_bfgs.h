@@ -24,7 +24,7 @@ struct BoxMinimum {
   double value = 0;
   int iterations = 0;
   int evaluations = 0;
-  bool converged = false;  // the model promises less than tolerance * value
+  bool converged = false;  // the model predicts less than tolerance * value
 };
 
 /// Minimizes from a start in the box; throws std::bad_optional_access where the function is not defined there. Never

@@ -27,7 +27,7 @@ Eigen::Vector2d rising_direction(const Chart& chart, const Positions2& uv, const
       gradient += (height(from) + height(to)) / 2 * Eigen::Vector2d(side.y(), -side.x());
     }
   }
-  const double area = enclosed_area(chart, uv);  // negative where most of a failed piece is turned over
+  const double area = enclosed_area(chart, uv);  // negative if most of a failed piece is flipped
   const bool is_level = gradient.norm() <= kLevel * std::abs(area);
   return is_level ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(std::copysign(1.0, area) * gradient);
 }

@@ -8,7 +8,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kFloor = 1e-4;  // of curvatures, over their mean
+constexpr double kFloor = 1e-4;  // of curvatures, over their mean: a length with no effect on E keeps a finite step
 
 Eigen::VectorXd edge_lengths(const WireNetwork& network) {
   Eigen::VectorXd lengths(static_cast<Eigen::Index>(network.edges.size()));

@@ -128,13 +128,13 @@ ExactEvaluation::Selection ExactEvaluation::coupled(const FlatPieces& pieces, Se
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const std::vector<WirePart>& parts = pieces[i]->chart.wire_parts;
       const auto is_shared = [&](const WirePart& part) {
-        return gives_on_boundary(part) && shared.count({part.wire_index, part.part}) != 0;
+        return is_elastic_boundary(part) && shared.count({part.wire_index, part.part}) != 0;
       };
       const bool is_new = chosen.is_chosen[i] == 0;
       if (is_new && std::none_of(parts.begin(), parts.end(), is_shared)) continue;
       chosen.is_chosen[i] = 1;
       for (const WirePart& part : parts) {
-        if (gives_on_boundary(part)) has_grown |= shared.insert({part.wire_index, part.part}).second;
+        if (is_elastic_boundary(part)) has_grown |= shared.insert({part.wire_index, part.part}).second;
       }
     }
   }

@@ -3,7 +3,7 @@
 //
 //   node  a → b → c, the surface on its left; α its surface angle, l the lengths asked for, ℓ their mean
 //   r     = (u_c − u_b) / l_bc − R(π − α) (u_b − u_a) / l_ab
-//   F(u)  = ½ Σ w |r|²,  w about D³/ℓ as told below,  D = fairness · √area
+//   F(u)  = ½ Σ w |r|²,  w about D³/ℓ as shown below,  D = fairness · √area
 //
 // With exact lengths |r|² = 2 − 2 cos(θ − α), the angle term of Eq. (1) for small deviations, and yet F is quadratic in
 // the positions with a constant matrix. D is the shortest wiggle that is left to itself: without F rigid boundaries

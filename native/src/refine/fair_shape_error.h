@@ -10,7 +10,7 @@
 //
 //   β(x) = ω max(0, ⅒ − x)²      finite: what the quick way to the minimum may go through
 //   β(x) = κ b(x / ⅒)            infinite where x <= 0, refine/log_barrier.h; to it belongs a step that ends where the
-//                                first triangle turns over (J. Smith, S. Schaefer, Bijective parameterization with
+//                                first triangle flips (J. Smith, S. Schaefer, Bijective parameterization with
 //                                free boundaries, ACM Transactions on Graphics 34 (2015), article 70)
 //
 // Hessian of E, with the hat gradients g_i of a triangle as complex numbers and s_i = g_i · i ẑ:
@@ -44,7 +44,7 @@ enum class Curvature {
 /// What no step may lead to.
 enum class Injectivity {
   none,    // anything goes, flips at a price
-  local,   // no triangle turns over
+  local,   // no triangle is flipped
   global,  // nor does the outline cross itself: no two points of the piece are in one place
 };
 
@@ -61,7 +61,7 @@ class FairShapeError {
   /// f of an isometric layout once all coordinates are off by about error: half the trace of the constant Hessian.
   double value_of_rounding(double error) const;
 
-  /// Triangles turned over or without area.
+  /// Flipped triangles, and those without area.
   int count_flips(const Positions2& uv) const { return shape_error_.count_flips(uv); }
 
   /// f is the same for every layout turned: without a cloth.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes that neither turn over nor cover themselves, where the quick way ends with one that does.
+// Shapes without flips and overlaps, if the quick way ends with one that has some.
 #pragma once
 
 #include <optional>

@@ -11,7 +11,7 @@ namespace wirewarp {
 namespace {
 
 constexpr double kExhausted = 1e-6;  // an entry beside T's diagonal: its vectors span an invariant space
-constexpr double kSolved = 0.01;     // residual of H d = -g over that of d = 0
+constexpr double kSolved = 0.01;     // residual of H d = -g over that of d = 0: the next step starts with a new H
 
 /// |r| in the norm dual to G, where z = G⁻¹ r. Throws where it is no number, which must not pass for a small one.
 double dual_norm(const Eigen::VectorXd& r, const Eigen::VectorXd& z) {

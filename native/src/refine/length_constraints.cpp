@@ -18,7 +18,7 @@ LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& netw
   std::map<std::pair<int, int>, int> elastic_of_run;  // of wires along the boundary, by wire and part
   for (const WirePart& part : chart.wire_parts) {
     elastic_of_part_.push_back(-1);
-    if (part.kind != WireKind::elastic && !gives_on_boundary(part)) continue;
+    if (part.kind != WireKind::elastic && !is_elastic_boundary(part)) continue;
     const auto next = static_cast<int>(tolerance.size());
     elastic_of_part_.back() = part.kind == WireKind::elastic
                                   ? next

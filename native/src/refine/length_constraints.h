@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The promise as equations: every edge of the boundary and of a rigid or elastic wire has its length. Under a cloth
+// The guarantee as equations: every edge of the boundary and of a rigid or elastic wire has its length. Under a cloth
 // there is one more for each connected part, last, which keeps it from turning.
 //
 //   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 but on elastic parts, and shared evenly by their edges;
@@ -33,7 +33,7 @@ class LengthConstraints {
     int elastic;    // entry of h, -1: h is 0
   };
 
-  /// cloth: with its rows against turning, null: none; layout: one that tells their lengths.
+  /// cloth: with its rows against turning, null: none; layout: one that says how long they are.
   LengthConstraints(const Chart& chart, const HeldNetwork& network, const ClothOnChart* cloth = nullptr,
                     const Positions2& layout = {});
 
@@ -68,7 +68,7 @@ class LengthConstraints {
   double largest_error(const Eigen::VectorXd& residual) const;
 
   static constexpr double exact = 1e-13;  // the target of steps to exact lengths
-  static constexpr double kept = 1e-10;   // from here on a length counts as kept; the promise is 1e-9
+  static constexpr double kept = 1e-10;   // from here on a length counts as kept; the guarantee is 1e-9
 
   /// d̂, one row per edge; zero where an edge has no length.
   Positions2 directions(const Positions2& uv) const;

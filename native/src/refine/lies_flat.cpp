@@ -7,7 +7,7 @@
 namespace wirewarp {
 namespace {
 
-/// From 20 to 100, proposed seams mend all of 43 garments, shoes, cushions and toys, with 94 to 92 pieces in the end:
+/// From 20 to 100, proposed seams fix all of 43 garments, shoes, cushions and toys, with 94 to 92 pieces in the end:
 /// what takes longer had best be cut.
 constexpr int kMaxFactorizations = 40;
 

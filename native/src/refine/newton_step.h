@@ -13,7 +13,7 @@ namespace wirewarp {
 StepOutcome reach_exact_lengths(RefineState& state, bool is_near_minimum);
 
 /// From exact lengths to exact lengths, downhill, with the exact Hessian; near the minimum several steps with one
-/// factor. Rejected where the Hessian is not positive, or the step does not go down as promised.
+/// factor. Rejected where the Hessian is not positive, or the step does not go down as predicted.
 StepOutcome take_newton_step(RefineState& state);
 
 }  // namespace wirewarp

@@ -18,21 +18,21 @@ constexpr double kMass = 1e-4;
 // Far above the stiffness at a vertex, which is some units (cotangents of angles), and far below that of edges: what it
 // rounds off is 1e-10.
 constexpr double kPin = 1e6;
-// Far above any curvature of f + λᵀc along a wire, so that a failed factorization tells of the null space of J alone.
+// Far above any curvature of f + λᵀc along a wire, so that a failed factorization concerns the null space of J alone.
 // Each step of the method of multipliers gains as many digits as ρ has over the stiffness of the surface: seven or so.
 constexpr double kSmallestStiffness = 1e8;
 // Over the largest diagonal entry of the Hessian at an edge's ends: fairness makes short edges stiffer than 1e8. No
 // more: what the entries of short edges round off must stay far below the stiffness of the surface.
 constexpr double kStiffness = 10;
-constexpr int kMultiplierSteps = 3;  // mostly one is enough, and what three do not mend rounding has spoiled
+constexpr int kMultiplierSteps = 3;  // mostly one is enough, and what three do not reach rounding has spoiled
 // Of changes of length, over how far the ends of edges move apart or aside: what a step is wrong by, steps back to
-// exact lengths mend.
+// exact lengths correct.
 constexpr double kAccuracy = 1e-9;
 // Least pivot over the largest diagonal entry: ten times the error of S where ρ holds the lengths to five digits.
 constexpr double kWellPositive = 1e-4;
 constexpr int kManyVariations = 200;  // beyond, eigenvalues cost more than the Newton system
 
-constexpr int kPerVertex = 2;  // unknowns of a vertex of the matrix: positions, and h likewise
+constexpr int kPerVertex = 2;  // unknowns of a vertex of the matrix: two positions, or two h
 
 /// Where h of an elastic edge is in the matrix: after the positions, as if two of them were x and y of a vertex.
 int vertex_of_variation(const LengthConstraints::Edge& edge, int num_vertices) {

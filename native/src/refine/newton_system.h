@@ -5,10 +5,9 @@
 //   [ J  0  ] [ λ ] = [ r₂ ]      J   Jacobian of the lengths
 //
 // in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins, with M the lumped areas over the whole area, of each
-// connected part. For large
-// ρ, A has a Cholesky factor exactly where H is positive on the null space of J: a failed factorization is the test of
-// the inertia. The method of multipliers takes two or three solves with it to the solution for ρ → ∞ (M. J. D. Powell,
-// A method for nonlinear constraints in minimization problems, 1969).
+// connected part. For large ρ, A has a Cholesky factor exactly where H is positive on the null space of J: a failed
+// factorization is the test of the inertia. The method of multipliers takes two or three solves with it to the solution
+// for ρ → ∞ (M. J. D. Powell, A method for nonlinear constraints in minimization problems, 1969).
 //
 // All of them but the last need d on the wires only: back substitution goes on from there once, in finish().
 //
@@ -41,7 +40,7 @@ Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
 class NewtonSystem {
  public:
-  /// objective, constraints: must outlive the system. positions: any layout that tells near vertices from far ones,
+  /// objective, constraints: must outlive the system. positions: any layout that separates near vertices from far ones,
   /// for the order of elimination. Throws Stopped.
   NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
                const Positions2& positions, const StopToken& stop = {});

@@ -16,8 +16,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kOpening = 0.1;         // slope of opened rims against the shut slit
-constexpr double kOfHeight = 1.0 / 3;    // the most that a rim moves into the faces beside it
+constexpr double kOpening = 0.1;       // slope of opened rims against the shut slit: far less than angles of triangles
+constexpr double kOfHeight = 1.0 / 3;  // the most that a rim moves into the faces beside it: none of them flips
 constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the end, when pieces have been turned
 
 /// Distance along the rims to the nearest tip, of the vertex where each half-edge begins.
@@ -49,7 +49,7 @@ double height_beside(const Chart& chart, HalfedgeHandle rim, const Positions2& u
   return least;
 }
 
-/// Moves the rims of a slit apart, each into the chart and so little that no face turns over.
+/// Moves the rims of a slit apart, each into the chart and so little that no face flips.
 void open_a_little(const Chart& chart, const Slit& slit, Positions2& uv) {
   const std::vector<double> distance = distances_from_tips(chart, slit);
   const std::size_t count = slit.rims.size();

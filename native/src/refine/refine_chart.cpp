@@ -65,7 +65,7 @@ RefineResult refine_with_slits(StartProblem& problem, const std::vector<Slit>& s
   return result;
 }
 
-/// Another shape where triangles are turned over or the piece covers itself, if one is found.
+/// Another shape if the piece is flipped or overlaps itself, and one is found.
 RefineResult without_flips_and_overlaps(RefineResult result, StartProblem& problem) {
   const bool is_other = make_injective(problem, result.shape);
   if (is_other) result.start = kInjective.name;

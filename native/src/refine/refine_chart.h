@@ -17,7 +17,7 @@ struct RefineResult {
 };
 
 /// Unfolded; else with slits sewn up first, where there are any (refine/open_slits.h); else from a coarser chart or
-/// from scratch. Where that ends turned over or covers itself, another shape, if one is found
+/// from scratch. If that is flipped or overlaps itself, another shape, if one is found
 /// (refine/injective_shape.h), unless options say otherwise. stop: asked in the stages "start" and "shape".
 RefineResult refine_chart(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
                           const StopToken& stop);

@@ -19,10 +19,10 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kDirections = 36;  // every 5° of a half turn, after which a cloth is the same again
-constexpr std::size_t kBestStarts = 3;
-constexpr int kMaxTurns = 15;   // samples take 3 to 6
-constexpr double kShorter = 4;  // after a turn that does not go down, as in a line search
+constexpr int kDirections = 36;         // every 5° of a half turn, after which a cloth is the same again
+constexpr std::size_t kBestStarts = 3;  // of mostly two valleys: weft and warp, and the same exchanged
+constexpr int kMaxTurns = 15;           // samples take 3 to 6
+constexpr double kShorter = 4;          // after a turn that does not go down, as in a line search
 
 /// Turned about the origin by an angle, counter-clockwise.
 Positions2 turned(const Positions2& uv, double angle) {
@@ -53,7 +53,7 @@ class ClothRefinement {
   RefinedShape refine_held(const RefinementStart& start, RefineBudget& budget) const;
   RefinedShape refine_turning(const RefinedShape& upright, RefineBudget& budget) const;
   double slope_of(const RefinedShape& shape) const;
-  /// No less than the shape without a cloth: its promises come first.
+  /// As injective as the shape without a cloth: that comes first.
   bool is_sound(const RefinedShape& shape) const { return shape.is_exact() && shape.injectivity >= injectivity_; }
   bool may_go_on(RefineBudget& budget) const { return !stop_.is_stopped() && budget.allows(); }
 
@@ -69,7 +69,7 @@ ClothOnChart ClothRefinement::cloth_held_as(const Positions2& uv) const {
   return {without_stretch(*options_.cloth), {hold_direction(pair_, uv)}, {}};
 }
 
-/// Turned as the start is. The piece may not cover itself where it did not before: where it does, once more with a
+/// Turned as the start is. If the piece overlaps itself and did not before, it is refined once more with a
 /// barrier against that.
 RefinedShape ClothRefinement::refine_held(const RefinementStart& start, RefineBudget& budget) const {
   const ClothOnChart cloth = cloth_held_as(start.uv);

@@ -31,8 +31,8 @@ inline GrainRow hold_direction(const VertexPair& pair, const Positions2& uv) {
 GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& options);
 
 /// result: the shape of refine_chart(), exact; upright afterwards, x along the weft, and refined for options.cloth
-/// unless it has triangles turned over; its multipliers then have one for the row, last. Where the caller stops, the
-/// budget is spent, or the cloth would turn a triangle over or lay the piece over itself, the shape
+/// unless it is flipped; its multipliers then have one for the row, last. Where the caller stops, the
+/// budget is spent, or the cloth would flip a triangle or make the piece overlap itself, the shape
 /// at hand. The cloth's stretch comes later (group_stage.h).
 void refine_cloth(const Chart& chart, const InternalOptions& options, RefineBudget& budget, const StopToken& stop,
                   RefineResult& result);

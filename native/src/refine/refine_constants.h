@@ -8,17 +8,18 @@ namespace wirewarp {
 struct RefineConstants {
   // When to stop.
 
-  /// Decrease of f that a step must promise, over f: lengths are exact at every step, so that only the shape gains from
-  /// more digits, and f sums up rounding of 1e-13 on a million triangles.
+  /// Predicted decrease of f that a step must have, over f: lengths are exact at every step, so that only the shape
+  /// gains from more digits, and f sums up rounding of 1e-13 on a million triangles.
   static constexpr double worthwhile = 1e-9;
-  /// The same for shapes that others begin at: without a cloth, those of a cloth; with seams settled, those of seams
-  /// that give. On the samples 1e-2 takes a tenth more factorizations in all; 1 takes 16 instead of 10 on a quarter
-  /// sphere.
+  /// The same for shapes that others start from: without a cloth, for those of a cloth; with fixed seams, for those
+  /// of elastic seams. On the samples 1e-2 takes a tenth more factorizations in all; 1 takes 16 instead of 10 on a
+  /// quarter sphere.
   static constexpr double worthwhile_on_the_way = 0.1;
-  /// f over the area, below which a shape is isometric: strains of 1e-11, a hundredth of what is promised of lengths.
+  /// f over the area, below which a shape is isometric: strains of 1e-11, a hundredth of what lengths are guaranteed
+  /// to.
   static constexpr double isometric = 1e-22;
-  /// Factorizations after which triangles turned over are not expected to open: twice as many change no verdict on 300
-  /// random cases. There is a start that turns none over (refine/injective_shape.h).
+  /// Factorizations after which flipped triangles are not expected to open: twice as many change no verdict on 300
+  /// random cases. There is a start that flips none (refine/injective_shape.h).
   static constexpr int patience = 30;
 
   // Newton steps.
@@ -32,13 +33,13 @@ struct RefineConstants {
 
   // Steps in the trust region.
 
-  /// Share of the decrease that the model promises, from which on a step is taken: as usual (Nocedal, Wright,
+  /// Share of the decrease that the model predicts, from which on a step is taken: as usual (Nocedal, Wright,
   /// algorithm 4.1, where it is below 1/4).
   static constexpr double accept_ratio = 0.1;
   /// The same, from which on twice the radius is tried. Lower than the usual 3/4: a larger step costs no
   /// factorization, all radii being served by one basis.
   static constexpr double grow_ratio = 0.5;
-  /// What the radius is divided by after a bad step.
+  /// What the radius is divided by after a bad step: as usual, 2 to 4.
   static constexpr double shrink = 3;
   /// Radii that are tried, shorter or longer: 30 change no shape on 300 random cases, where a step 3¹⁰ times shorter
   /// gains nothing.

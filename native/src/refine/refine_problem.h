@@ -16,7 +16,7 @@ struct RefineIterate {
 /// min f(u) subject to c(u, h) = 0, |h| <= ε, on one chart.
 class RefineProblem {
  public:
-  /// layout: any of the chart, which tells its size. The chart must outlive the problem.
+  /// layout: any of the chart, which says how large it is. The chart must outlive the problem.
   RefineProblem(const RefineTask& task, Injectivity injectivity, const Positions2& layout);
 
   const LengthConstraints& constraints() const { return constraints_; }
@@ -29,7 +29,7 @@ class RefineProblem {
   double length_error(const RefineIterate& iterate) const;
   bool is_isometric(const RefineIterate& iterate) const { return iterate.value <= isometric_value_; }
 
-  /// Decrease of f that a step from an iterate must promise.
+  /// Predicted decrease of f that a step from an iterate must have.
   double worthwhile_decrease(const RefineIterate& iterate) const;
 
   /// Without multipliers, and how it was reached.
@@ -39,7 +39,7 @@ class RefineProblem {
   const Chart& chart_;
   LengthConstraints constraints_;
   FairShapeError objective_;
-  double worthwhile_;       // decrease of f that a step must promise, over f
+  double worthwhile_;       // predicted decrease of f that a step must have, over f
   double isometric_value_;  // f, below which a layout is isometric but for rounding
 };
 

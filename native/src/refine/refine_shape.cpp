@@ -11,7 +11,7 @@
 namespace wirewarp {
 namespace {
 
-/// Triangles turned over that are not expected to open any more.
+/// Flipped triangles that are not expected to open any more.
 bool stays_flipped(const RefineState& state) {
   return state.num_factorizations() >= RefineConstants::patience &&
          state.problem.objective().count_flips(state.now.uv) > 0;
@@ -33,7 +33,7 @@ ShapeStatus minimize(RefineState& state, StepOutcome outcome) {
     // 3. A Newton step, where the exact Hessian may be positive on the tangent space of the lengths.
     outcome = try_newton ? take_newton_step(state) : StepOutcome::rejected;
     if (outcome == StepOutcome::accepted && is_enough()) outcome = StepOutcome::converged;
-    // 4. Where it is not, or the step does not go down as promised: a step in a trust region.
+    // 4. Where it is not, or the step does not go down as predicted: a step in a trust region.
     if (outcome == StepOutcome::rejected && state.may_go_on()) {
       outcome = trust_region.take_step(state);
       try_newton = trust_region.was_inside();

@@ -25,7 +25,7 @@ enum class ShapeStatus {
   singular,    // a matrix had no factor in double precision before lengths were exact
   cancelled,   // the caller stopped before lengths were exact
   stalled,     // exact lengths; another step could reduce f
-  converged,   // exact lengths; another step promises less than 1e-9 of f, or than rounding makes of f
+  converged,   // exact lengths; another step is predicted to gain less than 1e-9 of f, or than rounding makes of f
 };
 
 struct RefinedShape {

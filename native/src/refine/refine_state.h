@@ -14,8 +14,8 @@ inline constexpr Convexity kLaplacian{Curvature::none, false};
 
 enum class StepOutcome {
   accepted,
-  rejected,   // the Hessian is not positive, or no step goes down as promised
-  converged,  // what a step promises is not worthwhile
+  rejected,   // the Hessian is not positive, or no step goes down as predicted
+  converged,  // what a step is predicted to gain is not worthwhile
 };
 
 /// What the steps of refine_shape work on: the shape at hand, and the linear system of its last factorization.

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kWeightOfExcess = 10;       // V over the square root of the area: far above the forces in wires
 constexpr double kWeightOfUnevenness = 100;  // W of wire parts, the same
-constexpr double kWeightOfBoundary = 1000;
-constexpr double kWithinTolerance = 0.99;                    // of it, so that what smoothing leaves stays within
-constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};          // σ
+constexpr double kWeightOfBoundary = 1000;   // far above that of wires, so that outlines give way last
+constexpr double kWithinTolerance = 0.99;    // of it, so that what smoothing leaves stays within
+constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};          // σ: strains of 1e-4 are distinguished from 0 in the end
 constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
-constexpr double kWorthwhile = 1e-5;                         // promised decrease over Φ
+constexpr double kWorthwhile = 1e-5;                         // predicted decrease over Φ
 constexpr double kShortestRelaxStep = 1e-3;                  // ten halvings
 
 /// The chart with those wire parts elastic whose edges share a variation, whatever their tolerance. A single edge needs

@@ -30,7 +30,7 @@ std::optional<RefinementStart> free_shape(StartProblem& problem);
 /// where even the wires do not close, or no topology serves them.
 std::optional<RefinementStart> wires_alone(StartProblem& problem);
 
-/// A shape that no triangle is turned over in, reached without turning any (refine/injective_shape.h).
+/// A shape without flipped triangles, reached without flipping any (refine/injective_shape.h).
 std::optional<RefinementStart> injective_shape(StartProblem& problem);
 
 }  // namespace wirewarp

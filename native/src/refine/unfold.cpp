@@ -12,7 +12,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kMostStrain = 1e-4;
+constexpr double kMostStrain =
+    1e-4;  // rms: coordinates that were rounded to four digits, which Newton steps make up for
 
 /// Where a face is to be laid: longer sides come first, of about the same length those that were met first, so that the
 /// way to each face is short.

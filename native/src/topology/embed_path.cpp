@@ -6,7 +6,7 @@
 namespace wirewarp {
 namespace {
 
-/// Nearer than this part of an edge to its end, a path goes through the end.
+/// Nearer than this part of an edge to its end, a path goes through the end: what it cuts off would be a sliver.
 constexpr double kNearVertex = 0.1;
 
 PathPoint snap(const HalfEdgeMesh& mesh, const PathPoint& point, double reach) {

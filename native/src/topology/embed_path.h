@@ -14,7 +14,7 @@ namespace wirewarp {
 /// reach: part of an edge within which its ends are near, below 1/2.
 SurfacePath snap_to_vertices(const HalfEdgeMesh& mesh, const SurfacePath& path, double reach);
 
-/// Likewise within a tenth, and ends the path at the first wire vertex it reaches; at a wire edge that is the edge's
+/// The same within a tenth, and ends the path at the first wire vertex it reaches; at a wire edge that is the edge's
 /// nearer end. Empty if the path then goes nowhere: it ends where no wire is, or all of it is a wire already.
 std::optional<SurfacePath> snap_to_wires(const HalfEdgeMesh& mesh, const WireMask& wires, const SurfacePath& path);
 

@@ -22,7 +22,7 @@ struct Gate {
 };
 
 std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const Strip& strip) {
-  constexpr double kKeptAway = 0.25;  // of an edge that ends on a wire
+  constexpr double kKeptAway = 0.25;  // of an edge that ends on a wire: enough for triangles between path and wire
   Planar from = 0;
   Planar to = edge_length(mesh, strip.crossings.front());
   Planar apex = apex_over(mesh, strip.crossings.front());

@@ -15,14 +15,14 @@ namespace {
 
 /// Whether the path gets shorter around the other side of the vertex: less than a straight angle is there.
 bool is_shorter_on_other_side(const HalfEdgeMesh& mesh, const StripTurn& turn) {
-  constexpr double kStraight = 1e-9;
+  constexpr double kStraight = 1e-9;  // radians: what rounding leaves of a sum of angles is a thousandth of that
   return total_angle(mesh, turn.vertex) - kPi - turn.angle < kPi - kStraight;
 }
 
 /// Replaces the strip and its path by one that is shorter and may be taken. False if there is none.
 template <class MayTake>
 bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, const MayTake& may_take, Strip& strip, StripPath& best) {
-  constexpr double kNoShorter = 1e-13;  // relative
+  constexpr double kNoShorter = 1e-13;  // relative: some hundred roundings, so that two ways never take turns
   for (const StripTurn& turn : best.turns) {
     if (!is_shorter_on_other_side(mesh, turn)) continue;
     Strip other = pass_on_other_side(mesh, strip, turn);

@@ -18,7 +18,7 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
 /// the other side of a vertex wherever that is shorter still. It keeps a quarter of an edge away from wires.
 SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
-/// Likewise the shortest among the triangles that touch the path.
+/// The same, but the shortest among the triangles that touch the path.
 SurfacePath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
                               const std::vector<VertexHandle>& edge_path);
 

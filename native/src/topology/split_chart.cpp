@@ -15,7 +15,7 @@ double opposite_cotangent(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
 }
 
 bool should_flip(const SplitChart& refined, EdgeHandle edge) {
-  constexpr double kCocircular = 1e-9;
+  constexpr double kCocircular = 1e-9;  // sum of cotangents, far above rounding: an edge is not flipped to and fro
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   if (refined.wires.has(edge)) return false;
   const HalfedgeHandle h = mesh.halfedge_handle(edge, 0);
