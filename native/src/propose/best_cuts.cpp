@@ -151,6 +151,7 @@ bool lacks_seams(const FlatPiece& piece) {
 std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, const CutWishes& wishes,
                                     const ExactEvaluation& exact, CutProgress& progress) {
   const std::optional<std::size_t> piece = kind == CutKind::seam ? without_shape(pieces, wishes) : std::nullopt;
+  progress.enter(0, 1);
   if (!piece) return search_pieces(pieces, kind, wishes, exact);
   std::vector<DartProposal> sets = CutSetSearch(pieces, *piece, wishes, exact, progress).search();
   for (DartProposal& set : sets) set.piece = static_cast<int>(*piece);

@@ -38,8 +38,8 @@ constexpr double kMostFolded = 0.025;
 
 constexpr double kCannotLieFlat = std::numeric_limits<double>::infinity();
 
-/// The strain that a chart has when no length is held, over the one it needs when this is above 1 by no more than
-/// kMostFreeStrain; infinite if too much of it is folded.
+/// A lower estimate of the strain that a chart needs: that of its free map, divided by kMostFreeStrain. Infinite if too
+/// much of the free map is folded.
 double least_strain(const Chart& chart, const StopToken& stop) {
   if (chart.error || is_outline_too_short(chart)) return kCannotLieFlat;
   const auto free = attempt([&] { return std::optional(free_boundary_arap(chart, kFreeSteps, {}, stop)); });
@@ -58,6 +58,11 @@ double least_strain(const Chart& chart, const StopToken& stop) {
   }
   for (const int f : find_folded_faces(chart.mesh, free->uv)) folded += areas[f];
   return folded > kMostFolded * area ? kCannotLieFlat : widespread(areas, strains) / kMostFreeStrain;
+}
+
+bool has_eases(const FlattenInput& input) {
+  return !input.eases.empty() ||
+         std::any_of(input.wires.begin(), input.wires.end(), [](const Wire& wire) { return wire.ease != 0; });
 }
 
 InternalOptions without_long_runs(InternalOptions options) {
@@ -95,7 +100,11 @@ std::vector<HalfEdgeChain> sorted_by_length(const HalfEdgeMesh& mesh, std::vecto
 class Merging {
  public:
   Merging(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact)
-      : state_(std::move(state)), chart_(chart), mirrored_(mirrored), exact_(exact) {}
+      : state_(std::move(state)),
+        chart_(chart),
+        mirrored_(mirrored),
+        has_other_measure_(exact.options().cloth.has_value() || has_eases(exact.surface().given())),
+        exact_(exact) {}
 
   /// report: called with the share of the candidates that were tried.
   const CutState& run(double most_strain, const std::function<void(double)>& report) {
@@ -181,7 +190,8 @@ class Merging {
     const std::vector<VertexPair> edges = edges_of(mask);
     Trial trial{0, {state_.cut, {}}};
     for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges)) {
-      trial.strain = std::max(trial.strain, least_strain(chart, exact_.stop()));
+      const double least = least_strain(chart, exact_.stop());
+      if (least == kCannotLieFlat || !has_other_measure_) trial.strain = std::max(trial.strain, least);
       if (trial.strain > most_strain_) return trial;
     }
     CutState& after = trial.after;
@@ -199,6 +209,7 @@ class Merging {
   const Chart& chart_;
   const MirroredCuts& mirrored_;
   double most_strain_ = 0;
+  const bool has_other_measure_;  // strain is that of threads, or beyond eases: free maps say nothing of it
   std::function<void(double)> report_;
   const ExactEvaluation& exact_;
   std::map<CutMask, Rejected> rejected_;
