@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bumpy_sheet.h"
-#include "cholesky/multifrontal_cholesky.h"
+#include "numerics/cholesky/multifrontal_cholesky.h"
 #include "peak_memory.h"
 
 namespace wirewarp {

@@ -3,10 +3,10 @@
 // and begun at the rigid shape, as WireWarping++ does for h0.
 #include <benchmark/benchmark.h>
 
-#include "arap/free_boundary_arap.h"
-#include "arap/tutte_embedding.h"
 #include "bench_sheet.h"
-#include "outer/warp.h"
+#include "energy/free_boundary_arap.h"
+#include "energy/tutte_embedding.h"
+#include "warp/outer/warp.h"
 
 namespace wirewarp {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bench_sheet.h"
-#include "outer/warp.h"
+#include "warp/outer/warp.h"
 
 namespace wirewarp {
 namespace {

@@ -3,8 +3,8 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_sheet.h"
-#include "inner/interior_placement.h"
 #include "peak_memory.h"
+#include "warp/inner/interior_placement.h"
 
 namespace wirewarp {
 namespace {

@@ -4,8 +4,8 @@
 #include <benchmark/benchmark.h>
 
 #include "bumpy_sheet.h"
-#include "charts/cut_into_charts.h"
-#include "network/wire_network.h"
+#include "surface/charts/cut_into_charts.h"
+#include "surface/network/wire_network.h"
 
 namespace wirewarp {
 

@@ -5,18 +5,18 @@
 #include <stdexcept>
 #include <utility>
 
-#include "cache/cache_session.h"
-#include "chart_errors.h"
-#include "charts/cut_into_charts.h"
-#include "check_input/check_input.h"
-#include "feasibility/open_chart.h"
-#include "metrics/assemble_result.h"
-#include "middle_surface.h"
-#include "packing/pack_pieces.h"
-#include "piece_report.h"
-#include "progress_report.h"
-#include "refine/lies_flat.h"
-#include "solve_charts.h"
+#include "base/progress_report.h"
+#include "cuts/feasibility/open_chart.h"
+#include "newton/cache/cache_session.h"
+#include "newton/lies_flat.h"
+#include "newton/solve/chart_errors.h"
+#include "newton/solve/piece_report.h"
+#include "newton/solve/solve_charts.h"
+#include "result/assemble_result.h"
+#include "result/pack_pieces.h"
+#include "surface/charts/cut_into_charts.h"
+#include "surface/check_input/check_input.h"
+#include "surface/middle_surface.h"
 
 namespace wirewarp {
 namespace {

@@ -2,10 +2,10 @@
 // What flatten() is made of, for searches and tests that need more than it returns.
 #pragma once
 
-#include "charts/chart.h"
-#include "internal_options.h"
-#include "mesh/edge_table.h"
-#include "stop_token.h"
+#include "base/internal_options.h"
+#include "base/stop_token.h"
+#include "surface/charts/chart.h"
+#include "surface/mesh/edge_table.h"
 
 namespace wirewarp {
 

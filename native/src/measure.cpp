@@ -6,11 +6,11 @@
 #include <set>
 #include <utility>
 
-#include "charts/cut_into_charts.h"
-#include "check_input/check_input.h"
-#include "metrics/assemble_result.h"
-#include "metrics/lengths.h"
-#include "progress_report.h"
+#include "base/progress_report.h"
+#include "result/assemble_result.h"
+#include "result/lengths.h"
+#include "surface/charts/cut_into_charts.h"
+#include "surface/check_input/check_input.h"
 
 namespace wirewarp {
 namespace {

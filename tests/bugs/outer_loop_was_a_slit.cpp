@@ -3,7 +3,7 @@
 // the other slits were sewn without it, its two rims became one edge all the same, and memory was written at index -1.
 #include <gtest/gtest.h>
 
-#include "charts/slits.h"
+#include "surface/charts/slits.h"
 #include "test_meshes.h"
 
 namespace wirewarp::outer_loop_was_a_slit_test {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "planar.h"
+#include "base/planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp::proposed_seam_along_a_slit_test {

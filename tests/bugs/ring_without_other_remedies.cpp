@@ -3,8 +3,8 @@
 // or a wire with tolerance may do.
 #include <gtest/gtest.h>
 
-#include "metrics/guarantee.h"
-#include "metrics/metrics.h"
+#include "result/guarantee.h"
+#include "result/metrics.h"
 #include "test_meshes.h"
 
 namespace wirewarp::ring_without_other_remedies_test {

@@ -5,10 +5,10 @@
 
 #include <string>
 
-#include "charts/slits.h"
-#include "mesh/geometry.h"
-#include "refine/fair_shape_error.h"
-#include "refine/refine_chart.h"
+#include "energy/fair_shape_error.h"
+#include "newton/refine_chart.h"
+#include "surface/charts/slits.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 
 namespace wirewarp::shut_slits_stopped_short_test {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "inner/kkt_system.h"
 #include "processed_chart.h"
 #include "test_meshes.h"
+#include "warp/inner/kkt_system.h"
 
 namespace wirewarp::slit_of_one_edge_beside_tiny_edges_test {
 namespace {

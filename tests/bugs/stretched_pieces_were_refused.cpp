@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "planar.h"
+#include "base/planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp::stretched_pieces_were_refused_test {

@@ -3,7 +3,7 @@
 // the mean over it.
 #include <gtest/gtest.h>
 
-#include "orientation/rising_direction.h"
+#include "surface/orientation/rising_direction.h"
 #include "test_meshes.h"
 
 namespace wirewarp::turned_over_piece_upside_down_test {

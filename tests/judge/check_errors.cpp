@@ -133,7 +133,7 @@ void check_error(Judged& judged, int number) {
       break;
     case ErrorCode::boundary_too_short: {
       // An outline of this length holds more than so much of the area: not too short (see
-      // native/src/feasibility/isoperimetric.cpp).
+      // native/src/surface/charts/isoperimetric.cpp).
       const double share = topology.longest_loop * topology.longest_loop / (4 * 3.141592653589793 * topology.area);
       if (share > (topology.num_loops > 1 ? 0.45 : 0.25) * (1 + 1e-9)) judged.say("the outline is not too short");
       if (!has_seams) judged.say("no seam is proposed");

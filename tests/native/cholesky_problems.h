@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cholesky/nested_dissection.h"
+#include "numerics/cholesky/nested_dissection.h"
 
 namespace wirewarp {
 

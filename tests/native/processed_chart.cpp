@@ -8,13 +8,13 @@
 #include <limits>
 #include <set>
 
-#include "inner/inner_problem.h"
-#include "inner/interior_placement.h"
-#include "inner/wire_layout.h"
-#include "mesh/geometry.h"
-#include "network/wire_network.h"
+#include "surface/mesh/geometry.h"
+#include "surface/network/wire_network.h"
 #include "test_meshes.h"
-#include "topology/process_topology.h"
+#include "warp/inner/inner_problem.h"
+#include "warp/inner/interior_placement.h"
+#include "warp/inner/wire_layout.h"
+#include "warp/topology/process_topology.h"
 
 namespace wirewarp::test {
 namespace {

@@ -2,7 +2,7 @@
 // A chart before and after topology processing, and what holds for every one.
 #pragma once
 
-#include "charts/chart.h"
+#include "surface/charts/chart.h"
 
 namespace wirewarp::test {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "optimize/active_set_bfgs.h"
-#include "optimize/box_quadratic.h"
+#include "numerics/optimize/active_set_bfgs.h"
+#include "numerics/optimize/box_quadratic.h"
 
 namespace wirewarp::test_active_set_bfgs {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "metrics/metrics.h"
-#include "network/wire_network.h"
+#include "result/metrics.h"
+#include "surface/network/wire_network.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_arap {

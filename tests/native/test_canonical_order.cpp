@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "planar.h"
-#include "propose/canonical_order.h"
+#include "base/planar.h"
+#include "base/work_meter.h"
+#include "cuts/propose/canonical_order.h"
 #include "test_meshes.h"
-#include "work_meter.h"
 
 namespace wirewarp::test_canonical_order {
 namespace {

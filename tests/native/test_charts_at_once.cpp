@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "in_threads.h"
+#include "base/in_threads.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_charts_at_once {

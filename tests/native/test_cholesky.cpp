@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "cholesky/eliminate_fronts.h"
-#include "cholesky/multifrontal_cholesky.h"
 #include "cholesky_problems.h"
 #include "dense_algebra.h"
+#include "numerics/cholesky/eliminate_fronts.h"
+#include "numerics/cholesky/multifrontal_cholesky.h"
 
 namespace wirewarp::test_cholesky {
 namespace {

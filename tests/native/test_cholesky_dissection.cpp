@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "cholesky/vertex_separator.h"
 #include "cholesky_problems.h"
+#include "numerics/cholesky/vertex_separator.h"
 
 namespace wirewarp::test_cholesky_dissection {
 namespace {

@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
-#include "cloth/cloth_law.h"
+#include "base/planar.h"
 #include "dense_algebra.h"
-#include "planar.h"
+#include "energy/cloth_law.h"
 
 namespace wirewarp::test_cloth_law {
 namespace {

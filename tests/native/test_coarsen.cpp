@@ -10,14 +10,14 @@
 #include <random>
 #include <set>
 
-#include "arap/shape_error.h"
-#include "coarsen/prolong.h"
-#include "coarsen/prolong_wires.h"
-#include "mesh/edge_table.h"
-#include "mesh/geometry.h"
-#include "planar.h"
-#include "refine/coarse_start.h"
-#include "refine/refine_chart.h"
+#include "base/planar.h"
+#include "energy/shape_error.h"
+#include "newton/coarse_start.h"
+#include "newton/coarsen/prolong.h"
+#include "newton/coarsen/prolong_wires.h"
+#include "newton/refine_chart.h"
+#include "surface/mesh/edge_table.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_coarsen {

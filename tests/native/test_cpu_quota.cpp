@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "cpu_quota.h"
+#include "base/cpu_quota.h"
 
 namespace wirewarp::test_cpu_quota {
 namespace {

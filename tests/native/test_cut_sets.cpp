@@ -12,9 +12,9 @@
 #include <set>
 #include <string>
 
+#include "base/planar.h"
+#include "cuts/propose/merge_sections.h"
 #include "disguise.h"
-#include "planar.h"
-#include "propose/merge_sections.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
-#include "inner/elimination_order.h"
 #include "test_meshes.h"
-#include "topology/process_topology.h"
+#include "warp/inner/elimination_order.h"
+#include "warp/topology/process_topology.h"
 
 namespace wirewarp::test_elimination_order {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "mesh/geometry.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
-#include "topology/embed_path.h"
-#include "topology/straightest_geodesic.h"
+#include "warp/topology/embed_path.h"
+#include "warp/topology/straightest_geodesic.h"
 
 namespace wirewarp::test_embed_path {
 namespace {

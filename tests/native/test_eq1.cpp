@@ -6,11 +6,11 @@
 #include <random>
 #include <stdexcept>
 
-#include "inner/eq1.h"
-#include "inner/kkt_system.h"
-#include "inner/linear_angle_constraints.h"
-#include "planar.h"
+#include "base/planar.h"
 #include "test_meshes.h"
+#include "warp/inner/eq1.h"
+#include "warp/inner/kkt_system.h"
+#include "warp/inner/linear_angle_constraints.h"
 
 namespace wirewarp::test_eq1 {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
-#include "chart_errors.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "newton/solve/chart_errors.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_error_codes {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "base/planar.h"
 #include "judge.h"
-#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_extreme_input {

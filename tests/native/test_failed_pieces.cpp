@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planar.h"
+#include "base/planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_failed_pieces {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "dense_algebra.h"
-#include "refine/fair_shape_error.h"
+#include "energy/fair_shape_error.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_fair_shape_error {

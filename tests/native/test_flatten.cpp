@@ -9,7 +9,7 @@
 #include <numeric>
 #include <random>
 
-#include "planar.h"
+#include "base/planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_flatten {

@@ -8,11 +8,11 @@
 #include <numeric>
 #include <random>
 
-#include "arap/free_boundary_arap.h"
-#include "arap/shape_error.h"
-#include "arap/tutte_embedding.h"
-#include "mesh/geometry.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "energy/free_boundary_arap.h"
+#include "energy/shape_error.h"
+#include "energy/tutte_embedding.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_free_boundary_arap {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include "metrics/guarantee.h"
-#include "metrics/metrics.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "result/guarantee.h"
+#include "result/metrics.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_guarantee {

@@ -7,8 +7,8 @@
 #include <string>
 #include <thread>
 
-#include "in_threads.h"
-#include "progress_report.h"
+#include "base/in_threads.h"
+#include "base/progress_report.h"
 
 namespace wirewarp::test_in_threads {
 namespace {

@@ -7,16 +7,16 @@
 #include <cmath>
 #include <random>
 
-#include "arap/free_boundary_arap.h"
-#include "chart_errors.h"
-#include "mesh/edge_table.h"
-#include "mesh/geometry.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "energy/free_boundary_arap.h"
+#include "newton/infeasible_wires.h"
+#include "newton/project_to_lengths.h"
+#include "newton/refine_chart.h"
+#include "newton/relax_lengths.h"
+#include "newton/solve/chart_errors.h"
 #include "reference_cases.h"
-#include "refine/infeasible_wires.h"
-#include "refine/project_to_lengths.h"
-#include "refine/refine_chart.h"
-#include "refine/relax_lengths.h"
+#include "surface/mesh/edge_table.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_infeasible_wires {

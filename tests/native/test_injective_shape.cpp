@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-#include "planar.h"
-#include "refine/injective_shape.h"
-#include "refine/refine_chart.h"
+#include "base/planar.h"
+#include "newton/injective_shape.h"
+#include "newton/refine_chart.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_injective_shape {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "inner/inner_problem.h"
 #include "test_meshes.h"
-#include "topology/process_topology.h"
+#include "warp/inner/inner_problem.h"
+#include "warp/topology/process_topology.h"
 
 namespace wirewarp::test_inner_problem {
 namespace {

@@ -7,9 +7,9 @@
 #include <random>
 #include <vector>
 
-#include "inner/interior_placement.h"
-#include "inner/mean_value.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "warp/inner/interior_placement.h"
+#include "warp/inner/mean_value.h"
 
 namespace wirewarp::test_interior_placement {
 namespace {

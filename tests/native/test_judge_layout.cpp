@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/planar.h"
 #include "judge.h"
 #include "judge_case.h"
-#include "planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_judge_layout {

@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
+#include "base/factorization_failed.h"
 #include "dense_algebra.h"
-#include "factorization_failed.h"
-#include "refine/lanczos_trust_region.h"
+#include "newton/lanczos_trust_region.h"
 
 namespace wirewarp::test_lanczos_trust_region {
 namespace {

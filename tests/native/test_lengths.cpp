@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "metrics/lengths.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "result/lengths.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_lengths {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "charts/cut_into_charts.h"
-#include "mesh/edge_table.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "surface/charts/cut_into_charts.h"
+#include "surface/mesh/edge_table.h"
 
 namespace wirewarp::test {
 namespace {

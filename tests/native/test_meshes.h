@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "charts/chart.h"
+#include "surface/charts/chart.h"
 
 namespace wirewarp::test {
 

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "metrics/metrics.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "result/metrics.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_metrics {

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "cholesky/multifrontal_lu.h"
+#include "base/factorization_failed.h"
 #include "cholesky_problems.h"
 #include "dense_algebra.h"
-#include "factorization_failed.h"
+#include "numerics/cholesky/multifrontal_lu.h"
 
 namespace wirewarp::test_multifrontal_lu {
 namespace {

@@ -7,11 +7,11 @@
 #include <limits>
 #include <random>
 
-#include "arap/free_boundary_arap.h"
 #include "dense_algebra.h"
-#include "refine/newton_system.h"
-#include "refine/refine_shape.h"
-#include "refine/retract_to_lengths.h"
+#include "energy/free_boundary_arap.h"
+#include "newton/newton_system.h"
+#include "newton/refine_shape.h"
+#include "newton/retract_to_lengths.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_newton_system {

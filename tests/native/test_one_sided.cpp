@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "planar.h"
+#include "base/planar.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_one_sided {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "charts/slits.h"
-#include "refine/refine_chart.h"
+#include "newton/refine_chart.h"
+#include "surface/charts/slits.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_open_slits {

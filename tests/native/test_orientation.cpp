@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "orientation/rising_direction.h"
-#include "orientation/straightest_outline.h"
-#include "orientation/upright_direction.h"
+#include "surface/orientation/rising_direction.h"
+#include "surface/orientation/straightest_outline.h"
+#include "surface/orientation/upright_direction.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_orientation {

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "dense_algebra.h"
-#include "refine/log_barrier.h"
-#include "refine/outline_barrier.h"
+#include "energy/log_barrier.h"
+#include "energy/outline_barrier.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_outline_barrier {

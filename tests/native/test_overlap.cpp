@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "mesh/overlap.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "surface/mesh/overlap.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_overlap {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "packing/pack_boxes.h"
-#include "packing/pack_pieces.h"
+#include "result/pack_boxes.h"
+#include "result/pack_pieces.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_packing {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "disguise.h"
-#include "metrics/widespread.h"
+#include "surface/mesh/widespread.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
 

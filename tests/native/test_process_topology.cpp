@@ -5,11 +5,11 @@
 #include <random>
 #include <set>
 
-#include "mesh/geometry.h"
-#include "planar.h"
+#include "base/planar.h"
 #include "processed_chart.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
-#include "topology/process_topology.h"
+#include "warp/topology/process_topology.h"
 
 namespace wirewarp::test_process_topology {
 namespace {

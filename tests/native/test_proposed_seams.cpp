@@ -9,15 +9,15 @@
 #include <ostream>
 #include <string>
 
-#include "chart_errors.h"
-#include "charts/chart_faults.h"
-#include "feasibility/cut_apart.h"
-#include "feasibility/cut_to_disk.h"
-#include "feasibility/isoperimetric.h"
-#include "feasibility/open_chart.h"
-#include "feasibility/ranks.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "cuts/feasibility/cut_apart.h"
+#include "cuts/feasibility/cut_to_disk.h"
+#include "cuts/feasibility/open_chart.h"
+#include "cuts/feasibility/ranks.h"
+#include "newton/solve/chart_errors.h"
 #include "reference_cases.h"
+#include "surface/charts/chart_faults.h"
+#include "surface/charts/isoperimetric.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_proposed_seams {

@@ -6,11 +6,11 @@
 #include <map>
 #include <string>
 
-#include "mesh/overlap.h"
-#include "packing/pack_boxes.h"
+#include "base/work_meter.h"
+#include "result/pack_boxes.h"
+#include "surface/mesh/overlap.h"
 #include "test_meshes.h"
-#include "topology/process_topology.h"
-#include "work_meter.h"
+#include "warp/topology/process_topology.h"
 
 namespace wirewarp::test_questions {
 namespace {

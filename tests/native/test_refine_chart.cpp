@@ -7,13 +7,13 @@
 #include <cmath>
 #include <string>
 
-#include "arap/free_boundary_arap.h"
-#include "internal_options.h"
-#include "planar.h"
-#include "refine/injective_shape.h"
-#include "refine/refine_chart.h"
-#include "refine/refine_cloth.h"
-#include "refine/starts.h"
+#include "base/internal_options.h"
+#include "base/planar.h"
+#include "energy/free_boundary_arap.h"
+#include "newton/injective_shape.h"
+#include "newton/refine_chart.h"
+#include "newton/refine_cloth.h"
+#include "newton/starts.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_refine_chart {

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <string>
 
-#include "planar.h"
+#include "base/planar.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 

@@ -10,18 +10,18 @@
 #include <random>
 #include <vector>
 
-#include "arap/free_boundary_arap.h"
-#include "arap/shape_error.h"
-#include "arap/tutte_embedding.h"
-#include "mesh/geometry.h"
-#include "outer/choose_variation.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "energy/fair_shape_error.h"
+#include "energy/free_boundary_arap.h"
+#include "energy/length_constraints.h"
+#include "energy/shape_error.h"
+#include "energy/tutte_embedding.h"
+#include "newton/refine_chart.h"
 #include "reference_cases.h"
-#include "refine/fair_shape_error.h"
-#include "refine/length_constraints.h"
-#include "refine/refine_chart.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
-#include "topology/process_topology.h"
+#include "warp/outer/choose_variation.h"
+#include "warp/topology/process_topology.h"
 
 namespace wirewarp::test_refine_shape {
 namespace {

@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
-#include "cache/chart_key.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "newton/cache/chart_key.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 

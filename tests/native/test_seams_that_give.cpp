@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "base/planar.h"
 #include "eased_sheets.h"
-#include "planar.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 #include "wirewarp/flatten.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "arap/shape_error.h"
+#include "energy/shape_error.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_shape_error {

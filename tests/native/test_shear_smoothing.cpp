@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "dense_algebra.h"
-#include "refine/shear_smoothing.h"
-#include "refine/unfold.h"
+#include "energy/shear_smoothing.h"
+#include "newton/unfold.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_shear_smoothing {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "chart_errors.h"
-#include "errors/sentence.h"
-#include "feasibility/isoperimetric.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "base/sentence.h"
+#include "newton/solve/chart_errors.h"
+#include "surface/charts/isoperimetric.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_short_outline {

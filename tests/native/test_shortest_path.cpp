@@ -4,9 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "planar.h"
+#include "base/planar.h"
 #include "test_meshes.h"
-#include "topology/shortest_path.h"
+#include "warp/topology/shortest_path.h"
 
 namespace wirewarp::test_shortest_path {
 namespace {

@@ -2,8 +2,8 @@
 // Slits: which boundary loops are some, and charts with slits sewn up.
 #include <gtest/gtest.h>
 
-#include "charts/slits.h"
-#include "mesh/geometry.h"
+#include "surface/charts/slits.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_slits {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "propose/smooth_paths.h"
+#include "cuts/propose/smooth_paths.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_smooth_paths {

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "planar.h"
+#include "base/planar.h"
 #include "test_meshes.h"
-#include "topology/straightest_geodesic.h"
+#include "warp/topology/straightest_geodesic.h"
 
 namespace wirewarp::test_straightest_geodesic {
 namespace {

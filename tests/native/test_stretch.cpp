@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "planar.h"
+#include "base/planar.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "arap/shape_error.h"
-#include "mesh/geometry.h"
-#include "planar.h"
-#include "refine/refine_chart.h"
-#include "refine/unfold.h"
+#include "base/planar.h"
+#include "energy/shape_error.h"
+#include "newton/refine_chart.h"
+#include "newton/unfold.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_unfold {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "refine/vertex_matrix.h"
+#include "energy/vertex_matrix.h"
 
 namespace wirewarp::test_vertex_matrix {
 namespace {

@@ -7,13 +7,13 @@
 #include <limits>
 #include <optional>
 
-#include "arap/free_boundary_arap.h"
-#include "mesh/geometry.h"
-#include "optimize/active_set_bfgs.h"
-#include "outer/choose_variation.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "energy/free_boundary_arap.h"
+#include "numerics/optimize/active_set_bfgs.h"
+#include "surface/mesh/geometry.h"
 #include "test_meshes.h"
-#include "topology/process_topology.h"
+#include "warp/outer/choose_variation.h"
+#include "warp/topology/process_topology.h"
 
 namespace wirewarp::test_warp {
 namespace {

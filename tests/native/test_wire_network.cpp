@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "network/wire_lines.h"
-#include "network/wire_network.h"
-#include "planar.h"
+#include "base/planar.h"
+#include "surface/network/wire_lines.h"
+#include "surface/network/wire_network.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_wire_network {

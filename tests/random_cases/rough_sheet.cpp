@@ -7,8 +7,8 @@
 #include <map>
 #include <numeric>
 
+#include "base/planar.h"
 #include "delaunay.h"
-#include "planar.h"
 
 namespace wirewarp::test {
 namespace {

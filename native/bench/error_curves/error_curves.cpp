@@ -13,9 +13,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "charts/cut_into_charts.h"
-#include "outer/warp.h"
-#include "topology/process_topology.h"
+#include "surface/charts/cut_into_charts.h"
+#include "warp/outer/warp.h"
+#include "warp/topology/process_topology.h"
 
 namespace wirewarp {
 namespace {

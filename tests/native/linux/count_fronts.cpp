@@ -5,7 +5,7 @@
 
 #include <atomic>
 
-#include "cholesky/front_kernels.h"
+#include "numerics/cholesky/front_kernels.h"
 
 // A reference is handed over as a pointer is. The linker wants these names.
 // NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)

@@ -6,15 +6,15 @@
 #include <utility>
 #include <vector>
 
-#include "arap/free_boundary_arap.h"
-#include "cholesky/multifrontal_cholesky.h"
 #include "cholesky_problems.h"
 #include "count_allocations.h"
 #include "count_fronts.h"
-#include "outer/warp.h"
-#include "refine/newton_system.h"
-#include "refine/refine_shape.h"
+#include "energy/free_boundary_arap.h"
+#include "newton/newton_system.h"
+#include "newton/refine_shape.h"
+#include "numerics/cholesky/multifrontal_cholesky.h"
 #include "test_meshes.h"
+#include "warp/outer/warp.h"
 
 namespace wirewarp::test_budgets {
 namespace {

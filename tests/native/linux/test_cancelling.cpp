@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <string>
 
-#include "arap/free_boundary_arap.h"
 #include "count_fronts.h"
+#include "energy/free_boundary_arap.h"
 #include "flatten.h"
-#include "refine/refine_shape.h"
-#include "refine/starts.h"
+#include "newton/refine_shape.h"
+#include "newton/starts.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_cancelling {

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "cpu_quota.h"
-#include "in_threads.h"
+#include "base/cpu_quota.h"
+#include "base/in_threads.h"
 #include "refuse_threads.h"
 #include "test_meshes.h"
 

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "outer/choose_variation.h"
 #include "reference_cases.h"
 #include "test_meshes.h"
-#include "topology/process_topology.h"
+#include "warp/outer/choose_variation.h"
+#include "warp/topology/process_topology.h"
 
 namespace wirewarp::test_known_optimizer {
 namespace {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <type_traits>
+
+#include "base/factorization_failed.h"
+#include "base/stop_token.h"
+
+namespace wirewarp {
+
+/// Runs one of several ways to a result. Returns an empty result if the caller stops it, or if a matrix has no factor
+/// in double precision; StopToken::is_stopped() says which.
+template <typename Solve>
+std::invoke_result_t<Solve> attempt(const Solve& solve) {
+  try {
+    return solve();
+  } catch (const Stopped&) {
+    return {};
+  } catch (const FactorizationFailed&) {
+    return {};
+  }
+}
+
+}  // namespace wirewarp

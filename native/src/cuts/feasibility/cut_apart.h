@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "cuts/feasibility/cut_mask.h"
+#include "surface/charts/chart.h"
+
+namespace wirewarp {
+
+/// The charts between cut edges of a chart, with their parts of its wires. Their sources are the chart's own vertices,
+/// faces and wire parts.
+std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut);
+
+/// The same chart with its vertices and faces in this order.
+Chart renumbered(const Chart& chart, const std::vector<VertexHandle>& vertices, const std::vector<FaceHandle>& faces);
+
+}  // namespace wirewarp

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/feasibility/cut_mask.h"
+
+#include <algorithm>
+
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+
+CutMask cut_along(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& half_edges) {
+  CutMask cut(mesh.n_edges(), 0);
+  for (const HalfedgeHandle h : half_edges) cut[mesh.edge_handle(h).idx()] = 1;
+  return cut;
+}
+
+bool is_empty(const CutMask& cut) { return std::find(cut.begin(), cut.end(), 1) == cut.end(); }
+
+void unite(CutMask& cut, const CutMask& other) {
+  for (std::size_t e = 0; e < cut.size(); ++e) cut[e] = cut[e] != 0 || other[e] != 0;
+}
+
+double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut) {
+  double length = 0;
+  for (const EdgeHandle e : mesh.edges()) {
+    if (cut[e.idx()]) length += edge_length(mesh, mesh.halfedge_handle(e, 0));
+  }
+  return length;
+}
+
+std::vector<VertexPair> as_list(const VertexPairs& pairs) {
+  std::vector<VertexPair> list;
+  for (const auto& ends : pairs.rowwise()) list.push_back({ends[0], ends[1]});
+  return list;
+}
+
+VertexPairs as_pairs(const std::vector<VertexPair>& list) {
+  VertexPairs pairs(static_cast<Eigen::Index>(list.size()), 2);
+  for (std::size_t i = 0; i < list.size(); ++i) pairs.row(static_cast<Eigen::Index>(i)) << list[i][0], list[i][1];
+  return pairs;
+}
+
+PathRules around(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
+  return {[&](HalfedgeHandle h) { return forbidden[mesh.edge_handle(h).idx()] == 0; }, {}};
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/feasibility/cut_to_disk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/disjoint_sets.h"
+#include "surface/mesh/geometry.h"
+#include "surface/mesh/shortest_paths.h"
+
+namespace wirewarp {
+namespace {
+
+/// How many base points are tried on a closed surface. The cut goes through one of them, so they are spread out.
+constexpr int kBasePoints = 8;
+
+/// Cuts whose lengths differ by less, as a share, are as long as each other: the same one is taken however the mesh is
+/// turned.
+constexpr double kTie = 1e-9;
+
+/// The edges across which no tree of faces can grow: neither crossed by it nor in the tree of paths, one for each
+/// handle's two ways round and for each boundary loop but one. The tree of faces takes those first whose detour by
+/// the sources is longest, so that the shortest are left; so are forbidden edges, and those that no path leads to, but
+/// they do not count.
+std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask& forbidden,
+                                        const ShortestPaths& paths) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::vector<char> is_in_tree(mesh.n_edges(), 0);
+  for (const HalfedgeHandle h : paths.arrival) {
+    if (h.is_valid()) is_in_tree[mesh.edge_handle(h).idx()] = 1;
+  }
+  std::vector<std::pair<double, EdgeHandle>> by_detour;
+  for (const EdgeHandle e : mesh.edges()) {
+    if (mesh.is_boundary(e) || is_in_tree[e.idx()]) continue;
+    const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+    const double detour = paths.distance[mesh.from_vertex_handle(h).idx()] + edge_length(mesh, h) +
+                          paths.distance[mesh.to_vertex_handle(h).idx()];
+    by_detour.emplace_back(forbidden[e.idx()] != 0 ? kInfinity : detour, e);
+  }
+  std::stable_sort(by_detour.begin(), by_detour.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  DisjointSets faces(mesh.n_faces());
+  std::vector<EdgeHandle> left_over;
+  for (const auto& [detour, e] : by_detour) {
+    const HalfedgeHandle h = mesh.halfedge_handle(e, 0);
+    const bool is_joined = faces.unite(mesh.face_handle(h).idx(), mesh.opposite_face_handle(h).idx());
+    if (!is_joined && std::isfinite(detour)) left_over.push_back(e);
+  }
+  return left_over;
+}
+
+/// Takes back cuts that end inside the surface, which open nothing.
+void prune(const HalfEdgeMesh& mesh, CutMask& cut) {
+  std::vector<VertexHandle> queue;
+  for (const VertexHandle v : mesh.vertices()) queue.push_back(v);
+  while (!queue.empty()) {
+    const VertexHandle v = queue.back();
+    queue.pop_back();
+    std::vector<HalfedgeHandle> cuts;
+    for (const HalfedgeHandle h : mesh.voh_range(v)) {
+      if (cut[mesh.edge_handle(h).idx()]) cuts.push_back(h);
+    }
+    if (cuts.size() != 1 || mesh.is_boundary(v)) continue;
+    cut[mesh.edge_handle(cuts[0]).idx()] = 0;
+    queue.push_back(mesh.to_vertex_handle(cuts[0]));
+  }
+}
+
+CutMask cut_through(const HalfEdgeMesh& mesh, const CutMask& forbidden, const std::vector<VertexHandle>& sources) {
+  const ShortestPaths paths = shortest_paths(mesh, sources, around(mesh, forbidden));
+  CutMask cut(mesh.n_edges(), 0);
+  for (const EdgeHandle e : edges_left_over(mesh, forbidden, paths)) {
+    cut[e.idx()] = 1;
+    for (const unsigned end : {0u, 1u}) {
+      for (const HalfedgeHandle h : path_back(mesh, paths, mesh.to_vertex_handle(mesh.halfedge_handle(e, end)))) {
+        cut[mesh.edge_handle(h).idx()] = 1;
+      }
+    }
+  }
+  prune(mesh, cut);
+  return cut;
+}
+
+}  // namespace
+
+CutMask cut_to_disk(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
+  const std::vector<VertexHandle> boundary = boundary_vertices(mesh);
+  if (!boundary.empty()) return cut_through(mesh, forbidden, boundary);
+
+  std::vector<VertexHandle> bases{VertexHandle(0)};
+  CutMask best;
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kBasePoints; ++i) {
+    bases.push_back(farthest_vertex(shortest_paths(mesh, bases, around(mesh, forbidden))));
+    CutMask cut = cut_through(mesh, forbidden, {bases.back()});
+    const double length = length_of_cut(mesh, cut);
+    if (length > (1 - kTie) * shortest) continue;
+    shortest = length;
+    best = std::move(cut);
+  }
+  return best;
+}
+
+}  // namespace wirewarp

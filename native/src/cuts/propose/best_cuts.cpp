@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Searches the pieces one after the other for the best of all their cuts.
+#include "cuts/propose/best_cuts.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "base/arguments.h"
+#include "base/sentence.h"
+#include "cuts/propose/cut_sets.h"
+#include "cuts/propose/piece_search.h"
+#include "surface/mesh/edge_table.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// A piece is larger only if it is so by more than rounding makes of its area when the input is turned.
+constexpr double kClearlyLarger = 1 + 1e-9;
+
+/// By how much a cut lowers the most strain of all pieces, and by how much that of its own piece.
+using Gain = std::pair<double, double>;
+
+/// The best by gain, mirror images by their new places. A pair counts once.
+std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, const std::vector<Gain>& gains,
+                                  int count) {
+  std::vector<int> order(proposals.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return gains[a] > gains[b]; });
+  std::vector<int> place(proposals.size(), -1);
+  std::vector<DartProposal> best;
+  for (const int i : order) {
+    const bool is_second = proposals[i].twin && place[*proposals[i].twin] >= 0;
+    if (!is_second && count-- <= 0) continue;
+    place[i] = static_cast<int>(best.size());
+    best.push_back(proposals[i]);
+  }
+  for (DartProposal& proposal : best) {
+    if (proposal.twin) proposal.twin = place[*proposal.twin];
+  }
+  return best;
+}
+
+/// Below 0 for an error.
+double strain_of(const FlatPiece& piece) { return piece.error ? -1 : piece.strain; }
+
+/// The gain if only this strain is left of a piece.
+Gain gain_of(const FlatPieces& pieces, int piece, double left) {
+  double others = 0;
+  for (std::size_t c = 0; c < pieces.size(); ++c) {
+    if (static_cast<int>(c) != piece) others = std::max(others, pieces[c]->strain);
+  }
+  const double before = pieces[piece]->strain;
+  return {std::max(before, others) - std::max(left, others), before - left};
+}
+
+bool is_second_of_pair(const std::vector<DartProposal>& proposals, std::size_t i) {
+  return proposals[i].twin && *proposals[i].twin < static_cast<int>(i);
+}
+
+/// Searches the pieces, the one with most strain first, until the rest have less to gain than what is found.
+std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, const CutWishes& wishes,
+                                        const ExactEvaluation& exact) {
+  std::vector<int> order(pieces.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return strain_of(*pieces[a]) > strain_of(*pieces[b]); });
+  if (wishes.piece) order = {*wishes.piece};
+  if (pieces[order.front()]->error) throw exact.explain(pieces, order.front());
+  std::vector<DartProposal> proposals;
+  std::vector<Gain> gains;
+  std::optional<FlattenError> first_refusal;
+  for (const int c : order) {
+    const Gain most = gain_of(pieces, c, 0);
+    int num_better = 0;
+    for (std::size_t i = 0; i < gains.size(); ++i) num_better += gains[i] >= most && !is_second_of_pair(proposals, i);
+    if (pieces[c]->error || num_better >= wishes.count) break;
+    try {
+      const int first = static_cast<int>(proposals.size());
+      PieceSearch search(pieces, static_cast<std::size_t>(c), kind, Effort::thorough, wishes, exact);
+      for (DartProposal& proposal : search.search()) {
+        proposal.piece = c;
+        if (proposal.twin) *proposal.twin += first;
+        gains.push_back(gain_of(pieces, c, proposal.strain_with_twin.value_or(proposal.strain)));
+        proposals.push_back(std::move(proposal));
+      }
+    } catch (const FlattenError& error) {
+      if (error.code != ErrorCode::no_proposal) throw;
+      if (!first_refusal) first_refusal = error;
+    }
+  }
+  if (!proposals.empty()) return best_of(proposals, gains, wishes.count);
+  if (!first_refusal) throw std::logic_error("A flat piece was searched: it has proposals or a reason for none.");
+  throw *first_refusal;
+}
+
+/// The piece to cut, if it has no flat shape because it lacks seams; of all pieces the largest of these.
+std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutWishes& wishes) {
+  std::optional<std::size_t> largest;
+  double most = 0;
+  for (std::size_t c = 0; c < pieces.size(); ++c) {
+    if (!lacks_seams(*pieces[c]) || wishes.piece.value_or(static_cast<int>(c)) != static_cast<int>(c)) continue;
+    const double area = surface_area(pieces[c]->chart.mesh);
+    if (area <= kClearlyLarger * most) continue;
+    most = area;
+    largest = c;
+  }
+  return largest;
+}
+
+}  // namespace
+
+void check_wishes(const CutWishes& wishes, const FlattenInput& input, std::size_t num_pieces) {
+  if (wishes.count < 1) throw wrong_option("count", std::to_string(wishes.count), "be 1 or more");
+  if (wishes.strain && !(*wishes.strain >= 0)) throw wrong_option("strain", shortest(*wishes.strain), "be 0 or more");
+  if (!(wishes.longest > 0)) throw wrong_option("longest", shortest(wishes.longest), "be above 0");
+  if (wishes.piece && (*wishes.piece < 0 || *wishes.piece >= static_cast<int>(num_pieces))) {
+    throw wrong_option("piece", std::to_string(*wishes.piece),
+                       "be from 0 to " + std::to_string(num_pieces - 1) + ", as the mesh has " +
+                           std::to_string(num_pieces) + (num_pieces == 1 ? " piece" : " pieces"));
+  }
+  if (wishes.no_seam.rows() == 0) return;
+  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  for (const auto& ends : wishes.no_seam.rowwise()) {
+    const bool are_vertices = ends.minCoeff() >= 0 && ends.maxCoeff() < input.vertices.rows();
+    if (are_vertices && edges.find(ends[0], ends[1]) >= 0) continue;
+    throw wrong_option("no_seam", "a list with the pair " + std::to_string(ends[0]) + ", " + std::to_string(ends[1]),
+                       "hold edges of the mesh");
+  }
+}
+
+bool lacks_seams(const FlatPiece& piece) {
+  if (!piece.error) return false;
+  switch (piece.error->code) {
+    case ErrorCode::closed_chart:
+    case ErrorCode::handles:
+    case ErrorCode::boundary_too_short:
+    case ErrorCode::flipped_faces:
+    case ErrorCode::overlapping_faces:
+      return true;
+    case ErrorCode::infeasible_lengths:
+      return !has_wires(piece.chart);
+    default:
+      return false;
+  }
+}
+
+std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, const CutWishes& wishes,
+                                    const ExactEvaluation& exact, CutProgress& progress) {
+  const std::optional<std::size_t> piece = kind == CutKind::seam ? without_shape(pieces, wishes) : std::nullopt;
+  progress.enter(0, 1);
+  if (!piece) return search_pieces(pieces, kind, wishes, exact);
+  std::vector<DartProposal> sets = CutSetSearch(pieces, *piece, wishes, exact, progress).search();
+  for (DartProposal& set : sets) set.piece = static_cast<int>(*piece);
+  return sets;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/canonical_order.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/work_meter.h"
+#include "cuts/feasibility/cut_apart.h"
+#include "cuts/feasibility/ranks.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// Lengths over the root of the area, and angles in radians, that differ by less are equal: a thousand times what
+/// rounding makes of them when the input is turned, and far less than what the edges of a large outline differ by.
+constexpr double kSame = 1e-9;
+
+/// Where a numbering begins, and whether it goes around vertices backwards.
+struct Start {
+  HalfedgeHandle first;
+  bool backwards = false;
+};
+
+/// A vertex of the outline and the edge after it, as they look from anywhere: ranks of the edge's length and of the
+/// angle inside, and the number of edges.
+using OutlineStep = std::array<int, 3>;
+
+/// The walk around the outer loop with the chart on the left, and the walk backwards, both from the same vertex.
+std::array<std::vector<OutlineStep>, 2> walk_outline(const Chart& chart) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  const HalfEdgeChain& loop = chart.boundary_loops.front();
+  const double size = std::sqrt(surface_area(mesh));
+  std::vector<double> lengths, angles;
+  for (const HalfedgeHandle h : loop) {
+    double angle = 0;
+    for (const HalfedgeHandle out : mesh.voh_range(mesh.from_vertex_handle(h)))
+      angle += mesh.is_boundary(out) ? 0 : corner_angle(mesh, out);
+    lengths.push_back(edge_length(mesh, h) / size);
+    angles.push_back(angle);
+  }
+  const std::vector<int> length_ranks = ranks_of(lengths, kSame), angle_ranks = ranks_of(angles, kSame);
+  std::array<std::vector<OutlineStep>, 2> walks;
+  const std::size_t count = loop.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto step_at = [&](std::size_t at, std::size_t edge) -> OutlineStep {
+      return {length_ranks[edge], angle_ranks[at], static_cast<int>(mesh.valence(mesh.from_vertex_handle(loop[at])))};
+    };
+    walks[0].push_back(step_at(i, i));
+    walks[1].push_back(step_at((count - i) % count, count - 1 - i));
+  }
+  return walks;
+}
+
+bool comes_before(const std::vector<OutlineStep>& a, std::size_t a_start, const std::vector<OutlineStep>& b,
+                  std::size_t b_start) {
+  const std::size_t count = a.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const OutlineStep &of_a = a[(a_start + i) % count], &of_b = b[(b_start + i) % count];
+    if (of_a != of_b) return of_a < of_b;
+  }
+  return false;
+}
+
+/// Where the least of all rotations begins, in linear time: two candidates are compared, and where they first differ
+/// the greater one is given up with all starts that it has passed (J. P. Duval, Factorizing words over an ordered
+/// alphabet, 1983).
+std::size_t least_rotation(const std::vector<OutlineStep>& ring, WorkMeter& work) {
+  const std::size_t count = ring.size();
+  std::size_t a = 0, b = 1, same = 0;
+  while (a < count && b < count && same < count) {
+    work.did(1);
+    const OutlineStep &of_a = ring[(a + same) % count], &of_b = ring[(b + same) % count];
+    if (of_a == of_b) {
+      ++same;
+      continue;
+    }
+    (of_b < of_a ? a : b) += same + 1;
+    if (a == b) ++b;
+    same = 0;
+  }
+  return std::min(a, b);
+}
+
+Start start_on_outline(const Chart& chart, WorkMeter& work) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  const std::array<std::vector<OutlineStep>, 2> walks = walk_outline(chart);
+  const std::size_t forwards = least_rotation(walks[0], work), backwards = least_rotation(walks[1], work);
+  const HalfEdgeChain& loop = chart.boundary_loops.front();
+  if (!comes_before(walks[1], backwards, walks[0], forwards)) return {loop[forwards], false};
+  return {mesh.opposite_halfedge_handle(loop[loop.size() - 1 - backwards]), true};
+}
+
+/// Numbers vertices, nearest neighbors first: each one's in their order around it.
+class SurfaceWalk {
+ public:
+  /// rank: -1 for each vertex; set to its number, and back once the walk is over.
+  SurfaceWalk(const HalfEdgeMesh& mesh, Start start, std::vector<int>& rank)
+      : mesh_(mesh), backwards_(start.backwards), rank_(rank) {
+    find(mesh.from_vertex_handle(start.first), start.first);
+  }
+  ~SurfaceWalk() {
+    for (const VertexHandle v : order_) rank_[v.idx()] = -1;
+  }
+  SurfaceWalk(const SurfaceWalk&) = delete;
+  SurfaceWalk& operator=(const SurfaceWalk&) = delete;
+
+  /// The next half-edge, around one vertex after the other; not valid where all have been seen.
+  HalfedgeHandle step() {
+    if (!next_.is_valid()) {
+      if (at_ == order_.size()) return next_;
+      next_ = leaving_[at_];
+    }
+    const HalfedgeHandle h = next_;
+    find(mesh_.to_vertex_handle(h), mesh_.opposite_halfedge_handle(h));
+    next_ = backwards_ ? mesh_.cw_rotated_halfedge_handle(h) : mesh_.ccw_rotated_halfedge_handle(h);
+    if (next_ == leaving_[at_]) {
+      next_ = HalfedgeHandle();
+      ++at_;
+    }
+    return h;
+  }
+
+  int rank_of_end(HalfedgeHandle h) const { return rank_[mesh_.to_vertex_handle(h).idx()]; }
+  const std::vector<VertexHandle>& order() const { return order_; }
+
+ private:
+  void find(VertexHandle v, HalfedgeHandle leaving) {
+    if (rank_[v.idx()] >= 0) return;
+    rank_[v.idx()] = static_cast<int>(order_.size());
+    order_.push_back(v);
+    leaving_.push_back(leaving);
+  }
+
+  const HalfEdgeMesh& mesh_;
+  const bool backwards_;
+  std::vector<int>& rank_;
+  std::vector<VertexHandle> order_;
+  std::vector<HalfedgeHandle> leaving_;  // where to begin around each
+  std::size_t at_ = 0;
+  HalfedgeHandle next_;
+};
+
+std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, Start start) {
+  std::vector<int> rank(mesh.n_vertices(), -1);
+  SurfaceWalk walk(mesh, start, rank);
+  while (walk.step().is_valid()) continue;
+  return walk.order();
+}
+
+/// At one of the longest edges. Mostly there are few, and they differ after a few steps; on a surface of revolution
+/// there are as many as segments, and each takes a walk of the whole surface.
+Start start_on_closed(const HalfEdgeMesh& mesh, const StopToken& stop) {
+  double longest = 0;
+  for (const EdgeHandle e : mesh.edges()) longest = std::max(longest, edge_length(mesh, mesh.halfedge_handle(e, 0)));
+  const double same = kSame * std::sqrt(surface_area(mesh));
+  std::vector<int> rank_of_best(mesh.n_vertices(), -1), rank(mesh.n_vertices(), -1);
+  const auto walk_comes_before = [&](Start a, Start b) {
+    SurfaceWalk of_a(mesh, a, rank), of_b(mesh, b, rank_of_best);
+    while (true) {
+      const HalfedgeHandle h = of_a.step(), g = of_b.step();
+      if (!h.is_valid()) return false;
+      const double longer = edge_length(mesh, h) - edge_length(mesh, g);
+      if (std::abs(longer) > same) return longer < 0;
+      if (of_a.rank_of_end(h) != of_b.rank_of_end(g)) return of_a.rank_of_end(h) < of_b.rank_of_end(g);
+    }
+  };
+  Start best;
+  for (const HalfedgeHandle h : mesh.halfedges()) {
+    if (edge_length(mesh, h) < longest - same) continue;
+    stop.check();
+    for (const bool backwards : {false, true}) {
+      const Start start{h, backwards};
+      if (!best.first.is_valid() || walk_comes_before(start, best)) best = start;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Chart in_canonical_order(const Chart& chart, const StopToken& stop) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  WorkMeter work(stop);
+  const Start start = chart.boundary_loops.empty() ? start_on_closed(mesh, stop) : start_on_outline(chart, work);
+  const std::vector<VertexHandle> vertices = breadth_first(mesh, start);
+  std::vector<int> rank(mesh.n_vertices());
+  for (std::size_t i = 0; i < vertices.size(); ++i) rank[vertices[i].idx()] = static_cast<int>(i);
+
+  const Triangles triangles = triangles_of(mesh).unaryExpr([&](int v) { return rank[v]; });
+  std::vector<FaceHandle> faces(mesh.faces_begin(), mesh.faces_end());
+  const auto corners_of = [&](FaceHandle f) {
+    std::array<int, 3> corners{triangles(f.idx(), 0), triangles(f.idx(), 1), triangles(f.idx(), 2)};
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  std::sort(faces.begin(), faces.end(), [&](FaceHandle f, FaceHandle g) { return corners_of(f) < corners_of(g); });
+  Chart ordered = renumbered(chart, vertices, faces);
+  for (int& v : ordered.source_vertex) v = chart.source_vertex[v];
+  for (int& f : ordered.source_face) f = chart.source_face[f];
+  return ordered;
+}
+
+}  // namespace wirewarp

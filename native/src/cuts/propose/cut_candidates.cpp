@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/cut_candidates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "base/planar.h"
+#include "surface/mesh/geometry.h"
+#include "surface/mesh/shortest_paths.h"
+
+namespace wirewarp {
+namespace {
+
+/// Share of the outline to each side in which a way is the shortest of its neighborhood: together about as much as lies
+/// between two of the points that are spread along the outline.
+constexpr double kWindow = 1.0 / 24;
+
+/// The outline has a corner where it turns by more (radians): a ring of twelve edges turns by as much at each vertex.
+constexpr double kCorner = kPi / 6;
+
+/// A point is sharper or farther only if it is so by more than rounding makes of it when the input is turned.
+constexpr double kClearly = 1 + 1e-9;
+
+/// Ends of cuts that lie farther apart, over the root of the area, are not beside each other: a little less than the
+/// fifth by which the points inside are apart.
+constexpr double kApart = 0.15;
+
+struct OutlinePoint {
+  VertexHandle vertex;
+  double at = 0;    // length of the loop up to it
+  double turn = 0;  // of the outline, radians
+};
+
+using OutlineLoop = std::vector<OutlinePoint>;
+
+OutlineLoop measure_loop(const Chart& chart, const HalfEdgeChain& half_edges) {
+  OutlineLoop loop;
+  double at = 0;
+  for (const HalfedgeHandle h : half_edges) {
+    double angle = 0;  // inside
+    for (HalfedgeHandle around = h; !chart.mesh.is_boundary(around); around = next_counterclockwise(chart.mesh, around))
+      angle += corner_angle(chart.mesh, around);
+    loop.push_back({chart.mesh.from_vertex_handle(h), at, std::abs(angle - kPi)});
+    at += edge_length(chart.mesh, h);
+  }
+  return loop;
+}
+
+/// Where the paths to a loop are shorter than to all points of it near by.
+void take_landings(const OutlineLoop& loop, double length, const SmoothPaths& paths, std::vector<VertexHandle>& taken) {
+  const auto cost_at = [&](std::size_t i) {
+    const HalfedgeHandle h = paths.arrival[loop[i].vertex.idx()];
+    return h.is_valid() ? paths.cost[h.idx()] : std::numeric_limits<double>::infinity();
+  };
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const double cost = cost_at(i);
+    if (!std::isfinite(cost)) continue;
+    bool is_least = true;
+    for (std::size_t j = 0; j < loop.size() && is_least; ++j) {
+      const double apart = std::abs(loop[i].at - loop[j].at);
+      if (i == j || std::min(apart, length - apart) > kWindow * length) continue;
+      is_least = cost < cost_at(j) || (cost == cost_at(j) && i < j);
+    }
+    if (is_least) taken.push_back(loop[i].vertex);
+  }
+}
+
+/// So many vertices at most, each as far as can be from the sources and those before.
+std::vector<VertexHandle> spread(const Chart& chart, std::vector<VertexHandle> sources,
+                                 const std::vector<char>& may_take, int count) {
+  std::vector<VertexHandle> taken;
+  while (static_cast<int>(taken.size()) < count) {
+    const ShortestPaths paths = shortest_paths(chart.mesh, sources);
+    int farthest = -1;
+    for (int v = 0; v < static_cast<int>(may_take.size()); ++v) {
+      if (may_take[v] != 0 && paths.distance[v] > 0 &&
+          (farthest < 0 || paths.distance[v] > kClearly * paths.distance[farthest]))
+        farthest = v;
+    }
+    if (farthest < 0) break;
+    taken.push_back(VertexHandle(farthest));
+    sources.push_back(VertexHandle(farthest));
+  }
+  return taken;
+}
+
+/// Points spread along the outline: corners first, then any.
+std::vector<VertexHandle> spread_on_outline(const Chart& chart, const std::vector<OutlineLoop>& loops,
+                                            const SmoothPathFinder& paths, int count) {
+  std::vector<char> is_corner(chart.mesh.n_vertices(), 0), is_on_outline = is_corner;
+  VertexHandle sharpest;
+  double sharpest_turn = -1;
+  for (const OutlineLoop& loop : loops) {
+    for (const OutlinePoint& point : loop) {
+      if (paths.is_forbidden(point.vertex)) continue;
+      is_on_outline[point.vertex.idx()] = 1;
+      is_corner[point.vertex.idx()] = point.turn > kCorner ? 1 : 0;
+      if (point.turn <= kClearly * sharpest_turn) continue;
+      sharpest = point.vertex;
+      sharpest_turn = point.turn;
+    }
+  }
+  if (!sharpest.is_valid()) return {};
+  std::vector<VertexHandle> points{sharpest};
+  for (const auto& [may_take, most] : {std::pair(is_corner, count / 2), std::pair(is_on_outline, count)}) {
+    const std::vector<VertexHandle> more = spread(chart, points, may_take, most - static_cast<int>(points.size()));
+    points.insert(points.end(), more.begin(), more.end());
+  }
+  return points;
+}
+
+std::vector<VertexHandle> spread_inside(const Chart& chart, const SmoothPathFinder& paths, int count) {
+  std::vector<char> may_take(chart.mesh.n_vertices(), 0);
+  for (const VertexHandle v : chart.mesh.vertices()) {
+    may_take[v.idx()] = chart.mesh.is_boundary(v) || paths.is_forbidden(v) ? 0 : 1;
+  }
+  return spread(chart, boundary_vertices(chart.mesh), may_take, count);
+}
+
+/// A seam has two ends on the outline, alike in all: the one with the lower number first.
+CutEnds in_one_order(const Chart& chart, CutEnds cut) {
+  const bool is_seam = chart.mesh.is_boundary(cut.start) && chart.mesh.is_boundary(cut.end);
+  return is_seam && cut.end < cut.start ? CutEnds{cut.end, cut.start} : cut;
+}
+
+}  // namespace
+
+std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind,
+                                     CandidatePoints count) {
+  std::vector<OutlineLoop> loops;
+  for (const HalfEdgeChain& loop : chart.boundary_loops) loops.push_back(measure_loop(chart, loop));
+  const std::vector<VertexHandle> on_outline = spread_on_outline(chart, loops, paths, count.on_outline);
+  std::set<CutEnds> cuts;
+  for (const VertexHandle end : kind == CutKind::seam ? on_outline : spread_inside(chart, paths, count.inside)) {
+    const SmoothPaths from_end = paths.paths_from(end);
+    std::vector<VertexHandle> starts;
+    for (const VertexHandle start : on_outline) {
+      if (from_end.arrival[start.idx()].is_valid()) starts.push_back(start);
+    }
+    for (std::size_t l = 0; l < loops.size(); ++l) {
+      take_landings(loops[l], length_of(chart.mesh, chart.boundary_loops[l]), from_end, starts);
+    }
+    for (const VertexHandle start : starts) {
+      cuts.insert(in_one_order(chart, {start, end}));
+    }
+  }
+  return {cuts.begin(), cuts.end()};
+}
+
+std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& paths, CutEnds cut) {
+  std::vector<CutEnds> neighbors;
+  const auto around = [&](VertexHandle v, const auto& take) {
+    for (const VertexHandle next : chart.mesh.vv_range(v)) {
+      if (chart.mesh.is_boundary(next) == chart.mesh.is_boundary(v) && !paths.is_forbidden(next)) take(next);
+    }
+  };
+  around(cut.end, [&](VertexHandle v) { neighbors.push_back(in_one_order(chart, {cut.start, v})); });
+  around(cut.start, [&](VertexHandle v) { neighbors.push_back(in_one_order(chart, {v, cut.end})); });
+  return neighbors;
+}
+
+bool are_beside(const HalfEdgeMesh& mesh, double size, CutEnds a, CutEnds b) {
+  const auto apart = [&](VertexHandle v, VertexHandle w) { return (mesh.point(v) - mesh.point(w)).norm(); };
+  const double least = kApart * size;
+  return std::max(apart(a.start, b.start), apart(a.end, b.end)) < least ||
+         std::max(apart(a.start, b.end), apart(a.end, b.start)) < least;
+}
+
+HalfEdgeChain chain_of(const SmoothPathFinder& paths, CutEnds cut) {
+  return paths.path_to(paths.paths_from(cut.start), cut.end);
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/cut_chains.h"
+
+namespace wirewarp {
+namespace {
+
+/// The cut half-edges that leave a vertex, and were not taken yet.
+HalfEdgeChain left_at(const HalfEdgeMesh& mesh, const CutMask& left, VertexHandle v) {
+  HalfEdgeChain leaving;
+  for (const HalfedgeHandle h : mesh.voh_range(v)) {
+    if (left[mesh.edge_handle(h).idx()] != 0) leaving.push_back(h);
+  }
+  return leaving;
+}
+
+}  // namespace
+
+std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& cut) {
+  CutMask left = cut;
+  std::vector<HalfEdgeChain> sections;
+  const auto is_junction = [&](VertexHandle v) { return left_at(mesh, cut, v).size() != 2; };
+  const auto follow = [&](HalfedgeHandle h) {
+    HalfEdgeChain& section = sections.emplace_back();
+    while (true) {
+      left[mesh.edge_handle(h).idx()] = 0;
+      section.push_back(h);
+      const VertexHandle end = mesh.to_vertex_handle(h);
+      const HalfEdgeChain next = left_at(mesh, left, end);
+      if (next.empty() || is_junction(end)) return;
+      h = next.front();
+    }
+  };
+  for (const bool rings : {false, true}) {
+    for (const VertexHandle v : mesh.vertices()) {
+      if (!rings && !is_junction(v)) continue;
+      for (const HalfedgeHandle h : left_at(mesh, left, v)) {
+        if (left[mesh.edge_handle(h).idx()] != 0) follow(h);
+      }
+    }
+  }
+  return sections;
+}
+
+}  // namespace wirewarp

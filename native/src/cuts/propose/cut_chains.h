@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cuts/feasibility/cut_mask.h"
+#include "surface/charts/chart.h"
+
+namespace wirewarp {
+
+/// The sections of a cut: each from a vertex where cuts end or meet to the next such vertex, then the rings.
+std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& cut);
+
+}  // namespace wirewarp

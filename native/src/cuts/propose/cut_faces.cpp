@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/cut_faces.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "surface/charts/cut_into_charts.h"
+
+namespace wirewarp {
+namespace {
+
+/// Consecutive edges of a wire.
+struct WireRun {
+  int wire;   // of the whole input
+  int begin;  // its first edge
+};
+
+/// Some faces of an input with numbers of their own, in the same order.
+class PartOfInput {
+ public:
+  PartOfInput(const FlattenInput& whole, const std::vector<int>& faces, const std::vector<VertexPair>& seams)
+      : whole_(whole), faces_(faces) {
+    take_faces();
+    edges_.emplace(part_.faces, static_cast<int>(vertices_.size()));
+    take_seams(seams);
+    for (std::size_t w = 0; w < whole.wires.size(); ++w) take_wire(static_cast<int>(w));
+    for (const Ease& ease : whole.eases) take_ease(ease);
+  }
+
+  Charts cut(const StopToken& stop) const {
+    Charts charts = cut_into_charts(part_, *edges_, stop);
+    for (Chart& chart : charts.charts) {
+      for (int& v : chart.source_vertex) v = vertices_[v];
+      for (int& f : chart.source_face) f = faces_[f];
+      for (WirePart& part : chart.wire_parts) {
+        const WireRun& run = runs_[part.wire_index];
+        part.wire_index = run.wire;
+        part.part += run.begin;
+      }
+    }
+    for (Seam& seam : charts.seams) {
+      for (VertexPair& ends : seam.edges) ends = {vertices_[ends[0]], vertices_[ends[1]]};
+    }
+    charts.is_boundary_wire.assign(whole_.wires.size(), 0);
+    return charts;
+  }
+
+ private:
+  /// The place of a vertex in the part; -1: none of its faces has it.
+  int place_of(int vertex) const {
+    const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
+    return found != vertices_.end() && *found == vertex ? static_cast<int>(found - vertices_.begin()) : -1;
+  }
+
+  bool has_edge(int a, int b) const {
+    const int from = place_of(a), to = place_of(b);
+    return from >= 0 && to >= 0 && edges_->find(from, to) >= 0;
+  }
+
+  void take_faces() {
+    for (const int f : faces_) {
+      for (const int v : whole_.faces.row(f)) vertices_.push_back(v);
+    }
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    part_.vertices = whole_.vertices(vertices_, Eigen::all);
+    part_.faces = whole_.faces(faces_, Eigen::all).unaryExpr([&](int v) { return place_of(v); });
+  }
+
+  void take_seams(const std::vector<VertexPair>& seams) {
+    part_.seams.resize(static_cast<Eigen::Index>(seams.size()), 2);
+    for (std::size_t i = 0; i < seams.size(); ++i) {
+      part_.seams.row(static_cast<Eigen::Index>(i)) << place_of(seams[i][0]), place_of(seams[i][1]);
+    }
+  }
+
+  /// Each run of its edges that the part has; the run of a closed wire may pass the vertex where its list begins.
+  void take_wire(int index) {
+    const Wire& wire = whole_.wires[index];
+    const int count = static_cast<int>(wire.vertices.size()) - 1;
+    std::vector<char> is_taken;
+    for (int i = 0; i < count; ++i) is_taken.push_back(has_edge(wire.vertices[i], wire.vertices[i + 1]) ? 1 : 0);
+    const auto gap = std::find(is_taken.begin(), is_taken.end(), 0);
+    const bool is_closed = wire.vertices.front() == wire.vertices.back();
+    const int first = is_closed && gap != is_taken.end() ? static_cast<int>(gap - is_taken.begin()) : 0;
+    bool goes_on = false;
+    for (int k = 0; k < count; ++k) {
+      const int i = (first + k) % count;
+      if (is_taken[i] != 0 && !goes_on) {
+        runs_.push_back({index, i});
+        part_.wires.push_back({{place_of(wire.vertices[i])}, wire.tolerance, wire.name, wire.ease});
+      }
+      goes_on = is_taken[i] != 0;
+      if (goes_on) part_.wires.back().vertices.push_back(place_of(wire.vertices[i + 1]));
+    }
+  }
+
+  void take_ease(const Ease& ease) {
+    Ease own{VertexPairs(ease.half_edges.rows(), 2), ease.ratio};
+    Eigen::Index count = 0;
+    for (const auto& ends : ease.half_edges.rowwise()) {
+      if (has_edge(ends[0], ends[1])) own.half_edges.row(count++) << place_of(ends[0]), place_of(ends[1]);
+    }
+    own.half_edges.conservativeResize(count, 2);
+    part_.eases.push_back(std::move(own));
+  }
+
+  const FlattenInput& whole_;
+  const std::vector<int>& faces_;
+  std::vector<int> vertices_;  // of the whole input, sorted
+  FlattenInput part_;
+  std::optional<EdgeTable> edges_;
+  std::vector<WireRun> runs_;  // one per wire of the part
+};
+
+}  // namespace
+
+Charts cut_faces(const FlattenInput& input, const std::vector<int>& faces, const std::vector<VertexPair>& seams,
+                 const StopToken& stop) {
+  return PartOfInput(input, faces, seams).cut(stop);
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/cut_sets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "base/in_threads.h"
+#include "cuts/feasibility/bisect.h"
+#include "cuts/feasibility/open_chart.h"
+#include "cuts/propose/canonical_order.h"
+#include "cuts/propose/coarse_evaluation.h"
+#include "cuts/propose/cut_chains.h"
+#include "cuts/propose/merge_sections.h"
+#include "cuts/propose/mirror_image.h"
+#include "cuts/propose/piece_search.h"
+#include "newton/lies_flat.h"
+
+namespace wirewarp {
+namespace {
+
+/// What woven cloth takes at most: where nothing else is asked for, pieces with no more are not cut again.
+constexpr double kAim = 0.05;
+
+/// Cuts and their mirror images after those that open the piece: two for each of twenty parts, as a plush animal has.
+constexpr std::size_t kMostCuts = 40;
+
+/// Places of the best cuts of each kind, and candidates that are evaluated exactly in a round. On a koala the first of
+/// the candidates served in each of forty rounds.
+constexpr int kPlaces = 2;
+constexpr std::size_t kMostTrials = 5;
+
+/// A cut that takes less than this share of the energy of its part is not worth the sewing, nor a set whose strain is
+/// less by no more.
+constexpr double kWorthSewing = 0.02;
+
+/// Lower strains count as this one: ratios to them say nothing.
+constexpr double kFlat = 1e-4;
+
+/// A set with more pieces than one with less strain has to be so much shorter to be worth a row.
+constexpr double kMuchShorter = 0.9;
+
+/// Shares of the time after which a cow and a penguin were opened, and cut finely enough.
+constexpr double kOpened = 0.1, kCut = 0.5;
+
+/// Sets that are made of the last one by merging, and the ratio of the strains that they are allowed: from 5%, which
+/// woven fabric takes, to 10% and the 20% that plush and knits take.
+constexpr std::size_t kMergedSets = 3;
+constexpr double kStrainStep = 2;
+
+/// Cuts that take this share come before those that take more for their length: many small darts are slow to sew, and
+/// slow to find. From 0 to 0.5 the sets of a ball, a head and a penguin have about the same length and strain; with 0.5
+/// they are found in two thirds of the time of 0, but are longer by a tenth.
+constexpr double kLargeGain = 0.25;
+
+FlattenError no_set(const Chart& chart, ErrorArguments arguments) {
+  return FlattenError(ErrorCode::no_proposal, std::move(arguments), {{}, {}, chart.source_face});
+}
+
+FlattenError none_serves(const Chart& chart, const CutWishes& wishes) {
+  return no_set(chart, {{"reason", "no_set"}, {"is_restricted", wishes.no_seam.rows() > 0}});
+}
+
+FlattenError too_strained(const Chart& chart) { return no_set(chart, {{"reason", "too_strained"}}); }
+
+FlattenError too_long(const Chart& chart, double length, double longest) {
+  return no_set(chart, {{"reason", "too_long"}, {"length", length}, {"limit", longest}});
+}
+
+}  // namespace
+
+CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes,
+                           const ExactEvaluation& exact, CutProgress& progress)
+    : pieces_(pieces),
+      input_chart_(pieces[piece]->chart),
+      chart_(in_canonical_order(input_chart_, exact.stop())),
+      map_(chart_),
+      image_(mirror_image(chart_, exact.stop())),
+      mirrored_(chart_, image_),
+      forbidden_(mirrored_.with_image(map_.mask_of(as_list(wishes.no_seam)))),
+      wishes_(wishes),
+      target_(wishes.strain.value_or(kAim)),
+      exact_(exact),
+      progress_(progress) {
+  mirrored_.forbid_those_without_image(forbidden_);
+}
+
+std::vector<VertexPair> CutSetSearch::edges_of(const CutMask& cut) const {
+  std::vector<VertexPair> edges;
+  for (const HalfEdgeChain& section : sections_of(chart_.mesh, cut)) {
+    for (const HalfedgeHandle h : section) edges.push_back(source_ends(chart_, h));
+  }
+  return edges;
+}
+
+/// Cuts under which the piece lies flat, as far as they were found without its neighbors. Throws Stopped.
+CutMask CutSetSearch::opening() const {
+  const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, exact_.options(), exact_.stop()); };
+  CutMask cut = open_chart(chart_, lies_flat_alone, exact_.stop(), {forbidden_, image_});
+  exact_.stop().check();
+  return cut;
+}
+
+/// before: with some of the cuts.
+CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutMask& cut) const {
+  CutSet set;
+  set.cut = cut;
+  DartProposal& proposal = set.proposal;
+  proposal.edges = edges_of(cut);
+  proposal.length = length_of_cut(chart_.mesh, cut);
+  set.pieces = exact_.with_cut(before, proposal.edges);
+  set.lies_flat = true;
+  double energy = 0, area = 0;
+  for (std::size_t i = 0; i < set.pieces.size(); ++i) {
+    const Chart& part = set.pieces[i]->chart;
+    if (!is_part_of(part, input_chart_)) continue;
+    const PieceFigures figures = figures_of(set.pieces, part);
+    if (figures.error) set.lies_flat = false;
+    ++proposal.num_pieces;
+    energy += figures.energy * figures.area;
+    area += figures.area;
+    proposal.strain = std::max(proposal.strain, figures.strain);
+    set.parts.push_back(i);
+    set.figures.push_back(figures);
+  }
+  proposal.energy = energy / area;
+  proposal.energy_before = proposal.strain_before = std::numeric_limits<double>::infinity();
+  return set;
+}
+
+/// Darts and seams of one of its parts.
+void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
+  CutWishes wishes;
+  wishes.count = kPlaces;
+  wishes.strain = target_;
+  wishes.longest = wishes_.longest - set.proposal.length;
+  wishes.no_seam = as_pairs(edges_of(forbidden_));
+  for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
+    try {
+      PieceSearch search(set.pieces, set.parts[part], kind, Effort::quick, wishes, exact_);
+      for (const DartProposal& cut : search.search()) {
+        const double gain = 1 - cut.energy / cut.energy_before;
+        found.push_back({mirrored_.with_image(map_.mask_of(cut.edges)), gain, gain / cut.length});
+      }
+    } catch (const FlattenError& error) {
+      if (error.code != ErrorCode::no_proposal) throw;
+    }
+  }
+}
+
+/// Bisections of one of its parts: they help where no single line does. A part that folds when it is solved quickly has
+/// no figure without a cut: then the shortest come first, and exact evaluations show what they gain.
+void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
+  const Chart& chart = set.pieces[set.parts[part]]->chart;
+  const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
+  const std::vector<CutMask> bisections = bisections_of(chart);
+  std::vector<Candidate> tried(bisections.size());
+  run_in_threads(
+      bisections.size(), num_cores(),
+      [&](std::size_t i) {
+        const OnOneCore on_one_core;
+        const CutMask own = map_.on_part(chart, bisections[i]);
+        const double gain = 1 - trials.energy_when_cut(own, exact_.stop()) / trials.energy_uncut();
+        tried[i] = {bisections[i], gain, gain / length_of_cut(chart.mesh, own)};
+      },
+      [&] { exact_.stop().may_go_on(); });
+  std::copy_if(tried.begin(), tried.end(), std::back_inserter(found),
+               [](const Candidate& candidate) { return candidate.gain >= kWorthSewing; });
+}
+
+/// Of a part; if the piece has a mirror image, each in the two ways that are symmetric.
+std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
+  const Chart ordered = in_canonical_order(part, exact_.stop());
+  std::vector<CutMask> cuts;
+  for (const CutMask& drawn : bisections(ordered.mesh, map_.on_part(ordered, forbidden_))) {
+    for (const CutMask& cut : mirrored_.both_ways(map_.on_chart(ordered, drawn))) {
+      CutMask symmetric = mirrored_.with_image(cut);
+      const bool is_known = std::find(cuts.begin(), cuts.end(), symmetric) != cuts.end();
+      if (!is_known && !is_empty(map_.on_part(part, symmetric))) cuts.push_back(std::move(symmetric));
+    }
+  }
+  return cuts;
+}
+
+std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& set) const {
+  const auto has_less = [](const PieceFigures& a, const PieceFigures& b) { return a.strain < b.strain; };
+  const auto worst = static_cast<std::size_t>(std::max_element(set.figures.begin(), set.figures.end(), has_less) -
+                                              set.figures.begin());
+  const Chart& part = set.pieces[set.parts[worst]]->chart;
+  std::vector<Candidate> candidates;
+  add_lines(set, worst, candidates);
+  add_bisections(set, worst, candidates);
+  const auto is_better = [](const Candidate& a, const Candidate& b) {
+    const bool a_is_large = a.gain >= kLargeGain, b_is_large = b.gain >= kLargeGain;
+    return a_is_large != b_is_large ? a_is_large : a.gain_for_length > b.gain_for_length;
+  };
+  std::stable_sort(candidates.begin(), candidates.end(), is_better);
+  std::vector<CutMask> tried;
+  for (const Candidate& candidate : candidates) {
+    if (tried.size() == kMostTrials) break;
+    CutMask cut = set.cut;
+    unite(cut, candidate.cut);
+    const bool is_known = std::find(tried.begin(), tried.end(), cut) != tried.end();
+    if (is_known || length_of_cut(chart_.mesh, cut) > wishes_.longest) continue;
+    tried.push_back(cut);
+    CutSet more = evaluate(set.pieces, cut);
+    // The strain may rise on the way, where the parts have more outline to hold than the whole.
+    const double before = set.figures[worst].energy;
+    if (more.lies_flat && figures_of(more.pieces, part).energy <= (1 - kWorthSewing) * before) return more;
+  }
+  return std::nullopt;
+}
+
+/// sets: the shortest first. Those that are hardly better than a shorter one are left out, and those longer than one
+/// that meets the target. The longest comes first; of too many, those whose strains are about evenly apart, as ratios.
+std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
+  std::vector<DartProposal> best;
+  for (const CutSet& set : sets) {
+    if (!best.empty() && best.back().strain <= target_) break;
+    const double strain = set.proposal.strain;
+    const bool meets_target = !best.empty() && strain <= target_ && best.back().strain > target_;
+    if (!best.empty() && !meets_target && strain > (1 - kWorthSewing) * best.back().strain) continue;
+    const auto has_needless_pieces = [&](const DartProposal& shorter) {
+      return shorter.num_pieces > set.proposal.num_pieces && shorter.length > kMuchShorter * set.proposal.length;
+    };
+    best.erase(std::remove_if(best.begin(), best.end(), has_needless_pieces), best.end());
+    best.push_back(set.proposal);
+  }
+  std::reverse(best.begin(), best.end());
+  const auto count = static_cast<std::size_t>(wishes_.count);
+  if (best.size() <= count) return best;
+  std::vector<DartProposal> chosen{best.front()};
+  const double least = std::max(best.front().strain, kFlat), ratio = best.back().strain / least;
+  for (std::size_t i = 1; i < best.size() && chosen.size() < count; ++i) {
+    const double step = static_cast<double>(chosen.size()) / static_cast<double>(count - 1);
+    const bool is_far_enough = best[i].strain >= least * std::pow(ratio, step) * (1 - kWorthSewing);
+    const bool are_all_needed = best.size() - i <= count - chosen.size();
+    if (is_far_enough || are_all_needed) chosen.push_back(best[i]);
+  }
+  return chosen;
+}
+
+/// From the last one, sets with fewer sections for the same strain, and for more and more.
+void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
+  std::vector<double> most_strains{std::max(target_, sets.back().proposal.strain)};
+  while (most_strains.size() < kMergedSets) most_strains.push_back(kStrainStep * most_strains.back());
+  const std::vector<CutState> merged =
+      merge_sections({sets.back().cut, sets.back().pieces}, chart_, mirrored_, most_strains, exact_,
+                     [&](double share) { progress_.enter(kCut + (1 - kCut) * share, kCut + (1 - kCut) * share); });
+  for (std::size_t i = 0; i < merged.size(); ++i) {
+    CutSet set = evaluate(pieces_, merged[i].cut);
+    if (set.lies_flat && set.proposal.strain <= most_strains[i]) sets.push_back(std::move(set));
+  }
+}
+
+/// Cuts lower the strain by about the same ratio each.
+void CutSetSearch::report_strain(double first, double now) {
+  const double least = std::max(target_, kFlat);
+  const double share = first > least ? std::clamp(std::log(first / now) / std::log(first / least), 0.0, 1.0) : 1;
+  progress_.enter(kOpened + (kCut - kOpened) * share, kOpened + (kCut - kOpened) * share);
+}
+
+std::vector<DartProposal> CutSetSearch::search() {
+  progress_.enter(0, kOpened);
+  const CutMask opened = opening();
+  if (is_empty(opened)) throw none_serves(input_chart_, wishes_);
+  std::vector<CutSet> sets{evaluate(pieces_, opened)};
+  const DartProposal& least = sets.front().proposal;
+  if (!sets.front().lies_flat) throw none_serves(input_chart_, wishes_);
+  if (least.length > wishes_.longest) throw too_long(input_chart_, least.length, wishes_.longest);
+  while (sets.size() <= kMostCuts && sets.back().proposal.strain > target_) {
+    report_strain(sets.front().proposal.strain, sets.back().proposal.strain);
+    std::optional<CutSet> more = cut_once_more(sets.back());
+    if (!more) break;
+    sets.push_back(std::move(*more));
+  }
+  add_merged(sets);
+  const auto is_too_strained = [](const CutSet& set) { return set.proposal.strain >= kMostStrain; };
+  sets.erase(std::remove_if(sets.begin(), sets.end(), is_too_strained), sets.end());
+  if (sets.empty()) throw too_strained(input_chart_);
+  std::stable_sort(sets.begin(), sets.end(),
+                   [](const CutSet& a, const CutSet& b) { return a.proposal.length < b.proposal.length; });
+  return best_of(sets);
+}
+
+}  // namespace wirewarp

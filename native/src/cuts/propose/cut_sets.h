@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cuts/feasibility/cut_mask.h"
+#include "cuts/feasibility/mirrored_cuts.h"
+#include "cuts/feasibility/part_map.h"
+#include "cuts/propose/cut_progress.h"
+#include "cuts/propose/flat_pieces.h"
+#include "surface/charts/chart.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp {
+
+/// The search for sets of cuts in one piece that has no flat shape: first a cut under which all of it lies flat, then
+/// one cut after the other through the part with most strain. Of the cuts that take much of its distortion, lines and
+/// bisections alike, the one is taken that takes most for its length.
+class CutSetSearch {
+ public:
+  /// piece: one of the pieces. All references are kept.
+  CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes, const ExactEvaluation& exact,
+               CutProgress& progress);
+
+  /// The set with most cuts first; without piece. Throws no_proposal.
+  std::vector<DartProposal> search();
+
+ private:
+  /// A set of cuts, evaluated exactly.
+  struct CutSet {
+    CutMask cut;
+    FlatPieces pieces;                  // of the whole input
+    std::vector<std::size_t> parts;     // those made of the piece
+    std::vector<PieceFigures> figures;  // of the parts
+    DartProposal proposal;
+    bool lies_flat = false;
+  };
+
+  /// A further cut.
+  struct Candidate {
+    CutMask cut;      // symmetric
+    double gain = 0;  // share of the energy of the part that it takes
+    double gain_for_length = 0;
+  };
+
+  CutMask opening() const;
+  CutSet evaluate(const FlatPieces& before, const CutMask& cut) const;
+  void report_strain(double first, double now);
+  std::optional<CutSet> cut_once_more(const CutSet& set) const;
+  void add_merged(std::vector<CutSet>& sets);
+  std::vector<DartProposal> best_of(const std::vector<CutSet>& sets) const;
+  void add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;
+  void add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;
+  std::vector<CutMask> bisections_of(const Chart& part) const;
+  std::vector<VertexPair> edges_of(const CutMask& cut) const;
+
+  const FlatPieces& pieces_;
+  const Chart& input_chart_;
+  const Chart chart_;  // in canonical order
+  const PartMap map_;
+  const std::vector<VertexHandle> image_;
+  const MirroredCuts mirrored_;
+  CutMask forbidden_;
+  const CutWishes& wishes_;
+  const double target_;  // strain
+  const ExactEvaluation& exact_;
+  CutProgress& progress_;
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/flat_pieces.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "cuts/propose/cut_faces.h"
+#include "flatten.h"
+#include "newton/solve/stretched_lengths.h"
+#include "surface/charts/cut_into_charts.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, bool has_cloth,
+                                               const NeededStretch& needed) {
+  PartMap edges(chart);
+  FlatPiece flat{std::move(chart), std::move(edges), {}, 0, 0, 0};
+  flat.error = flat.chart.error ? flat.chart.error : piece.error;
+  const Metrics& metrics = piece.metrics;
+  if (!flat.chart.error) {
+    flat.area = metrics.area_3d;
+    flat.energy = (has_cloth ? metrics.cloth_energy : metrics.arap_energy) * metrics.area_3d;
+  }
+  if (!flat.error) flat.strain = needed.of(piece);
+  return std::make_shared<FlatPiece>(std::move(flat));
+}
+
+/// Calls visit with the source of each edge of a chart's outline.
+template <typename Visit>
+void for_each_outline_edge(const Chart& chart, const Visit& visit) {
+  for (const EdgeHandle e : chart.mesh.edges()) {
+    if (chart.mesh.is_boundary(e)) visit(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
+  }
+}
+
+std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
+  std::set<VertexPair> pairs;
+  for (const VertexPair& edge : edges) pairs.insert({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])});
+  return pairs;
+}
+
+bool has_outline_edge(const Chart& chart, const std::set<VertexPair>& edges) {
+  bool has_one = false;
+  for_each_outline_edge(chart, [&](const VertexPair& edge) { has_one = has_one || edges.count(edge) != 0; });
+  return has_one;
+}
+
+}  // namespace
+
+FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges) {
+  const std::set<VertexPair> wanted = undirected(edges);
+  FlatPieces beside;
+  for (const std::shared_ptr<const FlatPiece>& piece : pieces) {
+    if (has_outline_edge(piece->chart, wanted)) beside.push_back(piece);
+  }
+  return beside;
+}
+
+PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart) {
+  PieceFigures figures;
+  for (const std::shared_ptr<const FlatPiece>& piece : pieces) {
+    if (!is_part_of(piece->chart, chart)) continue;
+    if (piece->error) figures.error = piece->error;
+    figures.energy += piece->energy;
+    figures.area += piece->area;
+    figures.strain = std::max(figures.strain, piece->strain);
+    ++figures.num_pieces;
+  }
+  figures.energy /= figures.area;
+  return figures;
+}
+
+double most_strain(const FlatPieces& pieces) {
+  double most = 0;
+  for (const std::shared_ptr<const FlatPiece>& piece : pieces) most = std::max(most, piece->strain);
+  return most;
+}
+
+bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart) {
+  constexpr double kRounding = 1e-6;  // to which shapes are found
+  const double most = most_strain(before);
+  return std::any_of(after.begin(), after.end(), [&](const std::shared_ptr<const FlatPiece>& piece) {
+    if (is_part_of(piece->chart, chart) || std::find(before.begin(), before.end(), piece) != before.end()) return false;
+    if (!piece->error) return piece->strain > most * (1 + kRounding);
+    const auto same = std::find_if(before.begin(), before.end(),
+                                   [&](const auto& old) { return is_part_of(piece->chart, old->chart); });
+    return !(*same)->error;
+  });
+}
+
+bool is_part_of(const Chart& part, const Chart& chart) {
+  return std::binary_search(chart.source_face.begin(), chart.source_face.end(), part.source_face.front());
+}
+
+/// Which of the pieces, by their index.
+struct ExactEvaluation::Selection {
+  std::vector<char> is_chosen;
+
+  std::vector<int> faces(const FlatPieces& pieces) const {
+    std::vector<int> faces;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (is_chosen[i] == 0) continue;
+      const std::vector<int>& own = pieces[i]->chart.source_face;
+      faces.insert(faces.end(), own.begin(), own.end());
+    }
+    std::sort(faces.begin(), faces.end());
+    return faces;
+  }
+};
+
+ExactEvaluation::ExactEvaluation(const SurfaceToCut& surface, const InternalOptions& options, StopToken stop)
+    : surface_(surface),
+      input_(surface.middle()),
+      needed_(surface.given(), options.cloth.has_value()),
+      options_(options),
+      stop_(std::move(stop)) {
+  options_.with_proposals = false;
+}
+
+/// And all pieces that elastic seams couple with these.
+ExactEvaluation::Selection ExactEvaluation::coupled(const FlatPieces& pieces, Selection chosen) const {
+  std::set<std::pair<int, int>> shared;  // wire and part
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const std::vector<WirePart>& parts = pieces[i]->chart.wire_parts;
+      const auto is_shared = [&](const WirePart& part) {
+        return is_elastic_boundary(part) && shared.count({part.wire_index, part.part}) != 0;
+      };
+      const bool is_new = chosen.is_chosen[i] == 0;
+      if (is_new && std::none_of(parts.begin(), parts.end(), is_shared)) continue;
+      chosen.is_chosen[i] = 1;
+      for (const WirePart& part : parts) {
+        if (is_elastic_boundary(part)) has_grown |= shared.insert({part.wire_index, part.part}).second;
+      }
+    }
+  }
+  return chosen;
+}
+
+/// And all pieces that share an edge of their outline with these, with all that are coupled.
+ExactEvaluation::Selection ExactEvaluation::with_neighbors(const FlatPieces& pieces, const Selection& chosen) const {
+  std::set<VertexPair> outline;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (chosen.is_chosen[i] == 0) continue;
+    for_each_outline_edge(pieces[i]->chart, [&](const VertexPair& edge) { outline.insert(edge); });
+  }
+  Selection more = chosen;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (has_outline_edge(pieces[i]->chart, outline)) more.is_chosen[i] = 1;
+  }
+  return coupled(pieces, std::move(more));
+}
+
+Charts ExactEvaluation::cut_chosen(const FlatPieces& pieces, const Selection& chosen,
+                                   const std::vector<VertexPair>& edges, const std::vector<VertexPair>& opened) const {
+  const std::set<VertexPair> no_seams = undirected(opened);
+  std::vector<VertexPair> seams;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (chosen.is_chosen[i] == 0) continue;
+    for_each_outline_edge(pieces[i]->chart, [&](const VertexPair& edge) {
+      if (no_seams.count(edge) == 0) seams.push_back(edge);
+    });
+    for (const VertexPair& edge : edges) {
+      if (pieces[i]->edges.edge_between(edge).is_valid()) seams.push_back(edge);
+    }
+  }
+  return cut_faces(input_, chosen.faces(pieces), seams, stop_);
+}
+
+FlatPieces ExactEvaluation::flatten_along_seams(Charts charts) const {
+  const FlattenResult result = flatten_charts(charts, input_, options_, stop_);
+  FlatPieces pieces;
+  for (std::size_t c = 0; c < charts.charts.size(); ++c) {
+    pieces.push_back(as_flat_piece(std::move(charts.charts[c]), result.pieces[c], options_.cloth.has_value(), needed_));
+  }
+  return pieces;
+}
+
+FlatPieces ExactEvaluation::uncut() const {
+  const EdgeTable edges(input_.faces, static_cast<int>(input_.vertices.rows()));
+  return flatten_along_seams(cut_into_charts(input_, edges, stop_));
+}
+
+/// Those that a cut runs through or that lie beside a seam that is opened, and all that are coupled with them.
+ExactEvaluation::Selection ExactEvaluation::changed_pieces(const FlatPieces& before,
+                                                           const std::vector<VertexPair>& edges,
+                                                           const std::vector<VertexPair>& opened) const {
+  const std::set<VertexPair> no_seams = undirected(opened);
+  Selection cut{std::vector<char>(before.size(), 0)};
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    cut.is_chosen[i] = std::any_of(edges.begin(), edges.end(), [&](const VertexPair& edge) {
+      return before[i]->edges.edge_between(edge).is_valid();
+    });
+    if (has_outline_edge(before[i]->chart, no_seams)) cut.is_chosen[i] = 1;
+  }
+  return coupled(before, std::move(cut));
+}
+
+std::vector<Chart> ExactEvaluation::changed_charts(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                                                   const std::vector<VertexPair>& opened) const {
+  return cut_chosen(before, changed_pieces(before, edges, opened), edges, opened).charts;
+}
+
+FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                                     const std::vector<VertexPair>& opened) const {
+  Selection changed = changed_pieces(before, edges, opened), solved = changed;
+  if (is_stretched(options_)) {
+    changed = with_neighbors(before, changed);
+    solved = with_neighbors(before, changed);  // what the lengths of the changed ones depend on
+  }
+  FlatPieces after;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (changed.is_chosen[i] == 0) after.push_back(before[i]);
+  }
+  const std::vector<int> changed_faces = changed.faces(before);
+  for (std::shared_ptr<const FlatPiece>& piece : flatten_along_seams(cut_chosen(before, solved, edges, opened))) {
+    if (std::binary_search(changed_faces.begin(), changed_faces.end(), piece->chart.source_face.front()))
+      after.push_back(std::move(piece));
+  }
+  std::sort(after.begin(), after.end(),
+            [](const auto& a, const auto& b) { return a->chart.source_face.front() < b->chart.source_face.front(); });
+  return after;
+}
+
+FlattenError ExactEvaluation::explain(const FlatPieces& pieces, int piece) const {
+  Selection asked{std::vector<char>(pieces.size(), 0)};
+  asked.is_chosen[piece] = 1;
+  Selection solved = coupled(pieces, std::move(asked));
+  if (is_stretched(options_)) solved = with_neighbors(pieces, solved);
+  Charts charts{{}, {}, std::vector<char>(input_.wires.size(), 0)};
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (static_cast<int>(i) == piece) place = charts.charts.size();
+    if (solved.is_chosen[i] != 0) charts.charts.push_back(pieces[i]->chart);
+  }
+  InternalOptions options = options_;
+  options.with_proposals = true;
+  return flatten_charts(std::move(charts), input_, options, stop_).pieces[place].error.value();
+}
+
+}  // namespace wirewarp

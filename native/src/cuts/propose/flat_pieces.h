@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact evaluation of cuts: what flatten() makes of the pieces that a cut changes.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/internal_options.h"
+#include "base/stop_token.h"
+#include "cuts/feasibility/part_map.h"
+#include "cuts/propose/needed_stretch.h"
+#include "cuts/propose/surface_to_cut.h"
+#include "surface/charts/chart.h"
+
+namespace wirewarp {
+
+/// One piece of a flattened input.
+struct FlatPiece {
+  Chart chart;    // its sources are the input's vertices and faces
+  PartMap edges;  // of the chart
+  std::optional<FlattenError> error;
+  double energy = 0;  // Eq. (4), or of the cloth, scene units squared
+  double area = 0;    // in 3D, scene units squared
+  double strain = 0;  // DartProposal::strain
+};
+
+/// All pieces of an input, as flatten() numbers them. Pieces that no further cut changes are shared.
+using FlatPieces = std::vector<std::shared_ptr<const FlatPiece>>;
+
+/// Figures of a piece, or of all its parts together.
+struct PieceFigures {
+  double energy = 0;  // over the 3D area
+  double strain = 0;  // of the part with most
+  double area = 0;    // in 3D, scene units squared
+  int num_pieces = 0;
+  std::optional<FlattenError> error;  // of any part: then the figures are not valid
+};
+
+/// The figures of those pieces that are made of faces of a chart.
+PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
+
+/// Whether a cut of a chart leaves another piece without a flat shape, or with more strain than any piece had: elastic
+/// seams and a stretched cloth make lengths depend on those of neighbors. before, after: of the whole input.
+bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart);
+
+/// Most strain of the pieces that lie flat; 0 if none does.
+double most_strain(const FlatPieces& pieces);
+
+/// Whether a chart is made of faces of another one. Both have their sources in the input, in increasing order.
+bool is_part_of(const Chart& part, const Chart& chart);
+
+/// The pieces that have one of these edges on their outline.
+FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges);
+
+class ExactEvaluation {
+ public:
+  /// surface: kept by reference. stop: polled in any thread.
+  ExactEvaluation(const SurfaceToCut& surface, const InternalOptions& options, StopToken stop);
+
+  /// The input along its own seams. Throws Stopped.
+  FlatPieces uncut() const;
+
+  /// The same with edges as further seams, and without some seams: only the pieces that these run through or lie beside
+  /// are flattened, those coupled with them by elastic seams, and where a cloth is stretched their neighbors, which
+  /// share the lengths of seams. In any thread. Throws Stopped.
+  FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                      const std::vector<VertexPair>& opened = {}) const;
+
+  /// The charts of the pieces that such a cut changes. Throws Stopped.
+  std::vector<Chart> changed_charts(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                                    const std::vector<VertexPair>& opened) const;
+
+  /// The error of a piece, with the seams or tolerances that flatten() proposes. Throws Stopped.
+  FlattenError explain(const FlatPieces& pieces, int piece) const;
+
+  const SurfaceToCut& surface() const { return surface_; }
+  const InternalOptions& options() const { return options_; }
+  const StopToken& stop() const { return stop_; }
+
+ private:
+  struct Selection;
+
+  Selection coupled(const FlatPieces& pieces, Selection chosen) const;
+  Selection changed_pieces(const FlatPieces& before, const std::vector<VertexPair>& edges,
+                           const std::vector<VertexPair>& opened) const;
+  Selection with_neighbors(const FlatPieces& pieces, const Selection& chosen) const;
+  FlatPieces flatten_along_seams(Charts charts) const;
+  Charts cut_chosen(const FlatPieces& pieces, const Selection& chosen, const std::vector<VertexPair>& edges,
+                    const std::vector<VertexPair>& opened) const;
+
+  const SurfaceToCut& surface_;
+  const FlattenInput& input_;  // the middle of the surface
+  const NeededStretch needed_;
+  InternalOptions options_;
+  StopToken stop_;
+};
+
+}  // namespace wirewarp

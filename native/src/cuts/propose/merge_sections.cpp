@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/merge_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "base/attempt.h"
+#include "base/in_threads.h"
+#include "cuts/feasibility/ranks.h"
+#include "cuts/propose/cut_chains.h"
+#include "energy/free_boundary_arap.h"
+#include "energy/shape_error.h"
+#include "surface/charts/folded_faces.h"
+#include "surface/charts/isoperimetric.h"
+#include "surface/mesh/geometry.h"
+#include "surface/mesh/widespread.h"
+
+namespace wirewarp {
+namespace {
+
+/// Lengths of sections that differ by less, as a share of the longest, are equal: the same order however the input is
+/// turned.
+constexpr double kSameLength = 1e-9;
+
+/// With 20, no section goes from the finest set of a penguin, where with 40 a third of its length does.
+constexpr int kMergeFactorizations = 40;
+
+/// When no length is held, a piece has about the strain that it needs at least. Of 90 unions that were accepted on a
+/// cow and a penguin, this was up to 1.09 of the strain that was allowed, and up to 2.1% of the area was flipped or
+/// overlapped. By these limits three fourths of the time for all unions are saved.
+constexpr double kMostFreeStrain = 1.1;
+constexpr double kMostFolded = 0.025;
+
+constexpr double kCannotLieFlat = std::numeric_limits<double>::infinity();
+
+/// A lower estimate of the strain that a chart needs: that of its free map, divided by kMostFreeStrain. Infinite if too
+/// much of the free map is folded.
+double least_strain(const Chart& chart, const StopToken& stop) {
+  if (chart.error || is_outline_too_short(chart)) return kCannotLieFlat;
+  const auto free = attempt([&] { return std::optional(free_boundary_arap(chart, kFreeSteps, {}, stop)); });
+  if (!free) return 0;
+  const ShapeError shape(chart);
+  std::vector<double> areas;
+  Eigen::VectorXd strains(static_cast<Eigen::Index>(shape.triangles().size()));
+  double area = 0, folded = 0;
+  for (const ShapeError::Triangle& triangle : shape.triangles()) {
+    const ShapeError::LinearMap map = ShapeError::map_of(triangle, free->uv);
+    const double twice_z = map.norm_z, twice_w = std::hypot(map.w1, map.w2);
+    strains[static_cast<Eigen::Index>(areas.size())] =
+        std::max((twice_z + twice_w) / 2, 2 / std::abs(twice_z - twice_w)) - 1;
+    areas.push_back(triangle.area);
+    area += triangle.area;
+  }
+  for (const int f : find_folded_faces(chart.mesh, free->uv)) folded += areas[f];
+  return folded > kMostFolded * area ? kCannotLieFlat : widespread(areas, strains) / kMostFreeStrain;
+}
+
+bool has_eases(const FlattenInput& input) {
+  return !input.eases.empty() ||
+         std::any_of(input.wires.begin(), input.wires.end(), [](const Wire& wire) { return wire.ease != 0; });
+}
+
+InternalOptions without_long_runs(InternalOptions options) {
+  options.max_factorizations = std::min(options.max_factorizations, kMergeFactorizations);
+  options.mends_folds = false;
+  return options;
+}
+
+/// Both halves of a section; none of a single edge.
+std::vector<HalfEdgeChain> halves_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
+  const double half = length_of(mesh, section) / 2;
+  double passed = 0;
+  const auto middle = std::find_if(section.begin(), section.end(), [&](HalfedgeHandle h) {
+    passed += edge_length(mesh, h);
+    return passed > half;
+  });
+  if (middle == section.begin() || middle == section.end()) return {};
+  return {HalfEdgeChain(section.begin(), middle), HalfEdgeChain(middle, section.end())};
+}
+
+/// The longest first.
+std::vector<HalfEdgeChain> sorted_by_length(const HalfEdgeMesh& mesh, std::vector<HalfEdgeChain> sections) {
+  std::vector<double> lengths;
+  for (const HalfEdgeChain& section : sections) lengths.push_back(length_of(mesh, section));
+  const double longest = lengths.empty() ? 0 : *std::max_element(lengths.begin(), lengths.end());
+  const std::vector<int> ranks = ranks_of(lengths, kSameLength * longest);
+  std::vector<std::size_t> order(sections.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return ranks[a] > ranks[b]; });
+  std::vector<HalfEdgeChain> sorted;
+  for (const std::size_t i : order) sorted.push_back(std::move(sections[i]));
+  return sorted;
+}
+
+class Merging {
+ public:
+  Merging(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact)
+      : state_(std::move(state)),
+        chart_(chart),
+        mirrored_(mirrored),
+        has_other_measure_(exact.options().cloth.has_value() || has_eases(exact.surface().given())),
+        exact_(exact) {}
+
+  /// report: called with the share of the candidates that were tried.
+  const CutState& run(double most_strain, const std::function<void(double)>& report) {
+    most_strain_ = most_strain;
+    report_ = report;
+    while (open_one(false) || open_one(true)) continue;
+    return state_;
+  }
+
+ private:
+  /// What comes of opening a section.
+  struct Trial {
+    double strain = kCannotLieFlat;  // that is needed at least
+    CutState after;                  // valid if the strain is allowed
+  };
+
+  struct Rejected {
+    FlatPieces beside;
+    double strain;  // that is needed at least
+  };
+
+  /// Whether one more section, or half of one, could go. Several are evaluated at a time; the first that may go is
+  /// taken.
+  bool open_one(bool is_half) {
+    const std::vector<CutMask> candidates = list_candidates(is_half);
+    const std::size_t at_once = num_cores();
+    for (std::size_t first = 0; first < candidates.size(); first += at_once) {
+      report_((static_cast<double>(first) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
+      std::vector<Trial> tried(std::min(at_once, candidates.size() - first));
+      run_in_threads(
+          tried.size(), num_cores(),
+          [&](std::size_t i) {
+            const OnOneCore on_one_core;
+            tried[i] = without(candidates[first + i]);
+          },
+          [&] { exact_.stop().may_go_on(); });
+      for (std::size_t i = 0; i < tried.size(); ++i) {
+        if (tried[i].strain <= most_strain_) {
+          state_ = std::move(tried[i].after);
+          return true;
+        }
+        rejected_[candidates[first + i]] = {beside(candidates[first + i]), tried[i].strain};
+      }
+    }
+    return false;
+  }
+
+  /// Each its own mirror image. Those that need more strain beside the same pieces are left out.
+  std::vector<CutMask> list_candidates(bool are_halves) const {
+    std::vector<HalfEdgeChain> sections;
+    for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {
+      if (are_halves) {
+        for (HalfEdgeChain& half : halves_of(chart_.mesh, whole)) sections.push_back(std::move(half));
+      } else {
+        sections.push_back(std::move(whole));
+      }
+    }
+    std::vector<CutMask> candidates;
+    for (const HalfEdgeChain& section : sorted_by_length(chart_.mesh, std::move(sections))) {
+      CutMask mask = mirrored_.with_image(cut_along(chart_.mesh, section));
+      for (std::size_t e = 0; e < mask.size(); ++e) mask[e] = mask[e] != 0 && state_.cut[e] != 0;
+      const auto known = rejected_.find(mask);
+      const bool is_rejected = known != rejected_.end() && known->second.strain > most_strain_;
+      if (is_rejected && known->second.beside == beside(mask)) continue;
+      if (std::find(candidates.begin(), candidates.end(), mask) == candidates.end())
+        candidates.push_back(std::move(mask));
+    }
+    return candidates;
+  }
+
+  std::vector<VertexPair> edges_of(const CutMask& mask) const {
+    std::vector<VertexPair> edges;
+    for (const EdgeHandle e : chart_.mesh.edges()) {
+      if (mask[e.idx()] != 0) edges.push_back(source_edge(chart_, chart_.mesh.halfedge_handle(e, 0)));
+    }
+    return edges;
+  }
+
+  FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(mask)); }
+
+  /// Looks at what the new pieces need when no length is held before they are evaluated exactly.
+  Trial without(const CutMask& mask) const {
+    const std::vector<VertexPair> edges = edges_of(mask);
+    Trial trial{0, {state_.cut, {}}};
+    for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges)) {
+      const double least = least_strain(chart, exact_.stop());
+      if (least == kCannotLieFlat || !has_other_measure_) trial.strain = std::max(trial.strain, least);
+      if (trial.strain > most_strain_) return trial;
+    }
+    CutState& after = trial.after;
+    for (std::size_t e = 0; e < mask.size(); ++e) after.cut[e] = after.cut[e] != 0 && mask[e] == 0;
+    after.pieces = exact_.with_cut(state_.pieces, {}, edges);
+    trial.strain = 0;
+    for (const std::shared_ptr<const FlatPiece>& piece : after.pieces) {
+      if (std::find(state_.pieces.begin(), state_.pieces.end(), piece) != state_.pieces.end()) continue;
+      trial.strain = std::max(trial.strain, piece->error ? kCannotLieFlat : piece->strain);
+    }
+    return trial;
+  }
+
+  CutState state_;
+  const Chart& chart_;
+  const MirroredCuts& mirrored_;
+  double most_strain_ = 0;
+  const bool has_other_measure_;  // strain is that of threads, or beyond eases: free maps say nothing of it
+  std::function<void(double)> report_;
+  const ExactEvaluation& exact_;
+  std::map<CutMask, Rejected> rejected_;
+};
+
+}  // namespace
+
+std::vector<CutState> merge_sections(CutState state, const Chart& chart, const MirroredCuts& mirrored,
+                                     const std::vector<double>& most_strains, const ExactEvaluation& exact,
+                                     const std::function<void(double)>& report) {
+  const ExactEvaluation quick(exact.surface(), without_long_runs(exact.options()), exact.stop());
+  Merging merging(std::move(state), chart, mirrored, quick);
+  std::vector<CutState> merged;
+  const double count = static_cast<double>(most_strains.size());
+  for (const double most_strain : most_strains) {
+    const double before = static_cast<double>(merged.size()) / count;
+    merged.push_back(merging.run(most_strain, [&](double share) { report(before + share / count); }));
+  }
+  return merged;
+}
+
+}  // namespace wirewarp

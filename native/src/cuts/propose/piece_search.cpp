@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/piece_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "base/in_threads.h"
+#include "cuts/propose/canonical_order.h"
+#include "cuts/propose/coarse_copy.h"
+#include "cuts/propose/mirror_image.h"
+#include "cuts/propose/rank_cuts.h"
+#include "newton/refine_constants.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// The coarse copy may mistake the order of cuts that are nearly as good: they are flattened in more places than are
+/// asked for, and so are others, up to this part of all that were tried on the copy.
+constexpr int kMorePlaces = 3;
+constexpr double kShareInFull = 0.05;
+
+/// Less than this part of the energy and of the strain is not worth a cut and the sewing of it.
+constexpr double kLeastGain = 0.02;
+
+/// Strain of pieces that are left as they are where nothing else is asked for: no cloth shows it.
+constexpr double kMayStay = 0.005;
+
+/// A way on the fine mesh may be longer than on the coarse one, by this factor: along two sides of a rectangle where
+/// its diagonal is forbidden, and a little more. Where it is longer, wires forbid it.
+constexpr double kDetour = 1.5;
+
+/// How the search begins.
+struct Grid {
+  CandidatePoints points;
+  double faces;  // asked for of the coarse copy
+};
+
+/// Points inside are about a fifth of the piece's width apart, those of a short piece's outline a width. With half the
+/// faces the order of the best cuts is no longer that of the piece itself: on a hat the best dart of all was the
+/// eleventh. On the way to a set each cut is one of many, and the next one makes up for it: about half of all
+/// points and faces lead to sets as good in a fourth of the time.
+Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
+
+FlattenError no_proposal(const Chart& chart, ErrorArguments arguments) {
+  return FlattenError(ErrorCode::no_proposal, std::move(arguments), {{}, {}, chart.source_face});
+}
+
+FlattenError flat_enough(const Chart& chart, double strain, double may_stay) {
+  return no_proposal(chart, {{"reason", "strain"}, {"strain", strain}, {"limit", may_stay}});
+}
+
+FlattenError flat_already(const Chart& chart) { return no_proposal(chart, {{"reason", "unfolded"}}); }
+
+std::string name_of(CutKind kind) { return kind == CutKind::dart ? "dart" : "seam"; }
+
+FlattenError no_room(const Chart& chart, CutKind kind, const CutWishes& wishes) {
+  return no_proposal(chart,
+                     {{"reason", "no_room"}, {"kind", name_of(kind)}, {"is_restricted", wishes.no_seam.rows() > 0}});
+}
+
+/// Vertices on wires inside a chart.
+std::vector<char> vertices_on_wires(const Chart& chart) {
+  std::vector<char> is_on_wire(chart.mesh.n_vertices(), 0);
+  for (const WirePart& part : chart.wire_parts) {
+    if (part.kind == WireKind::boundary) continue;
+    for (const HalfedgeHandle h : part.half_edges) {
+      for (const VertexHandle v : {chart.mesh.from_vertex_handle(h), chart.mesh.to_vertex_handle(h)}) {
+        if (!chart.mesh.is_boundary(v)) is_on_wire[v.idx()] = 1;
+      }
+    }
+  }
+  return is_on_wire;
+}
+
+/// Edges that are to have no seam, and vertices on wires or with no other edges.
+Forbidden find_forbidden(const Chart& chart, const VertexPairs& no_seam) {
+  Forbidden forbidden{vertices_on_wires(chart), PartMap(chart).mask_of(as_list(no_seam))};
+  std::vector<char> has_way(chart.mesh.n_vertices(), 0);
+  for (const EdgeHandle edge : chart.mesh.edges()) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(edge, 0);
+    if (forbidden.edges[edge.idx()] != 0 || chart.mesh.is_boundary(edge)) continue;
+    has_way[chart.mesh.from_vertex_handle(h).idx()] = has_way[chart.mesh.to_vertex_handle(h).idx()] = 1;
+  }
+  for (std::size_t v = 0; v < has_way.size(); ++v) {
+    if (has_way[v] == 0) forbidden.vertices[v] = 1;
+  }
+  return forbidden;
+}
+
+/// What is forbidden in the chart, in its coarse copy: there edges stand for others, but for those that were left as
+/// they are.
+Forbidden on_copy(const CoarseCopy& copy, const HalfEdgeMesh& mesh, const Forbidden& forbidden) {
+  const HalfEdgeMesh& coarse = copy.chart.mesh;
+  Forbidden result{std::vector<char>(coarse.n_vertices(), 0), std::vector<char>(coarse.n_edges(), 0)};
+  const auto fine = [&](VertexHandle v) { return copy.fine_vertex[v.idx()]; };
+  for (const VertexHandle v : coarse.vertices()) result.vertices[v.idx()] = forbidden.vertices[fine(v).idx()];
+  for (const EdgeHandle edge : coarse.edges()) {
+    const HalfedgeHandle h = coarse.halfedge_handle(edge, 0);
+    const HalfedgeHandle same =
+        mesh.find_halfedge(fine(coarse.from_vertex_handle(h)), fine(coarse.to_vertex_handle(h)));
+    if (same.is_valid()) result.edges[edge.idx()] = forbidden.edges[mesh.edge_handle(same).idx()];
+  }
+  return result;
+}
+
+bool have_same_edges(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
+  std::set<EdgeHandle> of_a, of_b;
+  for (const HalfedgeHandle h : a) of_a.insert(mesh.edge_handle(h));
+  for (const HalfedgeHandle h : b) of_b.insert(mesh.edge_handle(h));
+  return of_a == of_b;
+}
+
+/// The way along a cut; where none runs on smoothly, from the vertex of the outline nearest to its start that has one.
+HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& paths, CutEnds cut) {
+  HalfEdgeChain chain = chain_of(paths, cut);
+  if (!chain.empty()) return chain;
+  const SmoothPaths from_end = paths.paths_from(cut.end);
+  const auto distance = [&](VertexHandle v) { return (mesh.point(v) - mesh.point(cut.start)).norm(); };
+  VertexHandle nearest;
+  for (const VertexHandle v : mesh.vertices()) {
+    if (!mesh.is_boundary(v) || v == cut.end || !from_end.arrival[v.idx()].is_valid()) continue;
+    if (!nearest.is_valid() || distance(v) < distance(nearest)) nearest = v;
+  }
+  return nearest.is_valid() ? chain_of(paths, {nearest, cut.end}) : HalfEdgeChain{};
+}
+
+/// Together they cut the piece otherwise than each alone: two darts become a seam.
+bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
+  const auto vertices_of = [&](const HalfEdgeChain& chain) {
+    std::set<VertexHandle> vertices{mesh.from_vertex_handle(chain.front())};
+    for (const HalfedgeHandle h : chain) vertices.insert(mesh.to_vertex_handle(h));
+    return vertices;
+  };
+  const std::set<VertexHandle> of_a = vertices_of(a), of_b = vertices_of(b);
+  return std::any_of(of_a.begin(), of_a.end(), [&](VertexHandle v) { return of_b.count(v) != 0; });
+}
+
+}  // namespace
+
+FlattenError none_helps(const Chart& chart, CutKind kind, double strain) {
+  return no_proposal(
+      chart, {{"reason", "no_gain"}, {"kind", name_of(kind)}, {"strain", strain}, {"has_wires", has_wires(chart)}});
+}
+
+PieceSearch::PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort,
+                         const CutWishes& wishes, const ExactEvaluation& exact)
+    : pieces_(pieces),
+      input_chart_(pieces[piece]->chart),
+      chart_(in_canonical_order(input_chart_, exact.stop())),
+      size_(std::sqrt(surface_area(chart_.mesh))),
+      image_(mirror_image(chart_, exact.stop())),
+      forbidden_(find_forbidden(chart_, wishes.no_seam)),
+      kind_(kind),
+      effort_(effort),
+      wishes_(wishes),
+      exact_(exact),
+      before_(figures_of(pieces, input_chart_)) {}
+
+std::vector<VertexPair> PieceSearch::edges_of(const HalfEdgeChain& chain) const {
+  std::vector<VertexPair> edges;
+  for (const HalfedgeHandle h : chain) edges.push_back(source_ends(chart_, h));
+  return edges;
+}
+
+/// The mirror image; empty if there is none but the chain itself, or if it would cut a wire or a forbidden line.
+HalfEdgeChain PieceSearch::image_of(const HalfEdgeChain& chain) const {
+  if (image_.empty()) return {};
+  HalfEdgeChain image = mirrored(chart_, image_, chain);
+  if (have_same_edges(chart_.mesh, chain, image)) return {};
+  const bool is_forbidden = std::any_of(image.begin(), image.end(), [&](HalfedgeHandle h) {
+    return forbidden_.edges[chart_.mesh.edge_handle(h).idx()] != 0 ||
+           forbidden_.vertices[chart_.mesh.from_vertex_handle(h).idx()] != 0 ||
+           forbidden_.vertices[chart_.mesh.to_vertex_handle(h).idx()] != 0;
+  });
+  return is_forbidden ? HalfEdgeChain{} : image;
+}
+
+/// The best cuts of the coarse copy, on the chart.
+std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
+  const SmoothPathFinder paths(chart_, forbidden_);
+  const Grid grid = grid_of(effort_);
+  const CoarseCopy copy = coarse_copy(chart_, grid.faces, exact_.stop());
+  const SmoothPathFinder coarse_paths(copy.chart, on_copy(copy, chart_.mesh, forbidden_));
+  const std::vector<CutEnds> candidates = list_candidates(copy.chart, coarse_paths, kind_, grid.points);
+  if (candidates.empty()) throw no_room(input_chart_, kind_, wishes_);
+  std::vector<HalfEdgeChain> chains;
+  bool is_way = false;
+  const CutLimits limits = effort_ == Effort::thorough
+                               ? CutLimits{wishes_.count + kMorePlaces, kShareInFull, wishes_.longest}
+                               : CutLimits{wishes_.count, 0, wishes_.longest};
+  const std::vector<RankedCut> ranked =
+      rank_cuts(copy.chart, coarse_paths, candidates, exact_.options(), limits, exact_.stop());
+  for (const RankedCut& cut : ranked) {
+    HalfEdgeChain chain = nearest_chain(chart_.mesh, paths,
+                                        {copy.fine_vertex[cut.ends.start.idx()], copy.fine_vertex[cut.ends.end.idx()]});
+    if (chain.empty()) continue;
+    is_way = true;
+    const double length = length_of(chart_.mesh, chain);
+    if (length > kDetour * length_of(copy.chart.mesh, chain_of(coarse_paths, cut.ends))) continue;
+    const bool is_new = std::find(chains.begin(), chains.end(), chain) == chains.end();
+    if (is_new && length <= wishes_.longest) chains.push_back(std::move(chain));
+  }
+  if (!ranked.empty() && !is_way) throw no_room(input_chart_, kind_, wishes_);
+  return chains;
+}
+
+/// The first of those that lie beside each other's mirror images.
+std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<HalfEdgeChain>& chains) const {
+  std::vector<HalfEdgeChain> kept, images;
+  for (const HalfEdgeChain& chain : chains) {
+    if (std::any_of(images.begin(), images.end(), [&](const HalfEdgeChain& image) { return is_beside(chain, image); }))
+      continue;
+    kept.push_back(chain);
+    HalfEdgeChain image = image_of(chain);
+    if (!image.empty()) images.push_back(std::move(image));
+  }
+  return kept;
+}
+
+/// One for each chain; none if it is empty, if a part then has no flat shape, or if it spoils other pieces.
+std::vector<std::optional<PieceFigures>> PieceSearch::evaluate(const std::vector<HalfEdgeChain>& chains) const {
+  std::vector<std::optional<PieceFigures>> found(chains.size());
+  run_in_threads(
+      chains.size(), num_cores(),
+      [&](std::size_t i) {
+        if (chains[i].empty()) return;
+        const OnOneCore on_one_core;
+        const FlatPieces after = exact_.with_cut(pieces_, edges_of(chains[i]));
+        PieceFigures figures = figures_of(after, input_chart_);
+        if (!figures.error && !spoils_others(pieces_, after, input_chart_)) found[i] = std::move(figures);
+      },
+      [&] { exact_.stop().may_go_on(); });
+  return found;
+}
+
+bool PieceSearch::is_worth_sewing(const PieceFigures& after) const {
+  const bool has_less_energy = after.energy <= (1 - kLeastGain) * before_.energy;
+  if (effort_ == Effort::quick) return has_less_energy;  // strain may rise on the way to a set
+  return has_less_energy && after.strain <= (1 - kLeastGain) * before_.strain && after.strain < kMostStrain;
+}
+
+/// Those that help by themselves or with their mirror images, the best first, none beside another.
+std::vector<PieceSearch::Helpful> PieceSearch::find_helpful() const {
+  const std::vector<HalfEdgeChain> chains = without_mirror_images(best_chains());
+  const std::vector<std::optional<PieceFigures>> alone = evaluate(chains);
+  std::vector<HalfEdgeChain> images(chains.size()), pairs(chains.size());
+  for (std::size_t i = 0; i < chains.size() && effort_ == Effort::thorough; ++i) {
+    if (!alone[i]) continue;
+    images[i] = image_of(chains[i]);
+    if (images[i].empty() || have_common_vertex(chart_.mesh, chains[i], images[i])) continue;
+    pairs[i] = chains[i];
+    pairs[i].insert(pairs[i].end(), images[i].begin(), images[i].end());
+  }
+  const std::vector<std::optional<PieceFigures>> both = evaluate(pairs);
+  std::vector<Helpful> helpful;
+  for (std::size_t i = 0; i < chains.size(); ++i) {
+    if (!alone[i]) continue;
+    Helpful cut{chains[i], images[i], *alone[i], {}};
+    const bool helps_alone = is_worth_sewing(*alone[i]);
+    const bool is_better = both[i] && is_worth_sewing(*both[i]) &&
+                           (!helps_alone || (both[i]->energy <= (1 - kLeastGain) * alone[i]->energy &&
+                                             both[i]->strain <= alone[i]->strain));
+    if (is_better) cut.with_image = both[i];
+    if (helps_alone || cut.with_image) helpful.push_back(std::move(cut));
+  }
+  const auto figure = [&](const Helpful& cut) { return effort_ == Effort::quick ? cut.alone.energy : cut.strain(); };
+  std::stable_sort(helpful.begin(), helpful.end(),
+                   [&](const Helpful& a, const Helpful& b) { return figure(a) < figure(b); });
+  std::vector<Helpful> best;
+  for (Helpful& cut : helpful) {
+    const bool is_known = std::any_of(best.begin(), best.end(),
+                                      [&](const Helpful& better) { return is_beside(better.chain, cut.chain); });
+    if (!is_known && static_cast<int>(best.size()) < wishes_.count) best.push_back(std::move(cut));
+  }
+  return best;
+}
+
+DartProposal PieceSearch::proposal_of(const HalfEdgeChain& chain, const PieceFigures& after) const {
+  DartProposal proposal;
+  proposal.edges = edges_of(chain);
+  proposal.length = length_of(chart_.mesh, chain);
+  proposal.num_pieces = after.num_pieces;
+  proposal.energy = after.energy;
+  proposal.energy_before = before_.energy;
+  proposal.strain = after.strain;
+  proposal.strain_before = before_.strain;
+  return proposal;
+}
+
+std::vector<DartProposal> PieceSearch::search() {
+  if (before_.energy <= RefineConstants::isometric) throw flat_already(input_chart_);
+  const double may_stay = wishes_.strain.value_or(kMayStay);
+  if (before_.strain <= may_stay) throw flat_enough(input_chart_, before_.strain, may_stay);
+  const std::vector<Helpful> best = find_helpful();
+  std::vector<HalfEdgeChain> images;
+  for (const Helpful& cut : best) images.push_back(cut.image);
+  const std::vector<std::optional<PieceFigures>> of_images = evaluate(images);
+  std::vector<DartProposal> proposals;
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    const Helpful& cut = best[i];
+    const bool has_twin = of_images[i] && (cut.with_image || is_worth_sewing(*of_images[i]));
+    if (!has_twin && !is_worth_sewing(cut.alone)) continue;
+    const int place = static_cast<int>(proposals.size());
+    proposals.push_back(proposal_of(cut.chain, cut.alone));
+    if (!has_twin) continue;
+    proposals.push_back(proposal_of(cut.image, *of_images[i]));
+    for (const int k : {place, place + 1}) {
+      proposals[k].twin = 2 * place + 1 - k;
+      if (!cut.with_image) continue;
+      proposals[k].energy_with_twin = cut.with_image->energy;
+      proposals[k].strain_with_twin = cut.with_image->strain;
+    }
+  }
+  if (proposals.empty()) throw none_helps(input_chart_, kind_, before_.strain);
+  return proposals;
+}
+
+}  // namespace wirewarp

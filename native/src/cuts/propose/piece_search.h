@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cuts/propose/cut_candidates.h"
+#include "cuts/propose/flat_pieces.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp {
+
+/// How much is evaluated exactly.
+enum class Effort {
+  thorough,  // what the coarse copy may have mistaken, too, and mirror images
+  quick,     // the best alone: of several cuts on the way to a set
+};
+
+/// That no cut of a piece with this strain helps.
+FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
+
+/// The search in one piece: candidates are ranked on a coarse copy, and the best of them evaluated exactly.
+class PieceSearch {
+ public:
+  /// piece: one of the pieces. All references are kept.
+  PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort, const CutWishes& wishes,
+              const ExactEvaluation& exact);
+
+  /// The best first; without piece. Throws no_proposal.
+  std::vector<DartProposal> search();
+
+ private:
+  struct Helpful {
+    HalfEdgeChain chain;
+    HalfEdgeChain image;  // its mirror image; empty: none
+    PieceFigures alone;
+    std::optional<PieceFigures> with_image;  // none unless that is better
+
+    double strain() const { return with_image ? with_image->strain : alone.strain; }
+  };
+
+  std::vector<HalfEdgeChain> best_chains() const;
+  std::vector<HalfEdgeChain> without_mirror_images(const std::vector<HalfEdgeChain>& chains) const;
+  std::vector<std::optional<PieceFigures>> evaluate(const std::vector<HalfEdgeChain>& chains) const;
+  std::vector<Helpful> find_helpful() const;
+  bool is_worth_sewing(const PieceFigures& after) const;
+  DartProposal proposal_of(const HalfEdgeChain& chain, const PieceFigures& after) const;
+  HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
+  std::vector<VertexPair> edges_of(const HalfEdgeChain& chain) const;
+  bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
+    return are_beside(chart_.mesh, size_, ends_of(a), ends_of(b));
+  }
+  CutEnds ends_of(const HalfEdgeChain& chain) const {
+    return {chart_.mesh.from_vertex_handle(chain.front()), chart_.mesh.to_vertex_handle(chain.back())};
+  }
+
+  const FlatPieces& pieces_;
+  const Chart& input_chart_;
+  const Chart chart_;  // in canonical order
+  const double size_;  // root of its area
+  const std::vector<VertexHandle> image_;
+  const Forbidden forbidden_;
+  const CutKind kind_;
+  const Effort effort_;
+  const CutWishes& wishes_;
+  const ExactEvaluation& exact_;
+  const PieceFigures before_;
+};
+
+}  // namespace wirewarp

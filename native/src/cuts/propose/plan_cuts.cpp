@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts to be taken together, towards a target in numbers: with the best of each round the next one begins.
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/arguments.h"
+#include "base/sentence.h"
+#include "cuts/propose/best_cuts.h"
+#include "cuts/propose/piece_search.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+class PlanOfCuts {
+ public:
+  PlanOfCuts(const FlatPieces& pieces, CutKind kind, const CutAim& aim, const ExactEvaluation& exact,
+             CutProgress& progress)
+      : pieces_(pieces), kind_(kind), aim_(aim), exact_(exact), progress_(progress) {
+    if (aim.piece) asked_ = pieces[*aim.piece];
+  }
+
+  std::vector<DartProposal> make() {
+    while (num_left() > 0 && (cuts_.empty() || length_left() > 0)) {
+      const std::vector<DartProposal> proposals = propose_next();
+      if (proposals.empty()) break;
+      take(best_of_round(proposals), proposals);
+    }
+    return std::move(cuts_);
+  }
+
+ private:
+  int num_left() const { return aim_.most - static_cast<int>(cuts_.size()); }
+
+  double length_left() const {
+    double left = aim_.total_length;
+    for (const DartProposal& cut : cuts_) left -= cut.length;
+    return left;
+  }
+
+  bool may_be_cut(const FlatPiece& piece) const { return !asked_ || is_part_of(piece.chart, asked_->chart); }
+
+  /// Those that lack seams, the largest first, as far as seams are looked for; then those that lie flat, the one with
+  /// most strain first: no cut of another one lowers that.
+  std::vector<int> pieces_in_order() const {
+    struct Place {
+      bool lacks_seams;
+      double figure;
+      int piece;
+    };
+    std::vector<Place> places;
+    for (int i = 0; i < static_cast<int>(pieces_.size()); ++i) {
+      const FlatPiece& piece = *pieces_[i];
+      if (!may_be_cut(piece)) continue;
+      const bool is_open = kind_ == CutKind::seam && lacks_seams(piece);
+      if (!piece.error || is_open)
+        places.push_back({is_open, is_open ? surface_area(piece.chart.mesh) : piece.strain, i});
+    }
+    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return a.lacks_seams != b.lacks_seams ? a.lacks_seams : a.figure > b.figure;
+    });
+    std::vector<int> order;
+    for (const Place& place : places) order.push_back(place.piece);
+    return order;
+  }
+
+  /// Of the first piece that a cut helps; empty if none does, but there are cuts.
+  std::vector<DartProposal> propose_next() const {
+    CutWishes wishes;
+    wishes.piece = aim_.piece;
+    wishes.strain = aim_.strain;
+    wishes.longest = std::min(aim_.longest, length_left());
+    wishes.no_seam = aim_.no_seam;
+    const std::vector<int> order = pieces_in_order();
+    if (order.empty() && cuts_.empty()) return best_cuts(pieces_, kind_, wishes, exact_, progress_);  // throws why
+    std::optional<FlattenError> first_refusal;
+    for (const int piece : order) {
+      wishes.piece = piece;
+      try {
+        std::vector<DartProposal> proposals = best_cuts(pieces_, kind_, wishes, exact_, progress_);
+        if (helps(best_of_round(proposals), proposals)) return proposals;
+        throw none_helps(pieces_[piece]->chart, kind_, pieces_[piece]->strain);
+      } catch (const FlattenError& error) {
+        if (error.code != ErrorCode::no_proposal) throw;
+        if (!first_refusal) first_refusal = error;
+      }
+    }
+    if (cuts_.empty()) throw *first_refusal;
+    return {};
+  }
+
+  bool comes_with_twin(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
+    return aim_.twins && cut.strain_with_twin && *cut.strain_with_twin < cut.strain && num_left() >= 2 &&
+           cut.length + proposals[*cut.twin].length <= length_left();
+  }
+
+  double strain_if_taken(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
+    return comes_with_twin(cut, proposals) ? *cut.strain_with_twin : cut.strain;
+  }
+
+  /// Not so if it does by its mirror image alone, which may not be taken.
+  bool helps(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
+    return strain_if_taken(cut, proposals) < cut.strain_before;
+  }
+
+  const DartProposal& best_of_round(const std::vector<DartProposal>& proposals) const {
+    return *std::min_element(proposals.begin(), proposals.end(), [&](const DartProposal& a, const DartProposal& b) {
+      return strain_if_taken(a, proposals) < strain_if_taken(b, proposals);
+    });
+  }
+
+  void take(const DartProposal& best, const std::vector<DartProposal>& proposals) {
+    std::vector<DartProposal> taken{best};
+    if (comes_with_twin(best, proposals)) {
+      taken.push_back(proposals[*best.twin]);
+      const int first = static_cast<int>(cuts_.size());
+      taken[0].twin = first + 1;
+      taken[1].twin = first;
+    } else {
+      taken[0].twin.reset();
+      taken[0].energy_with_twin.reset();
+      taken[0].strain_with_twin.reset();
+    }
+    std::vector<VertexPair> edges;
+    for (const DartProposal& cut : taken) edges.insert(edges.end(), cut.edges.begin(), cut.edges.end());
+    pieces_ = exact_.with_cut(pieces_, edges);
+    const double strain_left = most_strain_left();
+    for (DartProposal& cut : taken) {
+      cut.strain_left = strain_left;
+      cuts_.push_back(std::move(cut));
+    }
+    progress_.finish_rounds(static_cast<int>(cuts_.size()));
+  }
+
+  /// Of the pieces that lie flat.
+  double most_strain_left() const {
+    double most = -1;
+    for (const auto& piece : pieces_) {
+      if (!piece->error && may_be_cut(*piece)) most = std::max(most, piece->strain);
+    }
+    if (most < 0) throw std::logic_error("A cut was taken under which no part lies flat.");
+    return most;
+  }
+
+  FlatPieces pieces_;  // with the cuts that are taken
+  const CutKind kind_;
+  const CutAim& aim_;
+  const ExactEvaluation& exact_;
+  CutProgress& progress_;
+  std::shared_ptr<const FlatPiece> asked_;  // the piece asked for, as it was
+  std::vector<DartProposal> cuts_;
+};
+
+std::vector<DartProposal> plan(const FlattenInput& input, const Options& options, CutKind kind, const CutAim& aim,
+                               const Progress& progress) {
+  if (aim.most < 1) throw wrong_option("most", std::to_string(aim.most), "be at least 1");
+  if (!(aim.total_length > 0)) {
+    throw wrong_option("total_length", shortest(aim.total_length), "be above 0");
+  }
+  CutProgress cut_progress(progress, aim.most);
+  const SurfaceToCut to_cut(input, options);
+  try {
+    const ExactEvaluation exact(to_cut, options, cut_progress.token());
+    const FlatPieces pieces = exact.uncut();
+    CutWishes wishes;
+    wishes.piece = aim.piece;
+    wishes.strain = aim.strain;
+    wishes.longest = aim.longest;
+    wishes.no_seam = aim.no_seam;
+    check_wishes(wishes, input, pieces.size());
+    return PlanOfCuts(pieces, kind, aim, exact, cut_progress).make();
+  } catch (const Stopped&) {
+    throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
+  }
+}
+
+}  // namespace
+
+std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options, const CutAim& aim,
+                                     const Progress& progress) {
+  return plan(input, options, CutKind::dart, aim, progress);
+}
+
+std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options, const CutAim& aim,
+                                     const Progress& progress) {
+  return plan(input, options, CutKind::seam, aim, progress);
+}
+
+}  // namespace wirewarp

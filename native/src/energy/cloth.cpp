@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wirewarp/cloth.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/arguments.h"
+#include "base/planar.h"
+#include "base/sentence.h"
+#include "wirewarp/error.h"
+
+namespace wirewarp {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, double value, const std::string& allowed) {
+  throw wrong_option("cloth " + name, shortest(value), allowed);
+}
+
+void check_stiffness(const std::string& name, double value) {
+  if (!(value > 0 && std::isfinite(value))) refuse(name, value, "be positive and finite");
+}
+
+Cloth fabric(std::array<double, 3> stiffness, std::array<double, 2> stretch, double squeeze = 1,
+             std::optional<double> locking = {}) {
+  return {stiffness[0], stiffness[1], stiffness[2], squeeze, {}, locking, stretch};
+}
+
+}  // namespace
+
+// Stiffness across and along the grain and against shear, of which only ratios count; then the maximum stretch across
+// and along. If one figure stands for a family, it is a middle one. Stretch in weft and warp of stiff plain weaves
+// costs some 2,100 N/m, shear 25 to 100; of denim of 11 oz 225, 1,055 and 70; of knits such as swimwear 40, 138 and 10
+// to 36; of double knit 67, 182 and 30. A plain weave locks at about 45° (trellis tests on dry fabrics). Material that
+// is alike in all directions has the shear of an isotropic sheet, ½; foam and leather buckle rather than compress, by
+// how much nobody publishes, so the factors of squeeze are chosen. Maximum stretch is what a hand pulls and the fabric
+// recovers from.
+const std::vector<ClothPreset>& cloth_presets() {
+  static const std::string wang = "Wang, O'Brien, Ramamoorthi: Data-driven elastic models for cloth (2011)";
+  static const std::vector<ClothPreset> all = {
+      {"woven", "Woven Cotton", "Cotton, linen and other plain weaves without elastane",
+       fabric({1, 1, 0.05}, {0.03, 0.03}, 1, kPi / 4),
+       wang + ", stiff plain weaves; stretch: crimp of the yarns, chosen"},
+      {"denim", "Denim", "Denim and twill without elastane", fabric({0.21, 1, 0.06}, {0.03, 0.03}),
+       wang + ", denim of 11 oz; stretch: as other wovens, chosen"},
+      {"jersey", "Jersey", "Jersey and T-shirt fabric", fabric({0.3, 0.6, 0.15}, {0.5, 0.25}),
+       wang + ", a little softer than their double knit; stretch: stretch guides, 25 to 50%"},
+      {"swim", "Swim Knit", "Swim and activewear knit with elastane", fabric({0.29, 1, 0.17}, {1.0, 0.75}),
+       wang + ", swimwear knit; stretch: stretch guides, 75 to 100% both ways"},
+      {"leather", "Leather", "Garment and upholstery leather", fabric({1, 1, 0.5}, {0.08, 0.08}, 4),
+       "alike in all directions; stretch: chosen for garment leather, which is stretched no further when it is lasted"},
+      {"neoprene", "Neoprene", "Neoprene with knit on both sides", fabric({1, 1, 0.5}, {0.3, 0.3}, 2),
+       "alike in all directions; stretch: chosen for sheets of 2 to 5 mm, thin ones stretch further"},
+      {"felt", "Felt", "Felt of wool or acrylic, with no grain", fabric({1, 1, 0.5}, {0.05, 0.05}),
+       "alike in all directions, for felt has no threads; stretch: chosen, more tears it"},
+      {"fleece", "Fleece", "Polar fleece and sweatshirt fabric", fabric({0.4, 1, 0.17}, {0.2, 0.1}),
+       wang + ", their double knit; stretch: stable knits of stretch guides, 18 to 25%"},
+      {"minky", "Minky", "Minky and other short plush on a knit backing", fabric({0.3, 1, 0.15}, {0.2, 0.05}),
+       "as swim knit, stiffer along; stretch: across as stable knits, along hardly any, chosen"},
+      {"vinyl", "Vinyl", "Vinyl and faux leather on a knit backing", fabric({1, 1, 0.5}, {0.05, 0.03}, 4),
+       "alike in all directions; stretch: chosen for an ordinary backing, many stretch further"},
+      {"foam", "EVA Foam", "EVA foam for costumes and armor, shaped with heat", fabric({1, 1, 0.5}, {0.1, 0.1}, 2),
+       "alike in all directions, closed cells; stretch: chosen, what a heat gun allows without thinning"},
+  };
+  return all;
+}
+
+const ClothPreset& cloth_preset(const std::string& name) {
+  std::string known;
+  for (const ClothPreset& one : cloth_presets()) {
+    if (one.name == name) return one;
+    known += (known.empty() ? "'" : " or '") + one.name + "'";
+  }
+  throw wrong_option("cloth", "'" + name + "'", "be " + known);
+}
+
+void check_cloth(const Cloth& cloth) {
+  check_stiffness("weft", cloth.weft);
+  check_stiffness("warp", cloth.warp);
+  check_stiffness("shear", cloth.shear);
+  const auto [least, most] = std::minmax({cloth.weft, cloth.warp, cloth.shear});
+  if (!(most <= Cloth::most_anisotropy * least)) {
+    throw wrong_option(
+        "cloth",
+        "weft " + shortest(cloth.weft) + ", warp " + shortest(cloth.warp) + " and shear " + shortest(cloth.shear),
+        "have no stiffness more than " + shortest(Cloth::most_anisotropy) + " times another");
+  }
+  if (!(cloth.squeeze >= Cloth::least_squeeze && cloth.squeeze <= Cloth::most_squeeze)) {
+    refuse("squeeze", cloth.squeeze,
+           "lie between " + shortest(Cloth::least_squeeze) + " and " + shortest(Cloth::most_squeeze));
+  }
+  for (const double stretch : cloth.stretch) {
+    if (!(stretch >= Cloth::least_stretch && stretch <= Cloth::most_stretch)) {
+      refuse("stretch", stretch,
+             "lie between " + shortest(Cloth::least_stretch) + " and " + shortest(Cloth::most_stretch));
+    }
+  }
+  if (cloth.locking && !(*cloth.locking > 0 && *cloth.locking < kPi / 2)) {
+    refuse("locking", *cloth.locking, "be an angle above 0 and below a quarter turn, in radians");
+  }
+  if (!cloth.limits) return;
+  for (const double limit : *cloth.limits) {
+    if (!(limit >= 0 && std::isfinite(limit))) refuse("limit", limit, "be a strain, 0 or above and finite");
+  }
+}
+
+}  // namespace wirewarp

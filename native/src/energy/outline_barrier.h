@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A barrier that keeps the outline of a flat shape from crossing itself: infinite where a vertex touches an edge.
+//
+//   B(u) = Σ_c κ √A w_p d̂_c b(d_c / d̂_c)    over contacts c = (vertex p, edge ab) of the outline, b: log_barrier.h
+//
+//   d    distance of p from the segment from a to b; ∇d = n at p, −(1 − s) n at a, −s n at b, if the nearest point is
+//        (1 − s) a + s b and n the direction from there to p
+//   d̂    where the barrier begins: ⅒ of the shortest outline edge that meets p, a or b
+//   w_p  half the outline edges at p, so that the sum over p is an integral along the outline
+//
+// Its Hessian is that of Gauss and Newton, κ √A w b″ ∇d ∇dᵀ / d̂: positive semidefinite, and all that is stiff in it.
+#pragma once
+
+#include <vector>
+
+#include "energy/vertex_matrix.h"
+#include "surface/charts/chart.h"
+
+namespace wirewarp {
+
+class OutlineBarrier {
+ public:
+  /// layout: contacts that are near in it are the ones in the Hessian.
+  OutlineBarrier(const Chart& chart, const Positions2& layout);
+
+  /// B, and adds ∂B/∂u to the gradient. uv, gradient: one row per chart vertex.
+  double value(const Positions2& uv) const;
+  double add_gradient(const Positions2& uv, Positions2& gradient) const;
+
+  /// The vertices that the Hessian couples.
+  void list_pairs(std::vector<VertexPair>& pairs) const;
+
+  /// Adds the Hessian of the contacts in it.
+  void add_hessian(const Positions2& uv, VertexMatrix& hessian) const;
+
+  /// Whether all contacts of a layout are in the Hessian.
+  bool covers_contacts(const Positions2& uv) const;
+
+  /// The share of the step d from uv, at most 1, after which the outline first touches itself.
+  double longest_step(const Positions2& uv, const Positions2& d) const;
+
+ private:
+  struct Edge {
+    int a, b;      // chart vertices
+    double reach;  // d̂ where p's edges are no shorter
+  };
+  struct Contact {
+    int p, edge;   // chart vertex, index into edges_
+    double reach;  // d̂
+  };
+  struct Distance {
+    double value;
+    Eigen::Vector2d normal;  // n
+    double along;            // s
+  };
+
+  static bool comes_before(const Contact& a, const Contact& b);
+  Distance distance(const Positions2& uv, const Contact& contact) const;
+  std::vector<Contact> find_contacts(const Positions2& uv, double reaches) const;
+
+  double size_;  // √A
+  std::vector<Edge> edges_;
+  std::vector<int> vertices_;                   // of the outline
+  std::vector<double> reach_, outline_length_;  // d̂ for p's edges, w; one per chart vertex
+  std::vector<Contact> covered_;                // in order
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/cache/chart_key.h"
+
+#include <map>
+#include <type_traits>
+#include <utility>
+
+#include "surface/charts/slits.h"
+
+namespace wirewarp {
+namespace {
+
+/// The bytes of one value after the other.
+class KeyWriter {
+ public:
+  template <class Value>
+  void write(const Value& value) {
+    static_assert(std::is_arithmetic_v<Value> || std::is_enum_v<Value>, "other types may have padding between bytes");
+    key_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+
+  /// With its length first, so that two lists do not run into one another.
+  template <class List, class Write>
+  void write_list(const List& list, const Write& write_item) {
+    write(list.size());
+    for (const auto& item : list) write_item(item);
+  }
+
+  void write_list(const std::vector<int>& list) {
+    write_list(list, [&](int item) { write(item); });
+  }
+
+  void write_chain(const HalfEdgeChain& chain) {
+    write_list(chain, [&](HalfedgeHandle h) { write(h.idx()); });
+  }
+
+  std::string take() { return std::move(key_); }
+
+ private:
+  std::string key_;
+};
+
+void write_mesh(const HalfEdgeMesh& mesh, KeyWriter& key) {
+  key.write(mesh.n_vertices());
+  for (const VertexHandle v : mesh.vertices()) {
+    for (const double x : mesh.point(v)) key.write(x);
+    key.write(mesh.halfedge_handle(v).idx());
+  }
+  key.write(mesh.n_halfedges());
+  for (const HalfedgeHandle h : mesh.halfedges()) {
+    key.write(mesh.to_vertex_handle(h).idx());
+    key.write(mesh.next_halfedge_handle(h).idx());
+    key.write(mesh.face_handle(h).idx());
+  }
+  key.write(mesh.n_faces());
+  for (const FaceHandle f : mesh.faces()) key.write(mesh.halfedge_handle(f).idx());
+}
+
+/// A chart of a cloth is solved as it is turned. What is kept comes before the cloth's stretch.
+void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
+  key.write(options.cloth.has_value());
+  if (!options.cloth) return;
+  const Cloth& cloth = *options.cloth;
+  for (const double number : {cloth.weft, cloth.warp, cloth.shear, cloth.squeeze}) key.write(number);
+  key.write(cloth.locking.has_value());
+  if (cloth.locking) key.write(*cloth.locking);
+  key.write(options.orientation);
+  key.write(options.grain_angle);
+  for (const double coordinate : options.up) key.write(coordinate);
+  for (const WirePart& part : chart.wire_parts) key.write(part.wire_index == options.grain);
+}
+
+/// Numbers the runs along elastic seams: their sides have one length.
+class SharedLengths {
+ public:
+  int number_of(const WirePart& part) {
+    return numbers_.insert({{part.wire_index, part.part}, static_cast<int>(numbers_.size())}).first->second;
+  }
+
+ private:
+  std::map<std::pair<int, int>, int> numbers_;
+};
+
+void write_chart(const Chart& chart, SharedLengths& shared, KeyWriter& key) {
+  key.write_list(chart.wire_parts, [&](const WirePart& part) {
+    key.write(part.kind);
+    key.write(part.tolerance);
+    key.write(part.ease);
+    if (is_elastic_boundary(part)) key.write(shared.number_of(part));
+    key.write_chain(part.half_edges);
+  });
+  key.write_list(chart.length_ratio, [&](double ratio) { key.write(ratio); });
+  key.write_list(chart.boundary_loops, [&](const HalfEdgeChain& loop) { key.write_chain(loop); });
+  key.write_list(chart.boundary_chains, [&](const BoundaryChain& chain) { key.write_chain(chain.half_edges); });
+  key.write_list(find_slits(chart),
+                 [&](const Slit& slit) {  // they depend on the input's vertices, which are not in the key
+                   key.write_chain(slit.rims);
+                   key.write_list(slit.mate);
+                 });
+  write_mesh(chart.mesh, key);
+}
+
+}  // namespace
+
+std::string solution_key(const std::vector<const Chart*>& group, const Options& options) {
+  KeyWriter key;
+  key.write(options.method);
+  key.write(options.node_weight);
+  key.write(options.inner);
+  key.write(options.fairness);
+  key.write(options.max_factorizations);
+  SharedLengths shared;
+  key.write_list(group, [&](const Chart* chart) {
+    write_cloth(*chart, options, key);
+    write_chart(*chart, shared, key);
+  });
+  return key.take();
+}
+
+std::string name_key(const std::vector<const Chart*>& group, const std::vector<Wire>& wires) {
+  KeyWriter key;
+  key.write_list(group, [&](const Chart* chart) {
+    key.write_list(chart->source_vertex);
+    key.write_list(chart->source_face);
+    key.write_list(chart->wire_parts, [&](const WirePart& part) {
+      key.write(part.wire_index);
+      key.write_list(wires[part.wire_index].name, [&](char letter) { key.write(letter); });
+    });
+  });
+  return key.take();
+}
+
+}  // namespace wirewarp

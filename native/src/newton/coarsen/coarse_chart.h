@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A chart and its wires with fewer vertices: the same refinement problem, coarser.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "newton/coarsen/decimate.h"
+#include "newton/coarsen/wire_runs.h"
+
+namespace wirewarp {
+
+/// What a fine wire edge is of a coarse one.
+struct CoarseWirePlace {
+  int edge = -1;
+  double from = 0, to = 0;  // shares of its length, along halfedge_handle(edge, 0) of the fine edge
+};
+
+struct CoarseChart {
+  Chart chart;                               // super-elastic wires left out; no source faces or boundary chains
+  HeldNetwork network;                       // lengths and surface angles from the runs
+  std::vector<WireRun> runs;                 // per coarse wire edge, along its halfedge_handle(edge, 0)
+  std::vector<CoarsePlace> places;           // per fine vertex
+  std::vector<CoarseWirePlace> wire_places;  // per fine wire edge
+};
+
+/// Of the edges of as many equilateral triangles with the same area, scene units.
+double typical_edge_length(const HalfEdgeMesh& mesh);
+
+/// False where a slit of one edge has two sides between the same two vertices: coarsening knows an edge by its ends.
+bool can_coarsen(const Chart& chart);
+
+/// edge_length: wanted, scene units. Throws Stopped.
+CoarseChart coarsen(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
+
+}  // namespace wirewarp

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The runs of fine wire edges that coarse ones stand for.
+//
+// Unrolled into the plane with the mean of what it turns on its two sides, a run has a chord: its length is that of the
+// coarse edge, and the angles between the chord and the end edges go to the coarse surface angles there. What the two
+// sides turn differently goes to the nearer end.
+#pragma once
+
+#include <vector>
+
+#include "surface/network/wire_network.h"
+
+namespace wirewarp {
+
+struct WireRun {
+  std::vector<WireHalfEdge> half_edges;
+  std::vector<double> headings;  // of each, unrolled, against the chord
+  double walked_length = 0;      // sum of the edges
+  double chord_length = 0;
+  double one_sided[2] = {0, 0};  // what either side turns more than the mean, the share of the first and last vertex
+};
+
+/// Cuts all wires at the vertices that stay, one flag per chart vertex. Wires must not meet or end at others. Not
+/// unrolled yet.
+std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& network, const std::vector<char>& stays);
+
+/// Fills in all but the half-edges. node_at_arrival: of the network.
+void unroll(const WireNetwork& network, const std::vector<int>& node_at_arrival, WireRun& run);
+
+}  // namespace wirewarp

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/infeasible_wires.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "base/attempt.h"
+#include "energy/free_boundary_arap.h"
+#include "newton/lies_flat.h"
+#include "newton/project_to_lengths.h"
+#include "newton/relax_lengths.h"
+#include "newton/starts.h"
+
+namespace wirewarp {
+namespace {
+
+// Strains that pass for the rounding of the smoothing, 1e-4: first those that are plainly none, then those that may be.
+constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
+constexpr double kUneven = 5e-3;                  // strain_rms that a larger variation of other wires may take away
+constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of proposed tolerances: 0.1%, from 0.5% on 0.5%: people type them
+constexpr double kLargest = 0.5;                  // a wire that needs more is freed
+constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
+constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); those of a coarser or a sewn chart count
+constexpr int kMostTrials = 30;             // of fewer wires, and again of smaller tolerances: project_to_lengths each
+constexpr std::size_t kFewWires = 8;        // up to so many get individual tolerances; more share one, which is quicker
+                                            // to find and to type
+/// More wires than this are freed or left alone: a trial with a tolerance on n wires solves dense problems of size n,
+/// n³ work each. Nets of 168 wires get one tolerance of 5%; by estimate, a trial on 569 wires takes ten seconds.
+constexpr std::size_t kMostElasticWires = 200;
+
+/// Tolerances that are tried, 0.1% to 50%: each a third larger than the one before to twice as large.
+constexpr double kLadder[] = {0.001, 0.002, 0.003, 0.005, 0.01, 0.015, 0.02, 0.03,
+                              0.05,  0.075, 0.1,   0.15,  0.2,  0.3,   0.5};
+
+using Tolerances = std::map<int, double>;  // by wire
+
+bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
+
+/// The wires that give way in the relaxed shape, freed.
+Tolerances giving_way(const Chart& chart, const RelaxedShape& relaxed, double kept) {
+  Tolerances wires;
+  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
+    const WirePart& part = chart.wire_parts[i];
+    const auto p = static_cast<Eigen::Index>(i);
+    const bool gives_way = relaxed.strain_rms[p] > kUneven || relaxed.tolerance_violation[p] > kept;
+    if (is_held(part) && gives_way) wires[part.wire_index] = kFreeTolerance;
+  }
+  return wires;
+}
+
+double rounded_up(double tolerance) {
+  const double step = tolerance > kStep ? kStep : kFineStep;
+  return tolerance > kLargest ? kFreeTolerance : std::ceil(tolerance / step - 1e-9) * step;
+}
+
+Tolerances doubled(Tolerances tolerances) {
+  for (auto& [wire, tolerance] : tolerances) tolerance = rounded_up(2 * tolerance);
+  return tolerances;
+}
+
+Chart with_tolerances(Chart chart, const Tolerances& tolerances) {
+  for (WirePart& part : chart.wire_parts) {
+    const auto tolerance = tolerances.find(part.wire_index);
+    if (tolerance == tolerances.end() || !is_held(part)) continue;
+    part.tolerance = tolerance->second;
+    part.kind = std::isinf(part.tolerance) ? WireKind::super_elastic : WireKind::elastic;
+  }
+  return chart;
+}
+
+/// The wires that leave their tolerances by the lowest rung of the ladder or more when they are free, freed.
+Tolerances free_wires_that_change(const Chart& chart, const RefinedShape& free) {
+  Tolerances tolerances;
+  for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
+    const WirePart& part = chart.wire_parts[i];
+    const bool changes = std::abs(free.variation[static_cast<Eigen::Index>(i)]) > solver_tolerance(part) + kLadder[0];
+    if (is_held(part) && changes) tolerances[part.wire_index] = kFreeTolerance;
+  }
+  return tolerances;
+}
+
+bool is_any_free(const Tolerances& tolerances) {
+  return std::any_of(tolerances.begin(), tolerances.end(), [](const auto& wire) { return std::isinf(wire.second); });
+}
+
+Tolerances free_wires(const Chart& chart) {
+  Tolerances tolerances;
+  for (const WirePart& part : chart.wire_parts) {
+    if (is_held(part)) tolerances[part.wire_index] = kFreeTolerance;
+  }
+  return tolerances;
+}
+
+std::vector<ProposedTolerance> listed(const Tolerances& tolerances) {
+  std::vector<ProposedTolerance> proposed;
+  for (const auto& [wire, tolerance] : tolerances) proposed.push_back({wire, tolerance});
+  return proposed;
+}
+
+/// Finds tolerances under which a chart has all its lengths, each proven by a flat shape, which may be folded.
+class ToleranceSearch {
+ public:
+  /// starts: layouts to come from, near exact lengths.
+  ToleranceSearch(const Chart& chart, double fairness, std::vector<Positions2> starts, StopToken stop)
+      : chart_(chart), fairness_(fairness), starts_(std::move(starts)), stop_(std::move(stop)) {}
+
+  bool work(const Tolerances& tolerances) const {
+    const Chart looser = with_tolerances(chart_, tolerances);
+    const HeldNetwork network = build_held_network(looser);
+    return std::any_of(starts_.begin(), starts_.end(), [&](Positions2 uv) {
+      RefineBudget budget(kMaxProjectFactorizations);
+      return project_to_lengths({looser, network, fairness_}, uv, budget, stop_);
+    });
+  }
+
+  /// Of wires that work if they are free: as few as do, with tolerances as small as do.
+  Tolerances on_few_wires(Tolerances tolerances) {
+    num_trials_ = 0;
+    drop_wires(tolerances);
+    if (tolerances.size() > kFewWires) return tolerances;
+    num_trials_ = 0;
+    lower(tolerances, wires_of(tolerances));
+    for (const int wire : wires_of(tolerances)) lower(tolerances, {wire});
+    return tolerances;
+  }
+
+  /// The same wires with one tolerance for all: the lowest rung of the ladder below a limit under which they are
+  /// good, by bisection. None if not even the highest of these works, or if the wires are too many to try.
+  Tolerances lowest_shared(const Tolerances& wires, double below,
+                           const std::function<bool(const Tolerances&)>& are_good) const {
+    Tolerances lowest;
+    const auto all_have = [&](double tolerance) {
+      Tolerances shared = wires;
+      for (auto& [wire, own] : shared) own = tolerance;
+      return shared;
+    };
+    const double* low = std::begin(kLadder);
+    const double* high = std::lower_bound(std::begin(kLadder), std::end(kLadder), below);
+    if (wires.empty() || wires.size() > kMostElasticWires || low == high || !work(all_have(*(high - 1)))) return lowest;
+    while (low < high) {
+      const double* middle = low + (high - low) / 2;
+      Tolerances shared = all_have(*middle);
+      if (is_looser(shared) && are_good(shared)) {
+        lowest = std::move(shared);
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+    return lowest;
+  }
+
+ private:
+  static std::vector<int> wires_of(const Tolerances& tolerances) {
+    std::vector<int> wires;
+    for (const auto& [wire, tolerance] : tolerances) wires.push_back(wire);
+    return wires;
+  }
+
+  bool try_instead(Tolerances& tolerances, Tolerances others) {
+    if (num_trials_ >= kMostTrials) return false;
+    stop_.check();
+    ++num_trials_;
+    if (!work(others)) return false;
+    tolerances = std::move(others);
+    return true;
+  }
+
+  /// Half of the wires at once, then a quarter, ..., then one by one.
+  void drop_wires(Tolerances& tolerances) {
+    std::vector<int> wires = wires_of(tolerances);
+    for (std::size_t size = wires.size() / 2; size > 0; size /= 2) {
+      for (std::size_t begin = 0; begin + size <= wires.size() && wires.size() > 1;) {
+        Tolerances fewer = tolerances;
+        for (std::size_t i = begin; i < begin + size; ++i) fewer.erase(wires[i]);
+        if (!fewer.empty() && try_instead(tolerances, std::move(fewer))) {
+          wires.erase(wires.begin() + static_cast<std::ptrdiff_t>(begin),
+                      wires.begin() + static_cast<std::ptrdiff_t>(begin + size));
+        } else {
+          begin += size;
+        }
+      }
+    }
+  }
+
+  /// Lowers the tolerances of these wires to the lowest rung of the ladder that works, by bisection.
+  void lower(Tolerances& tolerances, const std::vector<int>& wires) {
+    const double* low = std::begin(kLadder);
+    const double* high = std::end(kLadder);
+    while (low < high) {
+      const double* middle = low + (high - low) / 2;
+      Tolerances lower = tolerances;
+      for (const int wire : wires) lower[wire] = std::min(lower[wire], *middle);
+      const bool works = lower == tolerances || (is_looser(lower) && try_instead(tolerances, std::move(lower)));
+      if (works) {
+        high = middle;
+      } else {
+        low = middle + 1;
+      }
+    }
+  }
+
+  /// Returns whether every wire gets more than it has.
+  bool is_looser(const Tolerances& tolerances) const {
+    return std::all_of(chart_.wire_parts.begin(), chart_.wire_parts.end(), [&](const WirePart& part) {
+      const auto tolerance = tolerances.find(part.wire_index);
+      return tolerance == tolerances.end() || !is_held(part) || tolerance->second > part.tolerance;
+    });
+  }
+
+  const Chart& chart_;
+  double fairness_;
+  std::vector<Positions2> starts_;
+  StopToken stop_;
+  int num_trials_ = 0;
+};
+
+/// The shape that breaks lengths at the least price; none if a factorization fails.
+std::optional<RelaxedShape> relax(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
+  RefineBudget budget(kMaxRelaxFactorizations);
+  auto relaxed = attempt([&] {
+    const Positions2 free = free_boundary_arap(chart, kFreeSteps, {}, stop).uv;
+    return std::optional(relax_lengths({chart, build_held_network(chart), options.fairness}, free, budget, stop));
+  });
+  stop.check();
+  return relaxed;
+}
+
+/// Returns whether even the cheapest way to break lengths breaks some: a longer search would not keep them.
+bool shows_conflict(const RelaxedShape& relaxed) {
+  const bool wires_give_way = (relaxed.strain_rms.array() > kKept || relaxed.tolerance_violation.array() > kKept).any();
+  return relaxed.is_minimum && (wires_give_way || relaxed.outline_strain > kKept);
+}
+
+std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const InternalOptions& options,
+                                                  const RelaxedShape& relaxed, const StopToken& stop) {
+  const Tolerances all = free_wires(chart);
+  if (all.empty()) return {};
+  InternalOptions brief = options;
+  brief.max_factorizations = kMaxFreeFactorizations;
+  const RefinedShape free = refine_chart(with_tolerances(chart, all), brief, stop).shape;
+  stop.check();
+  if (!free.is_exact()) return {};
+  ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.uv}, stop);
+  const auto lie_flat = [&](const Tolerances& tolerances) {
+    stop.check();
+    return !tolerances.empty() && lies_flat(with_tolerances(chart, tolerances), options, stop);
+  };
+  const auto first_flat = [&](const std::vector<Tolerances>& choice) {
+    const auto found = std::find_if(choice.begin(), choice.end(), lie_flat);
+    return found == choice.end() ? Tolerances() : *found;
+  };
+  Tolerances freed = giving_way(chart, relaxed, kKept);
+  if (!search.work(freed)) {
+    freed = giving_way(chart, relaxed, kPerhapsKept);
+    if (!search.work(freed)) freed.clear();
+  }
+  const Tolerances few = search.on_few_wires(freed);
+  const bool are_few_elastic = few.size() <= kFewWires && !is_any_free(few);
+  Tolerances proposed;
+  if (are_few_elastic) proposed = first_flat({few, doubled(few)});
+  if (proposed.empty()) {
+    proposed = search.lowest_shared(freed, kFreeTolerance, lie_flat);
+    // More wires are worth naming where that more than halves their tolerance.
+    const double below = proposed.empty() ? kFreeTolerance : proposed.begin()->second / 2;
+    const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), below, lie_flat);
+    if (!of_many.empty()) proposed = of_many;
+  }
+  if (proposed.empty() && !are_few_elastic) proposed = first_flat({few, doubled(few)});
+  if (proposed.empty()) proposed = first_flat({freed, all});
+  return listed(proposed);
+}
+
+}  // namespace
+
+LengthDiagnosis diagnose_lengths(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
+  const std::optional<RelaxedShape> relaxed = relax(chart, options, stop);
+  if (!relaxed) return {};
+  return {propose_tolerances(chart, options, *relaxed, stop), shows_conflict(*relaxed)};
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/injective_start.h"
+
+#include <cmath>
+#include <utility>
+
+#include "newton/newton_system.h"
+#include "newton/retract_to_lengths.h"
+#include "numerics/optimize/box_quadratic.h"
+#include "numerics/optimize/line_search.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kFirstStiffness = 1;   // of ρ l / √area: a strain of 1 costs what one of the surface nearby does
+constexpr double kStiffening = 4;       // of ρ, where lengths do not become four times as good
+constexpr double kStiffest = 1e6;       // beyond, rounding spoils the steps
+constexpr double kStiff = 1e4;          // lengths that are not kept to kHopeless by then contradict one another
+constexpr double kHopeless = 1e-2;      // strain
+constexpr int kStepsPerMultiplier = 5;  // at most: λ far from its end needs no minimum
+constexpr double kEnough = 1e-2;        // slope over Φ from where on the minimum is near enough for the next λ
+constexpr double kShortestStep = 1e-9;  // thirty halvings
+constexpr double kInside = 0.9;         // of the way to where the injectivity is lost
+constexpr double kRetractable =
+    1e-3;  // error of lengths that are tried to be made exact at once; then a tenth each time
+
+class MultiplierMethod {
+ public:
+  MultiplierMethod(const RefineTask& task, const Positions2& map, const RefinementLimits& limits);
+
+  bool reach_exact_lengths();
+  RefinementStart start() const { return {now_.uv, multipliers_}; }
+
+ private:
+  struct Iterate {
+    Positions2 uv;
+    Eigen::VectorXd variation;  // h of the elastic parts
+  };
+  struct Step {
+    Positions2 d;
+    Eigen::VectorXd variation;  // Δh
+    double slope;               // of Φ along the step
+  };
+  enum class Outcome { near_minimum, on_the_way, stuck };
+
+  void linearize_near(const Positions2& uv);
+  Eigen::VectorXd residual(const Iterate& iterate) const {
+    return constraints_.residual(iterate.uv, iterate.variation);
+  }
+  double length_error() const { return constraints_.largest_error(residual(now_)); }
+  double value(const Iterate& iterate) const;
+  std::optional<Step> newton_step();
+  Outcome take_step();
+  void update_multipliers();
+  bool retract();
+  bool factorize(const Eigen::VectorXd& multipliers);
+
+  const RefineTask task_;
+  RefinementLimits limits_;
+  LengthConstraints constraints_;
+  const Eigen::SparseMatrix<double>& lengths_;  // T
+  std::optional<FairShapeError> objective_;
+  std::optional<NewtonSystem> system_;
+  Eigen::VectorXd holding_stiffness_;  // ρ that holds lengths in a retraction
+
+  Iterate now_;
+  Eigen::VectorXd multipliers_;  // λ
+  Eigen::VectorXd unit_;         // √area / l
+  double stiffness_ = kFirstStiffness;
+  double error_before_ = 0;  // |c| when λ was last updated; 0: never
+};
+
+MultiplierMethod::MultiplierMethod(const RefineTask& task, const Positions2& map, const RefinementLimits& limits)
+    : task_(task),
+      limits_(limits),
+      constraints_(task.chart, task.network, task.cloth, map),
+      lengths_(constraints_.elastic_lengths()),
+      multipliers_(Eigen::VectorXd::Zero(constraints_.size())) {
+  now_ = {map, constraints_.within_tolerance(constraints_.variation(map))};
+  const double size = std::sqrt(surface_area(task.chart.mesh));
+  unit_.resize(constraints_.size());
+  for (int e = 0; e < constraints_.size(); ++e) unit_[e] = size / constraints_.edges()[e].length;
+  linearize_near(map);
+}
+
+/// A system whose Hessian knows the parts of the outline that are near each other.
+void MultiplierMethod::linearize_near(const Positions2& uv) {
+  system_.reset();
+  objective_.emplace(task_, limits_.injectivity, uv);
+  system_.emplace(task_.chart, *objective_, constraints_, uv, limits_.stop);
+  holding_stiffness_ = system_->stiffness();
+}
+
+double MultiplierMethod::value(const Iterate& iterate) const {
+  const Eigen::VectorXd c = residual(iterate);
+  return objective_->value(iterate.uv) + multipliers_.dot(c) + stiffness_ / 2 * c.dot(unit_.cwiseProduct(c));
+}
+
+bool MultiplierMethod::factorize(const Eigen::VectorXd& multipliers) {
+  limits_.stop.check();
+  limits_.budget.spend(1);
+  const bool is_positive = system_->factorize(now_.uv, multipliers, {Curvature::convex, false}, limits_.stop);
+  limits_.stop.check();
+  return is_positive;
+}
+
+/// With d eliminated a quadratic program in Δh is left: how ρ and the surface resist, and what the forces pull.
+std::optional<MultiplierMethod::Step> MultiplierMethod::newton_step() {
+  const Eigen::VectorXd stiffness = stiffness_ * unit_;
+  const Eigen::VectorXd forces = multipliers_ + stiffness.cwiseProduct(residual(now_));
+  system_->set_stiffness(stiffness);
+  if (!factorize(forces)) return std::nullopt;
+  Positions2 gradient;
+  objective_->value_and_gradient(now_.uv, gradient);
+  const Positions2& directions = system_->directions();
+  constraints_.add_transposed(directions, forces, gradient);
+  Step step{system_->apply_inverse(-gradient), Eigen::VectorXd::Zero(constraints_.num_elastic()), 0};
+  if (constraints_.num_elastic() > 0) {
+    const Eigen::VectorXd pull =
+        lengths_.transpose() * (forces + stiffness.cwiseProduct(constraints_.apply(directions, step.d)));
+    step.variation = minimize_quadratic_in_box(-pull, make_positive(system_->stiffness_by_variation()),
+                                               -constraints_.tolerance() - now_.variation,
+                                               constraints_.tolerance() - now_.variation);
+    step.d += system_->finish(system_->least_change(lengths_ * step.variation));
+  }
+  step.slope = (gradient.array() * step.d.array()).sum() - forces.dot(lengths_ * step.variation);
+  return step;
+}
+
+MultiplierMethod::Outcome MultiplierMethod::take_step() {
+  const std::optional<Step> step = newton_step();
+  if (!step) return Outcome::stuck;
+  const double before = value(now_), longest = objective_->longest_step(now_.uv, step->d);
+  for (double t = longest < 1 ? kInside * longest : 1; t > kShortestStep; t /= 2) {
+    Iterate trial{now_.uv + t * step->d, now_.variation + t * step->variation};
+    if (!(value(trial) <= before + kSufficientDecrease * t * step->slope)) continue;
+    now_ = std::move(trial);
+    return t >= 0.5 && -step->slope < kEnough * std::abs(before) ? Outcome::near_minimum : Outcome::on_the_way;
+  }
+  return -step->slope < kEnough * std::abs(before) ? Outcome::near_minimum : Outcome::stuck;
+}
+
+void MultiplierMethod::update_multipliers() {
+  const Eigen::VectorXd c = residual(now_);
+  multipliers_ += stiffness_ * unit_.cwiseProduct(c);
+  const double error = c.norm();
+  if (error_before_ > 0 && error > error_before_ / kStiffening && stiffness_ < kStiffest) stiffness_ *= kStiffening;
+  error_before_ = error;
+}
+
+/// To exact lengths by the least change, if nothing is in the way.
+bool MultiplierMethod::retract() {
+  system_->set_stiffness(holding_stiffness_);
+  if (!factorize(multipliers_)) return false;
+  Positions2 exact = now_.uv;
+  if (!retract_to_lengths(constraints_, *system_, now_.variation, exact, limits_.stop)) return false;
+  if (objective_->longest_step(now_.uv, exact - now_.uv) < 1) return false;
+  now_.uv = std::move(exact);
+  return true;
+}
+
+bool MultiplierMethod::reach_exact_lengths() {
+  double retractable = kRetractable;
+  for (int steps = 1; limits_.budget.allows(); ++steps) {
+    if (!objective_->covers_contacts(now_.uv)) linearize_near(now_.uv);
+    const Outcome outcome = take_step();
+    if (outcome == Outcome::stuck) return false;
+    if (const double error = length_error(); error < retractable && limits_.budget.allows()) {
+      if (retract()) return true;
+      retractable = error / 10;
+    }
+    if (outcome == Outcome::near_minimum || steps == kStepsPerMultiplier) {
+      if (stiffness_ > kStiff && length_error() > kHopeless) return false;
+      update_multipliers();
+      steps = 0;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<RefinementStart> injective_start(const RefineTask& task, const Positions2& map,
+                                               const RefinementLimits& limits) {
+  MultiplierMethod method(task, map, limits);
+  if (!method.reach_exact_lengths()) return std::nullopt;
+  return method.start();
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/newton_step.h"
+
+#include <cmath>
+#include <utility>
+
+#include "newton/refine_constants.h"
+#include "numerics/optimize/box_quadratic.h"
+#include "numerics/optimize/line_search.h"
+
+namespace wirewarp {
+namespace {
+
+struct NewtonStep {
+  Positions2 d;
+  Eigen::VectorXd variation;    // Δh
+  Eigen::VectorXd multipliers;  // λ at its end
+  double slope;                 // of f + λᵀc along the step: that of f but for the change of lengths
+};
+
+/// The quadratic program min g·d + ½ d·H d, J d - T Δh = -c, h + Δh in its bounds. With d eliminated a dense one in Δh
+/// is left, with the Hessian S and the gradient -Tᵀλ. It is solved for the change of λ, g + Jᵀλ in place of g: so a
+/// factor from before the last step, with the J of then, is wrong in what is small.
+NewtonStep newton_step(const RefineState& state) {
+  const LengthConstraints& constraints = state.problem.constraints();
+  const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);
+  Positions2 force = state.gradient;
+  constraints.add_transposed(constraints.directions(state.now.uv), state.multipliers, force);
+  const NewtonSystem::Reduced reduced = state.system->reduce(-force, -residual);
+  const Eigen::SparseMatrix<double>& lengths = constraints.elastic_lengths();
+  Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints.num_elastic());
+  if (constraints.num_elastic() > 0) {
+    const Eigen::VectorXd& tolerance = constraints.tolerance();
+    variation = minimize_quadratic_in_box(-(lengths.transpose() * state.multipliers + reduced.pull),
+                                          make_positive(state.system->stiffness_by_variation()),
+                                          -tolerance - state.now.variation, tolerance - state.now.variation);
+  }
+  const NewtonSystem::Solution solution = state.system->solve_on_wires(reduced, variation);
+  NewtonStep step{state.system->finish(solution.d), std::move(variation), state.multipliers + solution.multipliers, 0};
+  step.slope = force.cwiseProduct(step.d).sum() - state.multipliers.dot(lengths * step.variation);
+  return step;
+}
+
+/// Its end before the way back to exact lengths.
+RefineIterate end_of(const NewtonStep& step, const RefineIterate& begin) {
+  return {begin.uv + step.d, begin.variation + step.variation, 0};
+}
+
+bool factorize_for_exact_lengths(RefineState& state, bool is_near_minimum) {
+  const auto try_to_factorize = [&](const Convexity& convexity) {
+    state.limits.stop.check();
+    return state.limits.budget.allows() && state.factorize(convexity);
+  };
+  if (!is_near_minimum) return try_to_factorize(kLaplacian);
+  return try_to_factorize(kExactHessian) || try_to_factorize(kConvexHessian);
+}
+
+void move_along(const NewtonStep& step, RefineState& state) {
+  state.now = end_of(step, state.now);
+  state.multipliers = step.multipliers;
+  ++state.iterations;
+}
+
+/// Newton steps with the factor from before a step with the given slope, as long as each leaves little to the next.
+/// Lengths are corrected by the next step only. Whether what is left is not worthwhile.
+bool take_steps_with_factor(RefineState& state, double slope) {
+  for (bool is_first = true; state.limits.stop.may_go_on(); is_first = false) {
+    state.update_gradient();
+    const NewtonStep step = newton_step(state);
+    const double fall = std::abs(step.slope / slope);
+    if (!(fall < RefineConstants::falls_fast)) break;
+    slope = step.slope;
+    const double left = is_first ? std::abs(slope) : fall * std::abs(slope);  // after this step, at most
+    const bool is_last = left < state.worthwhile_decrease();
+    move_along(step, state);
+    if (is_last) return true;
+  }
+  return false;
+}
+
+/// The same from exact lengths to exact lengths, downhill.
+StepOutcome go_on_with_factor(RefineState& state, double slope) {
+  const RefineIterate begin = state.now;
+  const Eigen::VectorXd multipliers = state.multipliers;
+  const bool is_last = take_steps_with_factor(state, slope);
+  RefineIterate end = std::exchange(state.now, begin);
+  if (state.evaluate(end) && end.value < begin.value) {
+    state.now = std::move(end);
+  } else {
+    state.multipliers = multipliers;
+  }
+  return is_last ? StepOutcome::converged : StepOutcome::accepted;
+}
+
+}  // namespace
+
+StepOutcome reach_exact_lengths(RefineState& state, bool is_near_minimum) {
+  if (state.problem.length_error(state.now) <= LengthConstraints::kept) return StepOutcome::accepted;
+  for (int i = 0; i < (is_near_minimum ? 2 : 1); ++i) {
+    state.update_gradient();
+    if (!factorize_for_exact_lengths(state, is_near_minimum)) break;
+    const NewtonStep step = newton_step(state);
+    const RefineIterate begin = state.now;
+    move_along(step, state);
+    const bool is_last = is_near_minimum && take_steps_with_factor(state, step.slope);
+    state.limits.stop.check();
+    RefineIterate end = std::exchange(state.now, begin);
+    const bool is_exact = state.evaluate(end);
+    state.now = std::move(end);
+    if (is_exact) return is_last ? StepOutcome::converged : StepOutcome::accepted;
+  }
+  return StepOutcome::rejected;
+}
+
+StepOutcome take_newton_step(RefineState& state) {
+  if (!state.factorize(kExactHessian)) return StepOutcome::rejected;
+  const NewtonStep step = newton_step(state);
+  const bool is_last = std::abs(step.slope) < state.worthwhile_decrease();
+  RefineIterate trial = end_of(step, state.now);
+  const double enough = state.now.value + kSufficientDecrease * step.slope;
+  const bool goes_down = state.evaluate(trial) && trial.value <= enough;
+  if (goes_down) {
+    state.now = std::move(trial);
+    state.multipliers = step.multipliers;
+  }
+  if (is_last) return StepOutcome::converged;
+  if (!goes_down) return StepOutcome::rejected;  // shorter steps are better taken in a trust region
+  const bool is_near = std::abs(step.slope) < RefineConstants::near_minimum * state.now.value;
+  return is_near ? go_on_with_factor(state, step.slope) : StepOutcome::accepted;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/open_slits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/planar.h"
+#include "newton/sewn_problem.h"
+#include "surface/charts/isoperimetric.h"
+#include "surface/mesh/geometry.h"
+#include "surface/mesh/overlap.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kOpening = 0.1;       // slope of opened rims against the shut slit: far less than angles of triangles
+constexpr double kOfHeight = 1.0 / 3;  // the most that a rim moves into the faces beside it: none of them flips
+constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the end, when pieces have been turned
+
+/// Distance along the rims to the nearest tip, of the vertex where each half-edge begins.
+std::vector<double> distances_from_tips(const Chart& chart, const Slit& slit) {
+  std::vector<double> distance(slit.rims.size(), 0);
+  for (std::size_t i = 1; i < distance.size(); ++i) {
+    const bool is_tip = slit.mate[i] == static_cast<int>(i) - 1;
+    distance[i] = is_tip ? 0 : distance[i - 1] + edge_length(chart.mesh, slit.rims[i - 1]);
+  }
+  double to_next = 0;
+  for (std::size_t i = distance.size(); i-- > 0;) {
+    to_next = distance[i] == 0 ? 0 : to_next + edge_length(chart.mesh, slit.rims[i]);
+    distance[i] = std::min(distance[i], to_next);
+  }
+  return distance;
+}
+
+/// The least height, in the plane, of the faces around the vertex where a half-edge begins.
+double height_beside(const Chart& chart, HalfedgeHandle rim, const Positions2& uv) {
+  const auto place = [&](VertexHandle v) -> Eigen::Vector2d { return uv.row(v.idx()); };
+  double least = std::numeric_limits<double>::infinity();
+  for (const FaceHandle face : chart.mesh.vf_range(chart.mesh.from_vertex_handle(rim))) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(face);
+    const Eigen::Vector2d a = place(chart.mesh.from_vertex_handle(h)), b = place(chart.mesh.to_vertex_handle(h)),
+                          c = place(chart.mesh.from_vertex_handle(chart.mesh.prev_halfedge_handle(h)));
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    least = std::min(least, std::abs(cross(b - a, c - a)) / longest);
+  }
+  return least;
+}
+
+/// Moves the rims of a slit apart, each into the chart and so little that no face flips.
+void open_a_little(const Chart& chart, const Slit& slit, Positions2& uv) {
+  const std::vector<double> distance = distances_from_tips(chart, slit);
+  const std::size_t count = slit.rims.size();
+  const auto vertex = [&](std::size_t i) { return chart.mesh.from_vertex_handle(slit.rims[i % count]).idx(); };
+  Positions2 moved(count, 2);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::RowVector2d along = (uv.row(vertex(i + 1)) - uv.row(vertex(i + count - 1))).normalized();
+    const double by = std::min(kOpening * distance[i], kOfHeight * height_beside(chart, slit.rims[i], uv));
+    moved.row(static_cast<Eigen::Index>(i)) = uv.row(vertex(i)) + by * Eigen::RowVector2d(-along.y(), along.x());
+  }
+  for (std::size_t i = 0; i < count; ++i) uv.row(vertex(i)) = moved.row(static_cast<Eigen::Index>(i));
+}
+
+bool touches(const Chart& chart, const Slit& slit, const std::vector<int>& faces) {
+  return std::any_of(slit.rims.begin(), slit.rims.end(), [&](HalfedgeHandle h) {
+    return std::binary_search(faces.begin(), faces.end(), chart.mesh.face_handle(h).idx());
+  });
+}
+
+}  // namespace
+
+RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
+                        const std::function<RefinedShape(const RefineTask& sewn)>& refine_sewn,
+                        const RefinementLimits& limits) {
+  const Chart& chart = task.chart;
+  const auto sewn_problem = [&](const std::vector<Slit>& shut) -> std::optional<SewnProblem> {
+    std::optional<SewnChart> sewn = sew(chart, shut);
+    if (!sewn) return std::nullopt;
+    return SewnProblem(task, std::move(*sewn));
+  };
+  const std::optional<SewnProblem> all_shut = sewn_problem(slits);
+  if (!all_shut || is_outline_too_short(all_shut->task().chart)) return {};
+  const RefinedShape whole = refine_sewn(all_shut->task());
+  if (!whole.is_exact()) return {};
+  RefinedShape best = all_shut->as_open(task, whole);
+  if (!best.is_exact()) return best;
+
+  std::vector<Slit> shut, open;
+  for (const Slit& slit : slits) (slit.rims.size() == 2 ? shut : open).push_back(slit);
+  const auto may_go_on = [&] { return limits.budget.allows() && !limits.stop.is_stopped(); };
+  while (!open.empty() && may_go_on()) {
+    const std::optional<SewnProblem> problem = sewn_problem(shut);
+    if (!problem) return best;
+    RefinementStart start{best.uv, best.multipliers};
+    for (const Slit& slit : open) open_a_little(chart, slit, start.uv);
+    RefinedShape trial = refine_shape(problem->task(), problem->to_sewn(start), limits);
+    if (!may_go_on() && !trial.is_converged()) best.status = ShapeStatus::stalled;
+    if (!trial.is_exact()) return best;
+    const std::vector<int> overlapping_faces = find_overlapping_faces(
+        triangles_of(chart.mesh), faces_on_boundary(chart.mesh), problem->to_open(trial).uv, kOverlapDepth);
+    if (overlapping_faces.empty()) {
+      trial = problem->as_open(task, trial);
+      return trial.is_exact() && trial.objective < best.objective ? trial : best;
+    }
+    const auto crossed = std::stable_partition(
+        open.begin(), open.end(), [&](const Slit& slit) { return !touches(chart, slit, overlapping_faces); });
+    if (crossed == open.end()) return best;
+    shut.insert(shut.end(), crossed, open.end());
+    open.erase(crossed, open.end());
+  }
+  if (!open.empty()) best.status = ShapeStatus::stalled;
+  return best;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/project_to_lengths.h"
+
+#include <cmath>
+#include <utility>
+
+#include "newton/newton_system.h"
+#include "numerics/optimize/box_quadratic.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr int kMaxProjectSteps = 10;               // with one factor
+constexpr double kShortestProjectStep = 1.0 / 64;  // below, the lengths are as near as they get from here
+constexpr double kSufficientProjectStep = 0.1;     // share of the decrease of the strain which a step must bring
+
+struct Iterate {
+  Positions2 uv;
+  Eigen::VectorXd variation;  // h of elastic parts
+  Eigen::VectorXd residual;   // c
+};
+
+/// Gauss-Newton steps on the strain of springs ρ along the edges, the shortest in the metric H where there are many.
+/// With d eliminated a quadratic program in Δh is left: h + Δh keeps to its tolerance.
+class Projection {
+ public:
+  Projection(const RefineTask& task, const Positions2& uv, const StopToken& stop)
+      : constraints_(task.chart, task.network),
+        objective_(task),
+        system_(task.chart, objective_, constraints_, uv, stop),
+        lengths_(constraints_.elastic_lengths()),
+        now_(at(uv, constraints_.variation(uv))) {}
+
+  const Positions2& uv() const { return now_.uv; }
+  bool has(double largest_error) const { return constraints_.largest_error(now_.residual) <= largest_error; }
+
+  /// One step, shorter if need be, and whole ones with the same factor as long as they halve the strain. False where
+  /// no step gets nearer.
+  bool get_nearer(const StopToken& stop) {
+    const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints_.size());
+    const bool is_positive = system_.factorize(now_.uv, no_forces, {Curvature::none, false}, stop);
+    stop.check();
+    if (!is_positive) return false;
+    if (constraints_.num_elastic() > 0) stiffness_h_ = system_.stiffness_by_variation();
+    const Iterate far = moved();
+    double t = 1;
+    Iterate next = far;
+    while (!(strain(next) <= (1 - kSufficientProjectStep * t) * strain(now_))) {
+      t /= 2;
+      if (t < kShortestProjectStep) return false;
+      next = at(now_.uv + t * (far.uv - now_.uv), now_.variation + t * (far.variation - now_.variation));
+    }
+    now_ = std::move(next);
+    for (int k = 1; k < kMaxProjectSteps && !has(LengthConstraints::exact); ++k) {
+      Iterate nearer = moved();
+      if (!(strain(nearer) < 0.5 * strain(now_))) break;
+      now_ = std::move(nearer);
+    }
+    return true;
+  }
+
+ private:
+  Iterate at(const Positions2& uv, const Eigen::VectorXd& variation) const {
+    Iterate iterate{uv, constraints_.within_tolerance(variation), {}};
+    iterate.residual = constraints_.residual(uv, iterate.variation);
+    return iterate;
+  }
+
+  double strain(const Iterate& iterate) const {
+    return std::sqrt(iterate.residual.cwiseAbs2().dot(system_.stiffness()));
+  }
+
+  /// By a whole step.
+  Iterate moved() const {
+    Eigen::VectorXd d = system_.least_change(-now_.residual);
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(constraints_.num_elastic());
+    if (change.size() > 0) {
+      const Eigen::Map<const Positions2> d_by_vertex(d.data(), now_.uv.rows(), 2);
+      const Eigen::VectorXd left = now_.residual + constraints_.apply(system_.directions(), d_by_vertex);
+      change = minimize_quadratic_in_box(-(lengths_.transpose() * system_.stiffness().cwiseProduct(left)), stiffness_h_,
+                                         -constraints_.tolerance() - now_.variation,
+                                         constraints_.tolerance() - now_.variation);
+      d += system_.least_change(lengths_ * change);
+    }
+    return at(now_.uv + system_.finish(d), now_.variation + change);
+  }
+
+  LengthConstraints constraints_;
+  FairShapeError objective_;
+  NewtonSystem system_;
+  const Eigen::SparseMatrix<double>& lengths_;  // T
+  Eigen::MatrixXd stiffness_h_;
+  Iterate now_;
+};
+
+}  // namespace
+
+bool project_to_lengths(const RefineTask& task, Positions2& uv, RefineBudget& budget, const StopToken& stop) {
+  Projection projection(task, uv, stop);
+  while (!projection.has(LengthConstraints::exact) && budget.allows()) {
+    budget.spend(1);
+    if (!projection.get_nearer(stop)) break;
+  }
+  uv = projection.uv();
+  return projection.has(LengthConstraints::kept);
+}
+
+}  // namespace wirewarp

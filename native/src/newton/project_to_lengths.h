@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/stop_token.h"
+#include "energy/refine_task.h"
+#include "newton/refine_budget.h"
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+inline constexpr int kMaxProjectFactorizations = 30;  // of a start near exact lengths; most take fewer than 10
+
+/// Moves uv to exact lengths by Gauss-Newton steps on the lengths alone. Each step is the least change in the metric of
+/// the Laplacian, with any variations of the elastic parts within their tolerances. Those matter if more lengths are
+/// held than a flat shape has freedom. Returns false if no exact lengths are near; uv then has the smallest length
+/// errors that were found. Throws Stopped, asking before each factorization.
+bool project_to_lengths(const RefineTask& task, Positions2& uv, RefineBudget& budget, const StopToken& stop = {});
+
+}  // namespace wirewarp

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/relax_lengths.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "newton/newton_system.h"
+#include "numerics/optimize/line_search.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kWeightOfExcess = 10;       // V over the square root of the area: far above the forces in wires
+constexpr double kWeightOfUnevenness = 100;  // W of wire parts, the same
+constexpr double kWeightOfBoundary = 1000;   // far above that of wires, so that outlines give way last
+constexpr double kWithinTolerance = 0.99;    // of it, so that what smoothing leaves stays within
+constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};          // σ: strains of 1e-4 are distinguished from 0 in the end
+constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
+constexpr double kWorthwhile = 1e-5;                         // predicted decrease over Φ
+constexpr double kShortestRelaxStep = 1e-3;                  // ten halvings
+
+/// The chart with those wire parts elastic whose edges share a variation, whatever their tolerance. A single edge needs
+/// none: r is the variation.
+Chart with_variations(Chart chart) {
+  for (WirePart& part : chart.wire_parts) {
+    if (part.kind != WireKind::elastic && part.kind != WireKind::rigid) continue;
+    part.kind = part.half_edges.size() > 1 ? WireKind::elastic : WireKind::rigid;
+  }
+  return chart;
+}
+
+class RelaxedLengths {
+ public:
+  RelaxedLengths(const RefineTask& task, const Positions2& start, const StopToken& stop);
+
+  bool minimize(double smoothing, RefineBudget& budget, const StopToken& stop);
+  RelaxedShape shape() const;
+
+ private:
+  struct Group {
+    double weight;      // W
+    double length = 0;  // L
+    int part;           // -1: boundary
+  };
+  struct Iterate {
+    Positions2 uv;
+    Eigen::VectorXd variation;  // h
+  };
+  struct Step {
+    Positions2 d;
+    Eigen::VectorXd variation;  // Δh
+    double slope;
+  };
+
+  void make_groups(const HeldNetwork& network);
+  Eigen::VectorXd residual(const Iterate& iterate) const;
+  Eigen::VectorXd mean_squares(const Eigen::VectorXd& residual) const;
+  Eigen::VectorXd tolerance_violation(const Eigen::VectorXd& variation) const;
+  double value(const Iterate& iterate, double smoothing) const;
+  Step step(double smoothing, const StopToken& stop);
+
+  const Chart& chart_;  // with variations
+  double size_;         // square root of the area
+  LengthConstraints constraints_;
+  FairShapeError objective_;
+  NewtonSystem system_;
+  const Eigen::SparseMatrix<double>& lengths_;  // T
+  Eigen::VectorXd part_length_, tolerance_;     // L, ε of parts with a variation
+  Eigen::VectorXd slack_;                       // ε l of other edges
+  std::vector<Group> groups_;
+  std::vector<int> group_of_edge_;
+  Iterate now_;
+};
+
+RelaxedLengths::RelaxedLengths(const RefineTask& task, const Positions2& start, const StopToken& stop)
+    : chart_(task.chart),
+      size_(std::sqrt(surface_area(chart_.mesh))),
+      constraints_(chart_, task.network),
+      objective_(task),
+      system_(chart_, objective_, constraints_, start, stop),
+      lengths_(constraints_.elastic_lengths()),
+      part_length_(lengths_.transpose() * Eigen::VectorXd::Ones(constraints_.size())),
+      tolerance_(kWithinTolerance * constraints_.tolerance()),
+      slack_(Eigen::VectorXd::Zero(constraints_.size())),
+      now_{start, constraints_.variation(start)} {
+  make_groups(task.network);
+}
+
+void RelaxedLengths::make_groups(const HeldNetwork& network) {
+  std::vector<int> group_of_part(chart_.wire_parts.size(), -1);
+  for (int e = 0; e < constraints_.size(); ++e) {
+    const WireEdge& edge = network.edges[e];
+    const bool is_shared = !edge.is_boundary && constraints_.edges()[e].elastic >= 0;
+    int group = is_shared ? group_of_part[edge.part] : -1;
+    if (group < 0) {
+      group = static_cast<int>(groups_.size());
+      const double weight = edge.is_boundary ? kWeightOfBoundary : is_shared ? kWeightOfUnevenness : kWeightOfExcess;
+      groups_.push_back({weight * size_, 0, edge.is_boundary ? -1 : edge.part});
+      if (is_shared) group_of_part[edge.part] = group;
+    }
+    if (!edge.is_boundary && !is_shared) {
+      slack_[e] = kWithinTolerance * solver_tolerance(chart_.wire_parts[edge.part]) * edge.length;
+    }
+    groups_[group].length += edge.length;
+    group_of_edge_.push_back(group);
+  }
+}
+
+/// l r, of single edges what is beyond their tolerance. #edges.
+Eigen::VectorXd RelaxedLengths::residual(const Iterate& iterate) const {
+  const Eigen::VectorXd missing = constraints_.residual(iterate.uv, iterate.variation);
+  return missing - missing.cwiseMax(-slack_).cwiseMin(slack_);
+}
+
+/// m. #groups.
+Eigen::VectorXd RelaxedLengths::mean_squares(const Eigen::VectorXd& residual) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(groups_.size()));
+  for (int e = 0; e < constraints_.size(); ++e) {
+    const int group = group_of_edge_[e];
+    result[group] += residual[e] * residual[e] / constraints_.edges()[e].length / groups_[group].length;
+  }
+  return result;
+}
+
+/// x, with the sign of h.
+Eigen::VectorXd RelaxedLengths::tolerance_violation(const Eigen::VectorXd& variation) const {
+  return variation - variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
+}
+
+double RelaxedLengths::value(const Iterate& iterate, double smoothing) const {
+  double result = objective_.value(iterate.uv);
+  const auto magnitude = [&](double square) { return std::sqrt(square + smoothing * smoothing) - smoothing; };
+  const Eigen::VectorXd squares = mean_squares(residual(iterate));
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    result += groups_[g].weight * groups_[g].length * magnitude(squares[static_cast<Eigen::Index>(g)]);
+  }
+  const Eigen::VectorXd x = tolerance_violation(iterate.variation);
+  for (int w = 0; w < x.size(); ++w) {
+    result += kWeightOfExcess * size_ * part_length_[w] * magnitude(x[w] * x[w]);
+  }
+  return result;
+}
+
+/// The minimum of f and the springs of the weights at hand, linearized: ρ of the edges, κ of the variations. With d
+/// eliminated, a dense system in Δh is left.
+RelaxedLengths::Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
+  Positions2 gradient;
+  objective_.value_and_gradient(now_.uv, gradient);
+  const Eigen::VectorXd missing = residual(now_);
+  const Eigen::VectorXd squares = mean_squares(missing);
+  Eigen::VectorXd stiffness(constraints_.size());
+  for (int e = 0; e < constraints_.size(); ++e) {
+    const int group = group_of_edge_[e];
+    stiffness[e] =
+        groups_[group].weight / constraints_.edges()[e].length / std::sqrt(squares[group] + smoothing * smoothing);
+  }
+  const Eigen::VectorXd forces = stiffness.cwiseProduct(missing);
+  system_.set_stiffness(stiffness);
+  Step step{{}, Eigen::VectorXd::Zero(constraints_.num_elastic()), 0};
+  const bool is_positive = system_.factorize(now_.uv, forces, {Curvature::convex, false}, stop);
+  stop.check();
+  if (!is_positive) return step;
+
+  const Positions2& directions = system_.directions();
+  Positions2 pull_on_vertices = -gradient;
+  constraints_.add_transposed(directions, -forces, pull_on_vertices);
+  step.d = system_.apply_inverse(pull_on_vertices);
+  const Eigen::VectorXd x = tolerance_violation(now_.variation);
+  const Eigen::VectorXd spring =
+      (kWeightOfExcess * size_ * part_length_.array() / (x.array().square() + smoothing * smoothing).sqrt()).matrix();
+  if (x.size() > 0) {
+    Eigen::MatrixXd stiffness_h = system_.stiffness_by_variation();
+    stiffness_h.diagonal() += spring;
+    const Eigen::VectorXd pull =
+        lengths_.transpose() * (forces + stiffness.cwiseProduct(constraints_.apply(directions, step.d))) -
+        spring.cwiseProduct(x);
+    step.variation = stiffness_h.selfadjointView<Eigen::Lower>().ldlt().solve(pull);
+    step.d += system_.finish(system_.least_change(lengths_ * step.variation));
+  }
+  step.slope = (gradient.array() * step.d.array()).sum() +
+               forces.dot(constraints_.apply(directions, step.d) - lengths_ * step.variation) +
+               spring.cwiseProduct(x).dot(step.variation);
+  return step;
+}
+
+/// False where the budget was spent before.
+bool RelaxedLengths::minimize(double smoothing, RefineBudget& budget, const StopToken& stop) {
+  double now = value(now_, smoothing);
+  for (int i = 0; i < kMaxRelaxSteps; ++i) {
+    if (!budget.allows()) return false;
+    budget.spend(1);
+    const Step full = step(smoothing, stop);
+    if (-full.slope <= kWorthwhile * now) return true;
+    double t = 1;
+    Iterate trial;
+    double reached = 0;
+    for (; t > kShortestRelaxStep; t /= 2) {
+      trial = {now_.uv + t * full.d, now_.variation + t * full.variation};
+      reached = value(trial, smoothing);
+      if (reached <= now + kSufficientDecrease * t * full.slope) break;
+    }
+    if (t <= kShortestRelaxStep) return true;
+    now_ = std::move(trial);
+    now = reached;
+  }
+  return true;
+}
+
+RelaxedShape RelaxedLengths::shape() const {
+  RelaxedShape shape;
+  shape.uv = now_.uv;
+  const auto num_parts = static_cast<Eigen::Index>(chart_.wire_parts.size());
+  shape.tolerance_violation = shape.strain_rms = Eigen::VectorXd::Zero(num_parts);
+  const Eigen::VectorXd violation = tolerance_violation(now_.variation).cwiseAbs();
+  for (Eigen::Index i = 0; i < num_parts; ++i) {
+    const int elastic = constraints_.elastic_of_part()[i];
+    if (elastic >= 0) shape.tolerance_violation[i] = violation[elastic];
+  }
+  const Eigen::VectorXd squares = mean_squares(residual(now_));
+  for (int e = 0; e < constraints_.size(); ++e) {
+    const Group& group = groups_[group_of_edge_[e]];
+    if (group.part < 0) {
+      shape.outline_strain = std::max(shape.outline_strain, std::sqrt(squares[group_of_edge_[e]]));
+      continue;
+    }
+    const bool is_shared = constraints_.edges()[e].elastic >= 0;
+    double& most = (is_shared ? shape.strain_rms : shape.tolerance_violation)[group.part];
+    most = std::max(most, std::sqrt(squares[group_of_edge_[e]]));
+  }
+  return shape;
+}
+
+}  // namespace
+
+RelaxedShape relax_lengths(const RefineTask& task, const Positions2& start, RefineBudget& budget,
+                           const StopToken& stop) {
+  const Chart varied = with_variations(task.chart);
+  RelaxedLengths lengths({varied, task.network, task.fairness}, start, stop);
+  bool is_minimum = true;
+  for (const double smoothing : kSmoothing) is_minimum = is_minimum && lengths.minimize(smoothing, budget, stop);
+  RelaxedShape shape = lengths.shape();
+  shape.is_minimum = is_minimum;
+  return shape;
+}
+
+}  // namespace wirewarp

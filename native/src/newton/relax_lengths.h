@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// If lengths contradict one another, which of them have to give way? Every broken length has a price here.
+//
+//   Φ(u, h) = f(u) + Σ_g W_g L_g (√(m_g + σ²) − σ) + Σ_w V L_w (√(x_w² + σ²) − σ)
+//
+//   r_e = |d_e| / l_e − 1 − h_w   what the shared variation h of a wire part leaves of the strain of its edges;
+//                                 of a part of one edge, what is left beyond its tolerance
+//   m_g                           mean of r² over a group g of length L_g: a wire part, or an edge of the boundary
+//   x_w = |h_w| − ε_w or 0        how far a wire part goes beyond its tolerance
+//
+// For small σ these are sums of magnitudes, which leave most parts alone and load a few (the group lasso: M. Yuan,
+// Y. Lin, Journal of the Royal Statistical Society B 68 (2006), 49-67). A tolerance removes x, only clearing the wire
+// removes m, and nothing changes the boundary: V << W of parts << W of the boundary. The method is reweighted least
+// squares: for given weights every term is a spring, and the Newton system has springs already.
+#pragma once
+
+#include "base/stop_token.h"
+#include "energy/refine_task.h"
+#include "newton/refine_budget.h"
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+inline constexpr int kMaxRelaxFactorizations = 60;  // what it takes at most
+
+struct RelaxedShape {
+  Positions2 uv;                        // one row per chart vertex, scene units
+  Eigen::VectorXd tolerance_violation;  // |x|, one per wire part of the chart
+  Eigen::VectorXd strain_rms;           // √m, the same; 0 for parts of one edge
+  double outline_strain = 0;            // √m, the largest of an edge of the boundary
+  bool is_minimum = true;               // false: the budget was spent before that
+};
+
+/// Minimizes Φ from a start, one row per chart vertex. Throws Stopped, asking before each factorization.
+RelaxedShape relax_lengths(const RefineTask& task, const Positions2& start, RefineBudget& budget,
+                           const StopToken& stop = {});
+
+}  // namespace wirewarp

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/retract_to_lengths.h"
+
+#include <Eigen/QR>
+#include <array>
+#include <utility>
+
+namespace wirewarp {
+namespace {
+
+constexpr int kOrdinarySteps = 5;  // at most; those that take more ask whether to go on
+constexpr int kMaxSteps = 60;      // with 30 some nets stop at 1e-11
+constexpr int kRemembered = 5;     // steps: 3 take a tenth longer on nets of 128 wires, 8 no less
+constexpr double kMostLeft = 0.9;  // of the error after a step: with 0.45, 5 % more factorizations
+
+/// Anderson's acceleration: of the steps before, what made the error smallest by linear extrapolation.
+class StepsBefore {
+ public:
+  bool is_empty() const { return size_ == 0; }
+
+  void add(const Eigen::VectorXd& step, const Eigen::VectorXd& change) {
+    if (size_ < kRemembered) ++size_;
+    steps_[next_] = step;
+    changes_[next_] = change;
+    next_ = (next_ + 1) % kRemembered;
+  }
+
+  /// Moves along them, and the residual with it as if it were linear.
+  void extrapolate(Eigen::VectorXd& moved, Eigen::VectorXd& residual) const {
+    if (is_empty()) return;
+    Eigen::MatrixXd changes(residual.size(), size_);
+    for (int i = 0; i < size_; ++i) changes.col(i) = changes_[i];
+    const Eigen::VectorXd shares = changes.colPivHouseholderQr().solve(residual);
+    residual -= changes * shares;
+    for (int i = 0; i < size_; ++i) moved -= shares[i] * steps_[i];
+  }
+
+ private:
+  std::array<Eigen::VectorXd, kRemembered> steps_, changes_;
+  int size_ = 0, next_ = 0;
+};
+
+}  // namespace
+
+bool retract_to_lengths(const LengthConstraints& constraints, const NewtonSystem& system,
+                        const Eigen::VectorXd& variation, Positions2& uv, const StopToken& stop) {
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(system.num_unknowns());  // on the wires: steps need no more
+  Eigen::VectorXd residual = constraints.residual(uv, variation);
+  double error = constraints.largest_error(residual);
+  StepsBefore before;
+  for (int i = 0; i < kMaxSteps && error > LengthConstraints::exact; ++i) {
+    if (i % kOrdinarySteps == kOrdinarySteps - 1 && !stop.may_go_on()) return false;
+    Eigen::VectorXd trial = moved, expected = residual;
+    before.extrapolate(trial, expected);
+    trial += system.least_change(-expected);
+    Eigen::VectorXd trial_residual =
+        constraints.residual(uv + Eigen::Map<const Positions2>(trial.data(), uv.rows(), 2), variation);
+    const double trial_error = constraints.largest_error(trial_residual);
+    if (!(trial_error < kMostLeft * error)) {
+      if (before.is_empty()) break;
+      before = {};  // extrapolated too far: a plain step may still get nearer
+      continue;
+    }
+    before.add(trial - moved, trial_residual - residual);
+    moved = std::move(trial);
+    residual = std::move(trial_residual);
+    error = trial_error;
+  }
+  if (error > LengthConstraints::kept) return false;
+  uv += system.finish(moved);
+  return true;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/solve/group_stage.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/attempt.h"
+#include "base/progress_report.h"
+#include "newton/injective_shape.h"
+#include "newton/refine_cloth.h"
+#include "newton/refine_coupled.h"
+#include "newton/solve/chart_errors.h"
+#include "newton/solve/piece_report.h"
+#include "surface/charts/elastic_seams.h"
+#include "surface/charts/folded_faces.h"
+#include "surface/network/length_variation.h"
+
+namespace wirewarp {
+namespace {
+
+class GroupStage {
+ public:
+  GroupStage(const std::vector<GroupMember>& group, bool is_stretched, const Run& run, const StopToken& stop)
+      : group_(group), is_stretched_(is_stretched), run_(run), stop_(stop.in("shape")) {
+    for (const GroupMember& member : group) {
+      before_.push_back(member.solved);
+      if (!run.options.cloth) continue;
+      cloths_.push_back({is_stretched ? *run.options.cloth : without_stretch(*run.options.cloth),
+                         {hold_upright(member.chart, member.solved.uv, run.options)},
+                         member.flat_ratio});
+    }
+  }
+
+  void solve() {
+    std::vector<Part> together;
+    for (std::size_t k = 0; k < group_.size(); ++k) together.push_back({k, group_[k].chart});
+    const bool are_nominal = std::all_of(group_.begin(), group_.end(), [](const auto& one) { return one.is_nominal; });
+    const Outcome common = solve_parts(together, are_nominal);
+    for (std::size_t k = 0; k < group_.size(); ++k) {
+      if (common.is_solved) {
+        finish(k, group_[k].chart, common.is_folded[k] != 0);
+      } else {
+        solve_with_fixed_seams(k, common.ran_out);
+      }
+    }
+  }
+
+ private:
+  /// A chart of the group as it is solved.
+  struct Part {
+    std::size_t member;
+    const Chart& chart;
+  };
+
+  struct Outcome {
+    bool is_solved;               // else the shapes are those before the stage
+    bool ran_out;                 // of factorizations: more were wanted
+    std::vector<char> is_folded;  // per part, if solved: flipped or overlapping
+  };
+
+  SolvedChart& solved(std::size_t k) const { return group_[k].solved; }
+  static bool has_folds(const Chart& chart, const Positions2& uv) { return !find_folded_faces(chart.mesh, uv).empty(); }
+
+  /// Finds the common lengths and the shapes. keeps_good: if a part is folded although none was before, all keep the
+  /// shapes from before.
+  Outcome solve_parts(const std::vector<Part>& parts, bool keeps_good) {
+    if (!stop_.may_go_on()) return {false, false, {}};
+    // Each attempt at a stretch may spend the whole limit: without a shape for it, a good piece is lost.
+    std::vector<int> limits;
+    int left = std::numeric_limits<int>::max();
+    for (const Part& part : parts) {
+      const int spent = solved(part.member).report.factorizations;
+      limits.push_back(run_.options.max_factorizations + (is_stretched_ ? spent : 0));
+      left = std::min(left, limits.back() - spent);
+    }
+    RefineBudget budget(left);
+    if (!take_common_shapes(parts, budget)) return {false, budget.ran_out(), {}};
+    Outcome outcome{true, budget.ran_out(), find_folded(parts)};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (outcome.is_folded[i] == 0) continue;
+      RefineBudget own(limits[i] - solved(parts[i].member).report.factorizations);
+      if (replace_folded(parts[i], own)) outcome.is_folded[i] = 0;
+      outcome.ran_out = outcome.ran_out || own.ran_out();
+    }
+    const bool is_any_folded = std::count(outcome.is_folded.begin(), outcome.is_folded.end(), 1) > 0;
+    outcome.is_solved = !(is_any_folded && keeps_good && were_good(parts));
+    for (const Part& part : parts) {
+      if (!outcome.is_solved) {
+        before_[part.member].report.factorizations = solved(part.member).report.factorizations;
+        solved(part.member) = before_[part.member];
+      } else if (stop_.is_stopped()) {
+        report_as_cancelled(part.member);  // also if it was done: together they are not
+      }
+    }
+    return outcome;
+  }
+
+  std::vector<char> find_folded(const std::vector<Part>& parts) const {
+    std::vector<char> folded;
+    for (const Part& part : parts) folded.push_back(has_folds(part.chart, solved(part.member).uv) ? 1 : 0);
+    return folded;
+  }
+
+  bool were_good(const std::vector<Part>& parts) const {
+    return std::none_of(parts.begin(), parts.end(),
+                        [&](const Part& part) { return has_folds(part.chart, before_[part.member].uv); });
+  }
+
+  /// False if there are no common lengths. Each factorization counts for each of the parts.
+  bool take_common_shapes(const std::vector<Part>& parts, RefineBudget& budget) {
+    std::vector<Chart> charts;
+    std::vector<ClothOnChart> cloths;
+    std::vector<RefinementStart> starts;
+    for (const Part& part : parts) {
+      charts.push_back(part.chart);
+      starts.emplace_back(solved(part.member).uv, solved(part.member).multipliers);
+      if (run_.options.cloth) cloths.push_back(cloths_[part.member]);
+    }
+    const Injectivity injectivity = run_.options.cloth ? Injectivity::local : Injectivity::none;
+    const StageTimer timer(solved(parts.front().member).report.seconds, "shape");
+    CoupledShapes found = refine_coupled(charts, run_.options.fairness, cloths, starts, {budget, stop_, injectivity});
+    const bool is_exact = found.shapes.front().is_exact();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      SolvedChart& one = solved(parts[i].member);
+      if (!is_exact) {
+        one.report.factorizations += budget.spent();
+        continue;
+      }
+      report_next_refinement(found.shapes[i], stop_.is_stopped(), one.report);
+      one.report.projected_gradient = parts.size() > 1 ? found.projected_gradient : kUnknown;
+      one.variation = variations_of(parts[i].chart, found.shapes[i].variation);
+      one.uv = std::move(found.shapes[i].uv);
+    }
+    return is_exact;
+  }
+
+  /// By the chart alone with its elastic seams at the common lengths, if that shape is good. Whether it is.
+  bool replace_folded(const Part& part, RefineBudget& budget) {
+    if (stop_.is_stopped()) return false;
+    SolvedChart& one = solved(part.member);
+    const Chart fixed = with_fixed_seams(part.chart, one.variation);
+    std::optional<RefineResult> refined = is_stretched_ ? refine_without_overlap(part.member, fixed, budget)
+                                                        : refine_injective(fixed, run_.options, budget, stop_);
+    one.report.factorizations += budget.spent();
+    if (!refined) return false;
+    refined->factorizations = one.report.factorizations;
+    one.report.warnings.clear();
+    report_refinement(*refined, stop_.is_stopped(), one.report);
+    one.report.projected_gradient = kUnknown;
+    one.variation = variations_of(fixed, refined->shape.variation);
+    one.uv = std::move(refined->shape.uv);
+    return true;
+  }
+
+  /// From the shape before the stage, without overlaps on the way.
+  std::optional<RefineResult> refine_without_overlap(std::size_t k, const Chart& fixed, RefineBudget& budget) const {
+    if (injectivity_of(fixed, before_[k].uv) != Injectivity::global) return std::nullopt;
+    RefineResult refined;
+    refined.shape = refine_coupled({fixed}, run_.options.fairness, {cloths_[k]}, {RefinementStart(before_[k].uv)},
+                                   {budget, stop_, Injectivity::global})
+                        .shapes.front();
+    if (!refined.shape.is_exact() || injectivity_of(fixed, refined.shape.uv) != Injectivity::global)
+      return std::nullopt;
+    refined.start = before_[k].report.start.c_str();
+    refined.shape.iterations += before_[k].report.outer_iterations;
+    return refined;
+  }
+
+  /// With its elastic seams at h = ease. ran_out: so did the group.
+  void solve_with_fixed_seams(std::size_t k, bool ran_out) {
+    const Chart fixed = with_fixed_seams(group_[k].chart);
+    Outcome outcome{false, false, {}};
+    if (group_[k].is_nominal) outcome = solve_parts({{k, fixed}}, false);
+    if (outcome.is_solved) {
+      finish(k, fixed, outcome.is_folded.front() != 0);
+      report_as_fixed(k);
+    } else if (is_stretched_) {
+      explain_stretch(k, ran_out || outcome.ran_out);
+    } else if (group_[k].is_nominal && stop_.is_stopped()) {
+      report_as_cancelled(k);
+    } else if (group_[k].is_nominal && outcome.ran_out) {  // from scratch, too little is left for any shape
+      finish(k, fixed, has_folds(fixed, solved(k).uv));
+      report_as_fixed(k);
+    } else {
+      solve_anew(k);
+    }
+  }
+
+  /// chart: what the shape is for.
+  void finish(std::size_t k, const Chart& chart, bool is_folded) {
+    if (is_stretched_) set_stretched_lengths(k, group_[k].chart);
+    if (is_folded) propose_seams_for_layout(is_stretched_ ? group_[k].chart : chart, run_, stop_, solved(k));
+    if (is_stretched_) lie_flat(k);
+  }
+
+  void report_as_fixed(std::size_t k) const {
+    if (solved(k).report.termination != Termination::cancelled) report_fixed_seams(solved(k).report);
+  }
+
+  void report_as_cancelled(std::size_t k) const {
+    if (solved(k).report.termination != Termination::cancelled) report_cancelled(solved(k).report);
+  }
+
+  /// From scratch at h = ease, or for the error that the chart has there.
+  void solve_anew(std::size_t k) const {
+    RefineBudget budget(run_.options.max_factorizations);
+    budget.spend(solved(k).report.factorizations);
+    solved(k) =
+        stop_.is_stopped() ? cancelled_chart() : solve_chart_with_fixed_seams(group_[k].chart, run_, budget, stop_);
+    solved(k).report.factorizations = budget.spent();
+    if (!solved(k).error) report_as_fixed(k);
+  }
+
+  /// The proposed seams are judged at the stretched lengths: others would not help.
+  void explain_stretch(std::size_t k, bool ran_out) const {
+    if (injectivity_of(group_[k].chart, before_[k].uv) != Injectivity::global && !stop_.is_stopped()) return;
+    Chart stretched = group_[k].chart;
+    set_stretched_lengths(k, stretched);
+    std::vector<VertexPair> seams;
+    if (!stop_.is_stopped()) seams = attempt([&] { return propose_seams(stretched, run_, stop_); });
+    SolvedChart& one = solved(k);
+    one.uv.resize(0, 2);
+    one.network.reset();
+    one.proposed_seams.clear();
+    one.report.termination = stop_.is_stopped() ? Termination::cancelled : Termination::failed;
+    one.error = stop_.is_stopped() ? cancelled() : infeasible_stretch(stretched, run_.options, seams, ran_out);
+  }
+
+  void set_stretched_lengths(std::size_t k, Chart& chart) const {
+    const PerEdge& ratio = group_[k].flat_ratio;
+    chart.length_ratio.resize(chart.mesh.n_edges(), 1);
+    for (std::size_t e = 0; e < ratio.size(); ++e) chart.length_ratio[e] *= ratio[e];
+  }
+
+  /// The layout in the plane of the stretched cloth becomes the flat one.
+  void lie_flat(std::size_t k) const {
+    SolvedChart& one = solved(k);
+    const Chart& chart = group_[k].chart;
+    const Eigen::RowVector2d share = flat_share(*run_.options.cloth);
+    one.report.objective *= share.prod();  // per flat area
+    one.uv = one.uv * share.asDiagonal();
+    one.network = build_wire_network(chart);
+    const std::vector<double> flat = variations_of(chart, length_variation(chart, one.uv));
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      if (chart.wire_parts[i].kind == WireKind::super_elastic) one.variation[i] = flat[i];
+    }
+  }
+
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+  const std::vector<GroupMember>& group_;
+  const bool is_stretched_;
+  const Run& run_;
+  const StopToken stop_;
+  std::vector<SolvedChart> before_;   // per member, before the stage
+  std::vector<ClothOnChart> cloths_;  // per member, if there is a cloth
+};
+
+}  // namespace
+
+void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop) {
+  GroupStage(group, false, run, stop).solve();
+}
+
+void stretch_group(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop) {
+  GroupStage(group, true, run, stop).solve();
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/solve/piece_report.h"
+
+namespace wirewarp {
+
+void report_solution(const OuterSolution& solution, PieceReport& report) {
+  report.inner_solves = solution.inner_solves;
+  report.outer_iterations = solution.iterations;
+  report.gradient_evaluations = solution.evaluations;
+  report.factorizations += solution.free_factorizations;
+  const InnerSolution& inner = solution.shape.inner;
+  if (!inner.is_feasible) return;
+  report.constraint_residual = inner.closure_residual;
+  report.projected_gradient = inner.projected_gradient;
+  if (!inner.is_minimum) report.warnings.push_back("The wire angles stopped short of their minimum.");
+  if (!solution.converged) report.warnings.push_back("The wire lengths stopped short of the least distortion.");
+  report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
+}
+
+namespace {
+
+/// Of a shape with exact lengths. The warnings say what keeps it from being converged.
+void report_shape(const RefinedShape& shape, bool was_stopped, PieceReport& report) {
+  report.constraint_residual = shape.length_error;
+  report.objective = shape.objective;
+  if (!was_stopped && !shape.is_converged()) {
+    report.warnings.push_back("The shape stopped short of the least distortion.");
+  }
+  report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
+  if (was_stopped) report_cancelled(report);
+}
+
+}  // namespace
+
+void report_refinement(const RefineResult& refined, bool was_stopped, PieceReport& report) {
+  report.outer_iterations = refined.shape.iterations;
+  report.factorizations = refined.factorizations;
+  report.start = refined.start;
+  if (refined.shape.is_exact()) report_shape(refined.shape, was_stopped, report);
+}
+
+void report_next_refinement(const RefinedShape& shape, bool was_stopped, PieceReport& report) {
+  report.warnings.clear();
+  report.outer_iterations += shape.iterations;
+  report.factorizations += shape.factorizations;
+  report_shape(shape, was_stopped, report);
+}
+
+void report_fixed_seams(PieceReport& report) {
+  report.warnings.push_back(
+      "No good shapes were found with other lengths of the elastic seams: they keep their nominal lengths.");
+  report.termination = Termination::stalled;
+}
+
+void report_cancelled(PieceReport& report) {
+  report.warnings.push_back("Cancelled: the lengths are exact, but the shape could be less distorted.");
+  report.termination = Termination::cancelled;
+}
+
+}  // namespace wirewarp

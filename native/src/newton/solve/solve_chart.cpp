@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/solve/solve_chart.h"
+
+#include <map>
+#include <utility>
+
+#include "base/attempt.h"
+#include "base/factorization_failed.h"
+#include "base/progress_report.h"
+#include "newton/infeasible_wires.h"
+#include "newton/lies_flat.h"
+#include "newton/refine_cloth.h"
+#include "newton/solve/chart_errors.h"
+#include "newton/solve/piece_report.h"
+#include "surface/charts/elastic_seams.h"
+#include "surface/charts/folded_faces.h"
+#include "surface/charts/isoperimetric.h"
+#include "surface/network/length_variation.h"
+#include "warp/outer/choose_variation.h"
+#include "warp/outer/helper_wires.h"
+#include "warp/topology/process_topology.h"
+#include "warp/topology/unjoined_wires.h"
+
+namespace wirewarp {
+namespace {
+
+/// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
+FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
+                                const StopToken& stop) {
+  if (refined.shape.status == ShapeStatus::singular) return not_solvable(chart);
+  LengthDiagnosis found;
+  if (run.propose_seams) found = diagnose_lengths(chart, run.options, stop);
+  stop.check();
+  const bool ran_out = refined.ran_out && !found.lengths_conflict;
+  if (found.tolerances.empty()) return infeasible_outline(chart, run.options, propose_seams(chart, run, stop), ran_out);
+  return infeasible_wires(chart, run.input.wires, run.options, std::move(found.tolerances), ran_out);
+}
+
+/// WireWarping and WireWarping++: the wires first, the surface follows (II).
+std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& run, RefineBudget& budget,
+                                               const StopToken& stop, SolvedChart& solved) {
+  std::map<std::string, double>& seconds = solved.report.seconds;
+  if (run.options.method == Method::wirewarp_plus_plus) {
+    if (std::optional<FlattenError> error = elastic_outline(chart, run.input.wires)) return error;
+  }
+  stop.in("wires").check();
+  std::optional<Chart> split;
+  WireNetwork network;
+  {
+    const StageTimer timer(seconds, "wires");
+    split = process_topology(chart, stop.in("wires"));  // III
+    network = build_wire_network(split ? *split : chart);
+    solved.network = split ? build_wire_network(chart) : network;
+  }
+  const Chart& prepared = split ? *split : chart;
+  stop.in("interior").check();
+  const StopToken at_lengths = stop.in("lengths");
+  std::optional<Warp> warp;  // ψ (II-A)
+  {
+    const StageTimer timer(seconds, "interior");
+    warp.emplace(prepared, network, run.options.node_weight, run.options.inner, at_lengths);
+    solved.report.factorizations = warp->interior_factorizations();
+  }
+  const StageTimer timer(seconds, "lengths");
+  const VariationBounds bounds = variation_bounds(prepared, run.options);
+  OuterSolution solution = choose_variation(prepared, *warp, bounds);  // II-B, Algorithm 1
+  report_solution(solution, solved.report);
+  if (!solution.shape.inner.is_feasible) {
+    const StopToken in_no_other_stage([&](const char*) { return at_lengths.may_go_on(); });
+    const RefineResult refined = refine_chart(chart, run.options, budget, in_no_other_stage);
+    if (stop.is_stopped()) throw Stopped();
+    if (refined.shape.is_exact()) return needs_refinement(chart);
+    return explain_infeasible(chart, run, refined, in_no_other_stage);
+  }
+  solved.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
+  solved.variation = variations_of(chart, solution.variation);
+  solved.uv = std::move(solution.shape.uv);
+  const bool is_folded = !find_folded_faces(chart.mesh, solved.uv).empty();
+  if (is_folded && !lies_flat(chart, run.options, stop)) solved.proposed_seams = propose_seams(chart, run, stop);
+  return std::nullopt;
+}
+
+/// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
+/// leaves the piece at the best shape so far.
+std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& run, RefineBudget& budget,
+                                                const StopToken& stop, SolvedChart& solved) {
+  stop.in("start").check();
+  const StageTimer timer(solved.report.seconds, "shape");
+  solved.network = build_wire_network(chart);
+  RefineResult refined = refine_chart(chart, run.options, budget, stop);
+  if (refined.shape.status == ShapeStatus::cancelled) throw Stopped();
+  if (run.options.cloth && refined.shape.is_exact()) {
+    refine_cloth(chart, run.options, budget, stop.in("shape"), refined);
+  }
+  report_refinement(refined, stop.is_stopped(), solved.report);
+  if (!refined.shape.is_exact()) return explain_infeasible(chart, run, refined, stop.in("shape"));
+  solved.variation = variations_of(chart, refined.shape.variation);
+  solved.multipliers = std::move(refined.shape.multipliers);
+  solved.uv = std::move(refined.shape.uv);
+  const bool is_folded = refined.shape.injectivity != Injectivity::global;
+  if (is_folded && !stop.is_stopped()) solved.proposed_seams = propose_seams(chart, run, stop);
+  return std::nullopt;
+}
+
+/// Sets the layout, or returns why there is none.
+std::optional<FlattenError> flatten_chart(const Chart& chart, const Run& run, RefineBudget& budget,
+                                          const StopToken& stop, SolvedChart& solved) {
+  if (chart.error) return with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
+  if (is_outline_too_short(chart)) return outline_too_short(chart, propose_seams(chart, run, stop));
+  const auto flatten = run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping;
+  return flatten(chart, run, budget, stop, solved);
+}
+
+}  // namespace
+
+std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop) {
+  return run.propose_seams ? run.propose_seams(chart, stop) : std::vector<VertexPair>{};
+}
+
+void propose_seams_for_layout(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved) {
+  if (stop.is_stopped()) return;
+  solved.proposed_seams = attempt([&] { return propose_seams(chart, run, stop); });
+  if (stop.is_stopped()) report_cancelled(solved.report);
+}
+
+SolvedChart cancelled_chart() {
+  SolvedChart solved;
+  solved.error = cancelled();
+  solved.report.termination = Termination::cancelled;
+  return solved;
+}
+
+SolvedChart solve_chart(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop) {
+  SolvedChart solved;
+  try {
+    solved.error = flatten_chart(chart, run, budget, stop, solved);
+  } catch (const Stopped&) {
+    solved = cancelled_chart();
+  } catch (const UnjoinedWires&) {
+    solved.error = not_joined(chart);
+  } catch (const FactorizationFailed&) {
+    solved.error = not_solvable(chart);
+  }
+  return solved;
+}
+
+SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, RefineBudget& budget,
+                                         const StopToken& stop) {
+  SolvedChart solved = solve_chart(with_fixed_seams(chart), run, budget, stop);
+  if (solved.network) solved.network = build_wire_network(chart);
+  return solved;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/solve/solve_charts.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "base/in_threads.h"
+#include "newton/injective_shape.h"
+#include "newton/solve/charts_progress.h"
+#include "newton/solve/group_stage.h"
+#include "newton/solve/stretched_lengths.h"
+#include "surface/charts/elastic_seams.h"
+
+namespace wirewarp {
+namespace {
+
+/// Progress of a run when charts are flat but for the cloth's stretch, which begins near its end.
+constexpr double kUnstretched = 0.7;
+
+/// The largest first, so that no core waits long for the last.
+std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
+  std::vector<std::size_t> order(charts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return charts[a].source_face.size() > charts[b].source_face.size();
+  });
+  return order;
+}
+
+/// Options for shapes that others begin at. The best direction of a cloth stays, so it has to be exact.
+InternalOptions on_the_way(InternalOptions options) {
+  if (options.orientation != Orientation::best) options.target = options.cloth ? Target::rough : Target::newton_step;
+  return options;
+}
+
+/// Charts with elastic seams in common, of the refined method; mostly one chart.
+struct Group {
+  std::vector<int> charts;
+  bool is_known = false;  // solved, from the cache
+};
+
+class ChartsSolver {
+ public:
+  ChartsSolver(std::vector<Chart>& charts, const Run& run, ProgressReport& report, CacheSession& session)
+      : charts_(charts),
+        run_(run),
+        report_(report),
+        session_(session),
+        progress_(report, charts, kChartsCut, is_stretched(run.options) ? kUnstretched : kChartsFlat),
+        solved_(charts.size()),
+        group_of_chart_(charts.size(), nullptr),
+        is_nominal_(charts.size(), 0) {
+    if (run.options.method != Method::refined) return;
+    for (std::vector<int>& group : group_by_elastic_seams(charts)) {
+      if (group.size() > 1) groups_.push_back({std::move(group)});
+    }
+    for (const Group& group : groups_) {
+      for (const int c : group.charts) group_of_chart_[c] = &group;
+    }
+  }
+
+  std::vector<SolvedChart> solve() {
+    for (Group& group : groups_) recall(group);
+    const std::vector<std::size_t> order = largest_first(charts_);
+    progress_.run(charts_.size(), [&](std::size_t i) { solve_one(order[i]); });
+    progress_.run(groups_.size(), [&](std::size_t g) { couple(groups_[g]); });
+    return std::move(solved_);
+  }
+
+ private:
+  std::vector<const Chart*> members(const Group& group) const {
+    std::vector<const Chart*> members;
+    for (const int c : group.charts) members.push_back(&charts_[c]);
+    return members;
+  }
+
+  void recall(Group& group) {
+    std::optional<std::vector<SolvedChart>> known = session_.known(members(group));
+    group.is_known = known.has_value();
+    for (std::size_t k = 0; known && k < known->size(); ++k) solved_[group.charts[k]] = std::move((*known)[k]);
+  }
+
+  void solve_one(std::size_t c) {
+    std::optional<OnOneCore> on_one_core;
+    if (progress_.is_one_of_many(c)) on_one_core.emplace();
+    const Chart& chart = charts_[c];
+    const Group* group = group_of_chart_[c];
+    if (chart.mesh.n_faces() == 0 || (chart.error && report_.is_cancelled())) {
+      solved_[c].error = chart.error;
+    } else if (!group) {
+      solve_alone(c);
+    } else if (!group->is_known) {
+      begin_beside_elastic_seams(c);
+      return;  // couple() goes on with it
+    }
+    progress_.finish(c);
+  }
+
+  void solve_alone(std::size_t c) {
+    if (std::optional<std::vector<SolvedChart>> known = session_.known({&charts_[c]})) {
+      solved_[c] = std::move(known->front());
+      return;
+    }
+    RefineBudget budget(run_.options.max_factorizations);
+    const StopToken stop = progress_.stop_token(c);
+    solved_[c] = report_.is_cancelled() ? cancelled_chart() : solve_chart(charts_[c], run_, budget, stop);
+    solved_[c].multipliers.resize(0);
+    session_.keep({&charts_[c]}, {&solved_[c]});
+  }
+
+  /// With these seams at h = ease; if the chart has no shape so, each as long as it would be for this chart alone.
+  void begin_beside_elastic_seams(std::size_t c) {
+    if (report_.is_cancelled()) {
+      solved_[c] = cancelled_chart();
+      return;
+    }
+    const InternalOptions options = on_the_way(run_.options);
+    const StopToken stop = progress_.stop_token(c);
+    RefineBudget budget(options.max_factorizations);
+    solved_[c] = solve_chart_with_fixed_seams(charts_[c], {run_.input, options, {}}, budget, stop);
+    is_nominal_[c] = solved_[c].error ? 0 : 1;
+    if (!solved_[c].error || stop.is_stopped()) return;
+    solved_[c] = solve_chart(charts_[c], {run_.input, options, run_.propose_seams}, budget, stop);
+    solved_[c].report.factorizations = budget.spent();  // also if an error came before any of its own
+  }
+
+  void couple(const Group& group) {
+    if (group.is_known) return;
+    std::vector<GroupMember> begun;
+    for (const int c : group.charts) {
+      if (solved_[c].uv.rows() > 0) begun.push_back({charts_[c], solved_[c], is_nominal_[c] != 0, {}});
+    }
+    const auto first = static_cast<std::size_t>(group.charts.front());
+    if (!begun.empty()) free_elastic_seams(begun, run_, progress_.stop_token(first));
+    std::vector<const SolvedChart*> solved;
+    for (const int c : group.charts) {
+      solved_[c].multipliers.resize(0);
+      solved.push_back(&solved_[c]);
+      progress_.finish(static_cast<std::size_t>(c));
+    }
+    session_.keep(members(group), solved);
+  }
+
+  std::vector<Chart>& charts_;
+  const Run& run_;
+  ProgressReport& report_;
+  CacheSession& session_;
+  ChartsProgress progress_;
+  std::vector<Group> groups_;  // of several charts
+  std::vector<SolvedChart> solved_;
+  std::vector<const Group*> group_of_chart_;  // null: of one chart
+  std::vector<char> is_nominal_;              // begun with its elastic seams at h = ease
+};
+
+bool has_elastic_boundary(const Chart& chart) {
+  return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic_boundary);
+}
+
+/// solved: upright, without the stretch. Charts without a layout or with flipped triangles stay as they are: they have
+/// an error in any case.
+void stretch_charts(Charts& charts, const Run& run, ProgressReport& report, std::vector<SolvedChart>& solved) {
+  ChartsProgress progress(report, charts.charts, kUnstretched, kChartsFlat);
+  const StretchedLengths lengths = find_stretched_lengths(charts, solved, *run.options.cloth);
+  const std::vector<std::vector<int>> groups = group_by_elastic_seams(charts.charts);
+  progress.run(groups.size(), [&](std::size_t g) {
+    const std::vector<int>& group = groups[g];
+    const bool is_elastic =
+        std::any_of(group.begin(), group.end(), [&](int c) { return has_elastic_boundary(charts.charts[c]); });
+    std::vector<GroupMember> members;
+    for (const int c : group) {
+      Chart& chart = charts.charts[c];
+      const bool has_layout = solved[c].uv.rows() > 0;
+      if (!has_layout || injectivity_of(chart, solved[c].uv) == Injectivity::none) continue;
+      members.push_back({chart, solved[c], is_elastic, lengths.ratios[c]});
+    }
+    const StopToken stop = progress.stop_token(static_cast<std::size_t>(group.front()));
+    if (!members.empty()) stretch_group(members, run, stop);
+    for (const int c : group) progress.finish(static_cast<std::size_t>(c));
+  });
+  for (std::size_t c = 0; c < solved.size(); ++c) {
+    std::vector<std::string>& own = solved[c].report.warnings;
+    own.insert(own.end(), lengths.warnings[c].begin(), lengths.warnings[c].end());
+  }
+}
+
+}  // namespace
+
+std::vector<SolvedChart> solve_charts(Charts& charts, const Run& run, ProgressReport& report, CacheSession& session) {
+  std::vector<SolvedChart> solved = ChartsSolver(charts.charts, run, report, session).solve();
+  session.finish();
+  if (is_stretched(run.options)) stretch_charts(charts, run, report, solved);
+  return solved;
+}
+
+}  // namespace wirewarp

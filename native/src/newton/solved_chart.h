@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "surface/network/wire_network.h"
+#include "warp/outer/helper_wires.h"
+
+namespace wirewarp {
+
+/// A chart's planar shape and how it came about.
+struct SolvedChart {
+  std::optional<WireNetwork> network;  // set where uv is
+  Positions2 uv;  // one row per chart vertex, then those that helper wires need; scene units; no rows: no layout
+  std::vector<double> variation;  // h, one per wire part of the chart
+  Eigen::VectorXd multipliers;    // λ of the refined method, one per held edge
+  std::vector<PlacedHelperWire> helper_wires;
+  PieceReport report;
+  std::vector<VertexPair> proposed_seams;  // of a layout that is flipped or overlaps itself
+  std::optional<FlattenError> error;       // why there is no layout
+};
+
+}  // namespace wirewarp

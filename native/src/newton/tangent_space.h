@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Changes of shape that keep the lengths to first order: (d, Δh) with J d = T Δh, for those elastic parts that no bound
+// holds. A vector of it has x and y of every vertex, then Δh of the free parts.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <vector>
+
+#include "newton/newton_system.h"
+
+namespace wirewarp {
+
+class TangentSpace {
+ public:
+  /// system: factored, with a convex H = G; it and the constraints must outlive the space, unchanged. free:
+  /// elastic parts of the constraints. Throws FactorizationFailed.
+  TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free);
+
+  const std::vector<int>& free() const { return free_; }
+
+  /// The (d, Δh) of the space whose image under G agrees with the force r in the space. Takes off r what is normal to
+  /// the space.
+  Eigen::VectorXd solve(Eigen::VectorXd& force) const;
+
+  /// A force on the vertices alone.
+  Eigen::VectorXd force_on_vertices(const Positions2& force) const;
+
+ private:
+  const NewtonSystem& system_;
+  const LengthConstraints& constraints_;
+  std::vector<int> free_;
+  Eigen::LLT<Eigen::MatrixXd> factor_h_;  // of S of the free parts
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// For processors with AVX2 and FMA, and compiled for them (CMakeLists.txt): four numbers in a register, and sixteen
+// registers. Nothing here may run before has_avx2() has asked the processor.
+namespace {
+constexpr int kLanes = 4;
+constexpr int kRowsAtOnce = 3;  // 12 registers of sums, and four for what is multiplied
+}  // namespace
+
+#include "numerics/cholesky/front_kernels_body.h"
+
+namespace wirewarp {
+
+const FrontKernels kAvx2Kernels = kKernels;
+
+}  // namespace wirewarp

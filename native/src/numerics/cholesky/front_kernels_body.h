@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The kernels themselves. Each front_kernels_*.cpp includes them once, after it has said how many numbers a register of
+// its processor holds (kLanes) and how many row tiles its registers can accumulate at once (kRowsAtOnce).
+//
+// Files compiled for a newer processor must share nothing inline with others: of two copies of an inline function the
+// linker keeps one, and would hand the new instructions to old processors. So all here is in an unnamed namespace, and
+// nothing of the standard library or of Eigen is used but C functions.
+#include <math.h>
+
+#include "numerics/cholesky/front_kernels.h"
+
+namespace wirewarp {
+namespace {
+
+using Lanes = double __attribute__((vector_size(8 * kLanes), may_alias));
+
+constexpr int kParts = kTile / kLanes;  // registers for a column of a tile
+constexpr int kBlock = 32;              // tiles of pivots whose product with a few rows stays in the first-level cache
+
+inline const Lanes& column(const Tile& tile, int j, int part) {
+  return *reinterpret_cast<const Lanes*>(tile.entries + kTile * j + kLanes * part);
+}
+inline Lanes& column(Tile& tile, int j, int part) {
+  return *reinterpret_cast<Lanes*>(tile.entries + kTile * j + kLanes * part);
+}
+
+/// c −= Σ a bᵀ over a run of tiles, for kRows row tiles c and a and one row tile b. Then, with a diagonal tile of L,
+/// c := c L⁻ᵀ.
+template <int kRows>
+inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRows], const Tile* b, int num_tiles,
+                             const Tile* diagonal) {
+  Lanes sum[kRows][kTile][kParts];
+#pragma GCC unroll 4
+  for (int row = 0; row < kRows; ++row) {
+#pragma GCC unroll 4
+    for (int j = 0; j < kTile; ++j) {
+#pragma GCC unroll 4
+      for (int part = 0; part < kParts; ++part) sum[row][j][part] = column(*c[row], j, part);
+    }
+  }
+  for (int t = 0; t < num_tiles; ++t) {
+#pragma GCC unroll 4
+    for (int k = 0; k < kTile; ++k) {
+#pragma GCC unroll 4
+      for (int j = 0; j < kTile; ++j) {
+        const double factor = b[t].entries[kTile * k + j];
+#pragma GCC unroll 4
+        for (int row = 0; row < kRows; ++row) {
+#pragma GCC unroll 4
+          for (int part = 0; part < kParts; ++part) sum[row][j][part] -= column(a[row][t], k, part) * factor;
+        }
+      }
+    }
+  }
+  if (diagonal != nullptr) {
+#pragma GCC unroll 4
+    for (int row = 0; row < kRows; ++row) {
+#pragma GCC unroll 4
+      for (int part = 0; part < kParts; ++part) {
+#pragma GCC unroll 4
+        for (int j = 0; j < kTile; ++j) {
+#pragma GCC unroll 4
+          for (int k = 0; k < j; ++k) sum[row][j][part] -= sum[row][k][part] * diagonal->entries[kTile * k + j];
+          sum[row][j][part] *= diagonal->entries[kTile * j + j];
+        }
+      }
+    }
+  }
+#pragma GCC unroll 4
+  for (int row = 0; row < kRows; ++row) {
+#pragma GCC unroll 4
+    for (int j = 0; j < kTile; ++j) {
+#pragma GCC unroll 4
+      for (int part = 0; part < kParts; ++part) column(*c[row], j, part) = sum[row][j][part];
+    }
+  }
+}
+
+/// Of the two factors of a matrix, L and Uᵀ, each is multiplied by rows of the other. A symmetric matrix has one, L =
+/// Uᵀ, which is its own other.
+template <typename T, int kFactors>
+inline T& other(T (&factors)[kFactors], int f) {
+  return factors[kFactors - 1 - f];
+}
+
+/// Factorization of a diagonal tile; false at a pivot that is not a positive finite number.
+template <int kFactors>
+inline bool factor_tile(Tile* const (&tiles)[kFactors]) {
+  for (int j = 0; j < kTile; ++j) {
+    const double pivot = tiles[0]->entries[kTile * j + j];
+    if (!(pivot > 0 && pivot < HUGE_VAL)) return false;
+    const double inverse = 1 / sqrt(pivot);
+    for (Tile* const tile : tiles) {
+      double* const l = tile->entries;
+      l[kTile * j + j] = inverse;
+      for (int i = j + 1; i < kTile; ++i) l[kTile * j + i] *= inverse;
+    }
+    for (int f = 0; f < kFactors; ++f) {
+      double* const l = tiles[f]->entries;
+      const double* const u = other(tiles, f)->entries;
+      for (int k = j + 1; k < kTile; ++k) {
+        for (int i = k; i < kTile; ++i) l[kTile * k + i] -= l[kTile * j + i] * u[kTile * j + k];
+      }
+    }
+  }
+  return true;
+}
+
+/// The tiles of a front in one numbering: row tile t, column tile j.
+struct FrontTiles {
+  Tile* panel;
+  Tile* schur;
+  int m;
+
+  Tile* at(int t, int j) const { return j < m ? panel + panel_row(t, m) + j : schur + triangle_size(t - m) + (j - m); }
+};
+
+/// Tiles (t, j) of kRows rows of a factor from t on, for columns j from begin to end, less the product of pivots first
+/// to j or last, whichever comes first; columns before last are divided by their diagonal tile, which makes them
+/// columns of the factor.
+template <int kRows>
+void update_rows(const FrontTiles& front, const FrontTiles& other, int t, int first, int last, int begin, int end) {
+  Tile* c[kRows];
+  const Tile* a[kRows];
+  for (int row = 0; row < kRows; ++row) a[row] = front.at(t + row, first);
+  for (int j = begin; j < end; ++j) {
+    for (int row = 0; row < kRows; ++row) c[row] = front.at(t + row, j);
+    const bool is_factor = j < last;
+    subtract_product(c, a, other.at(j, first), (is_factor ? j : last) - first, is_factor ? other.at(j, j) : nullptr);
+  }
+}
+
+/// kRows rows from t on below a block of pivots, all columns up to the diagonal: the block's own, then those that are
+/// still to be factored, then S.
+template <int kRows, int kFactors>
+void update_below(const FrontTiles (&fronts)[kFactors], int t, int first, int last) {
+  for (int f = 0; f < kFactors; ++f) update_rows<kRows>(fronts[f], other(fronts, f), t, first, last, first, last);
+  for (int f = 0; f < kFactors; ++f) {
+    update_rows<kRows>(fronts[f], other(fronts, f), t, first, last, last, t + 1);
+    for (int row = 1; row < kRows; ++row) {
+      update_rows<1>(fronts[f], other(fronts, f), t + row, first, last, t + 1, t + row + 1);
+    }
+  }
+}
+
+template <int kFactors>
+bool factor_fronts(const FrontTiles (&fronts)[kFactors], int m, int r) {
+  for (int first = 0; first < m; first += kBlock) {
+    const int last = first + kBlock < m ? first + kBlock : m;
+    for (int t = first; t < last; ++t) {
+      for (int f = 0; f < kFactors; ++f) update_rows<1>(fronts[f], other(fronts, f), t, first, last, first, t);
+      Tile* diagonal[kFactors];
+      for (int f = 0; f < kFactors; ++f) {
+        diagonal[f] = fronts[f].at(t, t);
+        Tile* const tile[1] = {diagonal[f]};
+        const Tile* const row[1] = {fronts[f].at(t, first)};
+        subtract_product(tile, row, other(fronts, f).at(t, first), t - first, nullptr);
+      }
+      if (!factor_tile(diagonal)) return false;
+    }
+    int t = last;
+    for (; t + kRowsAtOnce <= m + r; t += kRowsAtOnce) update_below<kRowsAtOnce>(fronts, t, first, last);
+    for (; t < m + r; ++t) update_below<1>(fronts, t, first, last);
+  }
+  return true;
+}
+
+bool factor(Tile* panel, Tile* schur, int m, int r) {
+  const FrontTiles fronts[] = {{panel, schur, m}};
+  return factor_fronts(fronts, m, r);
+}
+
+bool factor_lu(Tile* lower, Tile* lower_schur, Tile* upper, Tile* upper_schur, int m, int r) {
+  const FrontTiles fronts[] = {{lower, lower_schur, m}, {upper, upper_schur, m}};
+  return factor_fronts(fronts, m, r);
+}
+
+}  // namespace
+}  // namespace wirewarp
+
+#include "numerics/cholesky/front_substitution_body.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr FrontKernels kKernels = {factor, factor_lu, solve_lower, solve_lower_4, solve_upper, solve_upper_4};
+
+}  // namespace
+}  // namespace wirewarp

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/in_threads.h"
+
+namespace wirewarp {
+
+/// Fronts to visit, split for two threads: those of independent subtrees, in two shares of about the same work, and
+/// their common ancestors. Children come before their parents. The split does not depend on how many threads there are,
+/// so that sums are the same to the last bit.
+struct FrontSet {
+  static constexpr std::size_t num_shares = 2;
+
+  std::array<std::vector<int>, num_shares> subtrees;
+  std::vector<int> ancestors;
+  bool are_worth_threads = true;
+
+  /// visit(share, its fronts) for both shares of the subtrees, in two threads if that is allowed and worth it.
+  template <typename Visit>
+  void visit_subtrees(bool in_threads, const Visit& visit) const {
+    run_in_threads(num_shares, in_threads && are_worth_threads ? num_shares : 1,
+                   [&](std::size_t share) { visit(share, subtrees[share]); });
+  }
+};
+
+}  // namespace wirewarp

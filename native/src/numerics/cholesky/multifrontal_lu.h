@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sparse A = L U by the multifrontal method, without pivoting, for row-diagonally-dominant M-matrices: positive
+// diagonal, no positive entry off it, no negative row sum. Elimination keeps these properties, so every pivot is
+// positive and none needs to be exchanged. L and Uᵀ have the pattern of a Cholesky factor: the fronts are those of
+// multifrontal_cholesky.h, each with a panel for L and one for Uᵀ.
+#pragma once
+
+#include <Eigen/SparseCore>
+#include <memory>
+
+#include "base/stop_token.h"
+#include "numerics/cholesky/front_kernels.h"
+#include "numerics/cholesky/front_layout.h"
+#include "numerics/cholesky/substitution.h"
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+class MultifrontalLu {
+ public:
+  using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+  /// Factors a square matrix whose pattern is symmetric. positions: one per row, for nested_dissection().
+  /// in_threads: as in MultifrontalCholesky. Throws Stopped.
+  /// Throws FactorizationFailed at a pivot that is not a positive finite number: then a is singular or no
+  /// row-diagonally-dominant M-matrix. Throws std::invalid_argument if its pattern is not symmetric.
+  MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads = false, const StopToken& stop = {},
+                 const FrontKernels& kernels = fastest_kernels());
+  MultifrontalLu(const MultifrontalLu&) = delete;  // substitution_ refers to layout_
+  MultifrontalLu& operator=(const MultifrontalLu&) = delete;
+
+  /// b := A⁻¹ b. b has one row per row of A; both columns are solved in one sweep.
+  void solve(Positions2& b) const { substitute(lower_, upper_, b); }
+
+  /// b := A⁻ᵀ b: Aᵀ = Uᵀ Lᵀ.
+  void solve_transposed(Positions2& b) const { substitute(upper_, lower_, b); }
+
+ private:
+  using Tiles = std::unique_ptr<Tile[]>;
+
+  struct Triangles;
+
+  MultifrontalLu(const Triangles& a, bool in_threads, const StopToken& stop, const FrontKernels& kernels);
+  void substitute(const Tiles& forward, const Tiles& back, Positions2& b) const;
+
+  FrontLayout layout_;
+  Substitution substitution_;
+  Tiles lower_;  // panels of L
+  Tiles upper_;  // and of Uᵀ
+};
+
+}  // namespace wirewarp

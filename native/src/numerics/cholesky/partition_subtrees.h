@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "numerics/cholesky/front_layout.h"
+
+namespace wirewarp {
+
+/// Fills all_fronts: subtrees of about equal work, split further at the top as long as that makes the whole faster.
+void partition_subtrees(FrontLayout& layout);
+
+/// Fills Front::schur and schur_tiles. Each share of subtrees has stacks of its own, and so have the ancestors: a Schur
+/// complement lies on one stack while its children's are taken off the other.
+void place_schur_complements(FrontLayout& layout);
+
+/// Fills shared_vertices and Front::num_own_rows, and replaces the other rows by their places among shared_vertices.
+void list_shared_vertices(FrontLayout& layout);
+
+}  // namespace wirewarp

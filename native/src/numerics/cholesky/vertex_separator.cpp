@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numerics/cholesky/vertex_separator.h"
+
+#include <utility>
+
+namespace wirewarp {
+
+VertexSeparator::VertexSeparator(const Graph& graph)
+    : graph_(graph), partner_(graph.num_vertices(), -1), via_(partner_.size()), seen_(partner_.size(), 0) {}
+
+/// What a search that fails has met stays out of reach of all later ones. It is covered by its upper vertices, all the
+/// rest by the lower ones.
+void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& side) {
+  for (int v : cut) {
+    if (side[v] != Side::lower_cut || match(v, side)) continue;
+    for (int met : lower_met_) side[met] = Side::lower;
+    for (int met : upper_met_) side[met] = Side::separator;
+  }
+  for (int v : cut) {
+    partner_[v] = -1;
+    if (side[v] == Side::lower_cut) side[v] = Side::separator;
+    if (side[v] == Side::upper_cut) side[v] = Side::upper;
+  }
+}
+
+/// Searches, breadth first, for a path from a lower vertex to an upper one without partner that takes turns between
+/// edges outside and inside the matching; exchanges them along it.
+bool VertexSeparator::match(int vertex, const std::vector<Side>& side) {
+  ++search_;
+  lower_met_ = {vertex};
+  upper_met_.clear();
+  for (std::size_t next = 0; next < lower_met_.size(); ++next) {
+    const int lower = lower_met_[next];
+    for (int i = graph_.start[lower]; i < graph_.start[lower + 1]; ++i) {
+      int upper = graph_.neighbors[i];
+      if (side[upper] != Side::upper_cut || seen_[upper] == search_) continue;
+      seen_[upper] = search_;
+      via_[upper] = lower;
+      upper_met_.push_back(upper);
+      if (partner_[upper] != -1) {
+        lower_met_.push_back(partner_[upper]);
+        continue;
+      }
+      while (upper != -1) {
+        const int from = via_[upper];
+        partner_[upper] = from;
+        upper = std::exchange(partner_[from], upper);
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/charts/build_chart_mesh.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/planar.h"
+#include "surface/charts/slits.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// One chart vertex per fan of corners, in the order of the input's vertices.
+std::vector<VertexHandle> add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart) {
+  struct Corner {
+    int vertex, fan, position;
+  };
+  std::vector<Corner> corners;
+  corners.reserve(3 * chart.source_face.size());
+  for (int f : chart.source_face) {
+    for (int k = 0; k < 3; ++k) {
+      corners.push_back({input.faces(f, k), cut.fan_of_corner[3 * f + k], static_cast<int>(corners.size())});
+    }
+  }
+  std::vector<VertexHandle> vertex_of_corner(corners.size());
+  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
+    return std::tie(a.vertex, a.fan, a.position) < std::tie(b.vertex, b.fan, b.position);
+  });
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (i == 0 || corners[i].fan != corners[i - 1].fan) {
+      const auto p = input.vertices.row(corners[i].vertex);
+      chart.mesh.add_vertex({p[0], p[1], p[2]});
+      chart.source_vertex.push_back(corners[i].vertex);
+    }
+    vertex_of_corner[corners[i].position] = VertexHandle(static_cast<int>(chart.source_vertex.size()) - 1);
+  }
+  return vertex_of_corner;
+}
+
+/// Edges and faces without add_face: the sides are matched already, so nothing depends on the order of the faces.
+void add_faces(const EdgeTable& edges, const SurfaceCut& cut, const std::vector<VertexHandle>& vertex_of_corner,
+               Chart& chart, std::vector<HalfedgeHandle>& half_edge_of_side) {
+  HalfEdgeMesh& mesh = chart.mesh;
+  for (std::size_t i = 0; i < chart.source_face.size(); ++i) {
+    const FaceHandle face = mesh.new_face();
+    std::array<HalfedgeHandle, 3> loop;
+    for (int k = 0; k < 3; ++k) {
+      const int side = 3 * chart.source_face[i] + k;
+      HalfedgeHandle& h = half_edge_of_side[side];
+      if (!h.is_valid()) {
+        h = mesh.new_edge(vertex_of_corner[3 * i + k], vertex_of_corner[3 * i + ((k + 1) % 3)]);
+        const int edge = edges.edge_of_side(side);
+        if (!cut.is_outline(edges, edge)) {
+          const int mate = edges.side(edge, edges.side(edge, 0) == side ? 1 : 0);
+          half_edge_of_side[mate] = mesh.opposite_halfedge_handle(h);
+        }
+      }
+      loop[k] = h;
+      mesh.set_face_handle(h, face);
+      mesh.set_halfedge_handle(mesh.from_vertex_handle(h), h);
+    }
+    for (int k = 0; k < 3; ++k) mesh.set_next_halfedge_handle(loop[k], loop[(k + 1) % 3]);
+    mesh.set_halfedge_handle(face, loop[0]);
+  }
+}
+
+/// Links the half-edges without a face; at a boundary vertex the outgoing one stands first, as OpenMesh wants it.
+std::vector<HalfedgeHandle> link_boundary(HalfEdgeMesh& mesh) {
+  std::vector<HalfedgeHandle> boundary;
+  for (const HalfedgeHandle h : mesh.halfedges()) {
+    if (!mesh.is_boundary(h)) continue;
+    boundary.push_back(h);
+    mesh.set_halfedge_handle(mesh.from_vertex_handle(h), h);
+  }
+  for (const HalfedgeHandle h : boundary) {
+    mesh.set_next_halfedge_handle(h, mesh.halfedge_handle(mesh.to_vertex_handle(h)));
+  }
+  return boundary;
+}
+
+/// Sum of pi - surface angle along a boundary loop: 2 pi for the outline of a flat disk, -2 pi for a hole in it.
+double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
+  double turning = 0;
+  for (const HalfedgeHandle leaving : loop) {
+    turning += kPi;
+    for (HalfedgeHandle h = leaving; !mesh.is_boundary(h); h = next_counterclockwise(mesh, h)) {
+      turning -= corner_angle(mesh, h);
+    }
+  }
+  return turning;
+}
+
+/// The outer loop is the one that turns most to the left: exact on anything developable. Loops that turn alike (the
+/// two ends of a tube) are distinguished by length. A slit, which may turn more on a rough surface, is the outer loop
+/// only where all loops are slits: in a surface that is closed without them.
+std::size_t find_outer_loop(const Chart& chart, const std::vector<HalfEdgeChain>& loops) {
+  constexpr double kSameTurning = 1e-6;  // radians: far above rounding, far below what a mesh means
+  std::size_t outer = 0;
+  bool outer_is_slit = true;
+  double outer_turning = -1e300;
+  double outer_length = 0;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const bool is_slit = as_slit(chart, loops[i]).has_value();
+    const double turning = total_turning(chart.mesh, loops[i]);
+    const double length = length_of(chart.mesh, loops[i]);
+    const bool turns_alike = std::abs(turning - outer_turning) < kSameTurning;
+    const bool turns_more = turns_alike ? length > outer_length : turning > outer_turning;
+    if (is_slit == outer_is_slit ? turns_more : outer_is_slit) {
+      outer = i;
+      outer_is_slit = is_slit;
+      outer_turning = turning;
+      outer_length = length;
+    }
+  }
+  return outer;
+}
+
+std::vector<HalfEdgeChain> find_boundary_loops(const Chart& chart, const std::vector<HalfedgeHandle>& boundary) {
+  const HalfEdgeMesh& mesh = chart.mesh;
+  std::vector<HalfEdgeChain> loops;
+  std::vector<char> is_seen(mesh.n_halfedges(), 0);
+  for (const HalfedgeHandle start : boundary) {
+    if (is_seen[start.idx()]) continue;
+    HalfEdgeChain loop;
+    for (HalfedgeHandle h = start; !is_seen[h.idx()]; h = mesh.next_halfedge_handle(h)) {
+      is_seen[h.idx()] = 1;
+      loop.push_back(mesh.opposite_halfedge_handle(h));
+    }
+    std::reverse(loop.begin(), loop.end());
+    loops.push_back(std::move(loop));
+  }
+  if (loops.size() > 1) std::swap(loops[0], loops[find_outer_loop(chart, loops)]);
+  return loops;
+}
+
+}  // namespace
+
+void build_chart_mesh(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut, Chart& chart,
+                      std::vector<HalfedgeHandle>& half_edge_of_side) {
+  const std::size_t num_faces = chart.source_face.size();
+  chart.mesh.reserve(num_faces / 2 + 2, 3 * num_faces / 2 + 3, num_faces);
+  const std::vector<VertexHandle> vertex_of_corner = add_vertices(input, cut, chart);
+  add_faces(edges, cut, vertex_of_corner, chart, half_edge_of_side);
+  chart.boundary_loops = find_boundary_loops(chart, link_boundary(chart.mesh));
+}
+
+}  // namespace wirewarp

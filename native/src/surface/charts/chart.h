@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A chart: one connected region between seams (the paper's patch P), with the wires and the outline it carries.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "surface/mesh/half_edge_mesh.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp {
+
+/// A run of chart half-edges, each from the previous one's end. Boundary half-edges are the ones that have a face, so
+/// the chart lies on their left.
+using HalfEdgeChain = std::vector<HalfedgeHandle>;
+
+/// The part of a user's wire between two vertices that lie on a seam or boundary, inside this chart. A run of edges on
+/// the chart's boundary is a part of kind boundary, one for each of its sides in this chart: they have one h.
+struct WirePart {
+  int wire_index = -1;
+  int part = -1;  // counted along the whole wire, over all charts
+  WireKind kind = WireKind::rigid;
+  double tolerance = 0;  // |h - ease| <= tolerance
+  HalfEdgeChain half_edges;
+  double ease = 0;
+};
+
+/// Solvers know lengths by their targets at h = ease: they have (1 + g) of that, |g| <= solver_tolerance().
+inline double solver_tolerance(const WirePart& part) { return part.tolerance / (1 + part.ease); }
+
+/// h of a solver's g.
+inline double variation_of(const WirePart& part, double g) {
+  return std::clamp(part.ease + (1 + part.ease) * g, part.ease - part.tolerance, part.ease + part.tolerance);
+}
+
+/// A run on the boundary whose length is elastic.
+inline bool is_elastic_boundary(const WirePart& part) { return part.kind == WireKind::boundary && part.tolerance > 0; }
+
+/// One stretch of the outline between junctions of seams and boundaries.
+struct BoundaryChain {
+  HalfEdgeChain half_edges;
+  int seam = -1;  // index into the seams of the whole input, -1 none
+};
+
+struct Chart {
+  HalfEdgeMesh mesh;               // consistently oriented, manifold, connected; empty if the faces do not allow that
+  std::vector<int> source_vertex;  // input vertex of each chart vertex
+  std::vector<int> source_face;    // input face of each chart face
+  std::vector<WirePart> wire_parts;
+  std::vector<double> length_ratio;  // per edge of the mesh: the target length at h = ease over that in 3D, (1 +
+                                     // r)(1 + ease); those beyond the list, and all without one: 1
+  std::vector<BoundaryChain> boundary_chains;
+  std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer one, the others are holes; the chart on the left
+  std::optional<FlattenError> error;          // set: the chart cannot be flattened, and its parts and chains are empty
+};
+
+/// The target length at h = ease over that in 3D.
+inline double length_ratio(const Chart& chart, HalfedgeHandle h) {
+  const auto edge = static_cast<std::size_t>(chart.mesh.edge_handle(h).idx());
+  return edge < chart.length_ratio.size() ? chart.length_ratio[edge] : 1;
+}
+
+/// Gives a chart made of faces of another one, its source faces, the targets of lengths there.
+void inherit_lengths(const Chart& parent, Chart& chart);
+
+/// The ends of a half-edge in the input.
+inline VertexPair source_ends(const Chart& chart, HalfedgeHandle h) {
+  return {chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
+          chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]};
+}
+
+/// The same of an edge, the smaller index first.
+inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {
+  const auto [from, to] = source_ends(chart, h);
+  return {std::min(from, to), std::max(from, to)};
+}
+
+/// A wire runs through the chart, not only along its outline.
+inline bool has_wires(const Chart& chart) {
+  return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(),
+                     [](const WirePart& part) { return part.kind != WireKind::boundary; });
+}
+
+/// A chain of seam edges between junctions and what lies at its sides.
+struct Seam {
+  std::vector<VertexPair> edges;  // input vertices
+  struct Side {
+    int chart;
+    int boundary_chain;  // index into that chart's boundary_chains, -1 if the chart has an error
+  };
+  std::vector<Side> sides;
+};
+
+/// The whole input, cut along its seams.
+struct Charts {
+  std::vector<Chart> charts;
+  std::vector<Seam> seams;
+  std::vector<char> is_boundary_wire;  // per wire of the input: wholly on seams and boundaries
+};
+
+}  // namespace wirewarp

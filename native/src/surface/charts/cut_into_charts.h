@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "base/stop_token.h"
+#include "surface/charts/chart.h"
+#include "surface/mesh/edge_table.h"
+
+namespace wirewarp {
+
+/// The charts of a checked input, numbered by their lowest face. A chart with a fault carries its error. Throws
+/// Stopped.
+Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges, const StopToken& stop = {});
+
+/// The same charts, of which nothing but the faces is found out: each carries the error.
+Charts list_charts(const FlattenInput& input, const EdgeTable& edges, const FlattenError& error);
+
+}  // namespace wirewarp

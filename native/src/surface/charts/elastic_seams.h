@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Seams with a tolerance: all their sides have one h, which couples the charts beside them.
+#pragma once
+
+#include <vector>
+
+#include "surface/charts/chart.h"
+
+namespace wirewarp {
+
+/// Partitions the charts into coupled groups, ordered by their first member; members ascend. A chart with an error is a
+/// group of its own.
+std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& charts);
+
+/// The chart with all elastic seams and outlines fixed at h = ease.
+Chart with_fixed_seams(Chart chart);
+
+/// The same at the given h, one per wire part.
+Chart with_fixed_seams(Chart chart, const std::vector<double>& variation);
+
+/// Several charts as one that is not connected, for what treats all vertices alike.
+struct CombinedCharts {
+  Chart chart;                    // without boundary chains; wire parts in order
+  std::vector<int> first_vertex;  // per chart
+  std::vector<int> first_edge;
+  std::vector<int> first_part;
+};
+
+CombinedCharts combine(const std::vector<Chart>& charts);
+
+}  // namespace wirewarp

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chains of the outline: seam edges and edges of the surface, between junctions.
+#pragma once
+
+#include <vector>
+
+#include "surface/charts/chart.h"
+#include "surface/charts/surface_cut.h"
+
+namespace wirewarp {
+
+struct Outline {
+  std::vector<char> is_on_outline;              // per input vertex
+  std::vector<char> is_junction;                // per input vertex: a chain ends here
+  std::vector<std::vector<VertexPair>> chains;  // edges in order
+  std::vector<int> chain_of_edge;               // per input edge, -1 not on the outline
+  std::vector<int> seam_of_chain;               // -1: the edge of the surface
+};
+
+/// Chains end where three or more outline edges meet, where one ends (the tip of a dart), and where the sides change.
+Outline trace_outline(const Triangles& faces, const EdgeTable& edges, const SurfaceCut& cut);
+
+/// Splits the charts' boundary loops into their boundary_chains, and lists what lies at the sides of every seam.
+std::vector<Seam> assign_boundary_chains(const EdgeTable& edges, const SurfaceCut& cut, const Outline& outline,
+                                         std::vector<Chart>& charts);
+
+}  // namespace wirewarp

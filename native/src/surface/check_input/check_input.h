@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What makes the whole input unusable. Faults of single charts are found where the chart is cut out.
+#pragma once
+
+#include "surface/mesh/edge_table.h"
+#include "wirewarp/flatten.h"
+
+namespace wirewarp {
+
+/// Coordinates must be smaller in magnitude, scene units.
+constexpr double kCoordinateLimit = 1e60;
+
+/// Throws invalid_option unless every option is in its documented range for an input with so many wires.
+void check_options(const Options& options, std::size_t num_wires);
+
+/// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates (or too large ones).
+void check_mesh(const FlattenInput& input);
+
+/// Throws loose_faces where the faces are a soup, of which each would be a piece of its own.
+void check_faces_share_edges(const FlattenInput& input, const EdgeTable& edges);
+
+/// Throws seam_not_an_edge, wire_too_short, wire_not_an_edge, edge_in_two_wires, invalid_tolerance, invalid_ease,
+/// ease_without_side, side_in_two_eases or, of a wire's name, invalid_type.
+void check_seams_and_wires(const FlattenInput& input, const EdgeTable& edges);
+
+}  // namespace wirewarp

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/mesh/overlap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/planar.h"
+#include "base/work_meter.h"
+#include "surface/mesh/box_tree.h"
+
+namespace wirewarp {
+namespace {
+
+using Corners = std::array<Eigen::Vector2d, 3>;
+
+Corners corners_of(const Triangles& faces, const Positions2& uv, int face) {
+  return {uv.row(faces(face, 0)), uv.row(faces(face, 1)), uv.row(faces(face, 2))};
+}
+
+/// The same triangle, counter-clockwise.
+Corners counter_clockwise(Corners t) {
+  if (cross(t[1] - t[0], t[2] - t[0]) < 0) std::swap(t[1], t[2]);
+  return t;
+}
+
+/// The bounding box, smaller by depth on every side, but not empty: triangles that penetrate each other by twice as
+/// much have boxes that do.
+Box2 inner_box(const Corners& t, double depth) {
+  const Eigen::Vector2d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
+  const Eigen::Vector2d high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
+  const Eigen::Vector2d inset = Eigen::Vector2d::Constant(depth).cwiseMin((high - low) / 2);
+  return Box2(low + inset, high - inset);
+}
+
+/// True if b reaches more than depth behind every edge of a. Both counter-clockwise.
+bool reaches_behind_every_edge(const Corners& a, const Corners& b, double depth) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Eigen::Vector2d edge = a[(i + 1) % 3] - a[i];
+    const double reach = std::max({cross(edge, b[0] - a[i]), cross(edge, b[1] - a[i]), cross(edge, b[2] - a[i])});
+    if (reach <= depth * edge.norm()) return false;
+  }
+  return true;
+}
+
+/// Separating axes: two convex polygons penetrate by the least overlap along the normals of their edges.
+bool penetrate(const Corners& a, const Corners& b, double depth) {
+  return reaches_behind_every_edge(a, b, depth) && reaches_behind_every_edge(b, a, depth);
+}
+
+/// Flags the faces of all pairs (candidate, any face) that overlap.
+std::vector<bool> overlaps_with(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv,
+                                double depth, const StopToken& stop) {
+  WorkMeter work(stop);
+  std::vector<Box2> boxes;
+  boxes.reserve(candidates.size());
+  std::vector<bool> is_candidate(static_cast<std::size_t>(faces.rows()), false);
+  for (const int face : candidates) {
+    boxes.push_back(inner_box(corners_of(faces, uv, face), depth / 2));
+    is_candidate[static_cast<std::size_t>(face)] = true;
+  }
+  const BoxTree tree(boxes);
+
+  std::vector<bool> overlaps(static_cast<std::size_t>(faces.rows()), false);
+  for (int face = 0; face < faces.rows(); ++face) {
+    const Corners triangle = corners_of(faces, uv, face);
+    const bool is_both = is_candidate[static_cast<std::size_t>(face)];
+    work.did(1);
+    tree.for_each_meeting(inner_box(triangle, depth / 2), [&](int item) {
+      work.did(1);
+      const int other = candidates[static_cast<std::size_t>(item)];
+      if (is_both && other <= face) return;  // itself, or a pair seen from the other side
+      if (penetrate(counter_clockwise(triangle), counter_clockwise(corners_of(faces, uv, other)), depth)) {
+        overlaps[static_cast<std::size_t>(face)] = true;
+        overlaps[static_cast<std::size_t>(other)] = true;
+      }
+    });
+  }
+  return overlaps;
+}
+
+bool any_not_positive(const Triangles& faces, const Positions2& uv) {
+  for (int face = 0; face < faces.rows(); ++face) {
+    const Corners t = corners_of(faces, uv, face);
+    if (!(cross(t[1] - t[0], t[2] - t[0]) > 0)) return true;
+  }
+  return false;
+}
+
+/// True if a face is not several times as high as overlaps are deep: no other face penetrates it.
+bool any_too_thin(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv, double depth) {
+  return std::any_of(candidates.begin(), candidates.end(), [&](int face) {
+    const Corners t = corners_of(faces, uv, face);
+    const double base = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    return cross(t[1] - t[0], t[2] - t[0]) < 4 * depth * base;
+  });
+}
+
+bool any(const std::vector<bool>& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); }
+
+std::vector<int> indices_of(const std::vector<bool>& flags) {
+  std::vector<int> indices;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    if (flags[i]) indices.push_back(static_cast<int>(i));
+  }
+  return indices;
+}
+
+}  // namespace
+
+std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vector<bool>& on_boundary,
+                                        const Positions2& uv, double relative_depth, const StopToken& stop) {
+  if (faces.rows() == 0) return {};
+  const double size = (uv.colwise().maxCoeff() - uv.colwise().minCoeff()).norm();
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
+  const double depth = relative_depth * size + rounding;
+
+  // Without flips the number of faces over a point changes only across boundary edges, and grows to their left. Where
+  // a part of the plane that is covered twice ends, some boundary edge ends it, and the face left of that edge lies
+  // there over another one: if no boundary face overlaps any face, nothing does. That costs one look at every face.
+  const std::vector<int> boundary = indices_of(on_boundary);
+  if (!any_not_positive(faces, uv) && !any_too_thin(boundary, faces, uv, depth) &&
+      !any(overlaps_with(boundary, faces, uv, depth, stop))) {
+    return {};
+  }
+
+  std::vector<int> all(static_cast<std::size_t>(faces.rows()));
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  return indices_of(overlaps_with(all, faces, uv, depth, stop));
+}
+
+std::vector<bool> faces_on_boundary(const HalfEdgeMesh& mesh) {
+  std::vector<bool> flags(mesh.n_faces(), false);
+  for (const HalfedgeHandle h : mesh.halfedges()) {
+    if (mesh.is_boundary(h)) flags[mesh.face_handle(mesh.opposite_halfedge_handle(h)).idx()] = true;
+  }
+  return flags;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "surface/charts/chart.h"
+
+namespace wirewarp {
+
+/// g that a layout gives each wire part: its length over the one asked for at h = ease, less 1. uv: one row per chart
+/// vertex.
+Eigen::VectorXd length_variation(const Chart& chart, const Positions2& uv);
+
+/// h of each wire part of the chart. solver: g, one per part, those of helper wires may follow.
+std::vector<double> variations_of(const Chart& chart, const Eigen::VectorXd& solver);
+
+}  // namespace wirewarp

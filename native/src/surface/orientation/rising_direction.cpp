@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/orientation/rising_direction.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "surface/charts/enclosed_area.h"
+
+namespace wirewarp {
+
+Eigen::Vector2d rising_direction(const Chart& chart, const Positions2& uv, const Eigen::Vector3d& up) {
+  constexpr double kLevel = 0.01;  // mean slope
+  const Eigen::Vector3d unit_up = up.stableNormalized();
+  const HalfEdgeMesh::Point origin = chart.mesh.point(VertexHandle(0));
+  const auto height = [&](VertexHandle v) {
+    const HalfEdgeMesh::Point p = chart.mesh.point(v) - origin;
+    return unit_up.dot(Eigen::Vector3d(p[0], p[1], p[2]));
+  };
+  // Over the triangles the gradient sums up to what the outline alone says: the integral of height times its outward
+  // normal (Gauss), whatever lies inside.
+  Eigen::Vector2d gradient(0, 0);
+  for (const HalfEdgeChain& loop : chart.boundary_loops) {
+    for (const HalfedgeHandle h : loop) {
+      const VertexHandle from = chart.mesh.from_vertex_handle(h);
+      const VertexHandle to = chart.mesh.to_vertex_handle(h);
+      const Eigen::Vector2d side = uv.row(to.idx()) - uv.row(from.idx());
+      gradient += (height(from) + height(to)) / 2 * Eigen::Vector2d(side.y(), -side.x());
+    }
+  }
+  const double area = enclosed_area(chart, uv);  // negative if most of a failed piece is flipped
+  const bool is_level = gradient.norm() <= kLevel * std::abs(area);
+  return is_level ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(std::copysign(1.0, area) * gradient);
+}
+
+}  // namespace wirewarp

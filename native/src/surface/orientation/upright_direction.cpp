@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/orientation/upright_direction.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/planar.h"
+#include "surface/mesh/geometry.h"
+#include "surface/orientation/rising_direction.h"
+#include "surface/orientation/straightest_outline.h"
+
+namespace wirewarp {
+namespace {
+
+// Sizes and heights closer than this are the same: rounding and the numbering of the mesh must not choose between the
+// two sides of a symmetric piece.
+constexpr double kSameSize = 1e-6;
+
+// A chord below this fraction of its chain's length says nothing about where the chain leads.
+constexpr double kShortChord = 0.1;
+
+/// Corners of the convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
+std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
+  std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  std::vector<Eigen::Vector2d> hull;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t start = hull.size();
+    for (const Eigen::Vector2d& p : points) {
+      while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+/// The long side of the smallest rectangle around the points: one of its sides lies on a side of their hull, and the
+/// corners of the hull that touch the others go around with it (rotating calipers, G. Toussaint, 1983).
+Eigen::Vector2d long_side_of_smallest_box(const std::vector<Eigen::Vector2d>& points) {
+  const std::vector<Eigen::Vector2d> hull = convex_hull(points);
+  double best_area = std::numeric_limits<double>::infinity();
+  Eigen::Vector2d best(0, 0);
+  const auto corner = [&](std::size_t i) { return hull[i % hull.size()]; };
+  std::size_t right = 0, top = 0, left = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i) {
+    const Eigen::Vector2d along = (corner(i + 1) - corner(i)).normalized();
+    const Eigen::Vector2d across(-along.y(), along.x());
+    const auto farthest = [&](std::size_t from, const Eigen::Vector2d& direction) {
+      while (from < i + hull.size() && direction.dot(corner(from + 1) - corner(from)) > 0) ++from;
+      return from;
+    };
+    right = farthest(std::max(right, i), along);
+    top = farthest(std::max(top, right), across);
+    left = farthest(std::max(left, top), -along);
+    const double low = along.dot(corner(left) - corner(i)), high = along.dot(corner(right) - corner(i));
+    const double width = across.dot(corner(top) - corner(i));
+    const double area = (high - low) * width;
+    if (area >= best_area * (1 - kSameSize)) continue;
+    best_area = area;
+    best = high - low >= width ? along : across;
+  }
+  return best;
+}
+
+std::vector<Eigen::Vector2d> points_along(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv) {
+  std::vector<Eigen::Vector2d> points;
+  points.push_back(uv.row(chart.mesh.from_vertex_handle(chain.front()).idx()));
+  for (const HalfedgeHandle h : chain) points.push_back(uv.row(chart.mesh.to_vertex_handle(h).idx()));
+  return points;
+}
+
+/// The points of a chain say where it leads.
+bool is_open(const std::vector<Eigen::Vector2d>& points) {
+  double length = 0;  // in the plane: free wires have another one there
+  for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
+  return (points.back() - points.front()).norm() >= kShortChord * length;
+}
+
+Eigen::Vector2d direction_of(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv) {
+  const std::vector<Eigen::Vector2d> points = points_along(chart, chain, uv);
+  const Eigen::Vector2d chord = points.back() - points.front();
+  if (is_open(points)) return chord;
+  const Eigen::Vector2d side = long_side_of_smallest_box(points);
+  Eigen::Vector2d mean(0, 0);
+  for (const Eigen::Vector2d& p : points) mean += p / static_cast<double>(points.size());
+  return side.dot(points.front() - mean) > 0 ? Eigen::Vector2d(-side) : side;  // begins at the lower end
+}
+
+const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
+  const HalfEdgeChain* best = nullptr;
+  double best_length = 0;
+  for (const BoundaryChain& chain : chart.boundary_chains) {
+    const double length = length_of(chart.mesh, chain.half_edges);
+    if (best && length <= best_length * (1 + kSameSize)) continue;
+    best = &chain.half_edges;
+    best_length = length;
+  }
+  return *best;
+}
+
+/// The chain that stands upright in Orientation::wire.
+const HalfEdgeChain& grain_of(const Chart& chart, int grain) {
+  if (chart.wire_parts.empty()) return longest_boundary_chain(chart);
+  const auto chosen = std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
+                                   [&](const WirePart& part) { return part.wire_index == grain; });
+  return (chosen != chart.wire_parts.end() ? *chosen : chart.wire_parts.front()).half_edges;
+}
+
+}  // namespace
+
+Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, const Options& options) {
+  if (options.orientation == Orientation::boundary) return straightest_outline(chart, uv);
+  if (options.orientation == Orientation::up) {
+    const Eigen::Vector2d rising = rising_direction(chart, uv, {options.up[0], options.up[1], options.up[2]});
+    if (!rising.isZero(0)) return rising;
+  }
+  const Eigen::Vector2d along = direction_of(chart, grain_of(chart, options.grain), uv);
+  const double angle = options.orientation == Orientation::wire ? options.grain_angle : 0;
+  return angle == 0 ? along : Eigen::Vector2d(Eigen::Rotation2Dd(-angle) * along);
+}
+
+void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
+  Eigen::Matrix2d transposed_rotation = Eigen::Matrix2d::Identity();
+  if (up.norm() > 0) {
+    const Eigen::Vector2d y = up.normalized();
+    transposed_rotation << y.y(), y.x(), -y.x(), y.y();
+  }
+  const Eigen::RowVector2d center = (uv.colwise().minCoeff() + uv.colwise().maxCoeff()) / 2;
+  for (Eigen::Index v = 0; v < uv.rows(); ++v) {
+    uv.row(v) = ((uv.row(v) - center) * transposed_rotation).eval();  // small numbers round less
+  }
+  const Eigen::RowVector2d corner = uv.colwise().minCoeff();
+  uv.rowwise() -= corner;
+}
+
+VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options) {
+  if (options.orientation == Orientation::wire) {
+    const HalfEdgeChain& chain = grain_of(chart, options.grain);
+    if (is_open(points_along(chart, chain, uv))) {
+      return {chart.mesh.from_vertex_handle(chain.front()).idx(), chart.mesh.to_vertex_handle(chain.back()).idx()};
+    }
+  }
+  std::vector<int> outline;
+  for (const HalfedgeHandle h : chart.boundary_loops.front()) outline.push_back(chart.mesh.from_vertex_handle(h).idx());
+  const auto is_lower = [&](int v, int w) { return uv(v, 1) < uv(w, 1); };
+  const auto [lowest, highest] = std::minmax_element(outline.begin(), outline.end(), is_lower);
+  const double same_height = kSameSize * (uv(*highest, 1) - uv(*lowest, 1));
+  const auto leftmost_beside = [&](int extreme) {
+    int leftmost = extreme;
+    for (const int v : outline) {
+      const bool is_beside = std::abs(uv(v, 1) - uv(extreme, 1)) <= same_height;
+      if (is_beside && uv(v, 0) < uv(leftmost, 0)) leftmost = v;
+    }
+    return leftmost;
+  };
+  return {leftmost_beside(*lowest), leftmost_beside(*highest)};
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "warp/inner/inner_problem.h"
+
+#include <algorithm>
+
+#include "numerics/optimize/line_search.h"
+
+namespace wirewarp {
+namespace {
+
+constexpr double kClosed = 1e-12;       // a loop closes: gap / length of the loop
+constexpr double kNearlyClosed = 1e-3;  // the factor at hand is good enough to close the rest
+constexpr double kRounding = 2e-15;     // no better can be had in double precision
+constexpr double kStationary = 1e-10;   // projected gradient: E has six digits then, wherever loops start
+constexpr int kMaxSteps = 100;          // 3 to 16 are usual
+constexpr double kSmallestStep = 1e-6;  // twenty halvings
+constexpr double kBend = 0.3;           // radians at the edge that turns most: off the saddle, and loops still close
+constexpr double kLongestTurn = 2;      // radians of two edges against each other: beyond, no gap is linear in headings
+constexpr double kStalledRatio = 0.4;   // share of the gap that a whole step leaves only where symmetry is in the way
+
+double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
+
+}  // namespace
+
+InnerSolution InnerProblem::solve(const Eigen::VectorXd& lengths, Inner inner) {
+  return solve_from(Eigen::VectorXd::Zero(eq1_.num_edges()), lengths, inner);
+}
+
+InnerSolution InnerProblem::follow(const InnerSolution& from, const Eigen::VectorXd& lengths) {
+  return solve_from(from.psi, lengths, Inner::minimum);
+}
+
+InnerSolution InnerProblem::solve_from(const Eigen::VectorXd& start, const Eigen::VectorXd& lengths, Inner inner) {
+  const int solves_before = kkt_.num_factorizations();
+  InnerSolution solution;
+  solution.psi = start;
+  solution.is_feasible = close_loops(lengths, solution.psi);
+  if (solution.is_feasible) solution.is_minimum = inner == Inner::least_norm || minimize(lengths, solution);
+  solution.headings = eq1_.headings(solution.psi);
+  solution.closure_residual = largest(eq1_.closure(solution.psi, lengths));
+  solution.num_solves = kkt_.num_factorizations() - solves_before;
+  return solution;
+}
+
+void InnerProblem::linearize(const InnerSolution& solution, const Eigen::VectorXd& lengths) {
+  kkt_.factor(eq1_.laplacian(), eq1_.closure_hessian(solution.psi, lengths, solution.multipliers),
+              eq1_.closure_jacobian(solution.psi, lengths));
+}
+
+/// The minimum satisfies ∇F + Jᵀλ = 0 and c = 0. Differentiated by a length: K [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, with
+/// K the matrix of the optimality system. c is linear in the lengths.
+Eigen::VectorXd InnerProblem::change_of_headings(const InnerSolution& solution,
+                                                 const Eigen::VectorXd& change_of_lengths) const {
+  const Eigen::VectorXd by_lengths = eq1_.closure_by_headings_and_lengths(solution.psi, solution.multipliers);
+  return kkt_.solve(-by_lengths.cwiseProduct(change_of_lengths), -eq1_.closure(solution.psi, change_of_lengths)).step;
+}
+
+/// The adjoint: K [p; q] = [∂E/∂φ; 0], and dE/dl = ∂E/∂l - pᵀ∂(Jᵀλ)/∂l - qᵀ∂c/∂l.
+Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, const Eigen::VectorXd& by_headings,
+                                               const Eigen::VectorXd& by_lengths) const {
+  const KktSystem::Solution adjoint = kkt_.solve(by_headings, Eigen::VectorXd::Zero(eq1_.num_closures()));
+  return by_lengths -
+         adjoint.step.cwiseProduct(eq1_.closure_by_headings_and_lengths(solution.psi, solution.multipliers)) -
+         eq1_.closure_by_lengths(solution.psi, adjoint.multipliers);
+}
+
+/// The paper's least-norm steps: the smallest weighted change of the current angles that closes the linearized loops,
+/// shortened where edges would turn too far or the gap would not shrink. Where it hardly shrinks, symmetry holds a
+/// wire straight that must bend to become shorter, which no linearization sees: it is bent once, the way that takes the
+/// least effort. Leaves the factor of the last step, or of the start where nothing is open.
+bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(eq1_.num_edges());
+  Eigen::VectorXd gap = eq1_.closure(psi, lengths);
+  bool has_bent = false;
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const Eigen::SparseMatrix<double> jacobian = eq1_.closure_jacobian(psi, lengths);
+    kkt_.factor(eq1_.laplacian(), zero, jacobian);
+    if (largest(gap) <= kRounding) return true;
+    const KktSystem::Solution closing = kkt_.solve(zero, -gap);
+    const auto share_left = [&](double t) { return eq1_.closure(psi + t * closing.step, lengths).norm() / gap.norm(); };
+    const double longest = std::min(1.0, kLongestTurn / (closing.step.maxCoeff() - closing.step.minCoeff()));
+    double t = longest;
+    while (!(share_left(t) < 1 - 1e-3 * t) && t > kSmallestStep) t /= 2;
+    const bool is_held = t < longest || (t == 1 && share_left(t) > kStalledRatio);
+    if (is_held && !has_bent) {
+      double share = 0.5;
+      factor_downhill(eq1_.closure_hessian(psi, lengths, closing.multipliers), jacobian, share);
+      psi += kBend * inverse_iteration(eq1_.symmetry_breaker());
+      gap = eq1_.closure(psi, lengths);
+      has_bent = true;
+      continue;
+    }
+    if (t <= kSmallestStep) break;
+    psi += t * closing.step;
+    gap = eq1_.closure(psi, lengths);
+    if (largest(gap) < kNearlyClosed) {
+      if (restore(lengths, psi)) return true;
+      gap = eq1_.closure(psi, lengths);
+    }
+  }
+  return largest(gap) < kClosed;
+}
+
+/// Closes the loops again after a step along them, with the factor at hand.
+bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const {
+  constexpr int kMaxRestorations = 40;  // each a back-substitution: cheaper than shorter steps and new factors
+  constexpr double kWorthwhile = 0.8;   // share of the gap that a step may leave: slower ones have stalled
+  const Eigen::VectorXd no_gradient = Eigen::VectorXd::Zero(eq1_.num_edges());
+  Eigen::VectorXd gap = eq1_.closure(psi, lengths);
+  for (int i = 0; i < kMaxRestorations && largest(gap) > kRounding; ++i) {
+    const Eigen::VectorXd trial = psi + kkt_.solve(no_gradient, -gap).step;
+    const Eigen::VectorXd trial_gap = eq1_.closure(trial, lengths);
+    if (!(trial_gap.norm() < kWorthwhile * gap.norm())) break;
+    psi = trial;
+    gap = trial_gap;
+  }
+  return largest(gap) < kClosed;
+}
+
+/// Factors with as much of the closures' curvature as leaves the step leading downhill; none always does. True if that
+/// is all of it. share: what to try after all of it; comes back closer to all where it served.
+bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
+                                   double& share) {
+  if (kkt_.factor(eq1_.laplacian(), closure_hessian, jacobian)) return true;
+  if (kkt_.factor(eq1_.laplacian(), share * closure_hessian, jacobian)) {
+    share = (1 + share) / 2;
+    return false;
+  }
+  share /= 2;
+  if (!kkt_.factor(eq1_.laplacian(), share * closure_hessian, jacobian)) {
+    kkt_.factor(eq1_.laplacian(), 0 * closure_hessian, jacobian);
+  }
+  return false;
+}
+
+/// A change of headings along the closed loops, largest entry 1, on its way to the one that the factored matrix resists
+/// least: a few steps of inverse iteration. Begun at the symmetry_breaker of the network, of two mirror images the same
+/// one is found whatever the numbering.
+Eigen::VectorXd InnerProblem::inverse_iteration(Eigen::VectorXd turn) const {
+  constexpr int kIterations = 4;  // any turn that falls will do, so that few digits of the softest one are enough
+  const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
+  for (int i = 0; i < kIterations; ++i) {
+    turn = kkt_.solve(turn, no_gap).step;
+    turn.array() -= turn.mean();  // the piece as a whole does not turn
+    turn /= largest(turn);
+  }
+  return turn;
+}
+
+/// Moves by t along a direction and closes the loops again. False, with psi and value as they were, unless the value of
+/// Eq. (1) falls by `decrease` at least.
+bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& direction, double t, double decrease,
+                        Eigen::VectorXd& psi, double& value) const {
+  stop().check();
+  Eigen::VectorXd trial = psi + t * direction;
+  if (!restore(lengths, trial)) return false;
+  const double trial_value = eq1_.angle_variation(trial);
+  if (trial_value > value - decrease + 1e-14 * value) return false;
+  psi = trial;
+  value = trial_value;
+  return true;
+}
+
+/// Leaves a saddle along a soft turn, to either side, as far as the gain predicted is above at_least. Without this and
+/// the bend in close_loops, 2 of 1,000 random networks that have a good shape are refused. The prediction is by the
+/// curvature of the Lagrangian, whatever share of it is in the factor. Close to the saddle a turn is sought until one
+/// falls: where the network is symmetric, its symmetry_breaker may hold little of it.
+bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
+                                Eigen::VectorXd& psi, double& value) const {
+  constexpr int kMaxSearches = 10;  // each takes a few substitutions
+  constexpr double kClose = 0.01;   // what is left to gain without leaving, over the value
+  const int searches = at_least < kClose * value ? kMaxSearches : 1;
+  Eigen::VectorXd turn = eq1_.symmetry_breaker();
+  double fall = 0;
+  for (int i = 0; i < searches && !(fall > 0); ++i) {
+    turn = inverse_iteration(turn);
+    fall = -turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
+  }
+  for (double t = kBend; fall * t * t > at_least && t > kSmallestStep; t /= 2) {
+    const double promised = kSufficientDecrease * fall * t * t / 2;
+    if (move(lengths, turn, t, promised, psi, value) || move(lengths, turn, -t, promised, psi, value)) return true;
+  }
+  return false;
+}
+
+/// Feasible sequential quadratic programming with the exact Hessian of the Lagrangian: every iterate closes. Ends where
+/// the projected gradient vanishes and the inertia says that this is a minimum; a saddle is left along the direction in
+/// which it falls. The first multipliers are those of the factor that closed the loops.
+bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solution) {
+  Eigen::VectorXd& psi = solution.psi;
+  Eigen::VectorXd& multipliers = solution.multipliers;
+  const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
+  double curvature_share = 0.5;
+  double value = eq1_.angle_variation(psi);
+  multipliers = kkt_.solve(-eq1_.gradient(psi), no_gap).multipliers;
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const Eigen::VectorXd gradient = eq1_.gradient(psi);
+    const Eigen::SparseMatrix<double> jacobian = eq1_.closure_jacobian(psi, lengths);
+    solution.projected_gradient = largest(gradient + jacobian.transpose() * multipliers);
+    const Eigen::VectorXd closure_hessian = eq1_.closure_hessian(psi, lengths, multipliers);
+    const bool is_convex = factor_downhill(closure_hessian, jacobian, curvature_share);
+    if (is_convex && solution.projected_gradient < kStationary) return true;
+
+    const KktSystem::Solution newton = kkt_.solve(-gradient, no_gap);
+    const auto step = [&](const Eigen::VectorXd& direction) {
+      const double slope = gradient.dot(direction);
+      for (double t = 1; t > kSmallestStep; t /= 2) {
+        if (move(lengths, direction, t, -kSufficientDecrease * t * slope, psi, value)) return true;
+      }
+      return false;
+    };
+    const bool has_moved = is_convex ? step(newton.step)
+                                     : leave_saddle(lengths, closure_hessian, -gradient.dot(newton.step), psi, value) ||
+                                           step(newton.step) || leave_saddle(lengths, closure_hessian, 0, psi, value);
+    if (!has_moved) return false;
+    multipliers = newton.multipliers;
+  }
+  return false;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "warp/topology/shortest_path.h"
+
+#include <algorithm>
+
+#include "base/planar.h"
+#include "surface/mesh/shortest_paths.h"
+#include "warp/topology/embed_path.h"
+#include "warp/topology/straightest_geodesic.h"
+#include "warp/topology/strip.h"
+#include "warp/topology/unjoined_wires.h"
+
+namespace wirewarp {
+namespace {
+
+/// Whether the path gets shorter around the other side of the vertex: less than a straight angle is there.
+bool is_shorter_on_other_side(const HalfEdgeMesh& mesh, const StripTurn& turn) {
+  constexpr double kStraight = 1e-9;  // radians: what rounding leaves of a sum of angles is a thousandth of that
+  return total_angle(mesh, turn.vertex) - kPi - turn.angle < kPi - kStraight;
+}
+
+/// Replaces the strip and its path by one that is shorter and may be taken. False if there is none.
+template <class MayTake>
+bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, const MayTake& may_take, Strip& strip, StripPath& best) {
+  constexpr double kNoShorter = 1e-13;  // relative: some hundred roundings, so that two ways never take turns
+  for (const StripTurn& turn : best.turns) {
+    if (!is_shorter_on_other_side(mesh, turn)) continue;
+    Strip other = pass_on_other_side(mesh, strip, turn);
+    if (!may_take(other)) continue;
+    StripPath path = shortest_in_strip(mesh, wires, other);
+    if (path.length >= best.length * (1 - kNoShorter)) continue;
+    strip = std::move(other);
+    best = std::move(path);
+    return true;
+  }
+  return false;
+}
+
+template <class MayTake>
+SurfacePath shortest_path(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path,
+                          const MayTake& may_take) {
+  Strip strip = strip_beside(mesh, edge_path);
+  StripPath best = shortest_in_strip(mesh, wires, strip);
+  while (improve(mesh, wires, may_take, strip, best)) {
+  }
+  return best.path;
+}
+
+}  // namespace
+
+std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const WireMask& wires,
+                                             const std::vector<VertexHandle>& sources,
+                                             const std::vector<char>& is_target) {
+  const auto ends_at = [&](VertexHandle v) { return is_target[v.idx()] != 0; };
+  const auto may_follow = [&](HalfedgeHandle h) {
+    const VertexHandle next = mesh.to_vertex_handle(h);
+    return !wires.has(mesh.edge_handle(h)) && (!wires.has(next) || ends_at(next));
+  };
+  const ShortestPaths paths = shortest_paths(mesh, sources, {may_follow, ends_at});
+  if (!paths.end.is_valid()) return {};
+  std::vector<VertexHandle> path{paths.end};
+  for (const HalfedgeHandle h : path_back(mesh, paths, paths.end)) path.push_back(mesh.from_vertex_handle(h));
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path) {
+  return shortest_path(mesh, wires, edge_path, [](const Strip&) { return true; });
+}
+
+SurfacePath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
+                              const std::vector<VertexHandle>& edge_path) {
+  std::vector<char> touches_path(mesh.n_faces(), 0);
+  for (const VertexHandle v : edge_path) {
+    for (const FaceHandle f : mesh.vf_range(v)) touches_path[f.idx()] = 1;
+  }
+  return shortest_path(mesh, wires, edge_path, [&](const Strip& strip) {
+    return std::all_of(strip.crossings.begin(), strip.crossings.end(), [&](HalfedgeHandle h) {
+      return touches_path[mesh.face_handle(h).idx()] != 0 &&
+             touches_path[mesh.face_handle(mesh.opposite_halfedge_handle(h)).idx()] != 0;
+    });
+  });
+}
+
+HalfEdgeChain join_by_shortest_path(SplitChart& refined, const std::vector<VertexHandle>& sources,
+                                    std::vector<char> is_target) {
+  make_room(refined, sources);
+  const HalfEdgeMesh& mesh = refined.chart.mesh;
+  is_target.resize(mesh.n_vertices(), 0);
+  const std::vector<VertexHandle> edge_path = shortest_edge_path(mesh, refined.wires, sources, is_target);
+  if (edge_path.empty()) throw UnjoinedWires("No path leads from one wire loop to another in the same region.");
+  const SurfacePath straight = straighten(mesh, refined.wires, edge_path);
+  const std::optional<SurfacePath> path = snap_to_wires(mesh, refined.wires, straight);
+  if (!path) throw UnjoinedWires("A shortest path between wire loops ends off its loops.");
+  HalfEdgeChain chain = embed_path(refined, *path);
+  add_helper_wire(refined, chain);
+  return chain;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A path on a mesh: from vertex to vertex, straight across each triangle.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "surface/mesh/half_edge_mesh.h"
+
+namespace wirewarp {
+
+/// A vertex, or a point where the path crosses an edge.
+struct PathPoint {
+  VertexHandle vertex;       // valid: the point is this vertex
+  HalfedgeHandle half_edge;  // else it lies on this one, the side whose face the path leaves,
+  double t = 0;              // at from + t (to - from), in [0, 1]
+
+  bool is_vertex() const { return vertex.is_valid(); }
+  static PathPoint at_vertex(VertexHandle v) { return {v, HalfedgeHandle(), 0}; }
+  static PathPoint on_edge(HalfedgeHandle h, double t) { return {VertexHandle(), h, t}; }
+};
+
+using SurfacePath = std::vector<PathPoint>;
+
+inline HalfEdgeMesh::Point position(const HalfEdgeMesh& mesh, const PathPoint& point) {
+  if (point.is_vertex()) return mesh.point(point.vertex);
+  const auto from = mesh.point(mesh.from_vertex_handle(point.half_edge));
+  return from + (mesh.point(mesh.to_vertex_handle(point.half_edge)) - from) * point.t;
+}
+
+inline double path_length(const HalfEdgeMesh& mesh, const SurfacePath& path) {
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    length += (position(mesh, path[i]) - position(mesh, path[i - 1])).norm();
+  }
+  return length;
+}
+
+// The plane of a triangle, as complex numbers.
+using Planar = std::complex<double>;
+
+/// Positive if b points to the left of a.
+inline double cross(Planar a, Planar b) { return std::imag(std::conj(a) * b); }
+
+/// The corner of h's face opposite to h, where h runs from 0 along the real axis and its face is on the left.
+inline Planar apex_over(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
+  const auto from = mesh.point(mesh.from_vertex_handle(h));
+  const auto along = mesh.point(mesh.to_vertex_handle(h)) - from;
+  const auto up = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h))) - from;
+  const double length = along.norm();
+  return {(along | up) / length, (along % up).norm() / length};
+}
+
+}  // namespace wirewarp
