@@ -161,7 +161,7 @@ def loading_problem(error: Exception, folder: Path | None) -> str:
         made_for = " and ".join(_made_for(module.name) for module in modules)
         here = f"Python {sys.version_info.major}.{sys.version_info.minor} on {platform.system()}"
         return f"The WireWarp library that is installed is made for {made_for}; this Blender has {here}. {_AGAIN}"
-    if "incompatible architecture" in str(error):  # says macOS, where file names do not tell processors apart
+    if "incompatible architecture" in str(error):  # says macOS, where file names are the same for all processors
         return f"The WireWarp library that is installed is made for another kind of Mac's processor. {_AGAIN}"
     if newer := _NEWER_GLIBC.search(str(error)):
         return (

@@ -17,7 +17,7 @@ from bpy.props import (
 from .blender.views import redraw_views
 from .solve.papers import PAPERS
 from .state.memory import note_change
-from .state.settings import AimSettings, FlattenSettings
+from .state.settings import FlattenSettings, TargetSettings
 
 
 def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
@@ -189,7 +189,7 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
         note_change(settings.id_data)
 
 
-class WIREWARP_PG_settings(FlattenSettings, PatternSettings, AimSettings, EaseAmount, bpy.types.PropertyGroup):
+class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, EaseAmount, bpy.types.PropertyGroup):
     auto_update: BoolProperty(
         name="Auto",
         description="Flatten again automatically when seams, wires, shape or scale change, or with Modifiers their "

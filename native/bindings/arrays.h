@@ -25,7 +25,7 @@ Triangles read_faces(py::handle value);
 /// seams (k, 2), whole numbers; None or an empty list for none.
 VertexPairs read_seams(py::handle value);
 
-/// no_seam (k, 2), likewise.
+/// no_seam (k, 2), whole numbers; None or an empty list for none.
 VertexPairs read_no_seam(py::handle value);
 
 /// Of an Ease.
@@ -43,7 +43,7 @@ double read_number(py::handle value, const std::string& name);
 /// Three real numbers in a row; throws invalid_type or invalid_shape, calling them `name`.
 std::array<double, 3> read_triple(py::handle value, const std::string& name);
 
-/// Two real numbers in a row, likewise.
+/// Two real numbers in a row; throws as read_triple() does.
 std::array<double, 2> read_pair(py::handle value, const std::string& name);
 
 /// The name of the type of a value, for messages.

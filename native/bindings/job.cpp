@@ -127,7 +127,7 @@ void bind_job(py::module_& module) {
   job.attr("__module__") = package_name();
   job.def(
       "progress", &Job::progress,
-      "(stage, fraction): how far it is, as the call tells its callback; ('', 0.0) before it tells the first time.");
+      "(stage, fraction): the last progress reported, as to the callback of the call; ('', 0.0) before the first report.");
   job.def("cancel", &Job::cancel, "Cancels what is not done yet, as soon as the core asks.");
   job.def("is_done", &Job::is_done, "Whether result() returns at once.");
   job.def(

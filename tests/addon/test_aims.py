@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cuts that are suggested towards an aim: each row takes those before it, too; what it says is what Flatten gives."""
+"""Cuts that are suggested towards a target: each row takes those before it, too; what it says is what Flatten gives."""
 
 import bpy
 import numpy as np
@@ -19,7 +19,7 @@ def settings():
     return wanted
 
 
-def aim(settings, **values):
+def target(settings, **values):
     for name, value in values.items():
         setattr(settings, name, value)
 
@@ -65,7 +65,7 @@ def test_of_any_piece_the_figures_are_those_of_the_worst_one(addon, settings):
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.25))
     bpy.ops.object.wirewarp_flatten()
-    aim(settings, aim_cuts=1)
+    target(settings, aim_cuts=1)
     apart = []
     for piece in (0, 1):
         SUGGEST["DARTS"](piece=piece)
@@ -95,14 +95,14 @@ def test_no_cut_more_than_the_aim_asks_for(addon, settings, capfd):
     first, second = found(addon, source).cuts
     assert "left, more than your target of 0.0%. Allow more cuts." in draw_panels(addon)
     assert "your target of 0.0%. Allow more cuts." in capfd.readouterr().out
-    aim(settings, aim_stretch=100 * (first.strain + second.strain) / 2)
+    target(settings, aim_stretch=100 * (first.strain + second.strain) / 2)
     SUGGEST["DARTS"]()
     assert len(found(addon, source).cuts) == 2
     assert "you want" not in draw_panels(addon)
-    aim(settings, aim_stretch=100 * (first.strain + first.strain_before) / 2)
+    target(settings, aim_stretch=100 * (first.strain + first.strain_before) / 2)
     SUGGEST["DARTS"]()
     assert [cut.edges for cut in found(addon, source).cuts] == [first.edges]
-    aim(settings, aim_stretch=100.0)
+    target(settings, aim_stretch=100.0)
     with pytest.raises(RuntimeError, match=r"is flat enough.* and 100% may stay"):
         SUGGEST["DARTS"]()
 
@@ -111,7 +111,7 @@ def test_all_cuts_together_are_no_longer_than_allowed(addon, settings):
     source = grid("Bump", bump)
     SUGGEST["DARTS"]()
     (longest,) = found(addon, source).cuts[0].lengths
-    aim(settings, aim_length=0.9 * longest, aim_cuts=9)
+    target(settings, aim_length=0.9 * longest, aim_cuts=9)
     SUGGEST["DARTS"]()
     cuts = found(addon, source).cuts
     assert sum(cuts[-1].lengths) <= settings.aim_length
@@ -120,7 +120,7 @@ def test_all_cuts_together_are_no_longer_than_allowed(addon, settings):
 
 def test_first_cuts_meet_the_aim(addon, settings):
     source = ball()
-    aim(settings, aim_stretch=30.0)
+    target(settings, aim_stretch=30.0)
     with pytest.raises(RuntimeError, match="is closed"):
         bpy.ops.object.wirewarp_flatten()
     SUGGEST["SEAMS"]()
@@ -129,7 +129,7 @@ def test_first_cuts_meet_the_aim(addon, settings):
     words = draw_panels(addon)
     assert f"Stretch with Seams, {source.name} First seams: " in words
     longest = cut.lengths[0]
-    aim(settings, aim_length=0.9 * longest)
+    target(settings, aim_length=0.9 * longest)
     try:
         SUGGEST["SEAMS"]()
     except RuntimeError as error:  # all that is shorter leaves more than any fabric can do
@@ -148,5 +148,5 @@ def test_without_an_aim_there_are_rows_to_choose_one_from(addon):
     source = grid("Bump", bump)
     SUGGEST["DARTS"]()
     suggestions = found(addon, source)
-    assert suggestions.aim is None and suggestions.chosen == 0
+    assert suggestions.target is None and suggestions.chosen == 0
     assert "1 dart: " not in draw_panels(addon)

@@ -115,7 +115,7 @@ def test_twins_without_common_figures_are_one_row(addon):
 
     apart = [proposal(0.3, 1, None), proposal(0.3, 0, None)]
     together = [proposal(0.4, 3, 0.2), proposal(0.4, 2, 0.2)]
-    cuts = addon.solve.suggest._with_twins([*apart, *together], set())
+    cuts = addon.solve.suggest._with_mirror_images([*apart, *together], set())
     assert [(cut.strain, len(cut.lengths)) for cut in cuts] == [(0.3, 1), (0.2, 2)]
 
 

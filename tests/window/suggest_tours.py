@@ -73,7 +73,7 @@ def cuts_towards_an_aim_are_taken_and_undone_with_one_click_each() -> drive.Tour
     settings = bpy.context.scene.wirewarp
     settings.suggest_together, settings.aim_stretch, settings.aim_cuts = True, 0.0, 2
     source = grid("Bump", bump, size=12)
-    yield from take_and_undo(source, "aim")
+    yield from take_and_undo(source, "target")
 
 
 def escape_ends_the_search() -> drive.Tour:

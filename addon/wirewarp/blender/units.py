@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lengths as the scene shows them, and models whose size tells that their unit was lost."""
+"""Lengths as the scene shows them, and models whose size shows that their unit was lost."""
 
 from collections.abc import Sequence
 

@@ -123,7 +123,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         hold_whole_file()
 
     def _tell(self, context: bpy.types.Context, outcomes: list[Outcome], failed: str = "ERROR") -> set[str]:
-        """failed: the level on which pieces that failed are told."""
+        """failed: the level of the message on pieces that failed."""
         redraw_views()  # Blender does so by itself after a run that changed data, but not after one that failed
         reports = [outcome.report for outcome in outcomes]
         self._write_report(context, reports)

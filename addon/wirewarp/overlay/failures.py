@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the last report complains about, and what would mend it, of one object: arrays, no GPU."""
+"""What the last report complains about, and what would fix it, of one object: arrays, no GPU."""
 
 from dataclasses import dataclass
 
@@ -18,7 +18,7 @@ from .objects import current_report
 
 @dataclass(frozen=True)
 class Failures:
-    lines: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line: what failed, and what would mend it
+    lines: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line: what failed, and what would fix it
     triangles: np.ndarray  # (3m,3) float32
 
     @property

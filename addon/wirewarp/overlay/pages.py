@@ -112,8 +112,8 @@ def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimete
         for number, page in enumerate(pages)
     ]
     what = counted(len(pages), "page" if is_roll(paper) or paper == ONE_PAGE else "sheet")
-    told = made.marker.sentence(made.units) if made.marker else f"{what}: {PAPERS[paper][1]}"
-    return PagePreview(told if keeps else f"{told}. Drawn below the pieces", True, places, names)
+    sentence = made.marker.sentence(made.units) if made.marker else f"{what}: {PAPERS[paper][1]}"
+    return PagePreview(sentence if keeps else f"{sentence}. Drawn below the pieces", True, places, names)
 
 
 def _outlines(made: pattern.Pattern) -> list[np.ndarray]:

@@ -20,7 +20,7 @@ NO_LINES = np.zeros((0, 3), dtype=np.float32)
 
 
 def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
-    """What failed and would mend it, and the ends (2k,3) of the cut, which looks like that."""
+    """What failed and would fix it, and the ends (2k,3) of the cut, which looks like that."""
     if not len(ends):
         return failed
     failed = failed or Failures({}, NO_LINES)

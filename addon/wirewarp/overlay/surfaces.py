@@ -7,7 +7,7 @@ import numpy as np
 
 from ..solve.maps import NO_LAYOUT
 
-Extremes = tuple[float, float]  # the smallest and the largest value of a map, whatever its colors can tell
+Extremes = tuple[float, float]  # the smallest and the largest value of a map, whatever range its colors show
 
 
 @dataclass(frozen=True)

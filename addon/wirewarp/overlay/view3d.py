@@ -54,7 +54,7 @@ def _hidden_by_what_is_in_front() -> Iterator[None]:
 
 
 def _apart(context: bpy.types.Context) -> float:
-    """How many times farther apart than usual the layers are drawn, where the view is too far away to tell them apart.
+    """How many times farther apart than usual the layers are drawn, where the view is too far away to distinguish them.
 
     As with models whose unit is a centimeter or a millimeter.
     """

@@ -94,7 +94,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         return {"FINISHED"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        """What was mended stays, and can be undone, whatever becomes of the run."""
+        """What was fixed stays, and can be undone, whatever becomes of the run."""
         result = super().modal(context, event)
         return {"FINISHED"} if result == {"CANCELLED"} else result
 

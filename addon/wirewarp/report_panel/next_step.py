@@ -98,7 +98,7 @@ def _strained_places(report: ObjectReport) -> list[int]:
 
 
 def remedy_of(issue: Issue) -> str | None:
-    """The kind of what mends it."""
+    """The kind of fix."""
     if issue.proposed_seams:
         return "SEAMS"
     return "TOLERANCES" if issue.proposed_tolerances else OF_CODES.get(issue.code)
@@ -115,7 +115,9 @@ def is_shown(report: ObjectReport, entry: Issue) -> bool:
 
 def _reason(issues: Sequence[Issue], what: str) -> str:
     if what == "SEAMS":
-        edges = {(min(edge), max(edge)) for issue in issues for edge in issue.proposed_seams}  # twins share theirs
+        edges = {
+            (min(edge), max(edge)) for issue in issues for edge in issue.proposed_seams
+        }  # mirrored pieces share theirs
         return f"Suggested seam: {counted(len(edges), 'edge')}."
     if what == "TOLERANCES":
         wires = {wire.name for issue in issues for wire in issue.proposed_tolerances}

@@ -71,8 +71,8 @@ def _draw_entry(
 ) -> None:
     """The text, and if it has a place the button that selects what it is about."""
     row = layout.row(align=True)
-    spare = (6 if what == "ISSUE" else 0) + (22 if placed else 0)
-    draw_sentence(context, row, text, "ERROR" if what == "ISSUE" else "DOT", spare)
+    reserved = (6 if what == "ISSUE" else 0) + (22 if placed else 0)
+    draw_sentence(context, row, text, "ERROR" if what == "ISSUE" else "DOT", reserved)
     if placed:
         draw_select(row, what, index)
 
@@ -85,7 +85,7 @@ def _draw_proposals(context: bpy.types.Context, layout: bpy.types.UILayout, inde
     if wires:
         named = ", ".join(f"{wire.name} {tolerance_text(wire.tolerance)}" for wire in wires[:SHOWN_ROWS])
         named += f" and {len(wires) - SHOWN_ROWS} more" if len(wires) > SHOWN_ROWS else ""
-        draw_sentence(context, layout, named, "BLANK1", spare=16)
+        draw_sentence(context, layout, named, "BLANK1", reserved=16)
         _draw_button(layout, "TOLERANCES", index, f"Loosen Wires{both}", "FIXED_SIZE")
 
 

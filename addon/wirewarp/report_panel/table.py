@@ -57,7 +57,7 @@ def draw_heading(
     """A name with its mark (see mark_of) and, where there is something to select, the button for it."""
     row = layout.row(align=True)
     text = row.column(align=True)
-    lines = broken(context, name, spare=22 if what else 0)
+    lines = broken(context, name, reserved=22 if what else 0)
     text.scale_y = 1 if len(lines) == 1 else 0.8
     for number, line in enumerate(lines):
         text.label(text=line, **({"icon": "BLANK1"} if number else mark))

@@ -53,7 +53,7 @@ class FlattenChoices:
     layout: str = field(metadata=LAYS_OUT)
     orientation: str = field(metadata=LAYS_OUT)
     grain_angle: float = field(metadata=LAYS_OUT)
-    spacing: float = field(metadata=LAYS_OUT)  # between the lines to cut of pieces, in Blender units
+    spacing: float = field(metadata=LAYS_OUT)  # between the cutting lines of pieces, in Blender units
     mirror: bool = field(metadata=LAYS_OUT)
 
 
@@ -144,7 +144,7 @@ def _without_stretch(cloth: ClothChoice) -> Cloth:
 
 
 def gap_between(arrays: MeshArrays, spacing: float) -> float:
-    """Between pieces, with `spacing` between their lines to cut; at most what the library allows."""
+    """Between pieces, with `spacing` between their cutting lines; at most what the library allows."""
     return min(spacing + 2 * arrays.allowance, _side(arrays))
 
 

@@ -23,8 +23,8 @@ from ..words import paragraph
 from .arrays import MeshArrays
 from .flatten import ClothChoice, issue_of_piece, library_cloth, library_marks, maximum_stretch
 from .identity import PieceIdentity
+from .mirrored_pieces import with_mirror_images
 from .seams import SeamIdentity
-from .twins import with_twins
 
 SHOWN_SENTENCES = 4
 
@@ -132,7 +132,7 @@ def _library_report(result: FlattenResult, arrays: MeshArrays, meters: float, cl
         fabric=cloth.name if cloth else "",
         meters=meters,
         polygons=arrays.triangle_polygons,
-        issues=with_twins(issues, result, arrays),
+        issues=with_mirror_images(issues, result, arrays),
     )
 
 

@@ -32,7 +32,7 @@ class NoSeam:
 
 
 @dataclass(frozen=True)
-class Aim:
+class Target:
     """What cuts that are taken together are to reach."""
 
     strain: float  # as Cut.strain
@@ -44,7 +44,7 @@ class Aim:
 class Cut:
     """A dart or a seam, or two that are mirror images of each other, or a set of first cuts; and what marking does.
 
-    Towards an aim it is all of these from the first to one of them.
+    For a target it is all of these from the first to one of them.
     """
 
     edges: Pairs
@@ -68,9 +68,9 @@ def suggest_cuts(
     kind: str,
     piece: int | None,
     no_seam: NoSeam,
-    aim: Aim | None,
+    target: Target | None,
 ) -> Steps[list[Cut]]:
-    """The best first; with an aim each with all before it. kind: DARTS or SEAMS; piece: None for any.
+    """The best first; with a target each with all before it. kind: DARTS or SEAMS; piece: None for any.
 
     Raises ObjectError, also where there is nothing to gain.
     """
@@ -79,9 +79,9 @@ def suggest_cuts(
         across = diagonals(arrays)
         barred = np.concatenate([_barred_edges(arrays, no_seam), _barred_diagonals(across, arrays, no_seam)])
         arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": piece}
-        job = _start(library, kind, aim, arguments | {"no_seam": barred})
+        job = _start(library, kind, target, arguments | {"no_seam": barred})
         proposals, new = (yield from result_of(job)), {tuple(pair) for pair in across.tolist()}
-        return _with_twins(proposals, new) if aim is None else _steps_of(proposals, new, piece)
+        return _with_mirror_images(proposals, new) if target is None else _steps_of(proposals, new, piece)
     except library.FlattenError as error:
         issue = issue_of_error(error, arrays)
         if issue.code == "no_proposal" and (no_seam.faces.any() or no_seam.vertices.any()):
@@ -89,10 +89,12 @@ def suggest_cuts(
         raise ObjectError(issue) from error
 
 
-def _start(library: ModuleType, kind: str, aim: Aim | None, arguments: dict[str, Any]) -> "Job[list[DartProposal]]":
-    if aim is None:
+def _start(
+    library: ModuleType, kind: str, target: Target | None, arguments: dict[str, Any]
+) -> "Job[list[DartProposal]]":
+    if target is None:
         return (library.start_darts if kind == "DARTS" else library.start_seams)(**arguments)
-    limits = {"strain": aim.strain, "most": aim.most, "total_length": aim.length}
+    limits = {"strain": target.strain, "most": target.most, "total_length": target.length}
     return library.start_plan(**arguments, **limits, kind="dart" if kind == "DARTS" else "seam", twins=True)
 
 
@@ -123,7 +125,7 @@ def _barred_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam) -
     return across[is_barred]
 
 
-def _with_twins(proposals: list[DartProposal], across: set[tuple[int, int]]) -> list[Cut]:
+def _with_mirror_images(proposals: list[DartProposal], across: set[tuple[int, int]]) -> list[Cut]:
     """In the library's order. Mirror images as one cut; one of them, where two are no better than one."""
     cuts = []
     for index, proposal in enumerate(proposals):

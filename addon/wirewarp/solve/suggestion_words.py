@@ -3,7 +3,7 @@
 
 from ..core import percent_text
 from ..words import LengthText, counted
-from .suggest import Aim, Cut
+from .suggest import Cut, Target
 
 WORDS = {"DARTS": ("dart", "darts"), "SEAMS": ("seam", "seams")}
 
@@ -28,26 +28,26 @@ def step_text(kind: str, cut: Cut, text: LengthText) -> str:
     return f"{taken_words(kind, cut)}: {_shares(cut)}, {text.rough(sum(cut.lengths))}"
 
 
-def row_text(kind: str, cut: Cut, aim: Aim | None, text: LengthText) -> str:
+def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> str:
     """In the list."""
-    if aim is None:
+    if target is None:
         return cut_text(cut, text)
     step = step_text(kind, cut, text)
     return step[0].upper() + step[1:]
 
 
-def shortfall(kind: str, cuts: list[Cut], aim: Aim) -> str:
-    """Why the aim is not reached; empty where it is."""
+def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
+    """Why the target is not reached; empty where it is."""
     last = cuts[-1]
-    if last.strain <= aim.strain:
+    if last.strain <= target.strain:
         return ""
-    if len(last.lengths) >= aim.most:
+    if len(last.lengths) >= target.most:
         remedy = "Allow more cuts"
-    elif aim.length is not None:
+    elif target.length is not None:
         remedy = "Allow more length, if any other cut helps"
     else:
         remedy = f"No other {WORDS[kind][0]} helps"
-    return f"{percent_text(last.strain)} is left, more than your target of {percent_text(aim.strain)}. {remedy}."
+    return f"{percent_text(last.strain)} is left, more than your target of {percent_text(target.strain)}. {remedy}."
 
 
 def cut_text(cut: Cut, text: LengthText) -> str:

@@ -64,7 +64,7 @@ def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectR
 
 
 def _failure(source: bpy.types.Object) -> ObjectReport | None:
-    """Before Blender 4.1 a later object may be at the same address: their meshes tell them apart."""
+    """Before Blender 4.1 a later object may be at the same address: their meshes differ."""
     failure = state_of(source).failure
     if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):
         return None
@@ -99,7 +99,7 @@ def _parse(text: str, seal: str) -> ObjectReport:
 
 
 def forget_incomparable(*_: object) -> None:
-    """After undo: a report stays if it can tell whether the model is still, or again, the one it is of."""
+    """After undo: a report stays if the model is still, or again, the one it describes."""
     for state in all_states():
         if state.failure and state.failure.model_state is None:
             state.failure = None

@@ -10,7 +10,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
 from ..core import Cloth
 from ..solve.flatten import ClothChoice, FlattenChoices
-from ..solve.suggest import Aim
+from ..solve.suggest import Target
 
 METHODS = [
     (
@@ -339,7 +339,7 @@ SETTINGS = (  # in the order of the panel
 )
 
 
-class AimSettings:
+class TargetSettings:
     """What Suggest Darts and Suggest Seams ask for: of the scene."""
 
     suggest_together: BoolProperty(
@@ -380,8 +380,8 @@ def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
     return FlattenChoices(**{each.choice: each.to_choice(settings, meters) for each in SETTINGS if each.choice})
 
 
-def aim_of(settings: AimSettings) -> Aim | None:
+def target_of(settings: TargetSettings) -> Target | None:
     """None where each cut is to be suggested by itself."""
     if not settings.suggest_together:
         return None
-    return Aim(settings.aim_stretch / 100, settings.aim_cuts, settings.aim_length or None)
+    return Target(settings.aim_stretch / 100, settings.aim_cuts, settings.aim_length or None)

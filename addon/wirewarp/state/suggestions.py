@@ -10,7 +10,7 @@ from ..blender.mesh import read_attribute
 from ..issues import ObjectError, object_error
 from ..names import NO_SEAM
 from ..solve.flatten import FlattenChoices
-from ..solve.suggest import Aim, Cut, NoSeam
+from ..solve.suggest import Cut, NoSeam, Target
 from .changes import has_changed
 from .memory import Take, kept, note, state_of
 
@@ -43,8 +43,8 @@ def read_no_seam(source: bpy.types.Object) -> NoSeam:
 @dataclass(frozen=True)
 class Suggestions:
     kind: str  # DARTS or SEAMS
-    cuts: list[Cut]  # to choose one from; towards an aim each with all before it
-    aim: Aim | None
+    cuts: list[Cut]  # to choose one from; for a target each with all before it
+    target: Target | None
     names: list[str]  # of the piece that each of them cuts
     choices: FlattenChoices  # with which they were measured
     grain_wire: int  # the id that the mesh had for it; 0: none

@@ -98,9 +98,9 @@ class SuggestCuts(WindowSteps):
         lengths, name = length_text(context.scene), found.names[0]
         is_named = cuts[0].piece in self._search.names or self._search.is_of_model
         piece = quoted([name]) if is_named else name
-        if found.aim:
+        if found.target:
             step = step_text(self.kind, cuts[-1], lengths)
-            said = [f"Stretch of {piece} with {step}", shortfall(self.kind, cuts, found.aim)]
+            said = [f"Stretch of {piece} with {step}", shortfall(self.kind, cuts, found.target)]
         elif cuts[0].is_first:
             said = [f"{found_words(self.kind, cuts)} suggested", f"The first: {cut_text(cuts[0], lengths)}"]
         else:

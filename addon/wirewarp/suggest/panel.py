@@ -9,7 +9,7 @@ from ..blender.units import length_text
 from ..solve.suggestion_words import row_text, shortfall
 from ..state.drawings import Same, kept_drawing
 from ..state.memory import stamp
-from ..state.settings import AimSettings
+from ..state.settings import TargetSettings
 from ..state.suggestions import Suggestions, current_suggestions, suggestions_of
 from ..ui.layout import SidebarPanel, draw_progress, draw_sentence
 from ..ui.settings import figures_sentence
@@ -19,12 +19,14 @@ from ..words import counted
 
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
-AIM_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
-AIM = ("aim_stretch", "aim_cuts", "aim_length")
+TARGET_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
+TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
-def draw_suggest(layout: bpy.types.UILayout, settings: AimSettings, piece: int, kinds: Sequence[str] = KINDS) -> None:
-    """The buttons and what is aimed at, or how far a search is; piece: in the report, -1 for any."""
+def draw_suggest(
+    layout: bpy.types.UILayout, settings: TargetSettings, piece: int, kinds: Sequence[str] = KINDS
+) -> None:
+    """The buttons and the target, or how far a search is; piece: in the report, -1 for any."""
     row = layout.row(align=True)
     if draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts"):
         return
@@ -33,7 +35,7 @@ def draw_suggest(layout: bpy.types.UILayout, settings: AimSettings, piece: int, 
     layout.prop(settings, "suggest_together")
     if settings.suggest_together:
         column = layout.column(align=True)
-        for name in AIM:
+        for name in TARGET:
             column.prop(settings, name)
 
 
@@ -49,16 +51,16 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         found, layout = _shown(context), self.layout
-        lengths, labels = length_text(context.scene), AIM_LABELS if found.aim else LABELS
+        lengths, labels = length_text(context.scene), TARGET_LABELS if found.target else LABELS
         column = layout.column(align=True)
         for name in dict.fromkeys(found.names):
             column.label(text=f"{labels[found.kind]}, {name}")
             for index in (index for index, own in enumerate(found.names) if own == name):
-                cut, is_chosen = found.cuts[index], index <= found.chosen if found.aim else index == found.chosen
-                text = row_text(found.kind, cut, found.aim, lengths)
+                cut, is_chosen = found.cuts[index], index <= found.chosen if found.target else index == found.chosen
+                text = row_text(found.kind, cut, found.target, lengths)
                 button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
                 button.index = index
-        missed = shortfall(found.kind, found.cuts, found.aim) if found.aim else ""
+        missed = shortfall(found.kind, found.cuts, found.target) if found.target else ""
         if missed:
             draw_sentence(context, layout, missed, "INFO")
         sentence = figures_sentence(shown_source(context), found, context.scene.wirewarp)

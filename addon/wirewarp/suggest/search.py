@@ -13,12 +13,12 @@ from ..flatten.read import find_source, is_current, read_models
 from ..issues import ObjectError, changed_error, object_error
 from ..solve.flatten import FlattenChoices, used_choices
 from ..solve.steps import Steps
-from ..solve.suggest import Aim, Cut, NoSeam, suggest_cuts
+from ..solve.suggest import Cut, NoSeam, Target, suggest_cuts
 from ..state.changes import has_changed
 from ..state.memory import read_anew
 from ..state.modifiers import shaped_by
 from ..state.reports import pieces_report
-from ..state.settings import aim_of, choices_of
+from ..state.settings import choices_of, target_of
 from ..state.suggestions import Suggestions, are_current, keep, read_no_seam
 
 WITH_MODIFIERS = (
@@ -32,7 +32,7 @@ class Search:
 
     kind: str  # DARTS or SEAMS
     piece: int | None  # as asked for
-    aim: Aim | None
+    target: Target | None
     model: Model
     choices: FlattenChoices
     no_seam: NoSeam
@@ -42,7 +42,7 @@ class Search:
     @property
     def is_of_model(self) -> bool:
         """Cuts that are taken together, of any piece: they may be of several, which they number anew."""
-        return self.aim is not None and self.piece is None
+        return self.target is not None and self.piece is None
 
 
 def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str, piece: int | None) -> Search:
@@ -67,9 +67,9 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
         raise changed_error(source.name)
     names = {piece.index: piece.name for piece in report.pieces} if is_true else {}
     choices = choices_of(settings, meters_per_blender_unit(context.scene))
-    no_seam, aim = read_no_seam(source), aim_of(settings)
-    steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, no_seam, aim)
-    return Search(kind, piece, aim, model, used_choices(choices, model.arrays), no_seam, steps, names)
+    no_seam, target = read_no_seam(source), target_of(settings)
+    steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, no_seam, target)
+    return Search(kind, piece, target, model, used_choices(choices, model.arrays), no_seam, steps, names)
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
@@ -86,14 +86,14 @@ def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
     found = Suggestions(
         search.kind,
         cuts,
-        search.aim,
+        search.target,
         _names_of(search, cuts),
         search.choices,
         model.arrays.grain_wire,
         wire_ids,
         model.state,
         search.no_seam,
-        chosen=len(cuts) - 1 if search.aim else 0,
+        chosen=len(cuts) - 1 if search.target else 0,
     )
     source = find_source(model)
     if not (is_current(model) and are_current(source, found, read_anew)):

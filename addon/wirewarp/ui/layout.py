@@ -58,14 +58,14 @@ def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_s
         part.label(text=cell)
 
 
-def broken(context: bpy.types.Context, text: str, spare: int = 0) -> list[str]:
+def broken(context: bpy.types.Context, text: str, reserved: int = 0) -> list[str]:
     """The text in lines that fit the region beside an icon.
 
-    spare: more of Blender's own pixels to leave free.
+    reserved: more of Blender's own pixels to leave free.
     """
     unit = context.preferences.system.ui_scale
     points = context.preferences.ui_styles[0].widget.points
-    return _lines(text, context.region.width - (BESIDE_TEXT + spare) * unit, points * unit)
+    return _lines(text, context.region.width - (BESIDE_TEXT + reserved) * unit, points * unit)
 
 
 @lru_cache(maxsize=1000)
@@ -84,15 +84,15 @@ def _lines(text: str, width: float, size: float) -> list[str]:
 
 
 def draw_sentence(
-    context: bpy.types.Context, layout: bpy.types.UILayout, text: str, icon: str = "NONE", spare: int = 0
+    context: bpy.types.Context, layout: bpy.types.UILayout, text: str, icon: str = "NONE", reserved: int = 0
 ) -> None:
-    """Blender cuts long labels off, so the sentence is broken into lines that fit the region less spare pixels.
+    """Blender cuts long labels off, so the sentence is broken into lines that fit the region less the reserved pixels.
 
     icon is a name of Blender's, or one of MARKS.
     """
     column = layout.column(align=True)
     column.scale_y = 0.8
-    for number, line in enumerate(broken(context, text, spare)):
+    for number, line in enumerate(broken(context, text, reserved)):
         if number == 0 and icon in MARKS:
             column.label(text=line, icon_value=mark_icon(icon))
         else:

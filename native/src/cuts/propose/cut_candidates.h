@@ -13,7 +13,7 @@ enum class CutKind {
   seam,  // from the outline to the outline
 };
 
-/// A line to cut along, given by its ends.
+/// A line along which to cut, given by its ends.
 struct CutEnds {
   VertexHandle start;  // on the outline
   VertexHandle end;    // inside, or of a seam on the outline

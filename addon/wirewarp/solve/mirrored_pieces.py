@@ -12,26 +12,26 @@ from ..issues import Issue, LooserWire
 from .arrays import MeshArrays, triangle_areas
 from .chains import edge_keys
 
-ALIKE = 1e-3  # of its own size: by so much at most the outlines and areas of twins differ
+ALIKE = 1e-3  # relative difference of outlines and areas up to which two pieces are taken for mirror images
 IN_PLACE = 1e-4  # of the size of a piece: nearer than this to its mirror image a vertex is that
 Pairs = list[tuple[int, int]]  # vertices
 
 
-def with_twins(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:
-    """The issues; those of twins propose what mends both.
+def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:
+    """The issues; those of mirrored pieces propose what fixes both.
 
     The first proposal counts, and its mirror image, where the meshes are mirror images too; else each piece's own.
     """
     found = list(issues)
-    mended = [index for index, issue in enumerate(issues) if issue.proposed_seams or issue.proposed_tolerances]
-    measures = {index: _measures(result.pieces[issues[index].piece], arrays) for index in mended}
+    fixable = [index for index, issue in enumerate(issues) if issue.proposed_seams or issue.proposed_tolerances]
+    measures = {index: _measures(result.pieces[issues[index].piece], arrays) for index in fixable}
     taken: set[int] = set()
-    for first, second in combinations(mended, 2):
+    for first, second in combinations(fixable, 2):
         if taken & {first, second} or not _are_alike(issues[first], issues[second], measures[first], measures[second]):
             continue
         taken |= {first, second}
-        piece, twin = (result.pieces[issues[index].piece] for index in (first, second))
-        other = _mirrored(issues[first], piece, twin, arrays) or issues[second]
+        piece, other_piece = (result.pieces[issues[index].piece] for index in (first, second))
+        other = _mirrored(issues[first], piece, other_piece, arrays) or issues[second]
         for index in (first, second):
             found[index] = replace(
                 issues[index],
@@ -53,25 +53,25 @@ def _are_alike(issue: Issue, other: Issue, measures: np.ndarray, others: np.ndar
     return same_kind and len(measures) == len(others) and np.allclose(measures, others, rtol=ALIKE, atol=0)
 
 
-def _mirrored(issue: Issue, piece: Piece, twin: Piece, arrays: MeshArrays) -> Issue | None:
-    """What the issue proposes, on the twin; None where that has no such edges or wires."""
+def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> Issue | None:
+    """What the issue proposes, mirrored to the other piece; None if that has no such edges or wires."""
     wanted = [*issue.proposed_seams, *(edge for wire in issue.proposed_tolerances for edge in wire.edges)]
     own = np.intersect1d(np.unique(piece.source_vertex), np.array(wanted).ravel())
-    places, others = arrays.vertices[np.unique(piece.source_vertex)], np.unique(twin.source_vertex)
+    places, others = arrays.vertices[np.unique(piece.source_vertex)], np.unique(other.source_vertex)
     for axis in range(3):  # across X on most models; others lie, or face to the side
         image = _images(arrays.vertices[own], places, arrays.vertices[others], axis)
         if image is None:
             continue
-        twin_of = dict(zip(own.tolist(), others[image].tolist(), strict=True))
-        seams = _on_twin(issue.proposed_seams, twin_of)
-        wires = [_wire_on_twin(wire, twin_of, arrays) for wire in issue.proposed_tolerances]
+        image_of = dict(zip(own.tolist(), others[image].tolist(), strict=True))
+        seams = _mirrored_edges(issue.proposed_seams, image_of)
+        wires = [_mirrored_wire(wire, image_of, arrays) for wire in issue.proposed_tolerances]
         if seams is not None and _are_edges(seams, arrays) and None not in wires:
             return replace(issue, proposed_seams=seams, proposed_tolerances=wires)
     return None
 
 
 def _images(points: np.ndarray, own: np.ndarray, others: np.ndarray, axis: int) -> np.ndarray | None:
-    """(k,) for each of the points (k,3) of a piece the vertex of its twin that is its mirror image; None without one.
+    """(k,) the vertices of the other piece that mirror the points (k,3) of a piece; None if one has no mirror image.
 
     own (n,3) and others (m,3): all vertices of both, by the middles of which they are laid on each other.
     """
@@ -89,8 +89,8 @@ def _images(points: np.ndarray, own: np.ndarray, others: np.ndarray, axis: int) 
     return found
 
 
-def _on_twin(edges: Iterable[tuple[int, int]], twin_of: dict[int, int]) -> Pairs | None:
-    pairs = [(twin_of.get(a, -1), twin_of.get(b, -1)) for a, b in edges]
+def _mirrored_edges(edges: Iterable[tuple[int, int]], image_of: dict[int, int]) -> Pairs | None:
+    pairs = [(image_of.get(a, -1), image_of.get(b, -1)) for a, b in edges]
     return None if any(-1 in pair for pair in pairs) else [(min(pair), max(pair)) for pair in pairs]
 
 
@@ -99,9 +99,9 @@ def _are_edges(pairs: Pairs, arrays: MeshArrays) -> bool:
     return bool(np.isin(edge_keys(pairs, count), edge_keys(arrays.edges, count)).all())
 
 
-def _wire_on_twin(wire: LooserWire, twin_of: dict[int, int], arrays: MeshArrays) -> LooserWire | None:
+def _mirrored_wire(wire: LooserWire, image_of: dict[int, int], arrays: MeshArrays) -> LooserWire | None:
     """The wire along the mirror image of the part of `wire` that lies in the piece."""
-    image = _on_twin([edge for edge in wire.edges if edge[0] in twin_of and edge[1] in twin_of], twin_of)
+    image = _mirrored_edges([edge for edge in wire.edges if edge[0] in image_of and edge[1] in image_of], image_of)
     wanted = set(image or ())
     for each in arrays.wires:
         edges = list(pairwise(each.chain.vertices))
