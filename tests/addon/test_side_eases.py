@@ -24,6 +24,20 @@ def test_one_side_or_the_other_is_eased(source):
     assert shares(source) == pytest.approx(one[::-1], abs=1e-5)
 
 
+def test_one_side_is_that_of_the_smaller_piece_on_all_seams(addon):
+    """As on two armholes that are selected together: their edges run either way around."""
+    source = grid("Body and two sleeves", lambda x, y: (x, y, 0))
+    seams = {x: on_line(0, x) for x in (-0.5, 0.5)}
+    for seam in seams.values():
+        mark_seam(source, seam)
+    ease(source, lambda a, b: any(seam(a, b) for seam in seams.values()), sides="ONE", ease_percent=5.0)
+    eased = np.flatnonzero(addon.state.sides.SIDE_EASES.read(source.data))
+    faces = np.repeat(np.arange(len(source.data.polygons)), [len(face.loop_indices) for face in source.data.polygons])
+    middles = [source.data.polygons[face].center.x for face in faces[eased]]
+    assert len(eased) == 16 and min(map(abs, middles)) > 0.5
+    assert min(middles) < 0 < max(middles)
+
+
 def test_the_millimeters_of_a_side_are_of_what_it_would_be(source):
     ease(source, SEAM, sides="ALL", ease_percent=-10.0)
     ease(source, SEAM, sides="ONE", ease_unit="LENGTH", ease_length=12.0)

@@ -12,7 +12,16 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import read_values
-from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, faces_at_edges, read_seams, vertex_places
+from ..blender.mesh import (
+    corner_edges,
+    corner_vertices,
+    edge_vertices,
+    faces_at_edges,
+    faces_of_corners,
+    read,
+    read_seams,
+    vertex_places,
+)
 from ..blender.objects import linear_part
 from ..issues import object_error
 from ..names import EASE
@@ -24,6 +33,7 @@ from ..state.sides import SIDE_EASES
 from ..state.wires import list_places
 from .change import repair_marks
 
+SAME_AREA = 1e-3  # relative: pieces that mirror each other differ by rounding, sleeves and bodies by much more
 Amount = Callable[[float], float]  # the ease of a line as a fraction, by its length in Blender units
 
 
@@ -83,14 +93,17 @@ def _write_lines(target: bpy.types.Object, lines: list[np.ndarray], changes: lis
 
 
 def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Planned:
-    """The lines of these edges are to be longer by this on one side alone, 0 or 1, and on the other as they would be.
+    """The lines of these edges are to be longer by this on one side alone, and on the other as they would be.
 
-    Of outlines on the only side there is. What is no seam or outline is left out, and where a side has several faces.
+    side: 0 is the side of the smaller piece, so that the armholes of two sleeves are eased alike, 1 the other. Of
+    outlines it is the only side there is. Left out is what is no seam or outline, or has several faces on a side.
     Raises ObjectError where a line would have no length left.
     """
     mesh = target.data
     lines = _sides_of_lines(mesh, _outline_rows(mesh, rows), _places(target))
-    return _plan(target, [line[side] or line[1 - side] for line in lines], amount, len(rows))
+    areas = _piece_areas(mesh)
+    sides = [line[::-1] if _is_larger(areas, *line) else line for line in lines]
+    return _plan(target, [line[side] or line[1 - side] for line in sides], amount, len(rows))
 
 
 def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amount) -> Planned:
@@ -162,6 +175,35 @@ def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) 
                 side += found if len(found) == 1 else []
         lines.append(sides)
     return lines
+
+
+def _is_larger(areas: np.ndarray, one: list[int], other: list[int]) -> bool:
+    """Whether the piece on the first side of a line is larger; of equal ones, and on outlines, none is.
+
+    areas: as of _piece_areas(); one, other: corners.
+    """
+    return bool(one and other) and areas[one[0]] > (1 + SAME_AREA) * areas[other[0]]
+
+
+def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(l,) for each corner the area of the piece that it lies in, in the units of the mesh."""
+    faces, inside = faces_of_corners(mesh), ~read_seams(mesh)
+    first_at = np.full(len(mesh.edges), -1)
+    first_at[corner_edges(mesh)] = faces  # one face of each edge
+    joined = np.flatnonzero(inside[corner_edges(mesh)])
+    pairs = np.stack([faces[joined], first_at[corner_edges(mesh)[joined]]])
+    piece = np.arange(len(mesh.polygons))
+    while True:  # each face takes the least number of its neighbors, and that face's own
+        least = piece[pairs].min(axis=0)
+        lower = piece.copy()
+        for side in pairs:
+            np.minimum.at(lower, piece[side], least)
+        lower = lower[lower]
+        if np.array_equal(lower, piece):
+            break
+        piece = lower
+    areas = np.bincount(piece, weights=read(mesh.polygons, "area", np.float32), minlength=len(piece))
+    return np.asarray(areas[piece][faces])
 
 
 def _outline_rows(mesh: bpy.types.Mesh, rows: np.ndarray) -> np.ndarray:

@@ -25,8 +25,12 @@ SIDES = [
         "All Sides",
         "Ease the selected lines, all sides of a seam equally. Lines that are not wires become rigid wires",
     ),
-    ("ONE", "One Side", "Ease one side of the selected seams only, as for sleeve heads and gathers. An arrow shows it"),
-    ("OTHER", "Other Side", "Ease the other side of the selected seams only"),
+    (
+        "ONE",
+        "One Side",
+        "Ease the selected seams only on the side of the smaller piece, as for sleeve heads. An arrow shows it",
+    ),
+    ("OTHER", "Other Side", "Ease the selected seams only on the side of the larger piece, as for gathers"),
     ("NONE", "Clear Ease", "Remove the ease of the selected lines from all sides"),
 ]
 SIDES_APART = "On flat pieces only the selected side can be eased: choose One Side, or ease all sides on the model."
