@@ -12,9 +12,13 @@ GCOVR = "gcovr==8.8"
 
 
 def begin() -> None:
-    """Forgets what was counted before."""
+    """Forgets what was counted before, and sources that have moved since: gcovr stops at a source that is gone."""
     for counts in OBJECTS.rglob("*.gcda"):
         counts.unlink()
+    run(["ninja", "-C", TREE, "-t", "cleandead"])
+    for notes in OBJECTS.rglob("*.gcno"):
+        if not notes.with_suffix(".o").exists():
+            notes.unlink()
 
 
 def show() -> None:
