@@ -46,6 +46,7 @@ INSTALLERS = {"pip", "ensurepip", "venv", "site", "pkg_resources"}
 # spyrrow, where the user has it, runs in a process of its own: a program that Blender never imports, and its starter.
 PROGRAM, STARTER = "wirewarp/pattern/nest/spyrrow_process.py", "wirewarp/pattern/nest/spyrrow_nesting.py"
 TEXTS = {".py", ".md", ".toml", ""}  # "": LICENSE
+ZSTANDARD = b"\x28\xb5\x2f\xfd"  # how Blender packs its files
 BINARIES = (".so", ".pyd", ".dll", ".dylib", ".a", ".lib", ".exe", ".pyc")
 # Five times what it is: more would be a build with symbols to debug with, or something that nobody wanted in there.
 MOST_BYTES = 30e6
@@ -118,6 +119,9 @@ def test_all_files_lie_in_one_folder_with_plain_names(path):
 def test_nothing_compiled_lies_outside_of_wheels_and_nothing_is_obscure(path):
     for name, content in files_of(path).items():
         if name.endswith(".whl"):
+            continue
+        if name.startswith("samples/"):  # which Blender opens without running anything in them
+            assert name.endswith(".blend") and content.startswith((b"BLENDER", ZSTANDARD)), name
             continue
         assert "." + name.rpartition(".")[2] in TEXTS or "." not in name, name
         assert not name.endswith(BINARIES)

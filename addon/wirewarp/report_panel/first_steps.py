@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """For a file without a model: a sample to try, and a guide of six steps."""
 
+from importlib.resources import files
 from pathlib import Path
 
 import bpy
@@ -11,7 +12,7 @@ from ..blender.units import meters_per_blender_unit
 from ..blender.views import show_objects, work_area
 from ..state.settings import FlattenSettings
 
-FOLDER = Path(__file__).parent.parent / "samples"
+FOLDER = Path(str(files(__package__.rpartition(".")[0]))) / "samples"  # in the add-on's folder
 SAMPLES = [  # files of that folder, the plainest first
     ("CUSHION", "Cushion", "Six pieces that any fabric can do"),
     ("FITTED_TOP", "Fitted Top", "Four pieces of jersey, with lines that keep their length"),
