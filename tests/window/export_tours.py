@@ -65,9 +65,9 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
     operator = browser().spaces.active.active_operator
     assert "sheets and a first page with the map of A4." in told(operator)
     operator.paper = "A0"  # of which Blender tells the dialog no sooner than of what the user does
-    assert "sheets of A4" in told(operator)
+    assert "with the map of A4." in told(operator)
     yield from tick_failed_pieces()
-    assert operator.failed_pieces and "sheets of A0" in told(operator)
+    assert operator.failed_pieces and "with the map of A0." in told(operator)
     assert source.mode == "EDIT"
     drive.screenshot("dialog")
     yield from press_export()
