@@ -125,9 +125,9 @@ The arrays are copied. Raises FlattenError where an argument has the wrong type;
 void bind_job(py::module_& module) {
   py::class_<Job> job(module, "Job", py::module_local(), kJobDoc);
   job.attr("__module__") = package_name();
-  job.def(
-      "progress", &Job::progress,
-      "(stage, fraction): the last progress reported, as to the callback of the call; ('', 0.0) before the first report.");
+  job.def("progress", &Job::progress,
+          "(stage, fraction): the last progress reported, as to the callback of the call; ('', 0.0) before the first "
+          "report.");
   job.def("cancel", &Job::cancel, "Cancels what is not done yet, as soon as the core asks.");
   job.def("is_done", &Job::is_done, "Whether result() returns at once.");
   job.def(
