@@ -21,7 +21,7 @@ ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]  # of whi
 PARTS = {"FRONT": "Flatten", "MAIN": "Flatten > Settings", "ADVANCED": "Flatten > Settings > Advanced"}
 PANELS = {  # the class of a group of other settings: where Blender shows them
     "PatternSettings": "Export Pattern",
-    "AimSettings": "Suggest Darts and Suggest Seams",
+    "TargetSettings": "Suggest Darts and Suggest Seams",
     "EaseAmount": "Mark > Ease",
     "WIREWARP_PG_settings": "Auto, Tolerance, Overlay and previews",
 }
