@@ -8,7 +8,7 @@
 #include <string>
 
 #include "disguise.h"
-#include "surface/mesh/widespread.h"
+#include "most_strain.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
 
@@ -29,18 +29,9 @@ FlattenInput hills(int n) {
 /// Of the piece with most, when the input is flattened with these cuts.
 double most_strain(FlattenInput input, const std::vector<DartProposal>& cuts, std::size_t num_cuts) {
   for (std::size_t i = 0; i < num_cuts; ++i) input = test::with_seams(std::move(input), cuts[i].edges);
-  double most = 0;
-  for (const Piece& piece : flatten(input).pieces) {
-    EXPECT_FALSE(piece.error);
-    std::vector<double> areas;
-    for (const int f : piece.source_face) {
-      const Eigen::Vector3d a = input.vertices.row(input.faces(f, 0)), b = input.vertices.row(input.faces(f, 1)),
-                            c = input.vertices.row(input.faces(f, 2));
-      areas.push_back((b - a).cross(c - a).norm() / 2);
-    }
-    most = std::max(most, widespread(areas, piece.metrics.face_aspect_ratio.array() - 1));
-  }
-  return most;
+  const FlattenResult result = flatten(input);
+  for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error);
+  return test::most_strain(input, result);
 }
 
 TEST(PlanCuts, WhatIsLeftIsThatOfAFreshRun) {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "disguise.h"
-#include "surface/mesh/widespread.h"
+#include "most_strain.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
 
@@ -50,21 +50,6 @@ double energy_of(const FlattenResult& result) {
   return energy / area;
 }
 
-/// Of the piece with most: what 99% of its area stay below of max(sigma_1, 1/sigma_2) - 1.
-double strain_of(const FlattenInput& input, const FlattenResult& result) {
-  double most = 0;
-  for (const Piece& piece : result.pieces) {
-    std::vector<double> areas;
-    for (const int f : piece.source_face) {
-      const Eigen::Vector3d a = input.vertices.row(input.faces(f, 0)), b = input.vertices.row(input.faces(f, 1)),
-                            c = input.vertices.row(input.faces(f, 2));
-      areas.push_back((b - a).cross(c - a).norm() / 2);
-    }
-    most = std::max(most, widespread(areas, piece.metrics.face_aspect_ratio.array() - 1));
-  }
-  return most;
-}
-
 double figure_of(const DartProposal& proposal) { return proposal.strain_with_twin.value_or(proposal.strain); }
 
 TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
@@ -85,7 +70,7 @@ TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
         length += (input.vertices.row(edge[0]) - input.vertices.row(edge[1])).norm();
       }
       EXPECT_NEAR(proposal.length, length, 1e-12);
-      EXPECT_NEAR(proposal.strain, strain_of(cut, result), 1e-6);
+      EXPECT_NEAR(proposal.strain, test::most_strain(cut, result), 1e-6);
       EXPECT_EQ(result.pieces.size(), propose == propose_darts ? 1 : 2);
       EXPECT_EQ(proposal.num_pieces, static_cast<int>(result.pieces.size()));
     }
@@ -106,14 +91,14 @@ FlattenInput bump_in_a_corner(int n) {
 
 TEST(ProposeCuts, LowerTheStrainOfTheWorstPartWhateverTheyAre) {
   for (const FlattenInput& input : {hill(8), bump_in_a_corner(12), two_hills(8), two_hills(8, 1.1)}) {
-    const double before = strain_of(input, flatten(input));
+    const double before = test::most_strain(input, flatten(input));
     for (const auto& propose : {propose_darts, propose_seams}) {
       const std::vector<DartProposal> proposals = propose(input, {}, few(), {});
       EXPECT_FALSE(proposals.empty());
       for (const DartProposal& cut : proposals) {
         FlattenInput after = test::with_seams(input, cut.edges);
         if (cut.strain_with_twin) after = test::with_seams(after, proposals[*cut.twin].edges);
-        const double strain = strain_of(after, flatten(after));
+        const double strain = test::most_strain(after, flatten(after));
         EXPECT_NEAR(figure_of(cut), strain, 1e-6);
         EXPECT_LT(strain, 0.99 * before);
       }
@@ -126,7 +111,7 @@ TEST(ProposeCuts, LeaveNoPieceThatNeedsOver100Percent) {
     const double x = 2 * s - 1.2, y = 2 * t - 0.9;
     return Eigen::Vector3d(2 * s - 1, 2 * t - 1, 3 * std::exp(-4 * (x * x + y * y)));
   });
-  ASSERT_GT(strain_of(spike, flatten(spike)), 1);
+  ASSERT_GT(test::most_strain(spike, flatten(spike)), 1);
   CutWishes all;
   all.count = 50;  // darts that leave 117% among them
   for (const auto& propose : {propose_darts, propose_seams}) {

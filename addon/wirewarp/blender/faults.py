@@ -55,7 +55,7 @@ def find_faults(mesh: bpy.types.Mesh) -> dict[str, Elements]:
 
 
 def repair_faults(mesh: bpy.types.Mesh, kinds: Sequence[str]) -> dict[str, int]:
-    """Repairs these kinds, one after the other; returns how many elements of each are no longer at fault."""
+    """Repairs these kinds in order; returns how many elements of each were repaired."""
     repaired = {}
     edit = bmesh.new()
     try:

@@ -43,7 +43,7 @@ def read_outlines(
 ) -> PatternParts | None:
     """As read_pattern, but whatever was changed since the pieces were made; the model may be in Edit Mode.
 
-    None if there is no report to these pieces. Raises ObjectError.
+    None if these pieces have no report. Raises ObjectError.
     """
     report = pieces_report(source)
     if report is None or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):

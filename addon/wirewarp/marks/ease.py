@@ -93,10 +93,10 @@ def _write_lines(target: bpy.types.Object, lines: list[np.ndarray], changes: lis
 
 
 def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Planned:
-    """The lines of these edges are to be longer by this on one side alone, and on the other as they would be.
+    """Plans to lengthen the lines of these edges on one side only; the other side keeps its ease.
 
-    side: 0 is the side of the smaller piece, so that the armholes of two sleeves are eased alike, 1 the other. Of
-    outlines it is the only side there is. Left out is what is no seam or outline, or has several faces on a side.
+    side: 0 for the smaller piece, 1 for the larger, so that the armholes of two sleeves are eased alike; an outline has
+    only one side. Skips edges that are no seam or outline, and sides with several faces.
     Raises ObjectError where a line would have no length left.
     """
     mesh = target.data

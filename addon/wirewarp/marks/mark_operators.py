@@ -170,7 +170,7 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
         if left_out:
             lie = counted(left_out, "selected edge lies", "selected edges lie")
             self.report(
-                {"WARNING"}, f"{counted(count, 'edge')} marked; {lie} inside a piece, where there is no allowance."
+                {"WARNING"}, f"{counted(count, 'edge')} marked. {lie} inside a piece, so no allowance was marked there."
             )
         else:
             self.report({"INFO"}, f"{counted(count, 'edge')} marked")

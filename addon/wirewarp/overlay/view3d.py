@@ -128,7 +128,7 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
 
 
 def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bool:
-    """Whether parts of the model lie before others; in Edit Mode there is no surface to ask."""
+    """Whether the model can hide parts of itself; unknown in Edit Mode, which has no evaluated surface."""
     shading = context.space_data.shading
     is_solid = shading.type != "WIREFRAME" and not shading.show_xray
     return is_solid and target.mode == "OBJECT" and model_of(target) is None
