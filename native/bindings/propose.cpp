@@ -19,8 +19,8 @@
 namespace wirewarp::bindings {
 namespace {
 
-using Propose = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutWishes&, const Progress&);
-using Plan = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutAim&, const Progress&);
+using Propose = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutOptions&, const Progress&);
+using Plan = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutTarget&, const Progress&);
 
 constexpr const char* kDartsDoc =
     R"(Darts that lower the stretch that a flat piece needs, those that leave least in the model first.
@@ -80,17 +80,17 @@ Raises what propose_darts() raises for the first cut: FlattenError "no_proposal"
 constexpr const char* kStartPlanDoc =
     R"(Starts plan_cuts() with these arguments and returns a Job at once, as start() does.)";
 
-CutWishes read_wishes(std::optional<int> piece, int count, std::optional<double> strain, std::optional<double> longest,
-                      const py::object& no_seam) {
-  return {piece, count, strain, longest.value_or(CutWishes().longest), read_no_seam(no_seam)};
+CutOptions read_cut_options(std::optional<int> piece, int count, std::optional<double> strain,
+                            std::optional<double> longest, const py::object& no_seam) {
+  return {piece, count, strain, longest.value_or(CutOptions().longest), read_no_seam(no_seam)};
 }
 
-CutAim read_aim(double strain, int most, std::optional<double> longest, std::optional<double> total_length,
-                std::optional<int> piece, bool twins, const py::object& no_seam) {
+CutTarget read_cut_target(double strain, int most, std::optional<double> longest, std::optional<double> total_length,
+                          std::optional<int> piece, bool twins, const py::object& no_seam) {
   return {strain,
           most,
-          longest.value_or(CutAim().longest),
-          total_length.value_or(CutAim().total_length),
+          longest.value_or(CutTarget().longest),
+          total_length.value_or(CutTarget().total_length),
           piece,
           twins,
           read_no_seam(no_seam)};
@@ -122,12 +122,12 @@ std::vector<DartProposal> find_now(const Find& find, const py::object& progress)
 }
 
 /// What propose() and plan() do with these arguments, as a function of a Progress.
-template <class Search, class Wishes>
+template <class Search, class Wanted>
 auto search_of(Search search, const py::object& vertices, const py::object& faces, const py::object& seams,
-               const py::object& wires, const py::object& options, const py::object& eases, Wishes wishes) {
+               const py::object& wires, const py::object& options, const py::object& eases, Wanted wanted) {
   return [search, input = read_input(vertices, faces, seams, wires, eases), checked_options = read_options(options),
-          wishes = std::move(wishes)](const Progress& progress) {
-    return search(input, checked_options, wishes, progress);
+          wanted = std::move(wanted)](const Progress& progress) {
+    return search(input, checked_options, wanted, progress);
   };
 }
 
@@ -136,8 +136,8 @@ std::vector<DartProposal> run(const py::object& vertices, const py::object& face
                               const py::object& wires, const py::object& options, const py::object& eases,
                               std::optional<int> piece, int count, std::optional<double> strain,
                               std::optional<double> longest, const py::object& no_seam, const py::object& progress) {
-  const CutWishes wishes = read_wishes(piece, count, strain, longest, no_seam);
-  return find_now(search_of(propose, vertices, faces, seams, wires, options, eases, wishes), progress);
+  const CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
+  return find_now(search_of(propose, vertices, faces, seams, wires, options, eases, cut_options), progress);
 }
 
 template <Propose propose>
@@ -145,8 +145,9 @@ std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, 
                            const py::object& wires, const py::object& options, const py::object& eases,
                            std::optional<int> piece, int count, std::optional<double> strain,
                            std::optional<double> longest, const py::object& no_seam) {
-  const CutWishes wishes = read_wishes(piece, count, strain, longest, no_seam);
-  return std::make_unique<Job>(work_that(search_of(propose, vertices, faces, seams, wires, options, eases, wishes)));
+  const CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
+  return std::make_unique<Job>(
+      work_that(search_of(propose, vertices, faces, seams, wires, options, eases, cut_options)));
 }
 
 std::vector<DartProposal> run_plan(const py::object& vertices, const py::object& faces, const py::object& seams,
@@ -154,8 +155,8 @@ std::vector<DartProposal> run_plan(const py::object& vertices, const py::object&
                                    const std::string& kind, double strain, int most, std::optional<double> longest,
                                    std::optional<double> total_length, std::optional<int> piece, bool twins,
                                    const py::object& no_seam, const py::object& progress) {
-  const CutAim aim = read_aim(strain, most, longest, total_length, piece, twins, no_seam);
-  return find_now(search_of(plan_of(kind), vertices, faces, seams, wires, options, eases, aim), progress);
+  const CutTarget target = read_cut_target(strain, most, longest, total_length, piece, twins, no_seam);
+  return find_now(search_of(plan_of(kind), vertices, faces, seams, wires, options, eases, target), progress);
 }
 
 std::unique_ptr<Job> start_plan(const py::object& vertices, const py::object& faces, const py::object& seams,
@@ -163,8 +164,9 @@ std::unique_ptr<Job> start_plan(const py::object& vertices, const py::object& fa
                                 const std::string& kind, double strain, int most, std::optional<double> longest,
                                 std::optional<double> total_length, std::optional<int> piece, bool twins,
                                 const py::object& no_seam) {
-  const CutAim aim = read_aim(strain, most, longest, total_length, piece, twins, no_seam);
-  return std::make_unique<Job>(work_that(search_of(plan_of(kind), vertices, faces, seams, wires, options, eases, aim)));
+  const CutTarget target = read_cut_target(strain, most, longest, total_length, piece, twins, no_seam);
+  return std::make_unique<Job>(
+      work_that(search_of(plan_of(kind), vertices, faces, seams, wires, options, eases, target)));
 }
 
 /// own: of arguments that follow those of the mesh.
@@ -178,16 +180,16 @@ void define(py::module_& module, const char* name, Function function, const char
 /// more: of arguments that follow those that both have.
 template <class Function, class... More>
 void define_proposals(py::module_& module, const char* name, Function function, const char* doc, const More&... more) {
-  define(module, name, function, doc, py::arg("piece") = py::none(), py::arg("count") = CutWishes().count,
+  define(module, name, function, doc, py::arg("piece") = py::none(), py::arg("count") = CutOptions().count,
          py::arg("strain") = py::none(), py::arg("longest") = py::none(), py::arg("no_seam") = py::none(), more...);
 }
 
 template <class Function, class... More>
 void define_plan(py::module_& module, const char* name, Function function, const char* doc, const More&... more) {
-  const CutAim aim;
-  define(module, name, function, doc, py::arg("kind") = "dart", py::arg("strain") = aim.strain,
-         py::arg("most") = aim.most, py::arg("longest") = py::none(), py::arg("total_length") = py::none(),
-         py::arg("piece") = py::none(), py::arg("twins") = aim.twins, py::arg("no_seam") = py::none(), more...);
+  const CutTarget target;
+  define(module, name, function, doc, py::arg("kind") = "dart", py::arg("strain") = target.strain,
+         py::arg("most") = target.most, py::arg("longest") = py::none(), py::arg("total_length") = py::none(),
+         py::arg("piece") = py::none(), py::arg("twins") = target.twins, py::arg("no_seam") = py::none(), more...);
 }
 
 }  // namespace

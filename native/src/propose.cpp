@@ -5,14 +5,14 @@ namespace wirewarp {
 namespace {
 
 std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options& options, CutKind kind,
-                                       const CutWishes& wishes, const Progress& progress) {
+                                       const CutOptions& cut_options, const Progress& progress) {
   CutProgress cut_progress(progress);
   const SurfaceToCut to_cut(input, options);
   try {
     const ExactEvaluation exact(to_cut, options, cut_progress.token());
     const FlatPieces pieces = exact.uncut();
-    check_wishes(wishes, input, pieces.size());
-    return best_cuts(pieces, kind, wishes, exact, cut_progress);
+    check_cut_options(cut_options, input, pieces.size());
+    return best_cuts(pieces, kind, cut_options, exact, cut_progress);
   } catch (const Stopped&) {
     throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
   }
@@ -20,14 +20,14 @@ std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options&
 
 }  // namespace
 
-std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options, const CutWishes& wishes,
-                                        const Progress& progress) {
-  return propose_cuts(input, options, CutKind::dart, wishes, progress);
+std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options,
+                                        const CutOptions& cut_options, const Progress& progress) {
+  return propose_cuts(input, options, CutKind::dart, cut_options, progress);
 }
 
-std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options, const CutWishes& wishes,
-                                        const Progress& progress) {
-  return propose_cuts(input, options, CutKind::seam, wishes, progress);
+std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options,
+                                        const CutOptions& cut_options, const Progress& progress) {
+  return propose_cuts(input, options, CutKind::seam, cut_options, progress);
 }
 
 }  // namespace wirewarp

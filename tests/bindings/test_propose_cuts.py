@@ -131,7 +131,7 @@ def test_progress_is_told_and_can_cancel():
     assert raised.value.code is ErrorCode.cancelled
 
 
-def test_wrong_wishes_are_refused():
+def test_wrong_options_are_refused():
     for wish in ({"count": 0}, {"strain": -1.0}, {"longest": 0.0}, {"piece": 1}):
         with pytest.raises(FlattenError) as raised:
             propose_darts(*DOME, **wish)
@@ -181,8 +181,8 @@ def test_a_plan_of_seams_cuts_pieces_of_pieces():
 
 
 def test_no_seams_are_an_empty_list_or_none():
-    wishes = {"strain": 0.0, "most": 2}
-    assert repr(plan_cuts(*DOME, seams=[], **wishes)) == repr(plan_cuts(*DOME, **wishes))
+    target = {"strain": 0.0, "most": 2}
+    assert repr(plan_cuts(*DOME, seams=[], **target)) == repr(plan_cuts(*DOME, **target))
 
 
 def test_a_plan_needs_a_kind_of_cut_and_a_piece_that_is_strained():

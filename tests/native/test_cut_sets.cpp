@@ -112,11 +112,11 @@ class FirstCutsOf : public testing::TestWithParam<Case> {};
 
 TEST_P(FirstCutsOf, LetAllLieFlatWithTheFiguresOfAFreshRun) {
   const FlattenInput& input = GetParam().input;
-  CutWishes wishes;
-  wishes.strain = 0.15;
-  const std::vector<DartProposal> sets = propose_seams(input, {}, wishes);
+  CutOptions cut_options;
+  cut_options.strain = 0.15;
+  const std::vector<DartProposal> sets = propose_seams(input, {}, cut_options);
   ASSERT_FALSE(sets.empty());
-  EXPECT_LE(sets.front().strain, *wishes.strain);
+  EXPECT_LE(sets.front().strain, *cut_options.strain);
   for (const DartProposal& set : sets) {
     const FlattenResult result = flatten(test::with_seams(input, set.edges));
     double energy = 0, area = 0, strain = 0, length = 0;
@@ -164,10 +164,10 @@ INSTANTIATE_TEST_SUITE_P(Shapes, FirstCutsOf,
                          [](const testing::TestParamInfo<Case>& test) { return std::string(test.param.name); });
 
 /// Sets of few cuts: quick to find.
-CutWishes rough() {
-  CutWishes wishes;
-  wishes.strain = 0.3;
-  return wishes;
+CutOptions rough() {
+  CutOptions cut_options;
+  cut_options.strain = 0.3;
+  return cut_options;
 }
 
 std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
@@ -219,29 +219,29 @@ VertexPairs as_rows(const std::set<VertexPair>& edges) {
 
 TEST(CutSetSearch, RunAlongNoEdgeThatIsToHaveNoSeam) {
   for (const FlattenInput& input : {ball(), head(), head(0.5)}) {
-    CutWishes wishes = rough();
-    const std::set<VertexPair> forbidden = undirected(propose_seams(input, {}, wishes).front().edges);
-    wishes.no_seam = as_rows(forbidden);
-    for (const DartProposal& set : propose_seams(input, {}, wishes)) {
+    CutOptions cut_options = rough();
+    const std::set<VertexPair> forbidden = undirected(propose_seams(input, {}, cut_options).front().edges);
+    cut_options.no_seam = as_rows(forbidden);
+    for (const DartProposal& set : propose_seams(input, {}, cut_options)) {
       for (const VertexPair& edge : undirected(set.edges)) EXPECT_EQ(forbidden.count(edge), 0U);
     }
   }
 }
 
 TEST(CutSetSearch, AreNoLongerThanWished) {
-  CutWishes wishes = rough();
-  const std::vector<DartProposal> sets = propose_seams(head(), {}, wishes);
+  CutOptions cut_options = rough();
+  const std::vector<DartProposal> sets = propose_seams(head(), {}, cut_options);
   ASSERT_GT(sets.size(), 1U);
-  wishes.longest = sets.front().length * (1 - 1e-9);
-  for (const DartProposal& set : propose_seams(head(), {}, wishes)) EXPECT_LE(set.length, wishes.longest);
+  cut_options.longest = sets.front().length * (1 - 1e-9);
+  for (const DartProposal& set : propose_seams(head(), {}, cut_options)) EXPECT_LE(set.length, cut_options.longest);
 }
 
 TEST(CutSetSearch, BeginWithASetThatMeetsTheAim) {
-  CutWishes wishes = rough();
-  const std::vector<DartProposal> sets = propose_seams(head(), {}, wishes);
+  CutOptions cut_options = rough();
+  const std::vector<DartProposal> sets = propose_seams(head(), {}, cut_options);
   ASSERT_GT(sets.size(), 1U);
-  wishes.strain = 0.99 * sets[1].strain;  // a set that is hardly better than this one meets it
-  EXPECT_LE(propose_seams(head(), {}, wishes).front().strain, *wishes.strain);
+  cut_options.strain = 0.99 * sets[1].strain;  // a set that is hardly better than this one meets it
+  EXPECT_LE(propose_seams(head(), {}, cut_options).front().strain, *cut_options.strain);
 }
 
 TEST(CutSetSearch, AreOfThePieceThatLacksThem) {
@@ -256,9 +256,9 @@ TEST(CutSetSearch, AreOfThePieceThatLacksThem) {
   EXPECT_EQ(propose_seams(both, {}, rough()).front().piece, 1);
 }
 
-std::string refusal(const FlattenInput& input, const CutWishes& wishes) {
+std::string refusal(const FlattenInput& input, const CutOptions& cut_options) {
   try {
-    propose_seams(input, {}, wishes);
+    propose_seams(input, {}, cut_options);
   } catch (const FlattenError& error) {
     EXPECT_EQ(error.code, ErrorCode::no_proposal);
     return error.what();
@@ -269,16 +269,16 @@ std::string refusal(const FlattenInput& input, const CutWishes& wishes) {
 
 TEST(CutSetSearch, SayWhyThereAreNone) {
   const FlattenInput input = ball();
-  CutWishes wishes = rough();
-  wishes.longest = 0.1;
-  EXPECT_NE(refusal(input, wishes).find("can be flattened with seams of "), std::string::npos);
-  wishes = rough();
+  CutOptions cut_options = rough();
+  cut_options.longest = 0.1;
+  EXPECT_NE(refusal(input, cut_options).find("can be flattened with seams of "), std::string::npos);
+  cut_options = rough();
   std::vector<VertexPair> all;
   for (Eigen::Index f = 0; f < input.faces.rows(); ++f) {
     for (Eigen::Index k = 0; k < 3; ++k) all.push_back({input.faces(f, k), input.faces(f, (k + 1) % 3)});
   }
-  wishes.no_seam = as_rows(undirected(all));
-  EXPECT_NE(refusal(input, wishes).find("no set of seams along edges that may have a seam was found"),
+  cut_options.no_seam = as_rows(undirected(all));
+  EXPECT_NE(refusal(input, cut_options).find("no set of seams along edges that may have a seam was found"),
             std::string::npos);
 }
 

@@ -62,12 +62,12 @@ class CutsBesideNeighbors : public testing::TestWithParam<Neighbors> {};
 
 TEST_P(CutsBesideNeighbors, HaveTheFiguresOfAFreshRunOfTheWholeModel) {
   const auto& [name, input, options] = GetParam();
-  CutWishes wishes;
-  wishes.count = 2;
-  wishes.piece = 1;
+  CutOptions cut_options;
+  cut_options.count = 2;
+  cut_options.piece = 1;
   const std::vector<int> own = flatten(input, options).pieces[1].source_face;
   for (const auto& propose : {propose_darts, propose_seams}) {
-    for (const DartProposal& cut : propose(input, options, wishes, {})) {
+    for (const DartProposal& cut : propose(input, options, cut_options, {})) {
       double energy = 0, area = 0;
       for (const Piece& piece : flatten(test::with_seams(input, cut.edges), options).pieces) {
         if (std::count(own.begin(), own.end(), piece.source_face[0]) == 0) continue;

@@ -36,9 +36,9 @@ double most_strain(FlattenInput input, const std::vector<DartProposal>& cuts, st
 
 TEST(PlanCuts, WhatIsLeftIsThatOfAFreshRun) {
   const FlattenInput input = hills(6);
-  CutAim aim;
-  aim.strain = 0;
-  const std::vector<DartProposal> seams = plan_seams(input, {}, aim);
+  CutTarget target;
+  target.strain = 0;
+  const std::vector<DartProposal> seams = plan_seams(input, {}, target);
   ASSERT_EQ(seams.size(), 2U);
   for (std::size_t i = 0; i < seams.size(); ++i) {
     EXPECT_NEAR(*seams[i].strain_left, most_strain(input, seams, i + 1), 1e-6 * seams[0].strain_before);
@@ -48,10 +48,10 @@ TEST(PlanCuts, WhatIsLeftIsThatOfAFreshRun) {
 TEST(PlanCuts, MirrorImagesAreTakenTogetherWhereBothAreAllowed) {
   FlattenInput input = hills(8);
   test::add_wire(input, test::grid_column(8, 8, 4));  // which no dart crosses, to serve both hills
-  CutAim aim;
-  aim.strain = 0;
-  aim.twins = true;
-  const std::vector<DartProposal> both = plan_darts(input, {}, aim);
+  CutTarget target;
+  target.strain = 0;
+  target.twins = true;
+  const std::vector<DartProposal> both = plan_darts(input, {}, target);
   ASSERT_EQ(both.size(), 2U);
   EXPECT_EQ(both[0].twin, 1);
   EXPECT_EQ(both[1].twin, 0);
@@ -60,7 +60,7 @@ TEST(PlanCuts, MirrorImagesAreTakenTogetherWhereBothAreAllowed) {
   EXPECT_EQ(both[0].strain_left, both[1].strain_left);
   EXPECT_NEAR(*both[0].strain_left, most_strain(input, both, 2), 1e-6 * both[0].strain_before);
   for (const bool is_number : {true, false}) {
-    CutAim less = aim;
+    CutTarget less = target;
     if (is_number) less.most = 1;
     if (!is_number) less.total_length = 1.5 * both[0].length;
     const std::vector<DartProposal> cuts = plan_darts(input, {}, less);
@@ -96,10 +96,10 @@ TEST(PlanCuts, AreInThePieceWithMostStrainWhereverMostEnergyIs) {
   const FlattenResult uncut = flatten(input);
   std::vector<double> energies;
   for (const Piece& piece : uncut.pieces) energies.push_back(piece.metrics.arap_energy * piece.metrics.area_3d);
-  CutAim aim;
-  aim.strain = 0;
-  aim.most = 1;
-  const std::vector<DartProposal> cuts = plan_seams(input, {}, aim);
+  CutTarget target;
+  target.strain = 0;
+  target.most = 1;
+  const std::vector<DartProposal> cuts = plan_seams(input, {}, target);
   ASSERT_EQ(cuts.size(), 1U);
   const int other = 1 - cuts[0].piece;
   EXPECT_LT(energies[cuts[0].piece], energies[other]);
@@ -111,20 +111,20 @@ TEST(PlanCuts, OfOnePieceAreInItsParts) {
   FlattenInput input = hills(n);
   test::add_seam(input, test::grid_column(n, n, n / 2));
   const std::vector<int> own = flatten(input).pieces[1].source_vertex;
-  CutAim aim;
-  aim.strain = 0;
-  aim.most = 3;
-  aim.piece = 1;
-  for (const DartProposal& cut : plan_seams(input, {}, aim)) {
+  CutTarget target;
+  target.strain = 0;
+  target.most = 3;
+  target.piece = 1;
+  for (const DartProposal& cut : plan_seams(input, {}, target)) {
     for (const VertexPair& edge : cut.edges) {
       for (const int v : edge) EXPECT_GT(std::count(own.begin(), own.end(), v), 0);
     }
   }
 }
 
-std::string refusal(const CutAim& aim) {
+std::string refusal(const CutTarget& target) {
   try {
-    plan_darts(hills(4), {}, aim);
+    plan_darts(hills(4), {}, target);
   } catch (const FlattenError& error) {
     EXPECT_EQ(error.code, ErrorCode::invalid_option);
     return error.what();
@@ -134,25 +134,25 @@ std::string refusal(const CutAim& aim) {
 }
 
 TEST(PlanCuts, RefuseLimitsOutOfRange) {
-  CutAim aim;
-  aim.most = 0;
-  EXPECT_EQ(refusal(aim), "The option most is 0: it must be at least 1.");
-  aim = {};
-  aim.total_length = 0;
-  EXPECT_EQ(refusal(aim), "The option total_length is 0: it must be above 0.");
-  aim = {};
-  aim.strain = -1;
-  EXPECT_EQ(refusal(aim), "The option strain is -1: it must be 0 or more.");
-  aim = {};
-  aim.piece = 1;
-  EXPECT_EQ(refusal(aim), "The option piece is 1: it must be from 0 to 0, as the mesh has 1 piece.");
+  CutTarget target;
+  target.most = 0;
+  EXPECT_EQ(refusal(target), "The option most is 0: it must be at least 1.");
+  target = {};
+  target.total_length = 0;
+  EXPECT_EQ(refusal(target), "The option total_length is 0: it must be above 0.");
+  target = {};
+  target.strain = -1;
+  EXPECT_EQ(refusal(target), "The option strain is -1: it must be 0 or more.");
+  target = {};
+  target.piece = 1;
+  EXPECT_EQ(refusal(target), "The option piece is 1: it must be from 0 to 0, as the mesh has 1 piece.");
 }
 
 TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {
-  CutAim aim;
-  aim.strain = 0;
+  CutTarget target;
+  target.strain = 0;
   std::vector<double> fractions;
-  plan_darts(hills(4), {}, aim, [&](const std::string& stage, double fraction) {
+  plan_darts(hills(4), {}, target, [&](const std::string& stage, double fraction) {
     EXPECT_EQ(stage, "cuts");
     fractions.push_back(fraction);
     return true;
@@ -164,7 +164,7 @@ TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {
   for (const double last : {fractions.front(), second_round}) {
     bool has_ended = false;
     try {
-      plan_darts(hills(4), {}, aim, [&](const std::string&, double fraction) {
+      plan_darts(hills(4), {}, target, [&](const std::string&, double fraction) {
         EXPECT_FALSE(has_ended);
         has_ended = fraction >= last;
         return !has_ended;

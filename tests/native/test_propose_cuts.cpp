@@ -35,10 +35,10 @@ FlattenInput two_hills(int n, double top = 0) {
   return input;
 }
 
-CutWishes few() {
-  CutWishes wishes;
-  wishes.count = 2;
-  return wishes;
+CutOptions few() {
+  CutOptions cut_options;
+  cut_options.count = 2;
+  return cut_options;
 }
 
 double energy_of(const FlattenResult& result) {
@@ -112,7 +112,7 @@ TEST(ProposeCuts, LeaveNoPieceThatNeedsOver100Percent) {
     return Eigen::Vector3d(2 * s - 1, 2 * t - 1, 3 * std::exp(-4 * (x * x + y * y)));
   });
   ASSERT_GT(test::most_strain(spike, flatten(spike)), 1);
-  CutWishes all;
+  CutOptions all;
   all.count = 50;  // darts that leave 117% among them
   for (const auto& propose : {propose_darts, propose_seams}) {
     const std::vector<DartProposal> proposals = propose(spike, {}, all, {});
@@ -125,10 +125,10 @@ TEST(ProposeCuts, ThatHelpNothingAreRefusedInOneSentence) {
   // A dart takes the shear out of one half at most, and the seams beside it are as long as before.
   const FlattenInput saddle = test::make_grid(
       4, 4, [](double s, double t) { return Eigen::Vector3d(2 * s - 1, 2 * t - 1, 0.2 * (2 * s - 1) * (2 * t - 1)); });
-  CutWishes wishes;
-  wishes.longest = 0.51;  // one edge
+  CutOptions cut_options;
+  cut_options.longest = 0.51;  // one edge
   try {
-    propose_darts(saddle, {}, wishes);
+    propose_darts(saddle, {}, cut_options);
     ADD_FAILURE() << "nothing was thrown";
   } catch (const FlattenError& error) {
     EXPECT_EQ(error.code, ErrorCode::no_proposal);
@@ -219,13 +219,13 @@ TEST(ProposeCuts, RunAlongNoEdgeThatIsToHaveNoSeam) {
   const int n = 8;
   for (const FlattenInput& input : {hill(n), two_hills(n)}) {
     for (const auto& propose : {propose_darts, propose_seams}) {
-      CutWishes wishes = few();
-      const std::vector<VertexPair> forbidden = propose(input, {}, wishes, {}).front().edges;  // of the best alone
-      wishes.no_seam.resize(static_cast<Eigen::Index>(forbidden.size()), 2);
+      CutOptions cut_options = few();
+      const std::vector<VertexPair> forbidden = propose(input, {}, cut_options, {}).front().edges;  // of the best alone
+      cut_options.no_seam.resize(static_cast<Eigen::Index>(forbidden.size()), 2);
       for (std::size_t i = 0; i < forbidden.size(); ++i) {
-        wishes.no_seam.row(static_cast<Eigen::Index>(i)) << forbidden[i][1], forbidden[i][0];  // either way round
+        cut_options.no_seam.row(static_cast<Eigen::Index>(i)) << forbidden[i][1], forbidden[i][0];  // either way round
       }
-      for (const DartProposal& cut : propose(input, {}, wishes, {})) {
+      for (const DartProposal& cut : propose(input, {}, cut_options, {})) {
         for (const VertexPair& edge : cut.edges) {
           for (const VertexPair& other : {edge, VertexPair{edge[1], edge[0]}}) {
             EXPECT_EQ(std::count(forbidden.begin(), forbidden.end(), other), 0);
@@ -246,11 +246,11 @@ VertexPairs all_edges(const Triangles& faces) {
 }
 
 TEST(ProposeCuts, AreNoLongerAndNoMoreThanWished) {
-  CutWishes wishes = few();
-  wishes.longest = 0.5;
-  const std::vector<DartProposal> darts = propose_darts(hill(8), {}, wishes);
+  CutOptions cut_options = few();
+  cut_options.longest = 0.5;
+  const std::vector<DartProposal> darts = propose_darts(hill(8), {}, cut_options);
   EXPECT_LE(darts.size(), 2U);
-  for (const DartProposal& dart : darts) EXPECT_LE(dart.length, wishes.longest);
+  for (const DartProposal& dart : darts) EXPECT_LE(dart.length, cut_options.longest);
 }
 
 TEST(ProposeCuts, LoseLittleAgainstAllDarts) {
@@ -275,9 +275,10 @@ TEST(ProposeCuts, LoseLittleAgainstAllDarts) {
   EXPECT_LE(found.energy - best, 0.1 * (found.energy_before - best));
 }
 
-std::string refusal(const FlattenInput& input, const CutWishes& wishes = {}, ErrorCode code = ErrorCode::no_proposal) {
+std::string refusal(const FlattenInput& input, const CutOptions& cut_options = {},
+                    ErrorCode code = ErrorCode::no_proposal) {
   try {
-    propose_darts(input, {}, wishes);
+    propose_darts(input, {}, cut_options);
   } catch (const FlattenError& error) {
     EXPECT_EQ(error.code, code);
     return error.what();
@@ -293,27 +294,27 @@ TEST(ProposeCuts, SayWhyThereAreNone) {
   FlattenInput crossed = hill(2);
   test::add_wire(crossed, test::grid_column(2, 2, 1));
   EXPECT_NE(refusal(crossed).find("has no room for a dart"), std::string::npos) << "its vertex inside is on a wire";
-  CutWishes nowhere;
+  CutOptions nowhere;
   nowhere.no_seam = all_edges(hill(4).faces);
   EXPECT_NE(refusal(hill(4), nowhere).find("no line along edges that may have a seam leads"), std::string::npos);
 }
 
-TEST(ProposeCuts, RefuseWishesOutOfRange) {
-  CutWishes wishes;
-  wishes.piece = 1;
-  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option),
+TEST(ProposeCuts, RefuseOptionsOutOfRange) {
+  CutOptions cut_options;
+  cut_options.piece = 1;
+  EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option),
             "The option piece is 1: it must be from 0 to 0, as the mesh has 1 piece.");
-  wishes = {};
-  wishes.count = 0;
-  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "The option count is 0: it must be 1 or more.");
-  wishes = {};
-  wishes.longest = -1;
-  EXPECT_EQ(refusal(hill(4), wishes, ErrorCode::invalid_option), "The option longest is -1: it must be above 0.");
-  wishes = {};
+  cut_options = {};
+  cut_options.count = 0;
+  EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option), "The option count is 0: it must be 1 or more.");
+  cut_options = {};
+  cut_options.longest = -1;
+  EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option), "The option longest is -1: it must be above 0.");
+  cut_options = {};
   for (const int other : {24, 25}) {  // the opposite corner, and one that is not there
-    wishes.no_seam = (VertexPairs(1, 2) << 0, other).finished();
+    cut_options.no_seam = (VertexPairs(1, 2) << 0, other).finished();
     EXPECT_EQ(
-        refusal(hill(4), wishes, ErrorCode::invalid_option),
+        refusal(hill(4), cut_options, ErrorCode::invalid_option),
         "The option no_seam is a list with the pair 0, " + std::to_string(other) + ": it must hold edges of the mesh.");
   }
 }

@@ -30,11 +30,11 @@ struct DartProposal {
   std::optional<double> energy_with_twin;  // of the piece with both cuts; none if it is not less, or if they meet
   std::optional<double> strain_with_twin;  // the strain with both cuts
   std::optional<double> strain_left;  // for a plan: largest strain of a flat part after this cut, its mirror image in
-                                      // the same step, and all earlier ones; see CutAim::piece
+                                      // the same step, and all earlier ones; see CutTarget::piece
 };
 
 /// Options of propose_darts() and propose_seams().
-struct CutWishes {
+struct CutOptions {
   std::optional<int> piece;      // to cut, as flatten() numbers them; none: the one that gains most
   int count = 5;                 // maximum number of proposals, with mirror images counted once; >= 1
   std::optional<double> strain;  // accepted strain: pieces with no more (DartProposal::strain) are ignored; >= 0;
@@ -51,7 +51,7 @@ struct CutWishes {
 /// requested piece if it has no flat shape, no_proposal if a piece is flat already, has no room or gains nothing, and
 /// cancelled.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
-                                        const CutWishes& wishes = {}, const Progress& progress = {});
+                                        const CutOptions& cut_options = {}, const Progress& progress = {});
 
 /// Returns seams that cut a piece from outline to outline, by the same rules.
 ///
@@ -62,10 +62,10 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// Sets are symmetric if the piece is. They may cross wires, but follow neither edges of no_seam nor their mirror
 /// images. Sets that leave a strain of 1 or more are not returned.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
-                                        const CutWishes& wishes = {}, const Progress& progress = {});
+                                        const CutOptions& cut_options = {}, const Progress& progress = {});
 
 /// The target of cuts that are made together.
-struct CutAim {
+struct CutTarget {
   double strain = 0.05;  // accepted strain: pieces with no more (DartProposal::strain) are ignored; >= 0
   int most = 2;          // maximum number of cuts; a cut set counts as one; >= 1
   double longest = std::numeric_limits<double>::infinity();  // length of a cut or set, on the surface, scene units; > 0
@@ -80,11 +80,11 @@ struct CutAim {
 /// refer to the state with the earlier cuts. Each dart of a mirrored pair has its own figures
 /// and refers to its mirror image. Fewer darts than allowed mean that the target is met or that no further dart helps.
 /// Throws the errors of propose_darts() for the first dart, and no_proposal if the target is met without any.
-std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options = {}, const CutAim& aim = {},
-                                     const Progress& progress = {});
+std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options = {},
+                                     const CutTarget& target = {}, const Progress& progress = {});
 
 /// Returns seams and cut sets by the same rules. Pieces that lack seams come first, the largest one before the others.
-std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options = {}, const CutAim& aim = {},
-                                     const Progress& progress = {});
+std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options = {},
+                                     const CutTarget& target = {}, const Progress& progress = {});
 
 }  // namespace wirewarp

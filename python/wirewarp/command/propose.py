@@ -65,8 +65,11 @@ def _line(request: CutRequest) -> Line:
     }
 
 
-def _proposal(cut: DartProposal, meters: float, has_twin: bool) -> dict[str, Any]:
-    """Its lines are as --seams reads them. meters: in a unit of the model; has_twin: it may be taken by itself."""
+def _proposal(cut: DartProposal, meters: float, has_mirror_image: bool) -> dict[str, Any]:
+    """Return a proposal with its lines as --seams reads them.
+
+    meters: length of a unit of the model; has_mirror_image: whether to name the mirror image, another proposal.
+    """
     described: dict[str, Any] = {
         "piece": cut.piece + 1,
         "lines": _lines_along(cut.edges.tolist()),
@@ -77,7 +80,7 @@ def _proposal(cut: DartProposal, meters: float, has_twin: bool) -> dict[str, Any
         "strain": cut.strain,
         "strain_before": _if_finite(cut.strain_before),
     }
-    if not has_twin:
+    if not has_mirror_image:
         return described
     return described | {
         "twin": None if cut.twin is None else cut.twin + 1,
@@ -87,7 +90,7 @@ def _proposal(cut: DartProposal, meters: float, has_twin: bool) -> dict[str, Any
 
 
 def _lines_along(edges: list[list[int]]) -> list[list[int]]:
-    """Of vertices; a line goes on where an edge begins at the end of the one before it."""
+    """Return the edges as lines of vertices: an edge continues the line at whose end it begins."""
     lines: list[list[int]] = []
     for start, end in edges:
         if lines and lines[-1][-1] == start:

@@ -62,13 +62,13 @@ bool is_second_of_pair(const std::vector<DartProposal>& proposals, std::size_t i
 }
 
 /// Searches the pieces, the one with most strain first, until the rest have less to gain than what is found.
-std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, const CutWishes& wishes,
+std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, const CutOptions& cut_options,
                                         const ExactEvaluation& exact) {
   std::vector<int> order(pieces.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return strain_of(*pieces[a]) > strain_of(*pieces[b]); });
-  if (wishes.piece) order = {*wishes.piece};
+  if (cut_options.piece) order = {*cut_options.piece};
   if (pieces[order.front()]->error) throw exact.explain(pieces, order.front());
   std::vector<DartProposal> proposals;
   std::vector<Gain> gains;
@@ -77,10 +77,10 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
     const Gain most = gain_of(pieces, c, 0);
     int num_better = 0;
     for (std::size_t i = 0; i < gains.size(); ++i) num_better += gains[i] >= most && !is_second_of_pair(proposals, i);
-    if (pieces[c]->error || num_better >= wishes.count) break;
+    if (pieces[c]->error || num_better >= cut_options.count) break;
     try {
       const int first = static_cast<int>(proposals.size());
-      PieceSearch search(pieces, static_cast<std::size_t>(c), kind, Effort::thorough, wishes, exact);
+      PieceSearch search(pieces, static_cast<std::size_t>(c), kind, Effort::thorough, cut_options, exact);
       for (DartProposal& proposal : search.search()) {
         proposal.piece = c;
         if (proposal.twin) *proposal.twin += first;
@@ -92,17 +92,17 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
       if (!first_refusal) first_refusal = error;
     }
   }
-  if (!proposals.empty()) return best_of(proposals, gains, wishes.count);
+  if (!proposals.empty()) return best_of(proposals, gains, cut_options.count);
   if (!first_refusal) throw std::logic_error("A flat piece was searched: it has proposals or a reason for none.");
   throw *first_refusal;
 }
 
 /// The piece to cut, if it has no flat shape because it lacks seams; of all pieces the largest of these.
-std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutWishes& wishes) {
+std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutOptions& cut_options) {
   std::optional<std::size_t> largest;
   double most = 0;
   for (std::size_t c = 0; c < pieces.size(); ++c) {
-    if (!lacks_seams(*pieces[c]) || wishes.piece.value_or(static_cast<int>(c)) != static_cast<int>(c)) continue;
+    if (!lacks_seams(*pieces[c]) || cut_options.piece.value_or(static_cast<int>(c)) != static_cast<int>(c)) continue;
     const double area = surface_area(pieces[c]->chart.mesh);
     if (area <= kClearlyLarger * most) continue;
     most = area;
@@ -113,18 +113,19 @@ std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutWish
 
 }  // namespace
 
-void check_wishes(const CutWishes& wishes, const FlattenInput& input, std::size_t num_pieces) {
-  if (wishes.count < 1) throw wrong_option("count", std::to_string(wishes.count), "be 1 or more");
-  if (wishes.strain && !(*wishes.strain >= 0)) throw wrong_option("strain", shortest(*wishes.strain), "be 0 or more");
-  if (!(wishes.longest > 0)) throw wrong_option("longest", shortest(wishes.longest), "be above 0");
-  if (wishes.piece && (*wishes.piece < 0 || *wishes.piece >= static_cast<int>(num_pieces))) {
-    throw wrong_option("piece", std::to_string(*wishes.piece),
+void check_cut_options(const CutOptions& cut_options, const FlattenInput& input, std::size_t num_pieces) {
+  if (cut_options.count < 1) throw wrong_option("count", std::to_string(cut_options.count), "be 1 or more");
+  if (cut_options.strain && !(*cut_options.strain >= 0))
+    throw wrong_option("strain", shortest(*cut_options.strain), "be 0 or more");
+  if (!(cut_options.longest > 0)) throw wrong_option("longest", shortest(cut_options.longest), "be above 0");
+  if (cut_options.piece && (*cut_options.piece < 0 || *cut_options.piece >= static_cast<int>(num_pieces))) {
+    throw wrong_option("piece", std::to_string(*cut_options.piece),
                        "be from 0 to " + std::to_string(num_pieces - 1) + ", as the mesh has " +
                            std::to_string(num_pieces) + (num_pieces == 1 ? " piece" : " pieces"));
   }
-  if (wishes.no_seam.rows() == 0) return;
+  if (cut_options.no_seam.rows() == 0) return;
   const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
-  for (const auto& ends : wishes.no_seam.rowwise()) {
+  for (const auto& ends : cut_options.no_seam.rowwise()) {
     const bool are_vertices = ends.minCoeff() >= 0 && ends.maxCoeff() < input.vertices.rows();
     if (are_vertices && edges.find(ends[0], ends[1]) >= 0) continue;
     throw wrong_option("no_seam", "a list with the pair " + std::to_string(ends[0]) + ", " + std::to_string(ends[1]),
@@ -148,12 +149,12 @@ bool lacks_seams(const FlatPiece& piece) {
   }
 }
 
-std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, const CutWishes& wishes,
+std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, const CutOptions& cut_options,
                                     const ExactEvaluation& exact, CutProgress& progress) {
-  const std::optional<std::size_t> piece = kind == CutKind::seam ? without_shape(pieces, wishes) : std::nullopt;
+  const std::optional<std::size_t> piece = kind == CutKind::seam ? without_shape(pieces, cut_options) : std::nullopt;
   progress.enter(0, 1);
-  if (!piece) return search_pieces(pieces, kind, wishes, exact);
-  std::vector<DartProposal> sets = CutSetSearch(pieces, *piece, wishes, exact, progress).search();
+  if (!piece) return search_pieces(pieces, kind, cut_options, exact);
+  std::vector<DartProposal> sets = CutSetSearch(pieces, *piece, cut_options, exact, progress).search();
   for (DartProposal& set : sets) set.piece = static_cast<int>(*piece);
   return sets;
 }

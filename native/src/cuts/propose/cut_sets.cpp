@@ -23,7 +23,7 @@ namespace wirewarp {
 namespace {
 
 /// What woven cloth takes at most: where nothing else is asked for, pieces with no more are not cut again.
-constexpr double kAim = 0.05;
+constexpr double kTargetStrain = 0.05;
 
 /// Cuts and their mirror images after those that open the piece: two for each of twenty parts, as a plush animal has.
 constexpr std::size_t kMostCuts = 40;
@@ -60,8 +60,8 @@ FlattenError no_set(const Chart& chart, ErrorArguments arguments) {
   return FlattenError(ErrorCode::no_proposal, std::move(arguments), {{}, {}, chart.source_face});
 }
 
-FlattenError none_serves(const Chart& chart, const CutWishes& wishes) {
-  return no_set(chart, {{"reason", "no_set"}, {"is_restricted", wishes.no_seam.rows() > 0}});
+FlattenError none_serves(const Chart& chart, const CutOptions& cut_options) {
+  return no_set(chart, {{"reason", "no_set"}, {"is_restricted", cut_options.no_seam.rows() > 0}});
 }
 
 FlattenError too_strained(const Chart& chart) { return no_set(chart, {{"reason", "too_strained"}}); }
@@ -72,7 +72,7 @@ FlattenError too_long(const Chart& chart, double length, double longest) {
 
 }  // namespace
 
-CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes,
+CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                            const ExactEvaluation& exact, CutProgress& progress)
     : pieces_(pieces),
       input_chart_(pieces[piece]->chart),
@@ -80,9 +80,9 @@ CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const Cu
       map_(chart_),
       image_(mirror_image(chart_, exact.stop())),
       mirrored_(chart_, image_),
-      forbidden_(mirrored_.with_image(map_.mask_of(as_list(wishes.no_seam)))),
-      wishes_(wishes),
-      target_(wishes.strain.value_or(kAim)),
+      forbidden_(mirrored_.with_image(map_.mask_of(as_list(cut_options.no_seam)))),
+      cut_options_(cut_options),
+      target_(cut_options.strain.value_or(kTargetStrain)),
       exact_(exact),
       progress_(progress) {
   mirrored_.forbid_those_without_image(forbidden_);
@@ -133,14 +133,14 @@ CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutM
 
 /// Darts and seams of one of its parts.
 void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
-  CutWishes wishes;
-  wishes.count = kPlaces;
-  wishes.strain = target_;
-  wishes.longest = wishes_.longest - set.proposal.length;
-  wishes.no_seam = as_pairs(edges_of(forbidden_));
+  CutOptions cut_options;
+  cut_options.count = kPlaces;
+  cut_options.strain = target_;
+  cut_options.longest = cut_options_.longest - set.proposal.length;
+  cut_options.no_seam = as_pairs(edges_of(forbidden_));
   for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
     try {
-      PieceSearch search(set.pieces, set.parts[part], kind, Effort::quick, wishes, exact_);
+      PieceSearch search(set.pieces, set.parts[part], kind, Effort::quick, cut_options, exact_);
       for (const DartProposal& cut : search.search()) {
         const double gain = 1 - cut.energy / cut.energy_before;
         found.push_back({mirrored_.with_image(map_.mask_of(cut.edges)), gain, gain / cut.length});
@@ -204,7 +204,7 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
     CutMask cut = set.cut;
     unite(cut, candidate.cut);
     const bool is_known = std::find(tried.begin(), tried.end(), cut) != tried.end();
-    if (is_known || length_of_cut(chart_.mesh, cut) > wishes_.longest) continue;
+    if (is_known || length_of_cut(chart_.mesh, cut) > cut_options_.longest) continue;
     tried.push_back(cut);
     CutSet more = evaluate(set.pieces, cut);
     // The strain may rise on the way, where the parts have more outline to hold than the whole.
@@ -230,7 +230,7 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
     best.push_back(set.proposal);
   }
   std::reverse(best.begin(), best.end());
-  const auto count = static_cast<std::size_t>(wishes_.count);
+  const auto count = static_cast<std::size_t>(cut_options_.count);
   if (best.size() <= count) return best;
   std::vector<DartProposal> chosen{best.front()};
   const double least = std::max(best.front().strain, kFlat), ratio = best.back().strain / least;
@@ -266,11 +266,11 @@ void CutSetSearch::report_strain(double first, double now) {
 std::vector<DartProposal> CutSetSearch::search() {
   progress_.enter(0, kOpened);
   const CutMask opened = opening();
-  if (is_empty(opened)) throw none_serves(input_chart_, wishes_);
+  if (is_empty(opened)) throw none_serves(input_chart_, cut_options_);
   std::vector<CutSet> sets{evaluate(pieces_, opened)};
   const DartProposal& least = sets.front().proposal;
-  if (!sets.front().lies_flat) throw none_serves(input_chart_, wishes_);
-  if (least.length > wishes_.longest) throw too_long(input_chart_, least.length, wishes_.longest);
+  if (!sets.front().lies_flat) throw none_serves(input_chart_, cut_options_);
+  if (least.length > cut_options_.longest) throw too_long(input_chart_, least.length, cut_options_.longest);
   while (sets.size() <= kMostCuts && sets.back().proposal.strain > target_) {
     report_strain(sets.front().proposal.strain, sets.back().proposal.strain);
     std::optional<CutSet> more = cut_once_more(sets.back());

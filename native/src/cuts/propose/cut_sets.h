@@ -20,7 +20,7 @@ namespace wirewarp {
 class CutSetSearch {
  public:
   /// piece: one of the pieces. All references are kept.
-  CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutWishes& wishes, const ExactEvaluation& exact,
+  CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
                CutProgress& progress);
 
   /// The set with most cuts first; without piece. Throws no_proposal.
@@ -62,7 +62,7 @@ class CutSetSearch {
   const std::vector<VertexHandle> image_;
   const MirroredCuts mirrored_;
   CutMask forbidden_;
-  const CutWishes& wishes_;
+  const CutOptions& cut_options_;
   const double target_;  // strain
   const ExactEvaluation& exact_;
   CutProgress& progress_;

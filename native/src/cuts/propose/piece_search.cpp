@@ -57,9 +57,9 @@ FlattenError flat_already(const Chart& chart) { return no_proposal(chart, {{"rea
 
 std::string name_of(CutKind kind) { return kind == CutKind::dart ? "dart" : "seam"; }
 
-FlattenError no_room(const Chart& chart, CutKind kind, const CutWishes& wishes) {
-  return no_proposal(chart,
-                     {{"reason", "no_room"}, {"kind", name_of(kind)}, {"is_restricted", wishes.no_seam.rows() > 0}});
+FlattenError no_room(const Chart& chart, CutKind kind, const CutOptions& cut_options) {
+  return no_proposal(
+      chart, {{"reason", "no_room"}, {"kind", name_of(kind)}, {"is_restricted", cut_options.no_seam.rows() > 0}});
 }
 
 /// Vertices on wires inside a chart.
@@ -147,16 +147,16 @@ FlattenError none_helps(const Chart& chart, CutKind kind, double strain) {
 }
 
 PieceSearch::PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort,
-                         const CutWishes& wishes, const ExactEvaluation& exact)
+                         const CutOptions& cut_options, const ExactEvaluation& exact)
     : pieces_(pieces),
       input_chart_(pieces[piece]->chart),
       chart_(in_canonical_order(input_chart_, exact.stop())),
       size_(std::sqrt(surface_area(chart_.mesh))),
       image_(mirror_image(chart_, exact.stop())),
-      forbidden_(find_forbidden(chart_, wishes.no_seam)),
+      forbidden_(find_forbidden(chart_, cut_options.no_seam)),
       kind_(kind),
       effort_(effort),
-      wishes_(wishes),
+      cut_options_(cut_options),
       exact_(exact),
       before_(figures_of(pieces, input_chart_)) {}
 
@@ -186,12 +186,12 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   const CoarseCopy copy = coarse_copy(chart_, grid.faces, exact_.stop());
   const SmoothPathFinder coarse_paths(copy.chart, on_copy(copy, chart_.mesh, forbidden_));
   const std::vector<CutEnds> candidates = list_candidates(copy.chart, coarse_paths, kind_, grid.points);
-  if (candidates.empty()) throw no_room(input_chart_, kind_, wishes_);
+  if (candidates.empty()) throw no_room(input_chart_, kind_, cut_options_);
   std::vector<HalfEdgeChain> chains;
   bool is_way = false;
   const CutLimits limits = effort_ == Effort::thorough
-                               ? CutLimits{wishes_.count + kMorePlaces, kShareInFull, wishes_.longest}
-                               : CutLimits{wishes_.count, 0, wishes_.longest};
+                               ? CutLimits{cut_options_.count + kMorePlaces, kShareInFull, cut_options_.longest}
+                               : CutLimits{cut_options_.count, 0, cut_options_.longest};
   const std::vector<RankedCut> ranked =
       rank_cuts(copy.chart, coarse_paths, candidates, exact_.options(), limits, exact_.stop());
   for (const RankedCut& cut : ranked) {
@@ -202,9 +202,9 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
     const double length = length_of(chart_.mesh, chain);
     if (length > kDetour * length_of(copy.chart.mesh, chain_of(coarse_paths, cut.ends))) continue;
     const bool is_new = std::find(chains.begin(), chains.end(), chain) == chains.end();
-    if (is_new && length <= wishes_.longest) chains.push_back(std::move(chain));
+    if (is_new && length <= cut_options_.longest) chains.push_back(std::move(chain));
   }
-  if (!ranked.empty() && !is_way) throw no_room(input_chart_, kind_, wishes_);
+  if (!ranked.empty() && !is_way) throw no_room(input_chart_, kind_, cut_options_);
   return chains;
 }
 
@@ -274,7 +274,7 @@ std::vector<PieceSearch::Helpful> PieceSearch::find_helpful() const {
   for (Helpful& cut : helpful) {
     const bool is_known = std::any_of(best.begin(), best.end(),
                                       [&](const Helpful& better) { return is_beside(better.chain, cut.chain); });
-    if (!is_known && static_cast<int>(best.size()) < wishes_.count) best.push_back(std::move(cut));
+    if (!is_known && static_cast<int>(best.size()) < cut_options_.count) best.push_back(std::move(cut));
   }
   return best;
 }
@@ -293,7 +293,7 @@ DartProposal PieceSearch::proposal_of(const HalfEdgeChain& chain, const PieceFig
 
 std::vector<DartProposal> PieceSearch::search() {
   if (before_.energy <= RefineConstants::isometric) throw flat_already(input_chart_);
-  const double may_stay = wishes_.strain.value_or(kMayStay);
+  const double may_stay = cut_options_.strain.value_or(kMayStay);
   if (before_.strain <= may_stay) throw flat_enough(input_chart_, before_.strain, may_stay);
   const std::vector<Helpful> best = find_helpful();
   std::vector<HalfEdgeChain> images;
@@ -302,11 +302,11 @@ std::vector<DartProposal> PieceSearch::search() {
   std::vector<DartProposal> proposals;
   for (std::size_t i = 0; i < best.size(); ++i) {
     const Helpful& cut = best[i];
-    const bool has_twin = of_images[i] && (cut.with_image || is_worth_sewing(*of_images[i]));
-    if (!has_twin && !is_worth_sewing(cut.alone)) continue;
+    const bool has_mirror_image = of_images[i] && (cut.with_image || is_worth_sewing(*of_images[i]));
+    if (!has_mirror_image && !is_worth_sewing(cut.alone)) continue;
     const int place = static_cast<int>(proposals.size());
     proposals.push_back(proposal_of(cut.chain, cut.alone));
-    if (!has_twin) continue;
+    if (!has_mirror_image) continue;
     proposals.push_back(proposal_of(cut.image, *of_images[i]));
     for (const int k : {place, place + 1}) {
       proposals[k].twin = 2 * place + 1 - k;

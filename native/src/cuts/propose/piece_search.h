@@ -23,7 +23,7 @@ FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
 class PieceSearch {
  public:
   /// piece: one of the pieces. All references are kept.
-  PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort, const CutWishes& wishes,
+  PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort, const CutOptions& cut_options,
               const ExactEvaluation& exact);
 
   /// The best first; without piece. Throws no_proposal.
@@ -62,7 +62,7 @@ class PieceSearch {
   const Forbidden forbidden_;
   const CutKind kind_;
   const Effort effort_;
-  const CutWishes& wishes_;
+  const CutOptions& cut_options_;
   const ExactEvaluation& exact_;
   const PieceFigures before_;
 };

@@ -18,10 +18,10 @@ namespace {
 
 class PlanOfCuts {
  public:
-  PlanOfCuts(const FlatPieces& pieces, CutKind kind, const CutAim& aim, const ExactEvaluation& exact,
+  PlanOfCuts(const FlatPieces& pieces, CutKind kind, const CutTarget& target, const ExactEvaluation& exact,
              CutProgress& progress)
-      : pieces_(pieces), kind_(kind), aim_(aim), exact_(exact), progress_(progress) {
-    if (aim.piece) asked_ = pieces[*aim.piece];
+      : pieces_(pieces), kind_(kind), target_(target), exact_(exact), progress_(progress) {
+    if (target.piece) asked_ = pieces[*target.piece];
   }
 
   std::vector<DartProposal> make() {
@@ -34,10 +34,10 @@ class PlanOfCuts {
   }
 
  private:
-  int num_left() const { return aim_.most - static_cast<int>(cuts_.size()); }
+  int num_left() const { return target_.most - static_cast<int>(cuts_.size()); }
 
   double length_left() const {
-    double left = aim_.total_length;
+    double left = target_.total_length;
     for (const DartProposal& cut : cuts_) left -= cut.length;
     return left;
   }
@@ -70,18 +70,18 @@ class PlanOfCuts {
 
   /// Of the first piece that a cut helps; empty if none does, but there are cuts.
   std::vector<DartProposal> propose_next() const {
-    CutWishes wishes;
-    wishes.piece = aim_.piece;
-    wishes.strain = aim_.strain;
-    wishes.longest = std::min(aim_.longest, length_left());
-    wishes.no_seam = aim_.no_seam;
+    CutOptions cut_options;
+    cut_options.piece = target_.piece;
+    cut_options.strain = target_.strain;
+    cut_options.longest = std::min(target_.longest, length_left());
+    cut_options.no_seam = target_.no_seam;
     const std::vector<int> order = pieces_in_order();
-    if (order.empty() && cuts_.empty()) return best_cuts(pieces_, kind_, wishes, exact_, progress_);  // throws why
+    if (order.empty() && cuts_.empty()) return best_cuts(pieces_, kind_, cut_options, exact_, progress_);  // throws why
     std::optional<FlattenError> first_refusal;
     for (const int piece : order) {
-      wishes.piece = piece;
+      cut_options.piece = piece;
       try {
-        std::vector<DartProposal> proposals = best_cuts(pieces_, kind_, wishes, exact_, progress_);
+        std::vector<DartProposal> proposals = best_cuts(pieces_, kind_, cut_options, exact_, progress_);
         if (helps(best_of_round(proposals), proposals)) return proposals;
         throw none_helps(pieces_[piece]->chart, kind_, pieces_[piece]->strain);
       } catch (const FlattenError& error) {
@@ -93,13 +93,13 @@ class PlanOfCuts {
     return {};
   }
 
-  bool comes_with_twin(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
-    return aim_.twins && cut.strain_with_twin && *cut.strain_with_twin < cut.strain && num_left() >= 2 &&
+  bool comes_with_mirror_image(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
+    return target_.twins && cut.strain_with_twin && *cut.strain_with_twin < cut.strain && num_left() >= 2 &&
            cut.length + proposals[*cut.twin].length <= length_left();
   }
 
   double strain_if_taken(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
-    return comes_with_twin(cut, proposals) ? *cut.strain_with_twin : cut.strain;
+    return comes_with_mirror_image(cut, proposals) ? *cut.strain_with_twin : cut.strain;
   }
 
   /// Not so if it does by its mirror image alone, which may not be taken.
@@ -115,7 +115,7 @@ class PlanOfCuts {
 
   void take(const DartProposal& best, const std::vector<DartProposal>& proposals) {
     std::vector<DartProposal> taken{best};
-    if (comes_with_twin(best, proposals)) {
+    if (comes_with_mirror_image(best, proposals)) {
       taken.push_back(proposals[*best.twin]);
       const int first = static_cast<int>(cuts_.size());
       taken[0].twin = first + 1;
@@ -148,31 +148,31 @@ class PlanOfCuts {
 
   FlatPieces pieces_;  // with the cuts that are taken
   const CutKind kind_;
-  const CutAim& aim_;
+  const CutTarget& target_;
   const ExactEvaluation& exact_;
   CutProgress& progress_;
   std::shared_ptr<const FlatPiece> asked_;  // the piece asked for, as it was
   std::vector<DartProposal> cuts_;
 };
 
-std::vector<DartProposal> plan(const FlattenInput& input, const Options& options, CutKind kind, const CutAim& aim,
+std::vector<DartProposal> plan(const FlattenInput& input, const Options& options, CutKind kind, const CutTarget& target,
                                const Progress& progress) {
-  if (aim.most < 1) throw wrong_option("most", std::to_string(aim.most), "be at least 1");
-  if (!(aim.total_length > 0)) {
-    throw wrong_option("total_length", shortest(aim.total_length), "be above 0");
+  if (target.most < 1) throw wrong_option("most", std::to_string(target.most), "be at least 1");
+  if (!(target.total_length > 0)) {
+    throw wrong_option("total_length", shortest(target.total_length), "be above 0");
   }
-  CutProgress cut_progress(progress, aim.most);
+  CutProgress cut_progress(progress, target.most);
   const SurfaceToCut to_cut(input, options);
   try {
     const ExactEvaluation exact(to_cut, options, cut_progress.token());
     const FlatPieces pieces = exact.uncut();
-    CutWishes wishes;
-    wishes.piece = aim.piece;
-    wishes.strain = aim.strain;
-    wishes.longest = aim.longest;
-    wishes.no_seam = aim.no_seam;
-    check_wishes(wishes, input, pieces.size());
-    return PlanOfCuts(pieces, kind, aim, exact, cut_progress).make();
+    CutOptions cut_options;
+    cut_options.piece = target.piece;
+    cut_options.strain = target.strain;
+    cut_options.longest = target.longest;
+    cut_options.no_seam = target.no_seam;
+    check_cut_options(cut_options, input, pieces.size());
+    return PlanOfCuts(pieces, kind, target, exact, cut_progress).make();
   } catch (const Stopped&) {
     throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
   }
@@ -180,14 +180,14 @@ std::vector<DartProposal> plan(const FlattenInput& input, const Options& options
 
 }  // namespace
 
-std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options, const CutAim& aim,
+std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options, const CutTarget& target,
                                      const Progress& progress) {
-  return plan(input, options, CutKind::dart, aim, progress);
+  return plan(input, options, CutKind::dart, target, progress);
 }
 
-std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options, const CutAim& aim,
+std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options, const CutTarget& target,
                                      const Progress& progress) {
-  return plan(input, options, CutKind::seam, aim, progress);
+  return plan(input, options, CutKind::seam, target, progress);
 }
 
 }  // namespace wirewarp
