@@ -18,7 +18,7 @@ struct Plate {
     chart = test::charts_of(input).charts[0];
   }
   VertexHandle vertex(int i, int j) const { return VertexHandle(i + 9 * j); }
-  SurfacePath trace(int i, int j, double angle) const {
+  MeshPath trace(int i, int j, double angle) const {
     const HalfedgeHandle reference = chart.mesh.find_halfedge(vertex(i, j), vertex(i + 1, j));
     return *trace_straightest(chart.mesh, WireMask(chart), reference, angle);
   }
@@ -79,7 +79,7 @@ TEST(EmbedPath, APathNearAVertexRunsThroughIt) {
 
 TEST(EmbedPath, APathThatIsAWireAlreadyGoesNowhere) {
   const Plate plate;
-  const SurfacePath path{PathPoint::at_vertex(plate.vertex(6, 3)), PathPoint::at_vertex(plate.vertex(6, 4))};
+  const MeshPath path{PathPoint::at_vertex(plate.vertex(6, 3)), PathPoint::at_vertex(plate.vertex(6, 4))};
   EXPECT_FALSE(snap_to_wires(plate.chart.mesh, WireMask(plate.chart), path));
 }
 

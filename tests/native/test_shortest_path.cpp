@@ -18,7 +18,7 @@ double geodesic_length(const Chart& chart, int from, int to) {
   is_target[to] = 1;
   const auto edge_path = shortest_edge_path(chart.mesh, wires, {VertexHandle(from)}, is_target);
   EXPECT_FALSE(edge_path.empty());
-  const SurfacePath path = straighten(chart.mesh, wires, edge_path);
+  const MeshPath path = straighten(chart.mesh, wires, edge_path);
   EXPECT_EQ(path.front().vertex, VertexHandle(from));
   EXPECT_EQ(path.back().vertex, VertexHandle(to));
   return path_length(chart.mesh, path);

@@ -21,7 +21,7 @@ bool touches(const HalfEdgeMesh& mesh, const PathPoint& point, VertexHandle v) {
 }
 
 /// Appends a vertex. What the path crossed at its edges before, and the loop it made if it was there, drop out.
-void pass_vertex(const HalfEdgeMesh& mesh, VertexHandle v, SurfacePath& path) {
+void pass_vertex(const HalfEdgeMesh& mesh, VertexHandle v, MeshPath& path) {
   const auto is_v = [&](const PathPoint& point) { return point.vertex == v; };
   path.erase(std::find_if(path.begin(), path.end(), is_v), path.end());
   while (!path.empty() && !path.back().is_vertex() && touches(mesh, path.back(), v)) path.pop_back();
@@ -31,9 +31,9 @@ void pass_vertex(const HalfEdgeMesh& mesh, VertexHandle v, SurfacePath& path) {
 /// reach_of: of a point on an edge, the part of the edge within which its ends are near; ends_at: called with each
 /// vertex that the path comes to.
 template <class ReachOf, class EndsAt>
-SurfacePath snap_until(const HalfEdgeMesh& mesh, const SurfacePath& path, const ReachOf& reach_of,
+MeshPath snap_until(const HalfEdgeMesh& mesh, const MeshPath& path, const ReachOf& reach_of,
                        const EndsAt& ends_at) {
-  SurfacePath snapped{path.front()};
+  MeshPath snapped{path.front()};
   for (std::size_t i = 1; i < path.size(); ++i) {
     const PathPoint point = path[i].is_vertex() ? path[i] : snap(mesh, path[i], reach_of(path[i]));
     if (point.is_vertex()) {
@@ -48,17 +48,17 @@ SurfacePath snap_until(const HalfEdgeMesh& mesh, const SurfacePath& path, const 
 
 }  // namespace
 
-SurfacePath snap_to_vertices(const HalfEdgeMesh& mesh, const SurfacePath& path, double reach) {
+MeshPath snap_to_vertices(const HalfEdgeMesh& mesh, const MeshPath& path, double reach) {
   return snap_until(
       mesh, path, [&](const PathPoint&) { return reach; }, [](VertexHandle) { return false; });
 }
 
-std::optional<SurfacePath> snap_to_wires(const HalfEdgeMesh& mesh, const WireMask& wires, const SurfacePath& path) {
+std::optional<MeshPath> snap_to_wires(const HalfEdgeMesh& mesh, const WireMask& wires, const MeshPath& path) {
   const VertexHandle start = path.front().vertex;
   const auto reach_of = [&](const PathPoint& point) {
     return wires.has(mesh.edge_handle(point.half_edge)) ? 0.5 : kNearVertex;
   };
-  const SurfacePath snapped =
+  const MeshPath snapped =
       snap_until(mesh, path, reach_of, [&](VertexHandle v) { return v != start && wires.has(v); });
   const PathPoint& end = snapped.back();
   if (!end.is_vertex() || end.vertex == start || !wires.has(end.vertex)) return std::nullopt;
@@ -66,7 +66,7 @@ std::optional<SurfacePath> snap_to_wires(const HalfEdgeMesh& mesh, const WireMas
   return snapped;
 }
 
-HalfEdgeChain embed_path(SplitChart& refined, const SurfacePath& path) {
+HalfEdgeChain embed_path(SplitChart& refined, const MeshPath& path) {
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   HalfEdgeChain chain;
   VertexHandle last = path.front().vertex;

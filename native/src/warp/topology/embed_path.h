@@ -12,13 +12,13 @@ namespace wirewarp {
 
 /// Moves crossings near a vertex to it, so that no sliver is cut off. The path passes each triangle at most once.
 /// reach: part of an edge within which its ends are near, below 1/2.
-SurfacePath snap_to_vertices(const HalfEdgeMesh& mesh, const SurfacePath& path, double reach);
+MeshPath snap_to_vertices(const HalfEdgeMesh& mesh, const MeshPath& path, double reach);
 
 /// The same within a tenth, and ends the path at the first wire vertex it reaches; at a wire edge that is the edge's
 /// nearer end. Empty if the path then goes nowhere: it ends where no wire is, or all of it is a wire already.
-std::optional<SurfacePath> snap_to_wires(const HalfEdgeMesh& mesh, const WireMask& wires, const SurfacePath& path);
+std::optional<MeshPath> snap_to_wires(const HalfEdgeMesh& mesh, const WireMask& wires, const MeshPath& path);
 
 /// Splits the edges a snapped path crosses, and returns the path as a chain of half-edges.
-HalfEdgeChain embed_path(SplitChart& refined, const SurfacePath& path);
+HalfEdgeChain embed_path(SplitChart& refined, const MeshPath& path);
 
 }  // namespace wirewarp

@@ -35,7 +35,7 @@ std::vector<char> other_wires(const SplitChart& refined, VertexHandle tail) {
 }
 
 /// Whether a path goes round the surface rather than on: twice as long as the way along edges between its ends.
-bool winds(const HalfEdgeMesh& mesh, const SurfacePath& path) {
+bool winds(const HalfEdgeMesh& mesh, const MeshPath& path) {
   constexpr double kTimesLonger = 2;
   const double length = path_length(mesh, path);
   const VertexHandle start = path.front().vertex;
@@ -51,7 +51,7 @@ bool winds(const HalfEdgeMesh& mesh, const SurfacePath& path) {
 
 void extend_tail(SplitChart& refined, VertexHandle tail, HalfedgeHandle wire) {
   const HalfEdgeMesh& mesh = refined.chart.mesh;
-  std::optional<SurfacePath> path = trace_straightest(mesh, refined.wires, wire, total_angle(mesh, tail) / 2);
+  std::optional<MeshPath> path = trace_straightest(mesh, refined.wires, wire, total_angle(mesh, tail) / 2);
   if (path) path = snap_to_wires(mesh, refined.wires, *path);
   if (path && !winds(mesh, *path)) {
     add_helper_wire(refined, embed_path(refined, *path));

@@ -37,7 +37,7 @@ bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, const MayTake& may
 }
 
 template <class MayTake>
-SurfacePath shortest_path(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path,
+MeshPath shortest_path(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path,
                           const MayTake& may_take) {
   Strip strip = strip_beside(mesh, edge_path);
   StripPath best = shortest_in_strip(mesh, wires, strip);
@@ -64,11 +64,11 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
   return path;
 }
 
-SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path) {
+MeshPath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path) {
   return shortest_path(mesh, wires, edge_path, [](const Strip&) { return true; });
 }
 
-SurfacePath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
+MeshPath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
                               const std::vector<VertexHandle>& edge_path) {
   std::vector<char> touches_path(mesh.n_faces(), 0);
   for (const VertexHandle v : edge_path) {
@@ -89,8 +89,8 @@ HalfEdgeChain join_by_shortest_path(SplitChart& refined, const std::vector<Verte
   is_target.resize(mesh.n_vertices(), 0);
   const std::vector<VertexHandle> edge_path = shortest_edge_path(mesh, refined.wires, sources, is_target);
   if (edge_path.empty()) throw UnjoinedWires("No path leads from one wire loop to another in the same region.");
-  const SurfacePath straight = straighten(mesh, refined.wires, edge_path);
-  const std::optional<SurfacePath> path = snap_to_wires(mesh, refined.wires, straight);
+  const MeshPath straight = straighten(mesh, refined.wires, edge_path);
+  const std::optional<MeshPath> path = snap_to_wires(mesh, refined.wires, straight);
   if (!path) throw UnjoinedWires("A shortest path between wire loops ends off its loops.");
   HalfEdgeChain chain = embed_path(refined, *path);
   add_helper_wire(refined, chain);

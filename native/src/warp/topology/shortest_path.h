@@ -16,10 +16,10 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
 
 /// The locally shortest path between the same ends: the shortest in the strip of triangles beside the path, and over
 /// the other side of a vertex wherever that is shorter still. It keeps a quarter of an edge away from wires.
-SurfacePath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
+MeshPath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
 /// The same, but the shortest among the triangles that touch the path.
-SurfacePath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
+MeshPath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
                               const std::vector<VertexHandle>& edge_path);
 
 /// Adds a helper wire along the straightened shortest path from any source to the nearest target, and returns it.

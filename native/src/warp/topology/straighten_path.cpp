@@ -80,8 +80,8 @@ std::set<VertexPair> edges_of(const std::vector<Wire>& wires) {
 }
 
 /// Each stretch between two vertices, made straight in its strip of triangles.
-SurfacePath straight_between_vertices(const HalfEdgeMesh& mesh, const WireMask& lines, const SurfacePath& path) {
-  SurfacePath straight{path.front()};
+MeshPath straight_between_vertices(const HalfEdgeMesh& mesh, const WireMask& lines, const MeshPath& path) {
+  MeshPath straight{path.front()};
   Strip strip{path.front().vertex, VertexHandle(), {}};
   for (std::size_t i = 1; i < path.size(); ++i) {
     if (!path[i].is_vertex()) {
@@ -89,22 +89,22 @@ SurfacePath straight_between_vertices(const HalfEdgeMesh& mesh, const WireMask& 
       continue;
     }
     strip.end = path[i].vertex;
-    const SurfacePath stretch = shortest_in_strip(mesh, lines, strip).path;
+    const MeshPath stretch = shortest_in_strip(mesh, lines, strip).path;
     straight.insert(straight.end(), stretch.begin() + 1, stretch.end());
     strip = {strip.end, VertexHandle(), {}};
   }
   return straight;
 }
 
-std::ptrdiff_t num_vertices(const SurfacePath& path) {
+std::ptrdiff_t num_vertices(const MeshPath& path) {
   return std::count_if(path.begin(), path.end(), [](const PathPoint& point) { return point.is_vertex(); });
 }
 
 /// Among the triangles that touch the path, for a geodesic would leave a bend that the cut is there for. A crossing
 /// that moves to a vertex bends the line there. So what lies between is made straight again, until no further one
 /// moves.
-SurfacePath smooth_line(const HalfEdgeMesh& mesh, const WireMask& lines, const std::vector<VertexHandle>& path) {
-  SurfacePath line = snap_to_vertices(mesh, straighten_nearby(mesh, lines, path), kReach);
+MeshPath smooth_line(const HalfEdgeMesh& mesh, const WireMask& lines, const std::vector<VertexHandle>& path) {
+  MeshPath line = snap_to_vertices(mesh, straighten_nearby(mesh, lines, path), kReach);
   for (std::ptrdiff_t before = 0; num_vertices(line) > before;) {
     before = num_vertices(line);
     line = snap_to_vertices(mesh, straight_between_vertices(mesh, lines, line), kReach);

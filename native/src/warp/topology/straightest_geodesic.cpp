@@ -17,7 +17,7 @@ class Tracer {
  public:
   Tracer(const HalfEdgeMesh& mesh, const WireMask& wires) : mesh_(mesh), wires_(wires) {}
 
-  std::optional<SurfacePath> trace(HalfedgeHandle reference, double angle) {
+  std::optional<MeshPath> trace(HalfedgeHandle reference, double angle) {
     arrive_at_vertex(reference, angle);
     has_arrived_ = false;
     while (!has_arrived_ && !has_come_back_) {
@@ -112,7 +112,7 @@ class Tracer {
 
   const HalfEdgeMesh& mesh_;
   const WireMask& wires_;
-  SurfacePath path_;
+  MeshPath path_;
   bool is_at_vertex_ = false;
   HalfedgeHandle entry_;  // the plane: from its start along its direction, its face on the left
   double angle_ = 0;      // at a vertex: from entry_, which leaves it
@@ -134,7 +134,7 @@ double total_angle(const HalfEdgeMesh& mesh, VertexHandle v) {
   return sum;
 }
 
-std::optional<SurfacePath> trace_straightest(const HalfEdgeMesh& mesh, const WireMask& wires, HalfedgeHandle reference,
+std::optional<MeshPath> trace_straightest(const HalfEdgeMesh& mesh, const WireMask& wires, HalfedgeHandle reference,
                                              double angle) {
   return Tracer(mesh, wires).trace(reference, angle);
 }

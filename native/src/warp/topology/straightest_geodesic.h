@@ -17,7 +17,7 @@ double total_angle(const HalfEdgeMesh& mesh, VertexHandle v);
 /// up to the first vertex or edge of a wire or boundary: the path's last point. Empty if the geodesic comes back to a
 /// triangle or vertex it has passed before, so that no path has more points than the mesh has faces and vertices.
 /// The start is inside the chart, or the angle within its faces.
-std::optional<SurfacePath> trace_straightest(const HalfEdgeMesh& mesh, const WireMask& wires, HalfedgeHandle reference,
+std::optional<MeshPath> trace_straightest(const HalfEdgeMesh& mesh, const WireMask& wires, HalfedgeHandle reference,
                                              double angle);
 
 }  // namespace wirewarp

@@ -23,7 +23,7 @@ struct StripTurn {
 };
 
 struct StripPath {
-  SurfacePath path;
+  MeshPath path;
   double length = 0;
   std::vector<StripTurn> turns;
 };

@@ -20,7 +20,7 @@ struct PathPoint {
   static PathPoint on_edge(HalfedgeHandle h, double t) { return {VertexHandle(), h, t}; }
 };
 
-using SurfacePath = std::vector<PathPoint>;
+using MeshPath = std::vector<PathPoint>;
 
 inline HalfEdgeMesh::Point position(const HalfEdgeMesh& mesh, const PathPoint& point) {
   if (point.is_vertex()) return mesh.point(point.vertex);
@@ -28,7 +28,7 @@ inline HalfEdgeMesh::Point position(const HalfEdgeMesh& mesh, const PathPoint& p
   return from + (mesh.point(mesh.to_vertex_handle(point.half_edge)) - from) * point.t;
 }
 
-inline double path_length(const HalfEdgeMesh& mesh, const SurfacePath& path) {
+inline double path_length(const HalfEdgeMesh& mesh, const MeshPath& path) {
   double length = 0;
   for (std::size_t i = 1; i < path.size(); ++i) {
     length += (position(mesh, path[i]) - position(mesh, path[i - 1])).norm();
