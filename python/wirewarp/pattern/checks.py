@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What cannot be right, as a sentence."""
+"""Checks of values that cannot be right, each with its error sentence."""
 
 from collections.abc import Sequence
 
 from .._errors import ErrorCode, FlattenError
 
-WIDEST = 1000.0  # millimeters: what is wider was given in another unit
+WIDEST = 1000.0  # millimeters: a wider value was given in another unit
 
 
 def problem(message: str, code: ErrorCode | str = "invalid_option") -> FlattenError:
@@ -13,12 +13,12 @@ def problem(message: str, code: ErrorCode | str = "invalid_option") -> FlattenEr
 
 
 def checked_length(name: str, value: float, least: float = 0.0, most: float = WIDEST) -> float:
-    """The value as a float; raises FlattenError unless it is a number from `least` to `most`."""
+    """Return the value as a float. Raises FlattenError unless it is a number from `least` to `most`."""
     try:
         number = float(value)
     except (TypeError, ValueError):
         raise problem(f"{name} is {value!r}: give a number of millimeters.") from None
-    if not least <= number <= most:  # of NaN neither is true
+    if not least <= number <= most:  # both comparisons are false for NaN
         raise problem(f"{name} is {number:g}: give millimeters from {least:g} to {most:g}.")
     return number
 

@@ -8,55 +8,55 @@ from dataclasses import dataclass
 import numpy as np
 import pyclipper
 
-GRID = 1e-4  # millimeters: far finer than anything is cut, and 100 m still fit Clipper's fast integers of 30 bits
-ON_LINE = 1e-3  # millimeters: what lies nearer is on the line; the grid of cut lines is 10 times finer
-DEPTH = 1e-4  # of the diagonal of the smaller outline's box: what overlaps less touches, but for rounding
+GRID = 1e-4  # millimeters: finer than any cutter, and 100 m still fit Clipper's fast integers of 30 bits
+ON_LINE = 1e-3  # millimeters: a closer point is on the line; the grid of cut lines is 10 times finer
+DEPTH = 1e-4  # of the diagonal of the smaller outline's box: with less, shapes touch, apart from rounding
 STEPS, ROUNDS = 8, 3  # of the search for an innermost point
-SAMPLES = 100  # points on the outline from which distances are measured: text need not fit to the last
-PAIRS = 1_000_000  # of points and sides that are compared at a time, for memory's sake
-RESOLUTION = 2.0**30  # steps of the grid on which outlines overlap, over both: Clipper is exact and quick on these
+SAMPLES = 100  # points on the outline from which distances are measured: enough for text
+PAIRS = 1_000_000  # points and sides compared at a time, to limit memory
+RESOLUTION = 2.0**30  # steps of the grid for overlaps, over both outlines: Clipper is exact and fast on it
 
 
 def lengths_along(points: np.ndarray) -> np.ndarray:
-    """(k,) length of a line (k,2) from its start to each point."""
+    """Return the length (k,) of a line (k,2) from its start to each point."""
     return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
 
 
 def sampled(line: np.ndarray, spacing: float) -> np.ndarray:
-    """Points (m,2) on the line (k,2), its ends among them, at equal distances of at most `spacing`."""
+    """Return points (m,2) on the line (k,2) at equal distances of at most `spacing`, including its ends."""
     along = lengths_along(line)
     at = np.linspace(0, along[-1], math.ceil(along[-1] / spacing) + 1)
     return np.column_stack([np.interp(at, along, column) for column in line.T])
 
 
 def right_normals(points: np.ndarray) -> np.ndarray:
-    """(k-1,2) unit vectors to the right of each step of a line (k,2) without repeated points."""
+    """Return unit vectors (k-1,2) to the right of each step of a line (k,2) without repeated points."""
     along = np.diff(points, axis=0)
     return np.column_stack([along[:, 1], -along[:, 0]]) / np.linalg.norm(along, axis=1)[:, None]
 
 
 def signed_area(outline: np.ndarray) -> float:
-    """Area of an outline (k,2); above 0 where it runs counterclockwise."""
+    """Return the area of an outline (k,2), positive if it runs counterclockwise."""
     x, y = (outline - outline[0]).T
     return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
 
 
 def are_inside(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarray:
-    """(p,) bool: whether a ray from each point (p,2) crosses the outlines an odd number of times."""
+    """Return (p,) bool: whether a ray from each point (p,2) crosses the outlines an odd number of times."""
     a, b = _sides(outlines)
     x, y = points[:, :1], points[:, 1:]
     crosses = (a[:, 1] > y) != (b[:, 1] > y)
-    with np.errstate(divide="ignore", invalid="ignore"):  # of level sides, which no ray crosses
+    with np.errstate(divide="ignore", invalid="ignore"):  # no ray crosses level sides
         at = a[:, 0] + (y - a[:, 1]) * ((b - a)[:, 0] / (b - a)[:, 1])
     inside: np.ndarray = (crosses & (x < at)).sum(axis=1) % 2 == 1
     return inside
 
 
 def distances_to(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarray:
-    """(p,) distance of each point (p,2) from the nearest of the outlines."""
+    """Return the distance (p,) of each point (p,2) from the nearest of the outlines."""
     a, b = _sides(outlines)
     along = b - a
-    squares = np.maximum((along * along).sum(axis=1), np.finfo(float).tiny)  # of points that lie on one another, too
+    squares = np.maximum((along * along).sum(axis=1), np.finfo(float).tiny)  # no division by zero for repeated points
     nearest = [np.empty(0)]
     at_once = max(1, PAIRS // max(len(a), 1))
     for begin in range(0, len(points), at_once):
@@ -68,7 +68,7 @@ def distances_to(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarr
 
 
 def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray]) -> tuple[np.ndarray, float]:
-    """About the point (2,) inside closed outlines (k,2) that is farthest from all lines, and its distance."""
+    """Return about the point (2,) inside closed outlines (k,2) that is farthest from all lines, and its distance."""
     closed = [np.concatenate([outline, outline[:1]]) for outline in outlines]
     spacing = sum(float(lengths_along(outline)[-1]) for outline in closed) / SAMPLES
     around = [sampled(outline, spacing) for outline in closed]
@@ -86,19 +86,19 @@ def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.nd
             if depths.max() > best:
                 best, center = float(depths.max()), points[np.argmax(depths)]
         reach = reach * 3 / STEPS
-    return center, math.sqrt(max(best**2 - (spacing / 2) ** 2, 0.0))  # between two samples the line may be nearer
+    return center, math.sqrt(max(best**2 - (spacing / 2) ** 2, 0.0))  # the line may be nearer between two samples
 
 
 def _distances(points: np.ndarray, obstacles: np.ndarray) -> np.ndarray:
-    """(p,) of points (p,2) from the nearest of the obstacles (o,2)."""
+    """Return the distance (p,) of each point (p,2) from the nearest of the obstacles (o,2)."""
     x, y = (points[:, axis, None] - obstacles[:, axis] for axis in (0, 1))
     return np.sqrt((x * x + y * y).min(axis=1))
 
 
 def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """(n,) lengths from the point (2,) along the unit vector to segments from a (s,2) to b; below 0 behind it."""
+    """Return lengths (n,) from the point (2,) along the unit vector to segments a (s,2) to b; negative behind it."""
     along, to = b - a, a - point
-    with np.errstate(divide="ignore", invalid="ignore"):  # of segments in this direction
+    with np.errstate(divide="ignore", invalid="ignore"):  # segments in this direction
         slope = _cross(direction, along)
         distance, share = _cross(to, along) / slope, _cross(to, direction) / slope
     found: np.ndarray = distance[(share >= -1e-9) & (share <= 1 + 1e-9)]
@@ -106,22 +106,22 @@ def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.nda
 
 
 class Rays:
-    """Rays to outlines."""
+    """Casts rays from points to outlines."""
 
     def __init__(self, outlines: Sequence[np.ndarray]) -> None:
         self._a, self._b = _sides(outlines)
 
     def length(self, point: np.ndarray, direction: np.ndarray) -> float:
-        """Length from the point along the unit vector to the nearest outline; 0 on one, infinite where none is met."""
+        """Return the length along the unit vector from the point to the nearest outline; infinite without one."""
         distances = crossings(point, direction, self._a, self._b)
         nearest = float(distances[distances > -ON_LINE].min(initial=math.inf))
         return nearest if nearest >= ON_LINE else 0.0
 
 
 def overlap(first: Sequence[np.ndarray], second: Sequence[np.ndarray]) -> bool:
-    """Whether two shapes, each given by its outlines in any order and direction, share more than what rounding makes.
+    """Return whether two shapes, given by outlines in any order and direction, overlap by more than rounding.
 
-    Touching is no overlap. Lengths may have any unit.
+    Touching is not an overlap. Lengths may have any unit.
     """
     boxes = [_box(outlines) for outlines in (first, second)]
     depth = DEPTH * min(float(np.linalg.norm(high - low)) for low, high in boxes)
@@ -129,7 +129,7 @@ def overlap(first: Sequence[np.ndarray], second: Sequence[np.ndarray]) -> bool:
     if np.any(np.min([box[1] for box in boxes], axis=0) - np.max([box[0] for box in boxes], axis=0) <= depth):
         return False
     if any(all(_is_thin(outline, depth) for outline in outlines) for outlines in (first, second)):
-        return False  # Clipper refuses what has no area at all
+        return False  # Clipper refuses shapes without area
     step = float((high - low).max()) / RESOLUTION
     clipper = pyclipper.Pyclipper()
     for outlines, role in ((first, pyclipper.PT_SUBJECT), (second, pyclipper.PT_CLIP)):
@@ -140,7 +140,7 @@ def overlap(first: Sequence[np.ndarray], second: Sequence[np.ndarray]) -> bool:
 
 
 def _is_thin(outline: np.ndarray, depth: float) -> bool:
-    """Whether it is at most as wide as the depth on average, like a strip of that width."""
+    """Return whether the shape is at most as wide as the depth on average, like a strip of that width."""
     around = float(np.linalg.norm(np.roll(outline, -1, axis=0) - outline, axis=1).sum())
     return 2 * abs(signed_area(outline)) <= depth * around
 
@@ -151,7 +151,7 @@ def _box(outlines: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _sides(outlines: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Both ends (s,2) of all sides."""
+    """Return both ends (s,2) of all sides."""
     a = np.concatenate([np.empty((0, 2)), *outlines])
     return a, np.concatenate([np.empty((0, 2)), *(np.roll(outline, -1, axis=0) for outline in outlines)])
 
@@ -162,25 +162,25 @@ def _cross(first: np.ndarray, second: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Motion:
-    """Mirrored first, so that x becomes -x, then turned about the origin, then moved."""
+    """A motion: first a mirror image, so that x becomes -x, then a turn about the origin, then a shift."""
 
     offset: np.ndarray  # (2,) millimeters
     angle: float = 0.0  # degrees counterclockwise
     mirrored: bool = False
 
     def directions(self, vectors: np.ndarray) -> np.ndarray:
-        """Of vectors (..., 2) that have no place."""
+        """Return the image of vectors (..., 2) that have no place."""
         cosine, sine = math.cos(math.radians(self.angle)), math.sin(math.radians(self.angle))
         turned: np.ndarray = vectors * (-1 if self.mirrored else 1, 1) @ np.array([[cosine, sine], [-sine, cosine]])
         return turned
 
     def points(self, points: np.ndarray) -> np.ndarray:
-        """Of points (..., 2)."""
+        """Return the image of points (..., 2)."""
         moved: np.ndarray = (self.directions(points) if self.angle or self.mirrored else points) + self.offset
         return moved
 
     def text_angle(self, degrees: float) -> float:
-        """Of a text, which is never mirrored, and is read from below or from the right."""
+        """Return the angle of a text, which is never mirrored and is read from below or from the right."""
         if not self.angle and not self.mirrored:
             return degrees
         turned = (-degrees if self.mirrored else degrees) + self.angle

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a piece of a pattern consists of, whatever it is written to. Everything is in millimeters, y upwards."""
+"""The parts of a pattern piece, whatever file it is written to. Everything is in millimeters, y upwards."""
 
 import re
 from collections.abc import Collection
@@ -13,8 +13,9 @@ from .geometry import Motion
 LineRole = Literal["cut", "inner_cut", "sew", "wire", "grain", "fold", "card leader", "name leader"]
 PointRole = Literal["notch", "drill", "clip"]
 TextRole = Literal["card", "line name"]
-LEADERS: dict[TextRole, LineRole] = {"card": "card leader", "line name": "name leader"}  # to texts beside a piece
-KINDS = {  # what a maker may leave out of a file, by roles of lines, points and texts
+# roles of lines to texts beside a piece
+LEADERS: dict[TextRole, LineRole] = {"card": "card leader", "line name": "name leader"}
+KINDS = {  # parts that a maker may leave out of a file, by roles of lines, points and texts
     "sew": ("sew",),
     "wires": ("wire",),
     "grain": ("grain",),
@@ -26,7 +27,7 @@ NUMBERED = re.compile("^(Seam|Dart) (?=[0-9 /]+$)")
 
 
 def short_name(seam: str) -> str:
-    """ "3" of "Seam 3"; other names stay whole."""
+    """Return "3" for "Seam 3"; other names stay whole."""
     return NUMBERED.sub("", seam)
 
 
@@ -36,8 +37,8 @@ class Line:
     points: np.ndarray  # (k,2)
     closed: bool = False  # a closed line does not repeat its first point
     name: str = ""  # "Seam 3", or the name of the wire
-    width: float | None = None  # of stitching lines: the allowance outside of it
-    seam: int | None = None  # of stitching lines: index into the result's seams; None where nothing is sewn to it
+    width: float | None = None  # of stitching lines: width of the allowance outside of it
+    seam: int | None = None  # of stitching lines: index into the result's seams; None if nothing is sewn to it
     joins: str = ""  # of stitching lines: the names of the other pieces that are sewn to it
     kind: str = ""  # of wires: "rigid", "elastic" or "super_elastic"
     note: str = ""  # of stitching lines: "12 mm longer, ease between notches"
@@ -48,22 +49,22 @@ class Line:
 
 @dataclass(frozen=True)
 class Point:
-    """A mark at one place: a notch or a clip, cut from the cut line inwards, or a hole to drill."""
+    """A mark at one place: a notch or clip, cut from the cut line inwards, or a drill hole."""
 
     role: PointRole
-    at: np.ndarray  # (2,), of notches and clips on the cut line
+    at: np.ndarray  # (2,), for notches and clips on the cut line
     direction: np.ndarray = field(default_factory=lambda: np.zeros(2))  # (2,) unit vector into the piece
-    depth: float = 0.0  # of notches and clips; of holes the diameter
+    depth: float = 0.0  # of notches and clips; for holes the diameter
     pair: tuple[int, int] | None = None  # seam, and number along it: notches of one pair are sewn onto each other
-    along: float | None = None  # of these the length from the start of the seam, on the stitching line of this side
-    side: int | None = None  # of these, which of the sides of the seam
+    along: float | None = None  # for pairs: length from the start of the seam, on the stitching line of this side
+    side: int | None = None  # for pairs: index of the side of the seam
 
     def placed(self, motion: Motion) -> "Point":
         return replace(self, at=motion.points(self.at), direction=motion.directions(self.direction))
 
     @property
     def stroke(self) -> np.ndarray:
-        """(2,2) the cut of a notch or clip, from the cut line inwards."""
+        """Return the cut (2,2) of a notch or clip, from the cut line inwards."""
         return np.array([self.at, self.at + self.depth * self.direction])
 
 
@@ -74,7 +75,7 @@ class Text:
     height: float  # of the letters
     angle: float = 0.0  # degrees counterclockwise
     role: TextRole = "card"
-    is_beside: bool = False  # outside of the piece, which has no room for it
+    is_beside: bool = False  # outside the piece, which has no room for it
 
     def placed(self, motion: Motion) -> "Text":
         return replace(self, center=motion.points(self.center), angle=motion.text_angle(self.angle))
@@ -87,31 +88,31 @@ class PatternPiece:
     lines: list[Line]
     points: list[Point]
     texts: list[Text]
-    quantity: tuple[int, int] = (1, 0)  # to cut as drawn, and mirrored
+    quantity: tuple[int, int] = (1, 0)  # copies to cut as drawn, and mirrored
     material: str = ""
     on_fold: bool = False  # half of it is drawn; the other half lies beyond the fold
     area: float = 0.0  # square millimeters inside the stitching lines, of the whole piece
-    mirrored_name: str = ""  # of the piece that its mirrored copy is
-    deviation: float = 0.0  # millimeters: the farthest that what a mirror makes of it is from what was flattened
-    allowances: tuple[float, ...] = ()  # widths outside of its stitching lines, in millimeters; without those of 0
+    mirrored_name: str = ""  # name of the piece that its mirrored copy replaces
+    deviation: float = 0.0  # millimeters: largest distance of a mirrored copy from the flattened shape
+    allowances: tuple[float, ...] = ()  # different widths outside its stitching lines, in millimeters, without 0
 
     def of_role(self, *roles: str) -> list[Line]:
         return [line for line in self.lines if line.role in roles]
 
     @property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """The lowest and the highest corner of the cut lines; texts beside them keep near, see leaders.REACH."""
+        """Return the lowest and the highest corner of the cut lines; texts beside them are near, see leaders.REACH."""
         points = np.concatenate([line.points for line in self.of_role("cut")])
         return points.min(axis=0), points.max(axis=0)
 
     @property
     def size(self) -> np.ndarray:
-        """Width and height of the cut lines: what is taken of the cloth."""
+        """Return width and height of the cut lines, the room that the piece needs on the cloth."""
         low, high = self.bounds
         return high - low
 
     def with_only(self, roles: Collection[str]) -> "PatternPiece":
-        """With what has one of these roles alone."""
+        """Return the piece with only these roles."""
         return replace(
             self,
             lines=[line for line in self.lines if line.role in roles],
@@ -120,7 +121,7 @@ class PatternPiece:
         )
 
     def without_texts_beside(self) -> "PatternPiece":
-        """And without the lines that lead to them."""
+        """Return the piece without texts beside it and the lines that lead to them."""
         return replace(
             self,
             lines=[line for line in self.lines if line.role not in LEADERS.values()],

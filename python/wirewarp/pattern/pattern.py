@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Pattern(PatternData):
-    """A pattern that is made, changed, laid out and written in one call each."""
+    """A pattern, with one method each to make, change, lay out and write it."""
 
     @classmethod
     def from_result(
@@ -53,12 +53,12 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Unpack[PatternOptions],
     ) -> "Pattern":
-        """The pattern of a flattening whose pieces all keep their lengths.
+        """Return the pattern of a flattening whose pieces all keep their lengths.
 
-        options: see PatternOptions.
-        progress: called as progress(stage, fraction) about ten times a second; False stops.
+        options: see PatternOptions. progress: called as progress(stage, fraction) about ten times a second; False
+        stops.
 
-        Raises FlattenError for bad input, for a piece with an error, and ("cancelled") where it is stopped.
+        Raises FlattenError for bad input, for a piece with an error, and "cancelled" if progress stops it.
         """
         scale = checked_length("millimeters_per_unit", millimeters_per_unit, 1e-9, 1e9)
         names = checked_names(piece_names, len(result.pieces))
@@ -83,9 +83,9 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Unpack[PatternOptions],
     ) -> "Pattern":
-        """As from_result, of flat pieces from elsewhere, which stay as they lie; seam_names by index of the seam.
+        """Return the pattern of flat pieces from elsewhere, which keep their places. seam_names: by index of the seam.
 
-        Together they are moved, so that the lower left corner is at 0, 0.
+        All are moved together, so that the lower left corner is at 0, 0.
         """
         return in_one_go(cls.making(pieces, seam_names, **options), progress)
 
@@ -111,7 +111,7 @@ class Pattern(PatternData):
         date: str = "",
         units: Units = "metric",
     ) -> Steps["Pattern"]:
-        """As from_pieces, in steps: for those who have other things to do meanwhile, as a window."""
+        """Do the work of from_pieces in steps, for programs such as a GUI that must react in between."""
         if units not in get_args(Units):
             raise problem(f"units is {units!r}: give 'metric' or 'imperial'.")
         if not all(isinstance(text, str) for text in (title, material, date)):
@@ -126,7 +126,7 @@ class Pattern(PatternData):
         joined, notes = joined_by(laid), notes_on_sides(seams, system)
 
         def described(side: Side) -> dict[str, str]:
-            """Of all seams that the side is drawn for: "Seam 3 / 5"."""
+            """Return the names of all seams for which the side is drawn: "Seam 3 / 5"."""
             by_seam = {own.seam: own for own in mirrored.copies(side) if own.seam is not None}
             first, *others = (seam_names[seam] for seam in by_seam)
             names = [first, *map(short_name, others)]
@@ -162,7 +162,10 @@ class Pattern(PatternData):
         darts: str = "close",
         units: Units = "metric",
     ) -> "Pattern":
-        """Only the lines, where they lie: as from_pieces, but quicker, to show them and their pages."""
+        """Return only the lines in their places.
+
+        This is faster than from_pieces, and enough to show them and their pages.
+        """
         widths = Widths(allowance, None, allowances, side_allowances, folds)
         laid = in_one_go(lay_all(pieces, widths, "auto", darts))
         lined = [outlined(own) for own in laid]
@@ -172,7 +175,7 @@ class Pattern(PatternData):
         return in_one_go(self._adding_cards())
 
     def _adding_cards(self) -> Steps["Pattern"]:
-        """The pieces numbered anew, with texts."""
+        """Number the pieces again and add texts, in steps."""
         count = len(self.pieces)
         pieces: list[PatternPiece] = []
         for number, piece in enumerate(self.pieces, start=1):
@@ -181,9 +184,9 @@ class Pattern(PatternData):
         return replace(self, pieces=pieces)
 
     def with_quantities(self, quantities: Mapping[int, tuple[int, int]]) -> "Pattern":
-        """With so many copies of pieces, by their numbers: as drawn, and mirrored.
+        """Return the pattern with this many copies of pieces, by their numbers: as drawn, and mirrored.
 
-        Raises FlattenError for numbers of no piece and for what are no counts.
+        Raises FlattenError for unknown numbers and invalid counts.
         """
         unknown = set(quantities) - {piece.number for piece in self.pieces}
         if unknown:
@@ -202,9 +205,9 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Any,  # noqa: ANN401
     ) -> Marker:
-        """As nesting, in one go. progress("nesting", fraction) is called about ten times a second.
+        """Do the work of nesting in one call. progress("nesting", fraction) is called about ten times a second.
 
-        False ends the search with the best marker so far, or with FlattenError ("cancelled") where there is none yet.
+        False ends the search with the best marker so far, or with FlattenError "cancelled" if there is none yet.
         """
         return in_one_go(self.nesting(width, length, **options), progress)
 
@@ -219,28 +222,26 @@ class Pattern(PatternData):
         seconds: float = 10.0,
         preview: Preview | None = None,
     ) -> Steps[Marker]:
-        """Where the pieces lie on cloth so that it takes the least; by spyrrow on rolls, where that is installed.
+        """Find places for the pieces that use the least cloth, in steps. Rolls use spyrrow if it is installed.
 
-        Every piece is cut as often as its quantity says, mirrored copies included, from one layer; those on the fold
-        are opened. Lengths are in millimeters.
+        Every piece is cut in its quantity, including mirrored copies, from one layer; pieces on the fold are opened.
+        Lengths are in millimeters.
 
-        width: of the cloth, as far as it can be used. length: of a sheet; None for a roll, whose length is found.
-        gap: at least, between pieces.
-        grain: "one way" keeps all pieces upright, "both ways" may turn them by 180 degrees, "free" anyhow.
-        times: how often the whole pattern is cut.
-        seconds: how long is sought; 0 takes the first marker that is found.
-        preview: called with each marker that is better than the one before.
+        width: usable width of the cloth. length: of a sheet; None for a roll, whose length is the result. gap: smallest
+        distance between pieces. grain: "one way" keeps all pieces upright, "both ways" may turn them by 180 degrees,
+        "free" allows all angles. times: number of copies of the whole pattern. seconds: duration of the search; 0
+        returns the first marker found. preview: called with each better marker.
 
-        What is returned depends on how far the search came: keep it. Raises FlattenError for bad input and for a piece
-        that is too large for the cloth.
+        The search is not deterministic, so save the marker. Raises FlattenError for bad input and for a piece that is
+        too large for the cloth.
         """
         whole = [at_corner(unfolded(piece) if piece.on_fold else piece) for piece in self.pieces]
         return nesting(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview)
 
     def laid_on(self, marker: Marker) -> "Pattern":
-        """The drawing of a marker, to be written: of every copy a piece, where it is cut.
+        """Return the drawing of a marker, to be written: each copy is a piece in its place.
 
-        Raises FlattenError if the marker was made of other pieces.
+        Raises FlattenError if the marker was made from other pieces.
         """
         if self.marker:
             raise problem("The pattern is already laid out on a marker.")
@@ -248,7 +249,7 @@ class Pattern(PatternData):
         whole = [at_corner(with_card_anew(unfolded(piece), *card) if piece.on_fold else piece) for piece in self.pieces]
         if not marker.is_of(whole):
             raise problem("The pieces have changed since the marker was made: nest them again.")
-        by_number = {piece.number: piece.without_texts_beside() for piece in whole}  # there lie other pieces
+        by_number = {piece.number: piece.without_texts_beside() for piece in whole}  # other pieces are there
         laid = [
             replace(by_number[placement.piece], quantity=(1, 0)).placed(marker.motion(placement))
             for placement in marker.placements
@@ -256,23 +257,23 @@ class Pattern(PatternData):
         return replace(self, pieces=laid, marker=marker, warnings=[*self.warnings, *marker.warnings])
 
     def page_sizes(self, paper: str | float | None = None, **options: bool) -> list[np.ndarray]:
-        """Width and height of each page that write() would give to a PDF with these options, in millimeters.
+        """Return width and height in millimeters of each page that write() would give to a PDF with these options.
 
-        Raises FlattenError for what does not fit on the paper.
+        Raises FlattenError for a pattern that does not fit on the paper.
         """
         return page_sizes(self, paper, **options)
 
     def pages(self, paper: str | float | None = None, keep_places: bool = False) -> tuple["Pattern", list[Page]]:
-        """The pattern as it lies on the pages of a PDF with these options, and those of them that show it.
+        """Return the pattern in its places on the pages of a PDF with these options, and the pages that show it.
 
-        Raises FlattenError for what does not fit on the paper.
+        Raises FlattenError for a pattern that does not fit on the paper.
         """
         planned = plan(self, paper, keep_places)
         return planned.pattern, [Page(sheet.name, sheet.low, sheet.size) for sheet in planned.sheets]
 
     @property
     def svg_size(self) -> np.ndarray:
-        """Width and height of an SVG file, the square to measure included."""
+        """Return width and height of an SVG file, including the square to measure."""
         return page_size(self)
 
     def write(
@@ -282,17 +283,16 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Any,  # noqa: ANN401
     ) -> Written:
-        """Writes the file whose kind the suffix of the path says, and reads it again before it takes its place.
+        """Write the file in the format that its suffix names, and read it again before it replaces an older one.
 
-        Options: of .pdf `paper`, `proof` and `keep_places`, of .svg `preset`, of .dxf `dialect` and `control_square`;
-        docs/pattern.md describes them.
-        progress: called as progress(stage, fraction) about ten times a second; False stops.
-        A failure or a stop leaves a file that was there before as it was. Raises FlattenError for options, for what
-        does not fit on the paper, and ("cancelled") where it is stopped; OSError for paths; RuntimeError if what was
-        read again is not the pattern.
+        Options: `paper`, `proof` and `keep_places` for .pdf, `preset` for .svg, `dialect` and `control_square` for
+        .dxf; docs/pattern.md describes them. progress: called as progress(stage, fraction) about ten times a second;
+        False stops. A failure or a stop does not change an existing file. Raises FlattenError for bad options, for a
+        pattern that does not fit on the paper, and "cancelled" if progress stops it; OSError for paths; RuntimeError if
+        the file read again is not the pattern.
         """
         return in_one_go(self.writing(path, **options), progress)
 
     def writing(self, path: str | Path, **options: Any) -> Steps[Written]:  # noqa: ANN401
-        """As write, in steps. Stopped by close(), it leaves a file that was there before as it was, too."""
+        """Do the work of write in steps. If close() stops it, an existing file is not changed."""
         return writing(self, Path(path), options)

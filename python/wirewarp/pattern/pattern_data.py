@@ -16,18 +16,18 @@ from .model import KINDS, PatternPiece
 from .units import UnitSystem, counted
 
 GAP = 10.0  # millimeters between pieces in rows
-OVERLAP = 10.0  # millimeters of neighboring sheets, to glue or tape
+OVERLAP = 10.0  # millimeters that neighboring sheets share, to glue or tape
 
 
 @dataclass(frozen=True)
 class SeamWalk:
-    """The sides of a seam, measured as with a tape."""
+    """The sides of a seam with their lengths, as a tape measures them."""
 
     name: str
-    pieces: tuple[str, ...]  # of each side the piece
+    pieces: tuple[str, ...]  # name of the piece of each side
     lengths: tuple[float, ...]  # millimeters along the stitching line
-    allowances: tuple[tuple[float, ...], ...]  # of each side the widths, millimeters
-    notches: tuple[tuple[float, ...], ...]  # of each side their places, millimeters from the same end of the seam
+    allowances: tuple[tuple[float, ...], ...]  # widths of each side, millimeters
+    notches: tuple[tuple[float, ...], ...]  # places of each side, millimeters from the same end of the seam
 
 
 StepKind = Literal["dart", "flat", "ring", "all around", "closing"]
@@ -35,22 +35,25 @@ StepKind = Literal["dart", "flat", "ring", "all around", "closing"]
 
 @dataclass(frozen=True)
 class SewingStep:
-    """One seam. "closing": nothing of its pieces stays open then."""
+    """The sewing of one seam. "closing": no edge of its pieces stays open then."""
 
     seam: str
     kind: StepKind
     pieces: tuple[str, ...]  # each once
-    has_gap: bool  # to turn the work through; it is closed by hand at the end
+    has_gap: bool  # through which the work is turned; it is closed by hand at the end
 
 
 @dataclass(frozen=True)
 class Written:
-    """What was written, and read again. As a text: "8 pieces on 23 sheets, read again: 0.00 mm off"."""
+    """The result of writing a file and reading it again.
+
+    As a text: "8 pieces on 23 sheets, read again: 0.00 mm off".
+    """
 
     path: Path
-    sheets: int  # of PDF the pages; 1 of other files
+    sheets: int  # pages of a PDF; 1 for other files
     pieces: int
-    off: float  # millimeters from the worst point in the file to where it should be
+    off: float  # largest distance in millimeters of a point in the file from its place
     warnings: list[str]  # sentences
 
     def __str__(self) -> str:
@@ -60,49 +63,52 @@ class Written:
 
 @dataclass(frozen=True)
 class PatternData:
-    """Pieces with stitching lines, that are exactly what was flattened, and cut lines, that are derived from these."""
+    """Pieces with stitching lines, exactly the flattened outlines, and cut lines, which are derived from them."""
 
     title: str
     pieces: list[PatternPiece]
     units: UnitSystem
     warnings: list[str] = field(default_factory=list)
-    date: str = ""  # as it stands on the pieces
+    date: str = ""  # as written on the pieces
     walks: list[SeamWalk] = field(default_factory=list)  # by index of the seam
     steps: list[SewingStep] = field(default_factory=list)  # in an order in which the seams can be sewn
     measures: list[tuple[str, float]] = field(default_factory=list)  # names and finished lengths in millimeters
-    marker: Marker | None = None  # of which this is the drawing: every copy of a piece is a piece of its own
+    marker: Marker | None = None  # the marker that this draws: every copy of a piece is a piece of its own
 
     @property
     def allowance_text(self) -> str:
-        """What the pieces include: "10 mm", "10 mm to 30 mm" or "none"."""
+        """Return the allowance of the pieces: "10 mm", "10 mm to 30 mm" or "none"."""
         return self.units.range_of([width for piece in self.pieces for width in piece.allowances])
 
     @property
     def heading(self) -> str:
-        """Title and date."""
+        """Return title and date."""
         return ", ".join(filter(None, [self.title.strip(), self.date.strip()]))
 
     @property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:
-        """The lowest and the highest corner of all pieces as they lie."""
+        """Return the lowest and the highest corner of all pieces in their places."""
         boxes = np.array([piece.bounds for piece in self.pieces])
         return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
 
     @property
     def size(self) -> np.ndarray:
-        """Width and height of all pieces as they lie."""
+        """Return width and height of all pieces in their places."""
         return self.bounds[1] - self.bounds[0]
 
     def arranged(self, width: float = math.inf) -> Self:
-        """The pieces in rows on a sheet of this width, about square without one; the lower left corner is at 0, 0."""
+        """Return the pieces in rows on a sheet of this width, with the lower left corner at 0, 0.
+
+        Without a width, the sheet is about square.
+        """
         return self.with_corners(in_rows(np.array([piece.size for piece in self.pieces]), width))
 
     def at_origin(self) -> Self:
-        """As it lies, but with the lower left corner at 0, 0."""
+        """Return the same arrangement with the lower left corner at 0, 0."""
         return self.placed(Motion(-self.bounds[0]))
 
     def with_corners(self, corners: np.ndarray) -> Self:
-        """With the lower left corner of each piece at its row of corners (p,2)."""
+        """Return the pattern with the lower left corner of each piece at its row of corners (p,2)."""
         moved = [piece.moved(to - piece.bounds[0]) for piece, to in zip(self.pieces, corners, strict=True)]
         return replace(self, pieces=moved)
 
@@ -110,7 +116,7 @@ class PatternData:
         return replace(self, pieces=[piece.placed(motion) for piece in self.pieces])
 
     def with_only(self, kinds: Iterable[str]) -> Self:
-        """With cut lines, folds, and only these kinds of the other lines, marks and texts.
+        """Return only cut lines, folds, and these kinds of the other lines, marks and texts.
 
         kinds: of "sew", "wires", "grain", "notches", "texts", "line names". Raises FlattenError for others.
         """
@@ -122,9 +128,9 @@ class PatternData:
 
 
 def in_rows(sizes: np.ndarray, width: float = math.inf) -> np.ndarray:
-    """(p,2) lower left corners of boxes of these sizes (p,2), in rows at most this wide; the sheet begins at 0, 0.
+    """Return lower left corners (p,2) of boxes of these sizes (p,2) in rows on a sheet of this width, from 0, 0.
 
-    Without a width the sheet is about square. A box that is wider than the sheet has a row of its own.
+    Without a width, the sheet is about square. A box that is wider than the sheet has its own row.
     """
     if math.isinf(width):
         width = max(math.sqrt(float(np.prod(sizes + GAP, axis=1).sum())) * 1.1, float(sizes[:, 0].max()))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What takes long is done in steps, by generators: between two of them one may look how far they are, and stop."""
+"""Long tasks run in steps, as generators: between two steps, the caller can show progress or stop."""
 
 import time
 from collections.abc import Callable, Generator
@@ -9,8 +9,8 @@ from typing import TypeVar
 from .._errors import FlattenError
 
 OFTEN = 0.1  # seconds between calls of progress: canceling takes at most 1 s, even if one step is slow
-Progress = Callable[[str, float], bool | None]  # stage, and the share of it that is done; False stops
-STAGES = {  # of a pattern that is made and written: where each begins in the whole, as on a garment of 20 pieces
+Progress = Callable[[str, float], bool | None]  # stage, and the completed share; False stops
+STAGES = {  # start of each stage of making and writing a pattern, as a share of the time for a garment of 20 pieces
     "allowance": 0.0,
     "marks and lines": 0.2,
     "texts": 0.3,
@@ -23,9 +23,9 @@ Steps = Generator[tuple[str, float], None, T]  # yields the same before each ste
 
 
 def in_one_go(steps: Steps[T], progress: Progress | None = None) -> T:
-    """All steps. Raises FlattenError ("cancelled") where progress says False, unless the steps know better."""
+    """Run all steps. Raises FlattenError "cancelled" if progress returns False, unless the steps handle it."""
     asked = 0.0
-    with closing(steps):  # also where progress raises
+    with closing(steps):  # also if progress raises
         try:
             while True:
                 stage, fraction = next(steps)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lengths as makers read them."""
+"""Lengths in the notation of makers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ FINEST = 16  # parts of an inch on a tape measure
 
 
 def counted(count: int, noun: str) -> str:
-    """ "1 piece", "2 pieces"."""
+    """Return "1 piece", "2 pieces"."""
     return f"{count} {noun}{'' if count == 1 else 's'}"
 
 
@@ -21,7 +21,7 @@ class UnitSystem:
     name: Units = "metric"
 
     def text(self, millimeters: float) -> str:
-        """ "10 mm", or "3/8 in" to the nearest sixteenth."""
+        """Return "10 mm", or "3/8 in" to the nearest sixteenth."""
         if self.name == "metric":
             return f"{millimeters:.4g} mm" if millimeters < 1000 else f"{millimeters / 1000:.4g} m"
         sixteenths = Fraction(round(millimeters / INCH * FINEST), FINEST)
@@ -32,15 +32,15 @@ class UnitSystem:
         )
 
     def measured(self, millimeters: float) -> str:
-        """ "430.2 mm" or "16.94 in", to compare with others."""
+        """Return "430.2 mm" or "16.94 in", for comparisons."""
         return f"{millimeters:.1f} mm" if self.name == "metric" else f"{millimeters / INCH:.2f} in"
 
     def difference_text(self, millimeters: float) -> str:
-        """ "0.012 mm" or "0.0005 in", of lengths that should be one."""
+        """Return "0.012 mm" or "0.0005 in", for lengths that should be equal."""
         return f"{millimeters:.3f} mm" if self.name == "metric" else f"{millimeters / INCH:.4f} in"
 
     def area_text(self, square_millimeters: float) -> str:
-        """ "182.3 cm²" or "28.26 in²"."""
+        """Return "182.3 cm²" or "28.26 in²"."""
         if self.name == "imperial":
             return f"{square_millimeters / INCH**2:.4g} in²"
         square_meters = square_millimeters / 1e6
@@ -54,5 +54,5 @@ class UnitSystem:
 
     @property
     def square(self) -> tuple[float, str]:
-        """The side of the square to measure after printing, and what stands in it."""
+        """Return the side of the square to measure after printing, and its label."""
         return (100.0, "100 mm") if self.name == "metric" else (4 * INCH, "4 in")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All kinds of files that a pattern can be written as, and the one way to write them."""
+"""All kinds of files that a pattern can be written to, and the function that writes them."""
 
 from collections.abc import Mapping
 from inspect import signature
@@ -23,7 +23,7 @@ FORMATS = {each.suffix: each for each in (PDF_FORMAT, SVG_FORMAT, DXF_FORMAT, PL
 
 
 def writing(pattern: PatternData, path: Path, options: Mapping[str, Any]) -> Steps[Written]:
-    """As Pattern.write, in steps."""
+    """Do the work of Pattern.write in steps."""
     chosen = FORMATS.get(path.suffix.lower())
     if chosen is None:
         raise problem(f'"{path.name}" must end in one of {", ".join(FORMATS)}: other files cannot be written.')

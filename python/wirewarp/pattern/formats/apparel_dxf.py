@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """DXF for apparel CAD: ASTM D6673 as AccuMark reads it, and AAMA-292 as CLO and Optitex do.
 
-One block per piece, layers by number, polylines that are closed both ways. All is written as real files have it.
+One block per piece, numbered layers, and polylines that are closed in both ways, as in files of those programs.
 """
 
 import math
@@ -17,16 +17,16 @@ from ..sheet.drawing import LOOKS, WIRES
 from ..units import INCH
 from .dxf_tags import Tags, block_names, escaped_text, plain_text, section
 
-LONGEST_NAME = 20  # AccuMark cuts off what is longer
+LONGEST_NAME = 20  # AccuMark cuts off longer names
 CORNER = math.radians(30)  # points where the outline turns more are turn points, others curve points
 TURN_POINT, CURVE_POINT = "2", "3"
-NOTCH_WIDTH = 2.0  # millimeters at the edge
+NOTCH_WIDTH = 2.0  # millimeters, at the edge
 TEXT_HEIGHT = 5.0
 CONTROL = 100.0  # millimeters: side of the square that shows the unit
 
 
 def apparel_dxf(pattern: PatternData, is_aama: bool, control_square: bool) -> Steps[tuple[str, list[str]]]:
-    """The file, and sentences on names that could not be kept."""
+    """Return the file, and sentences on names that could not be kept."""
     writer = _Writer(pattern, is_aama)
     names = block_names([piece.name for piece in pattern.pieces], LONGEST_NAME)
     blocks: list[Tags] = []
@@ -61,7 +61,7 @@ class _Writer:
         return key.upper() if self._is_aama else key
 
     def style(self) -> Tags:
-        """What is true of all pieces, in texts of layer 1."""
+        """Write what is true of all pieces as texts of layer 1."""
         tags = self._tags()
         fields = {
             "Style Name": plain_text(self._pattern.title) or "PATTERN",
@@ -110,7 +110,7 @@ class _Writer:
         return tags
 
     def control(self) -> Tags:
-        """A square whose side no declared unit can change."""
+        """Write a square whose side shows the unit, whatever unit the file declares."""
         tags = self._opened("CONTROL_100MM")
         square = CONTROL * np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]) - (2 * CONTROL, 0)
         tags.polyline("1", square, closed=True, repeat=True)
@@ -129,17 +129,17 @@ class _Writer:
             tags.text("1", f"{self._key(key)}: {value}".rstrip(), place, TEXT_HEIGHT)
 
     def _add_line(self, tags: Tags, role: str, points: np.ndarray, closed: bool) -> None:
-        layer = LOOKS[WIRES["rigid"] if role == "wire" else role].dxf_layer  # the same of all kinds
+        layer = LOOKS[WIRES["rigid"] if role == "wire" else role].dxf_layer  # all kinds look the same
         if role in ("grain", "fold"):
             tags.line(layer, points)
             if role == "grain":
-                tags.line("5", points)  # the line that grading refers to
+                tags.line("5", points)  # the line to which grading refers
             return
-        if role == "cut" and not closed:  # half of a piece: real files go along the fold, without the flag
+        if role == "cut" and not closed:  # half of a piece: files of AccuMark follow the fold, without the flag
             points = np.concatenate([points, points[:1]])
         tags.polyline(layer, points, closed, repeat=True)
         if role == "sew" and self._is_aama:
-            tags.polyline("8", points, closed, repeat=True)  # layer 14 came with ASTM
+            tags.polyline("8", points, closed, repeat=True)  # ASTM added layer 14
         self._add_kinds_of_points(tags, points, closed)
 
     def _add_kinds_of_points(self, tags: Tags, points: np.ndarray, closed: bool) -> None:

@@ -25,10 +25,10 @@ DECIMALS = 4
 def write_dxf(
     path: Path, pattern: PatternData, dialect: str = "astm", control_square: bool = False
 ) -> Steps[tuple[int, list[str]]]:
-    """Writes the file; returns 1, and sentences on what could not be kept.
+    """Write the file. Return 1, and sentences on what could not be kept.
 
     dialect: "astm" for AccuMark and most apparel CAD, "aama" for CLO and Optitex, "plain" for lasers and drawing
-    programs. control_square: of apparel DXF, one more block with a square of 100 mm, whatever unit a reader takes.
+    programs. control_square: for apparel DXF, adds a block with a square of 100 mm, whatever unit the reader assumes.
     """
     changed: list[str] = []
     if dialect == "plain":

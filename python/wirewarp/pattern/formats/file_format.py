@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a kind of file says of itself: commands, dialogs and tests read it from here and know no format by name."""
+"""Describes a kind of file. Commands, dialogs and tests read it from here and know no format by name."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ import numpy as np
 from ..pattern_data import PatternData
 from ..progress import Steps
 
-Writer = Callable[..., Steps[tuple[int, list[str]]]]  # (path, pattern, **options): pages, and sentences that warn
+Writer = Callable[..., Steps[tuple[int, list[str]]]]  # (path, pattern, **options) -> number of pages, warnings
 
 
 class Choice(NamedTuple):
@@ -22,13 +22,13 @@ class Choice(NamedTuple):
 
 @dataclass(frozen=True)
 class Option:
-    """A keyword of the writer that dialogs offer."""
+    """A keyword of the writer that dialogs show."""
 
     name: str
     label: str
     description: str
-    choices: tuple[Choice, ...] = ()  # the first is the default; without choices it is on or off
-    unless: tuple[str, str] | None = None  # another option, and the value with which this one has no effect
+    choices: tuple[Choice, ...] = ()  # the first is the default; without choices, the option is on or off
+    unless: tuple[str, str] | None = None  # another option, and the value with which it disables this one
 
 
 @dataclass(frozen=True)
@@ -37,8 +37,9 @@ class Format:
     label: str
     description: str
     write: Writer
-    read_cut_lines: Callable[[Path], Iterator[np.ndarray]]  # (k,2) millimeters each, by code of its own
+    # outlines (k,2) in millimeters, read by code that no writer uses
+    read_cut_lines: Callable[[Path], Iterator[np.ndarray]]
     options: tuple[Option, ...] = ()
-    has_pages: bool = False  # then the writer also takes `paper` and `keep_places`
+    has_pages: bool = False  # the writer then accepts `paper` and `keep_places`, too
     is_along_cloth: bool = False  # markers are drawn with x along the cloth
-    size_of: Callable[[PatternData], np.ndarray] = lambda pattern: pattern.size  # (2,) of a file without pages
+    size_of: Callable[[PatternData], np.ndarray] = lambda pattern: pattern.size  # (2,) size of a file without pages

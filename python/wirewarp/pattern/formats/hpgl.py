@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pattern as HPGL for plotters: 40 units in a millimeter, one pen for each kind of line, x along the roll."""
+"""A pattern as HPGL for plotters: 40 units per millimeter, one pen for each kind of line, x along the roll."""
 
 from pathlib import Path
 
@@ -12,12 +12,12 @@ from .file_format import Format
 from .read_back import read_plt
 
 UNITS = 40  # per millimeter
-AT_ONCE = 100  # points in one command: plotters hold short lines only
+AT_ONCE = 100  # points in one command: plotters have room for short lines only
 CUT_PEN = 1
 
 
 def write_plt(path: Path, pattern: PatternData) -> Steps[tuple[int, list[str]]]:
-    """Strokes by pen, cut lines last; texts are left out, for HPGL's letters are the plotter's own."""
+    """Write the strokes by pen, cut lines last. Texts are left out, because HPGL uses the plotter's own letters."""
     strokes: list[Stroke] = []
     for number, piece in enumerate(pattern.pieces):
         yield "writing", number / len(pattern.pieces)

@@ -25,12 +25,12 @@ Paper = str | float | None
 def write_pdf(
     path: Path, pattern: PatternData, paper: Paper = None, proof: bool = False, keep_places: bool = False
 ) -> Steps[tuple[int, list[str]]]:
-    """Writes the file; returns the number of pages, and sentences on what could not be drawn.
+    """Write the file. Return the number of pages, and sentences on what could not be drawn.
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
-    a roll in millimeters; None takes A4, and for a marker a roll that is as wide as it needs.
-    proof: last come pages with every piece, finished measures, both sides of every seam, and an order to sew them in.
-    keep_places: on sheets and rolls, too, the pieces stay as they lie; else they come in rows.
+    a roll in millimeters. None: A4, and for a marker a roll of the necessary width. proof: adds pages with every piece,
+    finished measures, both sides of every seam, and an order of sewing. keep_places: pieces keep their places on sheets
+    and rolls, too; otherwise they are in rows.
     """
     planned = yield from _with_texts_on_sheets(plan(pattern, paper, keep_places))
     document = Document(pattern.title or "Pattern", [*LAYERS, *planned.layers], planned.hidden)
@@ -38,7 +38,7 @@ def write_pdf(
     for number, sheet in enumerate(planned.all_sheets):
         yield "sheets", number / len(planned.all_sheets)
         content = Content()
-        for layer, strokes, texts in sheet.marks():  # below the lines of pieces
+        for layer, strokes, texts in sheet.marks():  # drawn before the lines of pieces
             content.in_layer(layer, strokes, texts)
         if sheet.is_clipped:
             content.clip(sheet.corner, sheet.corner + sheet.size)
@@ -60,19 +60,22 @@ def write_pdf(
 def page_sizes(
     pattern: PatternData, paper: Paper = None, proof: bool = False, keep_places: bool = False
 ) -> list[np.ndarray]:
-    """(2,) width and height in millimeters of each page that write_pdf would write. Raises FlattenError as it does."""
+    """Return width and height (2,) in millimeters of each page that write_pdf would write.
+
+    Raises the same FlattenError.
+    """
     size = _proof_size(paper)
     sizes = [sheet.paper for sheet in plan(pattern, paper, keep_places).all_sheets]
     return sizes + ([size] * len(proof_pages(pattern, size)) if proof else [])
 
 
 def _proof_size(paper: Paper) -> np.ndarray:
-    """The sheet, if it is printed at home; else A4."""
+    """Return the size of the sheet if the pattern is printed at home, otherwise A4."""
     return np.array(SHEETS[paper if isinstance(paper, str) and paper in SHEETS else "a4"])
 
 
 def _add_forms(document: Document, planned: Plan[PatternData]) -> Steps[list[str]]:
-    """One form per piece; returns sentences on texts that could not be drawn."""
+    """Add one form per piece. Return sentences on texts that could not be drawn."""
     left_out = []
     pieces = planned.pattern.pieces
     for index, piece in enumerate(pieces):
@@ -85,7 +88,7 @@ def _add_forms(document: Document, planned: Plan[PatternData]) -> Steps[list[str
 
 
 def _with_texts_on_sheets(planned: Plan[PatternData]) -> Steps[Plan[PatternData]]:
-    """With texts placed anew, so that they lie on one sheet each if there is room."""
+    """Place the texts again, each on a single sheet if there is room."""
     if planned.text_sheets is None:
         return planned
     pattern, pieces = planned.pattern, list[PatternPiece]()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A PDF document with named layers, in millimeters: the objects of the format, which pydyf writes."""
+"""A PDF document with named layers, in millimeters. pydyf writes the objects of the format."""
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -13,11 +13,11 @@ from ..label.text_place import LINE
 from ..model import Text
 from ..sheet.drawing import Stroke, letters_baselines
 
-POINT = 72 / 25.4  # PDF's unit in a millimeter
+POINT = 72 / 25.4  # PDF's units per millimeter
 
 
 class Content:
-    """A stream of drawing in millimeters. thinnest: of its lines."""
+    """A stream of drawing commands in millimeters. thinnest: width of its thinnest line."""
 
     def __init__(self, thinnest: float = 0.0) -> None:
         self._thinnest = thinnest
@@ -65,7 +65,7 @@ class Content:
         return "\n".join(parts)
 
     def _outlines(self, line: str, middle: np.ndarray, along: np.ndarray) -> str:
-        """Letters that are not Latin as filled outlines. along (2,): the height of the text, in its direction."""
+        """Return letters that are not Latin as filled outlines. along (2,): direction and height of the text."""
         try:
             drawn = line_of(line)
         except NoLettersError as error:
@@ -79,10 +79,11 @@ class Content:
 
 class Document:
     def __init__(self, title: str, layers: Sequence[str], hidden: Sequence[str] = ()) -> None:
-        """hidden: those of the layers that a reader shows only when asked to."""
+        """hidden: layers that a reader shows only on request."""
         self.page_count = 0
         self._pdf = pydyf.PDF()
-        whole = title.encode("utf-16", "replace").decode("utf-16")  # what was cut off may end in half a surrogate pair
+        # a text cut to length may end in half a surrogate pair
+        whole = title.encode("utf-16", "replace").decode("utf-16")
         self._pdf.info["Title"] = pydyf.String(whole)
         self._pdf.info["Creator"] = pydyf.String("WireWarp")
         self._groups = {layer: pydyf.Dictionary({"Type": "/OCG", "Name": pydyf.String(layer)}) for layer in layers}
@@ -106,7 +107,7 @@ class Document:
         self._forms: dict[str, bytes] = {}
 
     def add_form(self, name: str, content: Content, low: np.ndarray, high: np.ndarray) -> None:
-        """What is drawn on several pages; low, high: its box, lines included."""
+        """Add a drawing that several pages share. low, high: its box, including the width of lines."""
         extra = {
             "Type": "/XObject",
             "Subtype": "/Form",
@@ -118,7 +119,7 @@ class Document:
         self._forms[name] = form.reference
 
     def add_page(self, size: np.ndarray, content: Content) -> None:
-        """size (2,): width and height; the content's origin is the lower left corner."""
+        """Add a page. size (2,): width and height; the content's origin is the lower left corner."""
         scaled = pydyf.Stream([f"{POINT:.12f} 0 0 {POINT:.12f} 0 0 cm".encode(), content.data()], compress=True)
         self._pdf.add_object(scaled)
         resources = self._resources | {"XObject": pydyf.Dictionary(self._forms)}

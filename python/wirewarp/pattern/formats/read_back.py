@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the outlines to cut back from a file, as a plotter's program would, and compares them with the pattern.
+"""Reads the outlines back from a file, as a plotter's program would, and compares them with the pattern.
 
-Nothing of what writes the files is shared here.
+It shares no code with the writers.
 """
 
 import math
@@ -17,13 +17,14 @@ from ..progress import Steps
 
 INCH = 25.4
 NUMBER = r"-?[\d.]+"
-WORST = 0.02  # millimeters: half a unit of HPGL is 0.0125 each way, all others are finer
+WORST = 0.02  # millimeters: half a unit of HPGL is 0.0125 in each direction; all other formats are finer
 
 
 def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[float]:
-    """How far, in millimeters, the worst point in the file lies from the outlines (k,2).
+    """Return the distance in millimeters of the worst point in the file from the outlines (k,2).
 
-    Where outlines lie on the sheet is not compared. Raises RuntimeError if the file has others, or lies farther off.
+    The places of outlines on the sheet are not compared. Raises RuntimeError if the file has other outlines or a larger
+    distance.
     """
     waiting = [_normalized(outline) for outline in outlines]
     worst, count = 0.0, 0
@@ -40,7 +41,7 @@ def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[
 
 
 def _nearest(found: np.ndarray, waiting: Sequence[np.ndarray]) -> tuple[float, int]:
-    """How far it is from the first outline that it fits, and which that is; else from the one that it fits best."""
+    """Return the distance to the first outline that fits, and its index; if none fits, those of the best one."""
     best, place = math.inf, -1
     for number, outline in enumerate(waiting):
         if len(outline) == len(found):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A pattern as an SVG file in actual size: one unit is one millimeter.
 
-One group per piece, and in it a layer, as Inkscape knows them, for each kind of line; each kind has its own color too,
-by which cutters and plotters distinguish them.
+Each piece is a group, with a layer of Inkscape for each kind of line. Each kind also has its own color, which cutters
+and plotters use to distinguish lines.
 """
 
 import re
@@ -24,22 +24,23 @@ from .read_back import read_svg
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
 MARGIN = 10.0  # around everything
 DECIMALS = 4  # of a millimeter
-NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")  # of XML 1.0
+# characters that XML 1.0 does not allow
+NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-PIXEL = 25.4 / 96  # millimeters, as style sheets have it
+PIXEL = 25.4 / 96  # millimeters, as CSS defines it
 
 
 @dataclass(frozen=True)
 class Preset:
-    """How lines look for a program."""
+    """Look of lines for a kind of program."""
 
     label: str
     description: str
-    stroke: float | None = None  # millimeters, of all lines; None: each as it is
+    stroke: float | None = None  # millimeters, of all lines; None: each line's own width
     has_texts: bool = True
     has_dashes: bool = True
-    in_pixels: bool = False  # 96 to the inch, without a viewBox, which some programs ignore
+    in_pixels: bool = False  # 96 per inch, without a viewBox, which some programs ignore
 
 
 PRESETS = {
@@ -63,7 +64,7 @@ PRESETS = {
 
 
 def write_svg(path: Path, pattern: PatternData, preset: str = "print") -> Steps[tuple[int, list[str]]]:
-    """preset: a key of PRESETS; pixels are 1/96 in."""
+    """Write the file. preset: a key of PRESETS; pixels are 1/96 in."""
     if preset not in PRESETS:
         raise problem(f"preset is {preset!r}: give {', '.join(map(repr, PRESETS))}.")
     ElementTree.register_namespace("", SVG)
@@ -75,14 +76,14 @@ def write_svg(path: Path, pattern: PatternData, preset: str = "print") -> Steps[
 
 
 def page_size(pattern: PatternData) -> np.ndarray:
-    """(2,) width and height in millimeters, the square to measure included."""
+    """Return width and height (2,) in millimeters, including the square to measure."""
     return _page(pattern.size, pattern.units.square[0])[0]
 
 
 def _page(pieces: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The page's size, and the lower left corners of the pieces, which take so much room, and of the square.
+    """Return the size of the page, the lower left corners of the pieces, and that of the square.
 
-    All with y upwards. The square stands right of the pieces or below them, where it takes less paper.
+    All have y upwards. The square is to the right of the pieces or below them, whichever needs less paper.
     """
     width, height = pieces
     beside = np.array([width + MARGIN + side, max(height, side)])
@@ -110,7 +111,7 @@ def _document(pattern: PatternData, preset: Preset) -> Steps[ElementTree.Element
         yield "writing", number / len(pattern.pieces)
         drawing.add_piece(piece.moved(offset))
     drawing.add_square(side, label, pattern.allowance_text, square)
-    for element in root.iter():  # names may hold what XML cannot
+    for element in root.iter():  # names may contain characters that XML does not allow
         element.text = element.text and NO_CHARACTER.sub("\ufffd", element.text)
         for key, value in element.items():
             element.set(key, NO_CHARACTER.sub("\ufffd", value))
@@ -118,7 +119,7 @@ def _document(pattern: PatternData, preset: Preset) -> Steps[ElementTree.Element
 
 
 class _Drawing:
-    """Everything comes in with y upwards and the origin in the page's lower left corner; on the page y is downwards."""
+    """Takes coordinates with y upwards and the origin in the page's lower left corner. On the page, y is downwards."""
 
     def __init__(self, root: ElementTree.Element, height: float, preset: Preset) -> None:
         self._root, self._height, self._preset = root, height, preset
@@ -151,7 +152,7 @@ class _Drawing:
     def _add_path(self, layer: ElementTree.Element, stroke: Stroke) -> None:
         down = (stroke.points * (1, -1) + (0, self._height)) / self._unit
         corners = " ".join(f"{x:.{DECIMALS}f},{y:.{DECIMALS}f}" for x, y in down)
-        # As attributes of every line: many cutters' programs read neither style sheets nor what a group hands down.
+        # Attributes of every line: many cutters' programs ignore style sheets and attributes of groups.
         width = (self._preset.stroke or stroke.look.stroke) / self._unit
         look = {"fill": "none", "stroke": stroke.look.color, "stroke-width": f"{width:.3g}"}
         look |= {"stroke-linejoin": "round", "data-role": stroke.role}
@@ -185,7 +186,7 @@ def _add(parent: ElementTree.Element, tag: str, **attributes: str) -> ElementTre
 
 
 def _free_id(name: str, taken: set[str]) -> str:
-    """The name as XML allows it for an id: no spaces, no digit in front; none twice."""
+    """Return the name as a unique id of XML: without spaces, and not beginning with a digit."""
     plain = re.sub(r"[^\w.-]", "_", name)
     plain = plain if re.match(r"[^\W\d]", plain) else f"_{plain}"
     free, number = plain, 2

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The order of the letters in a line that mixes directions, by Unicode's bidirectional algorithm (UAX 9).
+"""Orders the letters of a line that mixes directions, by Unicode's bidirectional algorithm (UAX 9).
 
-Python has the classes of all letters but not the algorithm, and HarfBuzz wants runs of one direction. Explicit
-formatting characters, which names do not contain, are treated like marks.
+Python has the classes of all letters but not the algorithm, and HarfBuzz needs runs of one direction. Explicit
+formatting characters are treated like marks, because names do not contain them.
 """
 
 import unicodedata
@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 def levels(letters: Sequence[str]) -> list[int]:
-    """The embedding level of each letter: even levels run from left to right, odd ones from right to left."""
+    """Return the embedding level of each letter: even levels run from left to right, odd ones from right to left."""
     kinds = [unicodedata.bidirectional(letter) for letter in letters]
     base = int(next((kind for kind in kinds if kind in STRONG), "L") != "L")
     outer = "LR"[base]
@@ -29,7 +29,10 @@ def levels(letters: Sequence[str]) -> list[int]:
 
 
 def in_visual_order(runs: Sequence[T], run_levels: Sequence[int]) -> list[T]:
-    """The runs from left to right. Rule L2: from the highest level to the lowest odd one, each sequence is reversed."""
+    """Return the runs from left to right.
+
+    Rule L2 reverses each sequence from the highest level to the lowest odd one.
+    """
     order = list(range(len(runs)))
     for level in range(max(run_levels, default=0), 0, -1):
         begin = None
@@ -43,14 +46,14 @@ def in_visual_order(runs: Sequence[T], run_levels: Sequence[int]) -> list[T]:
 
 
 def _above(base: int, kind: str) -> int:
-    """Rules I1 and I2: the level above that of the line."""
+    """Return the level above that of the line, by rules I1 and I2."""
     if base == 0:
         return {"R": 1, "EN": 2, "AN": 2}.get(kind, 0)
     return int(kind != "R")
 
 
 def _weak(kinds: Sequence[str], outer: str) -> list[str]:
-    """Rules W1 to W7: numbers and the signs that belong to them."""
+    """Apply rules W1 to W7: numbers and the signs that belong to them."""
     found = list(kinds)
     strong, before = outer, outer
     for row, kind in enumerate(kinds):
@@ -76,7 +79,7 @@ def _weak(kinds: Sequence[str], outer: str) -> list[str]:
 
 
 def _settle_brackets(letters: Sequence[str], kinds: Sequence[str], weak: list[str], outer: str) -> None:
-    """Rule N0: both brackets of a pair take one direction, which letters between or before them say."""
+    """Apply rule N0: both brackets of a pair get the direction of the letters between or before them."""
     for begin, end in sorted(_bracket_pairs(letters, weak)):
         inside = {_direction(kind) for kind in weak[begin + 1 : end]}
         if outer in inside:
@@ -110,13 +113,13 @@ def _bracket_pairs(letters: Sequence[str], weak: Sequence[str]) -> Iterator[tupl
 
 
 def _closing(bracket: str) -> str:
-    """Unicode lists a closing bracket one or two places behind its opening one."""
+    """Return the closing bracket: Unicode lists it one or two places after the opening one."""
     following = (chr(ord(bracket) + step) for step in (1, 2))
     return next((letter for letter in following if unicodedata.category(letter) == "Pe"), "")
 
 
 def _neutral(weak: Sequence[str], outer: str) -> list[str]:
-    """Rules N1 and N2: spaces and signs take the direction on both of their sides, otherwise that of the line."""
+    """Apply rules N1 and N2: spaces and signs get the direction of both neighbors, or that of the line."""
     found = list(weak)
     for begin, end in _spans(weak, ("B", "S", "WS", "ON")):
         before = _direction(found[begin - 1]) if begin else outer
@@ -126,12 +129,12 @@ def _neutral(weak: Sequence[str], outer: str) -> list[str]:
 
 
 def _direction(kind: str) -> str:
-    """ "L" or "R"; numbers count as "R", and signs have none."""
+    """Return "L" or "R", "R" for numbers, or nothing for signs."""
     return "R" if kind in NUMBERS else kind if kind in ("L", "R") else ""
 
 
 def _spans(kinds: Sequence[str], wanted: Sequence[str]) -> Iterator[tuple[int, int]]:
-    """Where each run of wanted kinds begins and ends."""
+    """Return the start and the end of each run of these kinds."""
     begin = None
     for row in range(len(kinds) + 1):
         if row < len(kinds) and kinds[row] in wanted:

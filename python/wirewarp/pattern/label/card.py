@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What stands on a piece."""
+"""The texts on a piece."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -15,15 +15,15 @@ from .line_names import line_names
 from .room import Room
 from .text_place import place_text
 
-TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be read on cloth
+TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be read on fabric
 DOWN = np.array([0.0, -1.0])
 
 
 class Sheets(NamedTuple):
-    """Sheets of paper, where a pattern lies on them. Texts stay on one sheet if there is room."""
+    """Sheets of paper below a pattern. Each text stays on one sheet if there is room."""
 
-    boxes: Sequence[Box] = ()  # what they show
-    borders: Sequence[np.ndarray] = ()  # (2,2) lines in the overlaps of neighbors, not to be written over
+    boxes: Sequence[Box] = ()  # the areas that they show
+    borders: Sequence[np.ndarray] = ()  # (2,2) lines in the overlaps of neighbors, which no text may cross
     others: Sequence[np.ndarray] = ()  # (k,2) closed lines around other pieces and their texts
 
 
@@ -33,9 +33,9 @@ ANYWHERE = Sheets()
 def with_card(
     piece: PatternPiece, number: int, count: int, heading: str, units: UnitSystem, sheets: Sheets = ANYWHERE
 ) -> PatternPiece:
-    """With its number and texts: a card of what a maker must know, and names along its lines.
+    """Return the piece with its number and texts: a card for the maker, and names along its lines.
 
-    The card: heading (style and date), number of how many, name, how often to cut it, material, allowance, area.
+    The card: heading (style and date), number and total, name, quantity, material, allowance, area.
     """
     allowance = units.range_of(piece.allowances)
     includes = "No seam allowance" if allowance == "none" else f"Includes {allowance} allowance"
@@ -59,7 +59,7 @@ def with_card(
 def with_card_anew(
     piece: PatternPiece, count: int, heading: str, units: UnitSystem, sheets: Sheets = ANYWHERE
 ) -> PatternPiece:
-    """As with_card, for a piece that was changed: only with texts of the kinds that it had."""
+    """Return a changed piece with new texts, but only of the kinds that it had."""
     roles = {text.role for text in piece.texts}
     whole = with_card(piece, piece.number, count, heading, units, sheets)
     left_out = {LEADERS[role] for role in LEADERS if role not in roles}
@@ -71,22 +71,22 @@ def with_card_anew(
 
 
 def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], drawn: list[np.ndarray]) -> list[Text]:
-    """The first of the cards, from the fullest to the shortest, that can be read; none in a piece too small for any."""
+    """Return the fullest card that can be read; none for a piece that is too small for all of them."""
     texts = (place_text(card, outlines, drawn, TEXT_HEIGHT) for card in cards)
     return next(([text] for text in texts if text.height >= LEAST_HEIGHT), [])
 
 
 def _short_cards(texts: list[str], outlines: list[np.ndarray]) -> list[Text]:
-    """In the middle of the piece, for which they are too large."""
+    """Return the cards at the middle of the piece, for which they are too large."""
     center, _ = innermost_point(outlines, [])
     return [Text((text,), center, LEAST_HEIGHT) for text in texts]
 
 
 def how_to_cut(piece: PatternPiece) -> str:
-    """As makers say it."""
+    """Return the quantity in the words of makers."""
     as_drawn, mirrored = piece.quantity
     if piece.on_fold:
-        return f"Cut {as_drawn + mirrored} on the fold"  # opened, each is its own mirror image
+        return f"Cut {as_drawn + mirrored} on the fold"  # opened, each piece is its own mirror image
     if mirrored == as_drawn:
         return "Cut 1 pair (2 pieces, one mirrored)" if as_drawn == 1 else f"Cut {as_drawn} pairs"
     return "Cut " + " and ".join([str(as_drawn)] * (as_drawn > 0) + [f"{mirrored} mirrored"] * (mirrored > 0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fonts on this computer, and which has a letter; those in WOFF2, as Blender has them, where fonttools is installed."""
+"""Finds fonts on this computer, and one that has a letter. WOFF2, which Blender uses, needs fonttools."""
 
 import io
 import os
@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 import uharfbuzz
 
-Part = tuple[str, np.ndarray]  # "m", "l", "c" or "h" as PDF has them, and its points (k,2)
+Part = tuple[str, np.ndarray]  # "m", "l", "c" or "h" as in PDF, and the points (k,2)
 
 
 class GlyphPen:
-    """Takes outlines as fonttools' pens do; PDF has cubic curves alone."""
+    """Records outlines as a pen of fonttools. PDF has cubic curves only."""
 
     def __init__(self) -> None:
         self.parts: list[Part] = []
@@ -49,7 +49,7 @@ _folders: list[Path] = []
 
 
 def add_font_folder(folder: str | Path) -> None:
-    """Fonts are sought there before the system's: for programs that bring fonts of their own, as Blender does."""
+    """Add a folder that is searched before the system's, for programs with fonts of their own such as Blender."""
     if Path(folder) not in _folders:
         _folders.append(Path(folder))
         _files.cache_clear()
@@ -60,27 +60,27 @@ class Font:
     """One face of a file."""
 
     def __init__(self, path: Path, index: int = 0) -> None:
-        """Raises what the libraries raise for a file that is no font."""
+        """Raises the libraries' errors for a file that is not a font."""
         self._path, self._index = path, index
         self._outlines: dict[int, list[Part]] = {}
         if path.suffix.lower() == ".woff2":
             from fontTools.ttLib import TTFont
 
-            with TTFont(path, lazy=True) as quick:  # its letters alone: with all glyphs it takes ten times as long
+            with TTFont(path, lazy=True) as quick:  # only its letters: all glyphs take ten times as long
                 self._letters = set(quick.getBestCmap() or {})
         else:
             blob = uharfbuzz.Blob.from_file_path(str(path))
             self._letters = set(uharfbuzz.Face(blob, index).unicodes)
 
     def has(self, letter: str) -> bool:
-        """With an outline: fonts with pictures of emoji have none."""
+        """Return whether it has the letter with an outline: emoji fonts contain pictures instead."""
         if letter.isspace() or ord(letter) not in self._letters:
             return ord(letter) in self._letters
         glyph = self.shapes.get_nominal_glyph(ord(letter))
         return glyph is not None and bool(self.outline(glyph))
 
     def outline(self, glyph: int) -> list[Part]:
-        """In units of the font."""
+        """Return the outline in units of the font."""
         if glyph not in self._outlines:
             pen = GlyphPen()
             self.shapes.draw_glyph_with_pen(glyph, pen)
@@ -100,7 +100,7 @@ class Font:
 
 @cache
 def font_with(letter: str) -> Font | None:
-    """The first of the fonts that has it."""
+    """Return the first font that has the letter."""
     return next((font for font in map(_font, _files()) if font and font.has(letter)), None)
 
 
@@ -108,13 +108,16 @@ def font_with(letter: str) -> Font | None:
 def _font(path: Path) -> Font | None:
     try:
         return Font(path)
-    except Exception:  # whatever the libraries say of a damaged file, or of WOFF2 without fonttools: there are others
+    except Exception:  # any error for a damaged file, or for WOFF2 without fonttools: other fonts follow
         return None
 
 
 @cache
 def _files() -> list[Path]:
-    """In the order in which they are tried: plain styles first, and of these small files, for they open quickly."""
+    """Return the files in the order of trial.
+
+    Plain styles come first, and small files before large ones, because they open faster.
+    """
     files = [path for folder in (*_folders, *_system_folders()) for path in _in(folder)]
     return sorted(files, key=lambda path: (any(s in path.name.lower() for s in STYLES), path.stat().st_size, path.name))
 
@@ -122,7 +125,7 @@ def _files() -> list[Path]:
 def _in(folder: Path) -> Iterator[Path]:
     for path in folder.rglob("*"):
         is_font = path.suffix.lower() in SUFFIXES and not any(word in path.name.lower() for word in NO_TEXT)
-        if is_font and path.is_file():  # and no link to one that is gone
+        if is_font and path.is_file():  # not a broken link
             yield path
 
 

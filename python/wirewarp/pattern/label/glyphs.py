@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Letters of any script as outlines, joined and ordered as the script wants it by HarfBuzz."""
+"""Draws letters of any script as outlines, joined and ordered by HarfBuzz."""
 
 import unicodedata
 from collections.abc import Iterator, Sequence
@@ -12,11 +12,11 @@ import uharfbuzz
 from .bidi import in_visual_order, levels
 from .fonts import Font, Part, font_with
 
-JOINING = ("Mn", "Me", "Mc", "Cf")  # categories of what belongs to the letter before it
+JOINING = ("Mn", "Me", "Mc", "Cf")  # categories of characters that belong to the letter before them
 
 
 class NoLettersError(Exception):
-    """str() says which letters cannot be drawn, and why."""
+    """Raised for letters that cannot be drawn; str() names them and the reason."""
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ class _Run:
 
     font: Font
     text: str
-    level: int  # odd ones run from right to left
+    level: int  # odd levels run from right to left
 
 
 @cache
@@ -61,7 +61,7 @@ def _runs(letters: Sequence[str], own_levels: Sequence[int]) -> Iterator[_Run]:
 
 
 def _font_of(letter: str, before: Font | None) -> Font:
-    """The font before it where that will do. Raises NoLettersError."""
+    """Return the previous font if it has the letter, otherwise another. Raises NoLettersError."""
     if before and (before.has(letter) or unicodedata.category(letter) in JOINING):
         return before
     found = font_with("n" if letter.isspace() else letter)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Texts that a piece has no room for: beside it, with a line along them that leads to what they are about.
+"""Places texts beside a piece without room for them, with a line that leads to what they name.
 
-They take no room of their own: what is laid out by the cut lines alone, without any text, has the same pages.
+They need no room of their own: a layout by the cut lines alone, without any text, has the same pages.
 """
 
 import math
@@ -17,11 +17,12 @@ from ..pattern_data import GAP, OVERLAP
 from .room import CLEAR, axes, joined, strokes, touches
 from .text_place import text_width
 
-NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from what is named to the middle of the text
-TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the way straight out, the best first
-ANGLES = (0.0, 90.0, 45.0, -45.0)  # of the text, the easiest to read first: along a narrow piece it keeps near
-REACH = GAP / 2  # millimeters beyond the box of the cut lines: texts of two pieces in rows keep apart
-# From the cut lines at most: whatever is so near to them lies on a sheet with them, for sheets overlap by more.
+NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from the named line to the middle of the text
+TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the direction straight out, the best first
+# of the text, the easiest to read first: along a narrow piece, text stays close to it
+ANGLES = (0.0, 90.0, 45.0, -45.0)
+REACH = GAP / 2  # millimeters beyond the box of the cut lines, so that texts of two pieces in rows do not meet
+# Largest distance from the cut lines: within it, a text is on the same sheet, because sheets overlap by more.
 NEAR = OVERLAP - STEP
 
 
@@ -36,9 +37,9 @@ class Beside:
     def __init__(
         self, outlines: Sequence[np.ndarray], sheets: Sequence[Box] = (), others: Sequence[np.ndarray] = ()
     ) -> None:
-        """outlines (k,2): the cut lines. sheets: a text must lie on one of them, if there are any.
+        """outlines (k,2): the cut lines. sheets: if there are any, each text must be on one of them.
 
-        others (k,2): closed lines around what lies near.
+        others (k,2): closed lines around neighbors.
         """
         self._sheets, self._others = sheets, others
         self._outlines = list(outlines)
@@ -48,10 +49,10 @@ class Beside:
         self._texts: list[Text] = []
 
     def lead(self, texts: Iterable[Text], outward: np.ndarray) -> tuple[Text, Line] | None:
-        """The first of these texts that has a place outside of the piece, and the line to it from its center.
+        """Return the first of these texts that has a place outside of the piece, and the line from it to the target.
 
-        texts: of one line each, where they had no room. outward (2,): a unit vector, the way to where they would best
-        stand. None where nothing near is free: a line far across the piece would be taken for one of its own.
+        texts: one line each, which did not fit inside. outward (2,): unit vector of the preferred direction. Returns
+        None if no near place is free, because a line far across the piece would look like one of its own lines.
         """
         for placed, target in self._choices(texts, outward):
             points = _leader(placed, target)
@@ -62,7 +63,7 @@ class Beside:
         return None
 
     def _choices(self, texts: Iterable[Text], outward: np.ndarray) -> Iterator[tuple[Text, np.ndarray]]:
-        """Places within reach, the best first, and what is named."""
+        """Return places within reach, the best first, and the named point."""
         for text in texts:
             for angle in ANGLES:
                 for center in self._centers(text.center, outward):
@@ -72,7 +73,7 @@ class Beside:
                         yield placed, text.center
 
     def _centers(self, target: np.ndarray, outward: np.ndarray) -> Iterator[np.ndarray]:
-        """The nearest first."""
+        """Return centers, the nearest first."""
         nearest = max(NEAREST, float(distances_to(target[None], self._outlines)[0]))
         for distance in np.arange(nearest, FARTHEST, STEP):
             for turn in np.radians(TURNS):
@@ -90,7 +91,7 @@ class Beside:
         return not any(touches(other, (leader[:-1], leader[1:])) for other in self._texts)
 
     def _is_near(self, text: Text, leader: np.ndarray) -> bool:
-        """Whether no point of the text, or of the line to it, is too far from the piece, or on another sheet."""
+        """Return whether the text and its line are near the piece and on the same sheet."""
         first, last = strokes(text)
         edges = [np.array([first[row], last[row]]) for row in (0, -1)]
         points = np.concatenate([sampled(line, STEP) for line in (leader, *edges)])
@@ -101,9 +102,9 @@ class Beside:
 
 
 def _leader(text: Text, target: np.ndarray) -> np.ndarray:
-    """(3,2) from the target to the nearer end of a line below or above the letters, where the target is, and along it.
+    """Return the line (3,2) from the target to the nearer end of a base line or top line of the letters, and along it.
 
-    So it does not cross them.
+    It therefore does not cross the letters.
     """
     along, up = axes(text).T * np.where((target - text.center) @ axes(text) > 0, 1, -1)[:, None]
     edge = text.center + (text.height / 2 + 2 * CLEAR) * up

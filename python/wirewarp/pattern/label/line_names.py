@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names along the lines: on paper, too, the sides that are sewn together have one number."""
+"""Names along the lines. Sides that are sewn together have the same number on paper."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -12,16 +12,16 @@ from .leaders import Beside
 from .room import Room
 from .text_place import text_width
 
-HEIGHTS = (4.5, 3.5, 2.5)  # of the letters, in millimeters; where none fits, the name stands beside the piece
-BESIDE = 0.75  # from a line to the letters
+HEIGHTS = (4.5, 3.5, 2.5)  # heights of the letters in millimeters; if none fits, the name is placed beside the piece
+BESIDE = 0.75  # of the height: from a line to its letters
 ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # of its length, the best first
 ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their middles
 
 
 def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[Text], list[Line]]:
-    """Of the stitching lines, folds and wires that have a name: inside the piece, or beside it without room.
+    """Return the names of stitching lines, folds and wires: inside the piece, or beside it if there is no room.
 
-    With the lines that lead to the latter.
+    The latter come with lines that lead to them.
     """
     named = [line for line in lines if line.name and line.role in ("sew", "fold", "wire")]
     texts, leaders = [], []
@@ -36,7 +36,7 @@ def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[
 
 
 def _out_of_room(line: Line) -> tuple[list[Text], np.ndarray]:
-    """The name at the middle of the line, whole and short, and the unit vector (2,) out of the piece."""
+    """Return the name at the middle of the line, whole and short, and the unit vector (2,) out of the piece."""
     points = np.concatenate([line.points, line.points[:1]]) if line.closed else line.points
     middle, along, inside = _place_on(points, lengths_along(points), 0.5)
     names = dict.fromkeys([line.name, _short(line)])
@@ -44,7 +44,7 @@ def _out_of_room(line: Line) -> tuple[list[Text], np.ndarray]:
 
 
 def _short(line: Line) -> str:
-    """For little room."""
+    """Return a short name for little room."""
     return short_name(line.name) if line.role == "sew" else line.name
 
 
@@ -65,7 +65,7 @@ def _choices(line: Line) -> Iterator[Text]:
 
 
 def _place_on(points: np.ndarray, along: np.ndarray, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The point (2,) at this share of a line (k,2), the unit vector along it, and that into the piece.
+    """Return the point (2,) at this share of a line (k,2), the unit vector along it, and the one into the piece.
 
     along (k,): see lengths_along.
     """
@@ -73,10 +73,10 @@ def _place_on(points: np.ndarray, along: np.ndarray, share: float) -> tuple[np.n
     a, b = points[row : row + 2]
     way = (b - a) / np.linalg.norm(b - a)
     point = a + (b - a) * (share * along[-1] - along[row]) / (along[row + 1] - along[row])
-    return point, way, np.array([-way[1], way[0]])  # of an outline, the piece is on its left
+    return point, way, np.array([-way[1], way[0]])  # the piece is to the left of its outline
 
 
 def _angle(direction: np.ndarray) -> float:
-    """Degrees counterclockwise, over -90 to 90, so that the text is not upside down."""
+    """Return degrees counterclockwise, above -90 and up to 90, so that the text is not upside down."""
     angle = math.degrees(math.atan2(direction[1], direction[0]))
     return angle - 180 if angle > 90 else angle + 180 if angle <= -90 else angle

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether a piece has room for one more text: inside its outline, and clear of lines and of other texts."""
+"""Finds room in a piece for one more text: inside its outline, and away from lines and other texts."""
 
 import math
 from collections.abc import Iterable
@@ -10,14 +10,14 @@ from ..geometry import are_inside
 from ..model import Text
 from .text_place import LINE, text_width
 
-CLEAR = 0.5  # millimeters between a text and what stands beside it
-STROKES = np.linspace(-0.5, 0.5, 5)  # a text as level strokes, too close for another text to lie between them
+CLEAR = 0.5  # millimeters between a text and its neighbors
+STROKES = np.linspace(-0.5, 0.5, 5)  # a text as level strokes that are too close for another text between them
 
 Segments = tuple[np.ndarray, np.ndarray]  # their first and their second ends (s,2)
 
 
 class Room:
-    """Of one piece. Lines may be written over where there is no other place; outlines and texts never."""
+    """The room of one piece. A text may cross lines if there is no other place, but never outlines and texts."""
 
     def __init__(self, outlines: Iterable[np.ndarray], lines: Iterable[np.ndarray], texts: Iterable[Text]) -> None:
         """outlines (k,2); lines (k,2): wires, notches and the like."""
@@ -27,7 +27,7 @@ class Room:
         self._texts = joined([strokes(text) for text in texts])
 
     def take(self, choices: Iterable[Text]) -> Text | None:
-        """The first of the texts that fits, and from now on its place is taken; None where none does."""
+        """Return the first text that fits, and reserve its place; None if none fits."""
         found = None
         for text in filter(self._is_inside, choices):
             is_clear = not touches(text, self._lines)
@@ -45,19 +45,19 @@ class Room:
 
 
 def joined(parts: list[Segments]) -> Segments:
-    """One set of segments; at least an empty one."""
+    """Return one set of segments, which may be empty."""
     first, second = (np.concatenate([np.empty((0, 2)), *(part[end] for part in parts)]) for end in (0, 1))
     return first, second
 
 
 def axes(text: Text) -> np.ndarray:
-    """(2,2) unit vectors along the line and up the letters, one a column."""
+    """Return unit vectors (2,2) along the line and up the letters, as columns."""
     cosine, sine = math.cos(math.radians(text.angle)), math.sin(math.radians(text.angle))
     return np.array([[cosine, -sine], [sine, cosine]])
 
 
 def corners(text: Text) -> np.ndarray:
-    """(4,2) of the box of a text of one line."""
+    """Return the corners (4,2) of the box of a text of one line."""
     half = np.array([text_width(text.lines[0], text.height), text.height]) / 2
     around: np.ndarray = text.center + (half * [[-1, -1], [1, -1], [1, 1], [-1, 1]]) @ axes(text).T
     return around
@@ -75,7 +75,7 @@ def strokes(text: Text) -> Segments:
 
 
 def touches(text: Text, segments: Segments) -> bool:
-    """Whether one of the segments meets the box of a text of one line: no axis separates the two."""
+    """Return whether a segment meets the box of a text of one line, by the separating axis theorem."""
     half = np.array([text_width(text.lines[0], text.height), text.height]) / 2 + CLEAR
     a, b = ((ends - text.center) @ axes(text) for ends in segments)
     apart = np.any((np.minimum(a, b) > half) | (np.maximum(a, b) < -half), axis=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Room for text inside a piece."""
+"""Finds room for text inside a piece."""
 
 import math
 import unicodedata
@@ -10,19 +10,19 @@ import numpy as np
 from ..geometry import innermost_point
 from ..model import Text
 
-WIDE = 3.0  # room for text is sought this much wider than high
-LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, by the height of the text
-WIDE_LETTER = 1.0  # of Chinese and the like, and of emoji
-NEARLY = 0.6  # as high as upright: level text is easier to read
-SMALL = 0.3125  # of the largest height, 2.5 of 8 mm: rather than smaller, text is written over lines
+WIDE = 3.0  # the search assumes that text is this many times as wide as high
+LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, as shares of the height of the text
+WIDE_LETTER = 1.0  # Chinese and similar letters, and emoji
+NEARLY = 0.6  # of the height of upright text: level text is easier to read
+SMALL = 0.3125  # of the largest height, 2.5 of 8 mm: instead of smaller letters, text may cross lines
 
 
 def place_text(
     lines: tuple[str, ...], outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray], largest: float
 ) -> Text:
-    """As large as fits, up to the height `largest`; upright where the piece is too narrow for it otherwise.
+    """Return the largest place up to the height `largest`, upright if the piece is too narrow otherwise.
 
-    outlines, closed, and lines_inside (k,2) are not written over; the latter only where there is no room beside them.
+    Text never crosses closed outlines. It crosses lines_inside (k,2) only if there is no room beside them.
     """
     clear = _place(lines, outlines, lines_inside, largest)
     return clear if clear.height >= SMALL * largest else _place(lines, outlines, [], largest)
@@ -50,10 +50,10 @@ def _turned(
     squeezed = [[points @ turn / (WIDE, 1) for points in group] for group in (outlines, lines_inside)]
     center, radius = innermost_point(*squeezed)
     half_width, half_height = max(text_width(line, 1.0) for line in lines) / (2 * WIDE), LINE * len(lines) / 2
-    height = 0.9 * radius / math.hypot(half_width, half_height)  # the text's corners stay inside the ellipse
+    height = 0.9 * radius / math.hypot(half_width, half_height)  # the corners of the text stay inside the ellipse
     return Text(lines, turn @ (center * (WIDE, 1)), min(height, largest), angle)
 
 
 def text_width(text: str, height: float) -> float:
-    """About as wide as any font has it."""
+    """Return an upper estimate of the width in any font."""
     return height * sum(WIDE_LETTER if unicodedata.east_asian_width(letter) in "FW" else LETTER for letter in text)

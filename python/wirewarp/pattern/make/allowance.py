@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From the stitching lines of a piece to its cut lines: strips and corners, united on a grid of integers.
 
-Strips may overlap one another and the piece: each point of a strip lies within its width of the stitching line.
-Clipper unites them exactly, because its coordinates are integers; floating-point unions of strips have left slits.
-Outlines run with the piece on their left, so the allowance lies on the right.
+Strips may overlap one another and the piece: each point of a strip is within its width of the stitching line. Clipper
+unites them exactly, because its coordinates are integers; floating-point unions of strips have left slits. Outlines run
+with the piece on their left, so the allowance is on the right.
 """
 
 import math
@@ -18,26 +18,26 @@ from .corners import MITRE_LIMIT, CornerType, corner_path
 
 
 def strip(points: np.ndarray, width: float) -> np.ndarray:
-    """A polygon (m,2), counterclockwise: the line (k,2) and, at the width to its right, the parallel line.
+    """Return a polygon (m,2), counterclockwise, between the line (k,2) and its parallel line at the width to its right.
 
-    It ends square at both ends. A closed line repeats its first point. The polygon may cover a place twice, but never
-    winds clockwise round one: it is a chain of rectangles, of the wedges between them where the line turns left, and of
-    rectangles cut where two of them meet.
+    It ends square at both ends. A closed line repeats its first point. The polygon may overlap itself, but never runs
+    clockwise around a point: it consists of rectangles, of wedges between them at left turns, and of rectangles that
+    are cut where two of them meet.
     """
     normals = right_normals(points)
-    if np.array_equal(points[0], points[-1]):  # the join of the closed line is made at its end
+    if np.array_equal(points[0], points[-1]):  # a closed line has its join at the end
         points, normals = np.concatenate([points, points[1:2]]), np.concatenate([normals, normals[:1]])
     outside = [points[:1] + width * normals[:1], *_joins(points, normals, width), points[-1:] + width * normals[-1:]]
     return np.concatenate([*outside, points[::-1]])
 
 
 def _joins(points: np.ndarray, normals: np.ndarray, width: float) -> list[np.ndarray]:
-    """At each inner point of the line the points (j,2) of the parallel line."""
+    """Return the points (j,2) of the parallel line at each inner point of the line."""
     before, after, corners = normals[:-1], normals[1:], points[1:-1]
-    turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]  # sine; above 0 to the left
+    turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]  # sine; positive to the left
     cosine = (before * after).sum(axis=1)
-    with np.errstate(divide="ignore", invalid="ignore"):  # where the line turns back on itself
-        tangent = turn / (1 + cosine)  # of half the angle
+    with np.errstate(divide="ignore", invalid="ignore"):  # the line turns back on itself
+        tangent = turn / (1 + cosine)  # tangent of half the angle
         mitre = corners + width * (before + after) / (1 + cosine)[:, None]
     far = np.isnan(tangent) | (1 + tangent**2 > MITRE_LIMIT**2)  # the mitre is width * sqrt(1 + tangent^2) away
     is_left = (turn > 0) | ((turn == 0) & (cosine < 0))
@@ -52,7 +52,7 @@ def _joins(points: np.ndarray, normals: np.ndarray, width: float) -> list[np.nda
 
 
 def _fits(points: np.ndarray, tangent: np.ndarray, width: float) -> np.ndarray:
-    """(k-2,) bool: whether both steps at an inner point are longer than what the mitres of right turns take of them."""
+    """Return (k-2,) bool: whether both steps at an inner point are longer than the mitres of right turns need."""
     taken = np.concatenate([[0], np.nan_to_num(np.maximum(-tangent, 0) * width, posinf=np.inf), [0]])
     lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
     is_long = taken[:-1] + taken[1:] < lengths
@@ -60,10 +60,10 @@ def _fits(points: np.ndarray, tangent: np.ndarray, width: float) -> np.ndarray:
 
 
 def _cut_off(corner: np.ndarray, before: np.ndarray, after: np.ndarray, width: float) -> np.ndarray:
-    """(2,2) where the line square to the diagonal of the corner, at the limit, cuts the two parallel lines."""
+    """Return where the line square to the corner's diagonal, at the limit, cuts both parallel lines: (2,2)."""
     out = before + after
     length = np.linalg.norm(out)
-    along = np.array([-before[1], before[0]])  # where the line comes from, it runs on
+    along = np.array([-before[1], before[0]])  # direction of the line before the turn
     out = out / length if length > 1e-9 else along  # it turns back: the corner points straight on
     ends = []
     for normal, direction in ((before, along), (after, np.array([after[1], -after[0]]))):
@@ -73,7 +73,7 @@ def _cut_off(corner: np.ndarray, before: np.ndarray, after: np.ndarray, width: f
 
 
 Polygon = list[list[int]]  # corners on the grid
-SMALLEST = 1e-3  # square millimeters: loops that rounding leaves
+SMALLEST = 1e-3  # square millimeters: smaller loops come from rounding
 
 
 @dataclass(frozen=True)
@@ -81,21 +81,21 @@ class Corner:
     """How the allowances meet at the end of a section."""
 
     kind: CornerType = "mitre"
-    of_next: bool = False  # it is the next section whose allowance ends by the corner's rule
+    of_next: bool = False  # the rule ends the allowance of the next section instead
 
 
 @dataclass(frozen=True)
 class Section:
     """A part of an outline with one width of allowance."""
 
-    points: np.ndarray  # (k,2), the piece on the left; a closed outline of one section repeats its first point
+    points: np.ndarray  # (k,2), with the piece on the left; a closed outline of one section repeats its first point
     width: float
     corner: Corner = Corner()  # at its end
 
 
 @dataclass(frozen=True)
 class CutLines:
-    """All closed, without repeating the first point; the outer ones counterclockwise, the holes clockwise."""
+    """Closed lines that do not repeat their first point; the outer ones run counterclockwise, holes clockwise."""
 
     outer: list[np.ndarray]
     holes: list[np.ndarray]
@@ -103,7 +103,7 @@ class CutLines:
 
 
 def cut_lines(loops: Sequence[Sequence[Section]]) -> CutLines:
-    """loops: the outlines of one piece, each as its sections in order."""
+    """Return the cut lines of a piece. loops: its outlines, each as sections in order."""
     outlines = [np.concatenate([section.points[:-1] for section in loop]) for loop in loops]
     if all(section.width == 0 for loop in loops for section in loop):
         areas = [signed_area(outline) for outline in outlines]
@@ -128,7 +128,7 @@ def cut_lines(loops: Sequence[Sequence[Section]]) -> CutLines:
 
 
 def _allowance(loop: Sequence[Section], origin: np.ndarray) -> list[Polygon]:
-    """The polygons of the strips and corners of one outline."""
+    """Return the polygons of the strips and corners of one outline."""
     strips = [[_on_grid(strip(part.points, part.width), origin)] if part.width > 0 else [] for part in loop]
     corners = []
     for number, first in enumerate(loop if len(loop) > 1 else []):
@@ -144,7 +144,7 @@ def _allowance(loop: Sequence[Section], origin: np.ndarray) -> list[Polygon]:
 
 
 class _Place:
-    """Where one section ends and the next begins."""
+    """The end of a section and the start of the next."""
 
     def __init__(self, first: Section, second: Section) -> None:
         self._a, self._b, self._corner = first.width, second.width, first.corner
@@ -157,7 +157,7 @@ class _Place:
         self._turn = math.atan2(cross, self._normal_a @ self._normal_b)
 
     def path(self) -> np.ndarray | None:
-        """(k,2) from the first cut line to the second one; None where the strips alone are right."""
+        """(k,2) from the first cut line to the second one; None if the strips alone are right."""
         if not self._corner.of_next:
             path = corner_path(self._corner.kind, self._turn, self._a, self._b)
             return None if path is None else self._point + path @ np.array([self._along_a, -self._normal_a])
@@ -175,7 +175,7 @@ class _Place:
         return np.concatenate(ends)
 
     def trimmed_of_first(self, path: np.ndarray, filling: np.ndarray) -> np.ndarray | None:
-        """What the path takes off the end of the first strip."""
+        """The part of the end of the first strip that the path removes."""
         back = (path[0] - self._point) @ self._along_a
         inner = path[1] if len(path) > 1 else self._end_b
         if back > -GRID or self._only_trims(second=True) or are_inside(self._end_a[None], [filling])[0]:
@@ -183,7 +183,7 @@ class _Place:
         return _beyond(path[0], inner, -back * self._along_a)
 
     def trimmed_of_second(self, path: np.ndarray, filling: np.ndarray) -> np.ndarray | None:
-        """What the path takes off the start of the second strip."""
+        """The part of the start of the second strip that the path removes."""
         ahead = (path[-1] - self._point) @ self._along_b
         inner = path[-2] if len(path) > 1 else self._end_a
         if ahead < GRID or self._only_trims(second=False) or are_inside(self._end_b[None], [filling])[0]:
@@ -191,12 +191,12 @@ class _Place:
         return _beyond(path[-1], inner, -ahead * self._along_b)
 
     def _only_trims(self, second: bool) -> bool:
-        """An allowance that folds back leaves the one that it ends on as it is."""
+        """Return whether the rule only trims: a folded-back allowance does not change its neighbor."""
         return self._corner.kind == "fold-back" and self._corner.of_next == second
 
 
 def _beyond(end: np.ndarray, inner: np.ndarray, shift: np.ndarray) -> np.ndarray:
-    """A parallelogram from the line through both points on by the shift; longer, for the strip of a curve bulges."""
+    """Return a parallelogram that extends the line through both points, because strips of curves bulge."""
     outside = end + (end - inner) / 2
     return np.array([outside, inner, inner + shift, outside + shift])
 
@@ -206,7 +206,7 @@ def _turned_left(vector: np.ndarray) -> np.ndarray:
 
 
 def _on_grid(points: np.ndarray, origin: np.ndarray) -> Polygon:
-    """All with one origin, so that what shares points shares them on the grid too, and no slit is left between."""
+    """Return the grid points of all polygons. With one origin, common points stay common and no slit opens."""
     rounded: Polygon = np.rint((points - origin) / GRID).astype(np.int64).tolist()
     return rounded
 
@@ -222,7 +222,7 @@ def _without(polygons: list[Polygon], trimmed: np.ndarray | None, origin: np.nda
 
 
 def _unite(polygons: list[Polygon]) -> list[Polygon]:
-    """The outer outlines counterclockwise, the others clockwise."""
+    """Return the union: the outer outlines counterclockwise, the others clockwise."""
     clipper = pyclipper.Pyclipper()
     clipper.AddPaths(polygons, pyclipper.PT_SUBJECT, True)
     united = clipper.Execute(pyclipper.CT_UNION, pyclipper.PFT_NONZERO, pyclipper.PFT_NONZERO)

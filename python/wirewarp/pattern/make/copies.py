@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a mirror makes need not be drawn: one piece of each mirrored pair, and one half of a symmetric piece.
+"""Leaves out what a mirror makes: one piece of each mirrored pair, and one half of a symmetric piece.
 
-Notches stand at the same places on seams that a mirror lays onto each other, or a mirrored copy would not fit.
+Notches are at the same places on seams that a mirror maps to each other; otherwise, a mirrored copy would not fit.
 """
 
 from collections import defaultdict
@@ -21,23 +21,27 @@ from .seams import SewnSide
 
 @dataclass(frozen=True)
 class Copies:
-    """By index of the piece."""
+    """Mirrored pairs and folds by index of the piece."""
 
-    pairs: dict[int, tuple[int, Mirror]]  # of the first piece of a pair: the second, and what lays it onto the first
-    folds: dict[int, tuple[np.ndarray, Mirror]]  # the fold (2,2), and what lays the piece onto itself
+    # of the first piece of a pair: the second, and the mirror that maps it to the first
+    pairs: dict[int, tuple[int, Mirror]]
+    folds: dict[int, tuple[np.ndarray, Mirror]]  # the fold (2,2), and the mirror that maps the piece to itself
 
     @property
     def left_out(self) -> set[int]:
-        """The pieces that are not drawn."""
+        """Return the pieces that are not drawn."""
         return {second for second, _ in self.pairs.values()}
 
 
 def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool, on_fold: bool) -> Copies:
-    """pieces: those of laid, with their lines. Each is in one pair at most, and one with a fold is not folded again."""
+    """Return the copies.
+
+    pieces: those of laid, with their lines. A piece is in at most one pair, and not folded then.
+    """
     found = Copies({}, {})
 
     def mirrors(first: int, second: int) -> Iterator[Mirror]:
-        """Those that keep the grain, or turn it end for end."""
+        """Return the mirrors that keep the grain or reverse it."""
         for mirror in mirrors_between(pieces[first], pieces[second]):
             grain = mirror.direction(laid[second].grain)
             if abs(grain[0] * laid[first].grain[1] - grain[1] * laid[first].grain[0]) < ALONG:
@@ -60,21 +64,21 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
 
 @dataclass
 class SeamGroup:
-    """Seams whose notches stand at the same places."""
+    """Seams whose notches are at the same places."""
 
-    turned: dict[int, bool]  # by seam: whether places count from its other end than those of the first seam
-    is_symmetric: bool = False  # a mirror lays a seam onto itself, end for end
+    turned: dict[int, bool]  # by seam: whether places count from the other end than those of the first seam
+    is_symmetric: bool = False  # a mirror maps a seam to itself, end for end
 
 
 @dataclass(frozen=True)
 class MirroredSides:
-    """What the mirrors do to the sides of seams."""
+    """The sides of seams that mirrors map to each other."""
 
     groups: list[SeamGroup]
-    images: dict[int, list[Side]] = field(default_factory=dict)  # by the id() of a side, those that are laid onto it
+    images: dict[int, list[Side]] = field(default_factory=dict)  # by the id() of a side: its images
 
     def copies(self, side: Side) -> list[Side]:
-        """The side, and all sides that it is drawn for: images of images, too."""
+        """Return the side, and all sides that it is drawn for, including images of images."""
         found = [side]
         for own in found:
             found += [image for image in self.images.get(id(own), ()) if all(image is not other for other in found)]
@@ -83,7 +87,8 @@ class MirroredSides:
 
 def mirrored_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]]) -> MirroredSides:
     forward = {id(own.side): own.is_forward for sides in seams for own in sides}
-    turns: dict[int, list[tuple[int, bool]]] = defaultdict(list)  # by seam: others, and whether these run back
+    # by seam: its images, and whether they run in the other direction
+    turns: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     images: dict[int, list[Side]] = defaultdict(list)
     mirrors = [(first, second, mirror) for first, (second, mirror) in copies.pairs.items()]
     mirrors += [(index, index, mirror) for index, (_, mirror) in copies.folds.items()]
@@ -92,7 +97,7 @@ def mirrored_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequenc
             a, b = side.seam, image.seam
             if a is None or b is None:
                 continue
-            is_turned = forward[id(side)] == forward[id(image)]  # outlines run the other way in a mirror
+            is_turned = forward[id(side)] == forward[id(image)]  # outlines run in the other direction in a mirror
             turns[a].append((b, is_turned))
             turns[b].append((a, is_turned))
             images[id(side)].append(image)
@@ -101,7 +106,7 @@ def mirrored_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequenc
 
 
 def _matched(first: Laid, second: Laid, mirror: Mirror) -> list[tuple[Side, Side]]:
-    """The sides of the first piece, and those of the second whose images lie on them."""
+    """Return the sides of the first piece, and those of the second whose images match them."""
     images = [(side, mirror.image(side.points[::-1])) for loop in second.loops for side in loop]
     return [
         (side, other)
@@ -133,7 +138,7 @@ def _groups(count: int, turns: dict[int, list[tuple[int, bool]]]) -> list[SeamGr
 
 
 def drawn_once(pieces: Sequence[PatternPiece], copies: Copies) -> list[PatternPiece]:
-    """Without what the mirrors make. pieces: all of them, each to be cut once as drawn."""
+    """Return the pieces without those that mirrors make. pieces: all of them, each to be cut once as drawn."""
     drawn = []
     for index, piece in enumerate(pieces):
         if index in copies.left_out:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The cut line round a corner of the outline, between the allowances of the two sections that meet there.
+"""The cut line around a corner of the outline, between the allowances of the two sections that meet there.
 
-Coordinates here are of the corner: its point is the origin, the first section arrives along +x with the piece above it,
-and the outline turns left by `turn`, between 0 and pi. The first allowance, `a` wide, is cut along y = -a; the second,
-`b` wide, runs on in the direction (cos turn, sin turn). A path leads from the one cut line to the other.
+The corner's point is the origin. The first section arrives along +x with the piece above it, and the outline turns left
+by `turn`, between 0 and pi. The first allowance, `a` wide, is cut along y = -a. The second, `b` wide, continues in the
+direction (cos turn, sin turn). A path leads from one cut line to the other.
 """
 
 import math
@@ -14,18 +14,18 @@ import numpy as np
 
 CornerType = Literal["mitre", "right angle", "fold-back", "extend", "step", "round"]
 CORNER_TYPES: tuple[str, ...] = get_args(CornerType)
-MITRE_LIMIT = 2.5  # times the width: how far a corner may point outwards before it is cut off square
-STRAIGHT = 1e-7  # radians: between strips as wide as may be, the wedge of a smaller turn is finer than the grid
-SHARP = math.radians(30)  # less can hardly be seen on cloth, and no allowance needs to end in a way of its own
-STEEP = 1.5  # of the width, the difference of the widths over the sine of the turn: beyond, a step comes before a slant
+MITRE_LIMIT = 2.5  # times the width: a corner that points farther outwards is cut off square
+STRAIGHT = 1e-7  # radians: between the widest possible strips, the wedge of a smaller turn is finer than the grid
+SHARP = math.radians(30)  # a smaller turn can hardly be seen on fabric, and its allowance needs no end of its own
+STEEP = 1.5  # of the width, difference of the widths over the sine of the turn: above it, a step is better than a slant
 SAGITTA = 0.02  # millimeters, of the chords of a round corner
 
 
 def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray | None:
-    """The path (k,2) of the cut line from y = -a to the second cut line; None where the corner needs none.
+    """Return the path (k,2) of the cut line from y = -a to the second cut line; None if the corner needs none.
 
-    At "right angle", "fold-back" and "extend" it is the first section whose allowance ends that way: the other one's
-    corner is the mirror image. A path that leads farther than the limit is a mitre.
+    "right angle", "fold-back" and "extend" end the allowance of the first section; the corner of the other is the
+    mirror image. A path beyond the limit is replaced by a mitre.
     """
     if turn < STRAIGHT or (a == 0 and b == 0):
         return None
@@ -40,7 +40,7 @@ def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray
 
 
 def _goes_too_far(path: np.ndarray, turn: float, a: float, b: float) -> bool:
-    """Whether it leads beyond the limit, or takes more off the end of an allowance than that is wide."""
+    """Return whether the path exceeds the limit, or removes more from the end of an allowance than its width."""
     outwards = float(np.linalg.norm(path, axis=1).max()) > MITRE_LIMIT * max(a, b) * (1 + 1e-9)
     taken = max(-path[0, 0], path[-1] @ (math.cos(turn), math.sin(turn)))
     return outwards or bool(taken > max(a, b))
@@ -51,7 +51,7 @@ def _mitre(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _cut_off_mitre(turn: float, a: float, b: float) -> np.ndarray:
-    """The mitre; where its point lies beyond the limit, cut square to the line to the point."""
+    """Return the mitre; beyond the limit, cut square to the line to its point."""
     limit = MITRE_LIMIT * max(a, b)
     if math.sin(turn) < 1e-6:  # the outline turns back on itself
         return np.array([[limit, -a], [limit, b]])
@@ -65,24 +65,24 @@ def _cut_off_mitre(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _right_angle(turn: float, a: float, b: float) -> np.ndarray | None:
-    """The first allowance ends square to its stitching line."""
+    """End the first allowance square to its stitching line."""
     if math.cos(turn) < 1e-9:
         return None
     return np.array([[0.0, -a], [0.0, -b / math.cos(turn)]])
 
 
 def _fold_back(turn: float, a: float, b: float) -> np.ndarray:
-    """The first allowance, folded over its stitching line onto the piece, ends on the cut line of the second."""
+    """End the first allowance on the cut line of the second, as folded over its stitching line onto the piece."""
     return np.array([[(b + a * math.cos(turn)) / math.sin(turn), -a], [b / math.sin(turn), 0.0]])
 
 
 def _extend(turn: float, a: float, b: float) -> np.ndarray:
-    """Each allowance ends where its cut line meets the other stitching line, extended; straight between these."""
+    """End each allowance where its cut line meets the other's extended stitching line, straight in between."""
     return np.array([[-a / math.tan(turn), -a], [b / math.sin(turn), 0.0]])
 
 
 def _step(turn: float, a: float, b: float) -> np.ndarray | None:
-    """The wider allowance ends square to its stitching line; the narrower one runs on to it."""
+    """End the wider allowance square to its stitching line; the narrower one continues to it."""
     cosine = math.cos(turn)
     if cosine <= 1e-9 or min(a, b) / cosine > max(a, b):
         return None
@@ -93,7 +93,7 @@ def _step(turn: float, a: float, b: float) -> np.ndarray | None:
 
 
 def _round(turn: float, a: float, b: float) -> np.ndarray:
-    """An arc; between different widths it goes from the one to the other evenly."""
+    """Return an arc, which changes evenly between different widths."""
     largest = max(a, b)
     step = 2 * math.acos(max(1 - SAGITTA / largest, 0.5))
     angles = np.linspace(0, turn, 2 + int(turn / step))

@@ -11,13 +11,14 @@ from ..geometry import Motion
 from ..model import Line, PatternPiece
 from .pieces import FOLD_NAME, GRAIN, grain_line
 
-ON_FOLD = 0.05  # millimeters: what lies so near to the fold is on it
+ON_FOLD = 0.05  # millimeters: a nearer point is on the fold
 BESIDE_FOLD = 15.0  # millimeters between the fold and a grain arrow along it
-ALONG = math.sin(math.radians(0.5))  # a grain that is turned less from the fold runs along it: no one lays cloth better
+# a grain with a smaller turn from the fold runs along it: nobody aligns fabric better
+ALONG = math.sin(math.radians(0.5))
 
 
 def folded(piece: PatternPiece, fold: np.ndarray) -> PatternPiece:
-    """What lies on the right of the fold (2,2), which is not cut; lines end at it."""
+    """Return the piece without the part to the right of the fold (2,2), which is not cut. Lines end at the fold."""
     along = (fold[1] - fold[0]) / np.linalg.norm(fold[1] - fold[0])
     outward = np.array([along[1], -along[0]])
     lines = [Line("fold", fold, name=FOLD_NAME)]
@@ -31,7 +32,7 @@ def folded(piece: PatternPiece, fold: np.ndarray) -> PatternPiece:
 
 
 def _grain(piece: PatternPiece, grain: Line, fold: np.ndarray, outward: np.ndarray) -> Line:
-    """Beside the fold if it runs along it; else as it runs, where the half has most room."""
+    """Return the grain arrow: beside the fold if it runs along it, otherwise where the half has most room."""
     along = (grain.points[1] - grain.points[0]) / np.linalg.norm(grain.points[1] - grain.points[0])
     if abs(along @ outward) < ALONG:
         middle = fold.mean(axis=0)
@@ -41,7 +42,7 @@ def _grain(piece: PatternPiece, grain: Line, fold: np.ndarray, outward: np.ndarr
 
 
 def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.ndarray, bool]]:
-    """The parts of a line on the outward side."""
+    """Return the parts of a line on the outward side."""
     points = np.concatenate([line.points, line.points[:1]]) if line.closed else line.points
     height = (points - origin) @ outward
     if np.all(height > ON_FOLD):
@@ -65,9 +66,9 @@ def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.
 
 
 def unfolded(piece: PatternPiece) -> PatternPiece:
-    """The whole of a piece that is cut on the fold. Raises FlattenError if it has several folds.
+    """Return the whole of a piece that is cut on the fold. Raises FlattenError if it has several folds.
 
-    The fold is taken to be straight from end to end; texts stay where they are, and the fold itself is left out.
+    The fold counts as straight from end to end. Texts keep their places, and the fold itself is left out.
     """
     folds = piece.of_role("fold")
     if len(folds) != 1:
@@ -78,7 +79,7 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
     (cut,) = piece.of_role("cut")
     if (cut.points.mean(axis=0) - start) @ outward < 0:
         outward = -outward
-    # Mirrored in the y axis, turned, and moved so that the fold stays where it is.
+    # Mirror in the y axis, turn, and move so that the fold keeps its place.
     turn = Motion(np.zeros(2), float(np.degrees(2 * np.arctan2(outward[1], outward[0]))), mirrored=True)
     image = Motion(start - turn.points(start), turn.angle, mirrored=True)
     half = cut.points
@@ -92,7 +93,7 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
             lines.append(line)
         elif line.role not in ("cut", "fold"):
             is_on_fold = np.abs((line.points - start) @ outward).max() <= ON_FOLD
-            # Turned round, for names stand on the left of a line, where the piece is.
+            # Reverse, because names are to the left of a line, where the piece is.
             lines += [line] if is_on_fold else [line, replace(line, points=image.points(line.points)[::-1])]
     points = []
     for point in piece.points:
@@ -102,7 +103,7 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
 
 
 def _without_fold(outline: np.ndarray, is_on_fold: np.ndarray) -> np.ndarray:
-    """The open line that is left of a closed one (k,2) without its one part along the fold."""
-    first = int(np.flatnonzero(is_on_fold & ~np.roll(is_on_fold, -1))[0])  # where the outline leaves the fold
+    """Return the open rest of a closed line (k,2) without its one part along the fold."""
+    first = int(np.flatnonzero(is_on_fold & ~np.roll(is_on_fold, -1))[0])  # the outline leaves the fold here
     turned, is_on_fold = np.roll(outline, -first, axis=0), np.roll(is_on_fold, -first)
     return turned[: int(np.flatnonzero(is_on_fold[1:])[0]) + 2]

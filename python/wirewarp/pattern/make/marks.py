@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All marks of a pattern: what the pieces of a seam share, and what each piece has for itself."""
+"""All marks of a pattern: those that the pieces of a seam share, and those of a single piece."""
 
 import re
 from collections.abc import Mapping, Sequence
@@ -17,14 +17,14 @@ from .pieces import Laid
 from .seams import SewnLengths, SewnSide
 
 ON_LINE = 1e-6  # millimeters between a point of a side and the end of a wire there
-APART = 0.2  # millimeters: places along a seam that lie closer are one, found on two of its sides or of mirrored ones
+APART = 0.2  # millimeters: closer places along a seam are one, found on two of its sides or of mirrored ones
 BACK = re.compile(r"\bback\b", re.IGNORECASE)
 
 
 def marks(
     laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], groups: Sequence[SeamGroup], spacing: float
 ) -> dict[int, list[Point]]:
-    """By piece: notches in pairs along seams, at the ends of wires and of seams that nothing shows; clips; holes."""
+    """Return by piece: notches in pairs along seams, at ends of wires and at smooth ends of seams; clips; holes."""
     found: dict[int, list[Point]] = {piece.index: [] for piece in laid}
     rays = {piece.index: piece.rays for piece in laid}
     wire_ends = {piece.index: _wire_ends(piece) for piece in laid}
@@ -36,7 +36,7 @@ def marks(
             if any(id(own.side) in closed for own in sides):
                 continue
             sewn = SewnLengths.of(sides)
-            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # two beside each other
+            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # two, beside each other
                 doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
                 places = [place % sewn.whole for place in doubled] if sides[0].side.is_closed else doubled
             for which, own in enumerate(sides):
@@ -57,7 +57,7 @@ def marks(
 def walks_of(
     laid: Sequence[Laid], names: Sequence[str], seams: Sequence[Sequence[SewnSide]], points: dict[int, list[Point]]
 ) -> list[SeamWalk]:
-    """Of each seam; points: as marks() has found them."""
+    """Return the walk of each seam. points: from marks()."""
     return [
         SeamWalk(
             name,
@@ -84,7 +84,7 @@ def _widths(laid: Sequence[Laid]) -> dict[int, float]:
 
 
 def _legs(laid: Sequence[Laid]) -> set[int]:
-    """The id() of each side that is a leg of a dart without allowance: there is nothing to notch."""
+    """Return the id() of each leg of a dart without allowance, where nothing can be notched."""
     darts = (dart for piece in laid for outline in piece.outlines for dart in outline.darts)
     return {id(side) for dart in darts for side in (dart.first, dart.second)}
 
@@ -92,11 +92,14 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 def _places(
     group: SeamGroup, seams: Sequence[Sequence[SewnSide]], wire_ends: Mapping[int, np.ndarray], spacing: float
 ) -> dict[int, list[float]]:
-    """By seam, lengths from its start, as sewn, at which all its sides have notches; a closed seam begins at one."""
+    """Return by seam the lengths from its start, as sewn, at which all sides have notches.
+
+    Closed seams begin at one.
+    """
     sewn = {seam: SewnLengths.of(seams[seam]) for seam in group.turned if seams[seam]}
-    if not sewn:  # of pieces without a layout
+    if not sewn:  # pieces without a layout
         return {}
-    length = next(iter(sewn.values())).whole  # of the first seam, along which the places of all are counted
+    length = next(iter(sewn.values())).whole  # length of the first seam, along which all places count
     ends = []
     for seam, own in sewn.items():
         for side in seams[seam]:
@@ -124,13 +127,13 @@ def _wire_ends(piece: Laid) -> np.ndarray:
 
 
 def _places_of(own: SewnSide, ends: np.ndarray) -> list[float]:
-    """Lengths from the start of the side at which wires end on it."""
+    """Return the lengths from the start of the side at which wires end on it."""
     near = np.abs(own.points[:, None] - ends[None]).max(axis=2, initial=0) < ON_LINE
     return [float(place) for place in own.along[near.any(axis=1)]] if len(ends) else []
 
 
 def _free_notches(loop: Sequence[Side], ends: np.ndarray, rays: Rays, widths: Mapping[int, float]) -> list[Point]:
-    """Where wires end on an outline that is not sewn, and where a seam ends and the outline runs on smoothly."""
+    """Return notches at ends of wires on an outline that is not sewn, and where a seam ends on a smooth outline."""
     found = []
     for number, side in enumerate(loop):
         forward, length, width = SewnSide(side, True), float(side.along[-1]), widths[id(side)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reflections that lay one piece onto another, or onto itself."""
+"""Finds reflections that map one piece to another, or to itself."""
 
 import math
 from collections.abc import Iterator
@@ -12,40 +12,40 @@ from ..model import PatternPiece
 
 LEVEL = 1e-9  # rise of a unit vector: rounding must not decide which half of a piece with a level fold is drawn
 ALIKE = 0.1  # millimeters between a point and its mirror image: less than the width of a printed line
-IN_PHASE = 1e-3  # share by which a match may be less than the best: pieces may have several axes
+IN_PHASE = 1e-3  # share by which a match may be below the best one: pieces may have several axes
 
 
 @dataclass(frozen=True)
 class Mirror:
-    """z -> turn * conj(z) + shift, a reflection, maybe with a shift along its axis; points as complex numbers."""
+    """z -> turn * conj(z) + shift: a reflection, possibly with a shift along its axis; points are complex numbers."""
 
     turn: complex
     shift: complex
-    deviation: float = 0.0  # millimeters: the farthest that a mirror image is from what was flattened
+    deviation: float = 0.0  # millimeters: the largest distance of a mirror image from the flattened shape
 
     @property
     def axis(self) -> tuple[np.ndarray, np.ndarray]:
-        """A point (2,) of the axis and its direction (2,)."""
+        """Return a point (2,) of the axis and its direction (2,)."""
         along = np.sqrt(self.turn)
         point = self.shift / 2
         return np.array([point.real, point.imag]), np.array([along.real, along.imag])
 
     def direction(self, vector: np.ndarray) -> np.ndarray:
-        """The image of a vector (2,) that has no place."""
+        """Return the image of a vector (2,) that has no place."""
         image = self.turn * complex(vector[0], -vector[1])
         return np.array([image.real, image.imag])
 
     def image(self, points: np.ndarray) -> np.ndarray:
-        """The images of points (k,2)."""
+        """Return the images of points (k,2)."""
         images = self.turn * np.conj(points @ (1, 1j)) + self.shift
         return np.column_stack([images.real, images.imag])
 
 
 def mirrors_between(first: PatternPiece, second: PatternPiece) -> Iterator[Mirror]:
-    """Yields what lays the second piece onto the first; those whose axis is nearest to upright first.
+    """Yield the mirrors that map the second piece to the first, those with the most upright axes first.
 
-    The triangles along both outlines must correspond, and wires and allowances must lie on each other, too. A seam all
-    around an outline begins anywhere, so its notches could differ: pieces with one have no mirror.
+    The triangles along both outlines must correspond, and wires and allowances must match, too. A seam all around an
+    outline has no natural start, so its notches could differ: pieces with one have no mirror.
     """
     if any(line.closed and line.seam is not None for line in first.of_role("sew")):
         return
@@ -56,7 +56,7 @@ def mirrors_between(first: PatternPiece, second: PatternPiece) -> Iterator[Mirro
     steps, turned = np.roll(outer, -1) - outer, np.roll(image, -1) - image
     if abs(np.abs(steps).sum() - np.abs(turned).sum()) > ALIKE:
         return
-    # The sum of steps times conjugate steps is largest, and its angle that of the turn, where they are in phase.
+    # The sum of steps times conjugate steps is largest if they are in phase, and its angle is that of the turn.
     match = np.fft.ifft(np.fft.fft(steps) * np.conj(np.fft.fft(turned)))
     best = np.flatnonzero(np.abs(match) >= (1 - IN_PHASE) * np.abs(match).max(initial=np.finfo(float).tiny))
     for phase in sorted(best.tolist(), key=lambda phase: round(float(match[phase].real / abs(match[phase])), 6)):
@@ -68,7 +68,7 @@ def mirrors_between(first: PatternPiece, second: PatternPiece) -> Iterator[Mirro
 
 
 def fold_of(piece: PatternPiece, mirror: Mirror) -> np.ndarray | None:
-    """(2,2) the line, upwards, on which the piece can be folded onto itself; None if the mirror also shifts it."""
+    """Return the upward line (2,2) on which the piece can be folded onto itself; None if the mirror also shifts it."""
     point, along = mirror.axis
     if abs((mirror.shift * np.conj(np.sqrt(mirror.turn))).real) > ALIKE:
         return None
@@ -79,7 +79,7 @@ def fold_of(piece: PatternPiece, mirror: Mirror) -> np.ndarray | None:
 
 
 def _outline_loops(piece: PatternPiece) -> list[np.ndarray]:
-    """The closed outlines (k,2) that the stitching lines of a piece form, one after the other."""
+    """Return the closed outlines (k,2) that the stitching lines of a piece form."""
     loops: list[list[np.ndarray]] = []
     is_open = False
     for line in piece.of_role("sew"):
@@ -91,7 +91,7 @@ def _outline_loops(piece: PatternPiece) -> list[np.ndarray]:
 
 
 def _rest_fits(mirror: Mirror, outlines: list[list[np.ndarray]], first: PatternPiece, second: PatternPiece) -> bool:
-    """Whether holes, allowances and wires lie on each other as well as the outer outlines do."""
+    """Return whether holes, allowances and wires match as well as the outer outlines do."""
     if not _covers(outlines[0][1:], [mirror.image(loop) for loop in outlines[1][1:]]):
         return False
     kinds = {("cut", ""), ("inner_cut", ""), *(("wire", line.kind) for line in first.lines + second.lines)}
@@ -103,7 +103,7 @@ def _rest_fits(mirror: Mirror, outlines: list[list[np.ndarray]], first: PatternP
 
 
 def _covers(lines: list[np.ndarray], others: list[np.ndarray]) -> bool:
-    """Whether no point of a line is farther from the others than ALIKE, in both directions."""
+    """Return whether no point of a line is farther than ALIKE from the other lines, in both directions."""
     if not lines or not others:
         return not lines and not others
     pairs = ((lines, others), (others, lines))
@@ -111,7 +111,7 @@ def _covers(lines: list[np.ndarray], others: list[np.ndarray]) -> bool:
 
 
 def _crossings(piece: PatternPiece, point: np.ndarray, along: np.ndarray) -> np.ndarray:
-    """Where the line through the point crosses the cut line, as lengths along it."""
+    """Return where the line through the point crosses the cut line, as lengths along it."""
     aside = np.array([-along[1], along[0]])
     found = []
     for line in piece.of_role("cut"):

@@ -16,23 +16,23 @@ from .sections import Dart
 
 DEEPEST = 5.0  # millimeters
 SHARE = 0.5  # of the allowance: notches never reach the stitching line
-ACROSS = 0.3  # without allowance, of the way across the piece: two notches that face each other do not meet
+ACROSS = 0.3  # of the way across the piece, without allowance: two notches opposite each other do not meet
 NEXT_TO = 2e-3  # millimeters: beside a line, not on it
 LEAST_SPACING = 1.0  # millimeters
-MOST = 10_000  # along one seam
-CLEAR = 0.2  # of the spacing: so close to another notch or to the end of the seam there is none
+MOST = 10_000  # notches along one seam
+CLEAR = 0.2  # of the spacing: no notch is closer to another one or to the end of the seam
 LEAST_SEAM = 15.0  # millimeters: a shorter one needs no notch in its middle
-LOPSIDED = 5.0  # millimeters by which notches of a seam turned end for end must miss each other
+LOPSIDED = 5.0  # millimeters by which notches must miss each other if the seam is reversed
 STARTS = (1.0, 0.8, 0.6, 0.4)  # of the spacing, from the start of the seam to its first notch
 DOUBLE = 6.0  # millimeters between the two of a double notch
-CORNER = math.radians(30)  # what turns less is no corner that can be found on cloth
-CLIP_SHORT = 2.0  # millimeters that a clip ends before the corner of the stitching line
-DRILL_BACK = 13.0  # millimeters before the tip of the dart, where the seam covers it (1/2 in)
+CORNER = math.radians(30)  # a smaller turn is a corner that nobody finds on fabric
+CLIP_SHORT = 2.0  # millimeters between the end of a clip and the corner of the stitching line
+DRILL_BACK = 13.0  # millimeters before the tip of the dart, where the seam hides it (1/2 in)
 DRILL = 3.0  # millimeters: diameter
 
 
 def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Sequence[SewnSide]]) -> None:
-    """Raises FlattenError where notches stand so close that they cannot be cut."""
+    """Raises FlattenError for notches that are too close to be cut."""
     if not (spacing == 0 or spacing >= LEAST_SPACING) or spacing == math.inf:
         raise problem(
             f"Notches every {spacing:g} mm cannot be cut: choose {LEAST_SPACING:g} mm or more, or 0 for none."
@@ -47,9 +47,9 @@ def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Seq
 
 
 def places_along(length: float, taken: Sequence[float], spacing: float) -> list[float]:
-    """Lengths from the start of a seam at which its notches stand; with those of `taken` they differ end for end.
+    """Return lengths of notches from the start of a seam; together with `taken`, they differ from end to end.
 
-    taken: where there are notches already, as at the ends of wires.
+    taken: existing notches, such as those at the ends of wires.
     """
     if spacing == 0 or length < LEAST_SEAM:
         return []
@@ -66,7 +66,7 @@ def places_along(length: float, taken: Sequence[float], spacing: float) -> list[
 
 
 def symmetric_places(length: float, taken: Sequence[float], spacing: float) -> list[float]:
-    """As places_along, but the same from both ends, as `taken` are: for a seam that a mirror turns end for end."""
+    """Return places_along() that are the same from both ends, as `taken` are, for a seam that a mirror reverses."""
     if spacing == 0 or length < LEAST_SEAM:
         return []
     steps = math.floor(length / 2 / spacing)
@@ -76,15 +76,16 @@ def symmetric_places(length: float, taken: Sequence[float], spacing: float) -> l
 
 
 def _is_lopsided(places: np.ndarray, length: float) -> bool:
-    """Whether the same places counted from the other end of the seam are others."""
+    """Return whether the same places differ when counted from the other end of the seam."""
     turned = np.sort(length - places)
     return bool(np.abs(np.sort(places) - turned).max() >= LOPSIDED)
 
 
 def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[int, int] | None = None) -> Point | None:
-    """From where the normal of the side, at this length, meets the cut line; inwards, short of the stitching line.
+    """Return a notch from the cut line, where the side's normal at this length meets it, inwards.
 
-    width: the widest allowance of the side. None where the cut line is much farther, for allowances run together there.
+    width: the widest allowance of the side. Returns None if the cut line is much farther, because allowances meet
+    there.
     """
     at_sew, outward = own.at(length)
     allowance = rays.length(at_sew, outward)
@@ -95,7 +96,7 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
 
 
 def clips(loop: Sequence[Side], rays: Rays) -> list[Point]:
-    """At inward corners of the stitching line: cut to these, or the allowance does not turn."""
+    """Return clips at inward corners of the stitching line: without them, the allowance does not turn."""
     found = []
     points = np.concatenate([side.points[:-1] for side in loop])
     normals = right_normals(np.concatenate([points[-1:], points, points[:1]]))
@@ -111,18 +112,18 @@ def clips(loop: Sequence[Side], rays: Rays) -> list[Point]:
 
 
 def drill_hole(dart: Dart) -> Point:
-    """On the middle line of a dart, before its tip."""
+    """Return the hole on the middle line of a dart, before its tip."""
     back = dart.mouth.mean(axis=0) - dart.tip
-    if dart.first.points.shape[0] > 2:  # of curved legs: where they lead from the tip
+    if dart.first.points.shape[0] > 2:  # curved legs: their direction at the tip
         back = (dart.first.points[-2] + dart.second.points[1]) / 2 - dart.tip
     length = np.linalg.norm(back)
     depth = float(np.linalg.norm(dart.mouth.mean(axis=0) - dart.tip))
-    if length < 1e-9:  # a slit that is closed: along it
+    if length < 1e-9:  # a closed slit: along it
         back, length = dart.first.points[-2] - dart.tip, np.linalg.norm(dart.first.points[-2] - dart.tip)
         depth = float(dart.first.along[-1])
     return Point("drill", dart.tip + back / length * min(DRILL_BACK, depth / 2), depth=DRILL)
 
 
 def turns_little(first: Side, second: Side) -> bool:
-    """Whether nothing shows on the cloth where the one ends and the other begins."""
+    """Return whether nothing shows on the fabric between the end of one and the start of the other."""
     return abs(turn_between(first, second)) < CORNER

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flat pieces, and their outlines as chains between junctions, in millimeters: sewn ones and others."""
+"""Flat pieces in millimeters, with their outlines as chains between junctions, sewn or not."""
 
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -19,12 +19,12 @@ class Chain:
     """A part of an outline between junctions."""
 
     sources: np.ndarray  # (k,) vertices of the model; a closed chain repeats its first
-    seam: int | None  # index of the seam; None where nothing is sewn to it
+    seam: int | None  # index of the seam; None if nothing is sewn to it
 
 
 @dataclass(frozen=True)
 class FlatWire:
-    """A wire inside of the piece; along the outline there is the stitching line already."""
+    """A wire inside the piece. Wires along the outline have its stitching line."""
 
     name: str
     kind: str  # "rigid", "elastic" or "super_elastic"
@@ -36,14 +36,14 @@ class FlatPiece:
     name: str
     vertices: np.ndarray  # (p,2) millimeters, y upwards
     source_vertex: np.ndarray  # (p,) vertices of the model
-    outline: np.ndarray  # (b,2) vertices of the piece at both ends of each edge that one face has, as that face runs
-    chains: list[Chain]  # which run as these edges do
+    outline: np.ndarray  # (b,2) vertices of the piece at both ends of each edge with one face, in the face's direction
+    chains: list[Chain]  # in the direction of these edges
     wires: list[FlatWire]
     grain: np.ndarray = field(default_factory=lambda: np.array([0.0, 1.0]))  # (2,) unit vector; upright, as laid out
 
 
 def flat_piece(piece: "Piece", name: str, scale: float) -> FlatPiece:
-    """Of a piece that has a layout. scale: millimeters per scene unit."""
+    """Return a piece that has a layout. scale: millimeters per scene unit."""
     sides = np.concatenate([piece.faces[:, [0, 1]], piece.faces[:, [1, 2]], piece.faces[:, [2, 0]]]).astype(np.int64)
     count = len(piece.vertices)
     forward, backward = sides[:, 0] * count + sides[:, 1], sides[:, 1] * count + sides[:, 0]
@@ -66,34 +66,36 @@ def _wires(piece: "Piece", sides: np.ndarray) -> list[FlatWire]:
     return found
 
 
-FARTHEST = 1e8  # millimeters from the origin: any fabric is smaller, and Clipper's integers hold 1000 times as much
+# millimeters from the origin: any fabric is smaller, and Clipper's integers have room for 1000 times as much
+FARTHEST = 1e8
 
 
 @dataclass(frozen=True)
 class Side:
-    """One chain of an outline between junctions. The piece lies on the left."""
+    """One chain of an outline between junctions. The piece is on its left."""
 
     piece: int
     sources: np.ndarray  # (k,) input vertices; a closed chain repeats its first
     points: np.ndarray  # (k,2)
-    seam: int | None  # index into the result's seams; None where nothing is sewn to it
+    seam: int | None  # index into the result's seams; None if nothing is sewn to it
     is_turned: bool  # runs against the input's triangles: the piece is mirrored
 
     @property
     def is_closed(self) -> bool:
-        """Whether it is a whole outline."""
+        """Return whether it is a whole outline."""
         return bool(self.sources[0] == self.sources[-1] and np.array_equal(self.points[0], self.points[-1]))
 
     @property
     def along(self) -> np.ndarray:
-        """(k,) length from the start to each point."""
+        """Return the length (k,) from the start to each point."""
         return lengths_along(self.points)
 
 
 def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
-    """The closed outlines of a piece, each as its chains in order; the outer one has positive area.
+    """Return the closed outlines of a piece, each as its chains in order; the outer one has positive area.
 
-    index: of the piece. Raises FlattenError for a chain that is not on the outline, and for points that are no numbers.
+    index: of the piece. Raises FlattenError for a chain that is not on the outline, and for points that are not
+    numbers.
     """
     points, ends = piece.vertices, _outline_edges(piece)
     if not np.isfinite(points[piece.outline]).all():
@@ -131,18 +133,18 @@ def _not_cut(name: str, edges: list[tuple[int, int]], is_seam: bool) -> FlattenE
 
 
 def _rotated(closed: np.ndarray, first: int) -> np.ndarray:
-    """A closed chain, its first repeated at the end, begun elsewhere."""
+    """Return a closed chain with another start, which it repeats at the end."""
     return np.concatenate([closed[first:-1], closed[: first + 1]])
 
 
 def _outline_edges(piece: FlatPiece) -> dict[tuple[int, int], tuple[int, int]]:
-    """The piece's vertices at both ends of each outline edge, by the model's."""
+    """Return the piece's vertices at both ends of each outline edge, by the model's."""
     sources = piece.source_vertex[piece.outline]
     return {(a, b): (c, d) for (a, b), (c, d) in zip(sources.tolist(), piece.outline.tolist(), strict=True)}
 
 
 def _joined(chains: list[tuple[list[int], Side]]) -> list[list[Side]]:
-    """The chains, each after the one at whose last vertex it begins."""
+    """Return the chains, each after the one that ends at its first vertex."""
     waiting: dict[int, list[tuple[list[int], Side]]] = {}
     for chain in chains:
         waiting.setdefault(chain[0][0], []).append(chain)

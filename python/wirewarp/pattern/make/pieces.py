@@ -16,14 +16,14 @@ from .seams import SewnSide, longer_texts
 from .sections import Outline, Rules, outline
 from .widths import Widths
 
-GRAIN = 0.7  # of the way across the piece that the grain arrow takes
+GRAIN = 0.7  # of the way across the piece: length of the grain arrow
 FOLD_NAME = "Place on the fold"
-STRAIGHT = 0.5  # millimeters: a fold that is less off is straight, for cloth gives so much
+STRAIGHT = 0.5  # millimeters: a fold with a smaller error is straight, because fabric stretches that much
 
 
 @dataclass(frozen=True)
 class Laid:
-    """A piece whose outlines are cut into sections, and its cut lines."""
+    """A piece with its outlines as sections, and its cut lines."""
 
     index: int
     name: str
@@ -47,20 +47,20 @@ class Laid:
         return abs(sum(map(signed_area, self.sew_loops)))
 
     def allowances(self, side: Side) -> tuple[float, ...]:
-        """The widths along a side of this piece, in millimeters; none of a leg of a closed dart."""
+        """Return the widths along a side of this piece, in millimeters; none for a leg of a closed dart."""
         runs = [run for own in self.outlines for run in own.runs if run.side is side]
         return tuple(run.width for run in runs if run.width is not None)
 
 
 def _off_straight(points: np.ndarray) -> float:
-    """How far the points (k,2) lie at most from the line through the first and the last of them."""
+    """Return the largest distance of the points (k,2) from the line through the first and the last of them."""
     along = (points[-1] - points[0]) / max(float(np.linalg.norm(points[-1] - points[0])), 1e-9)
     to = points - points[0]
     return float(np.abs(to[:, 0] * along[1] - to[:, 1] * along[0]).max())
 
 
 def lay_all(pieces: Sequence[FlatPiece], widths: Widths, corner: str, darts: str) -> Steps[list[Laid]]:
-    """All pieces of a pattern; how allowances end depends on what is sewn to what. Raises FlattenError."""
+    """Return all pieces of a pattern. The ends of allowances depend on all seams. Raises FlattenError."""
     outlines = [outlines_of(index, piece) for index, piece in enumerate(pieces)]
     rules = Rules([loop for own in outlines for loop in own], corner, darts)
     laid = []
@@ -72,14 +72,14 @@ def lay_all(pieces: Sequence[FlatPiece], widths: Widths, corner: str, darts: str
 
 
 def _lay(index: int, piece: FlatPiece, loops: list[list[Side]], outlines: list[Outline]) -> Laid:
-    """With the cut lines and the wires inside of the piece."""
+    """Return the piece with its cut lines and the wires inside it."""
     cut = cut_lines([outline.sections for outline in outlines if outline.sections])
     wires = [Line("wire", piece.vertices[wire.vertices], name=wire.name, kind=wire.kind) for wire in piece.wires]
     return Laid(index, piece.name, loops, outlines, cut, wires, piece.grain)
 
 
 def warnings_of(laid: Laid) -> list[str]:
-    """What the allowance does to the piece that the maker should know."""
+    """Return sentences on effects of the allowance that the maker should know."""
     found = []
     holes = sum(1 for outline in laid.outlines if outline.sections) - 1
     if len(laid.cut.holes) < holes:
@@ -97,7 +97,7 @@ def warnings_of(laid: Laid) -> list[str]:
 
 
 def joined_by(pieces: Sequence[Laid]) -> dict[int, list[str]]:
-    """By index of the seam, the names of the pieces that it joins, one for each side."""
+    """Return by index of the seam the names of the pieces that it joins, one for each side."""
     names: dict[int, list[str]] = {}
     for laid in pieces:
         for side in (side for loop in laid.loops for side in loop):
@@ -107,7 +107,7 @@ def joined_by(pieces: Sequence[Laid]) -> dict[int, list[str]]:
 
 
 def notes_on_sides(seams: Sequence[Sequence[SewnSide]], units: UnitSystem) -> dict[int, str]:
-    """By the side's id(), the notes on those that are longer than what they are sewn to."""
+    """Return by the side's id() the notes on sides that are longer than their partners."""
     notes: dict[int, str] = {}
     for sides in (own for own in seams if own):
         texts = longer_texts([float(own.along[-1]) for own in sides], units)
@@ -121,7 +121,7 @@ def closed_cuts(laid: Laid) -> list[Line]:
 
 
 def _sewn(laid: Laid, describe: Callable[[Side], Mapping[str, str]]) -> list[Line]:
-    """Stitching lines and folds. describe: fields of the line of a side of a seam."""
+    """Return stitching lines and folds. describe: gives fields of the line of a side of a seam."""
     lines = []
     for own in laid.outlines:
         for run in own.runs:
@@ -136,7 +136,10 @@ def _sewn(laid: Laid, describe: Callable[[Side], Mapping[str, str]]) -> list[Lin
 
 
 def grain_line(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray], along: np.ndarray) -> Line:
-    """Where there is most room inside closed outlines (k,2), beside lines (k,2). along (2,): unit vector."""
+    """Return the grain line with most room inside closed outlines (k,2), beside lines (k,2).
+
+    along (2,): unit vector.
+    """
     center, _ = innermost_point(outlines, lines_inside)
     rays = Rays(outlines)
     up, down = (GRAIN * rays.length(center, sign * along) for sign in (1, -1))
@@ -146,7 +149,7 @@ def grain_line(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray
 def finished(
     laid: Laid, points: Sequence[Point], describe: Callable[[Side], Mapping[str, str]], material: str
 ) -> PatternPiece:
-    """The piece, still without a text. describe: fields of the line of a side of a seam."""
+    """Return the piece, still without texts. describe: gives fields of the line of a side of a seam."""
     lines = [*closed_cuts(laid), *(Line("inner_cut", slit) for own in laid.outlines for slit in own.slits)]
     lines += [*_sewn(laid, describe), *laid.wires]
     lines.append(grain_line(laid.sew_loops, [wire.points for wire in laid.wires], laid.grain))
@@ -166,7 +169,7 @@ def finished(
 
 
 def outlined(laid: Laid) -> PatternPiece:
-    """Its lines without names and marks."""
+    """Return the piece's lines without names and marks."""
     sewn = _sewn(laid, lambda *_: {})
     lines = [*closed_cuts(laid), *sewn, *laid.wires]
     return PatternPiece(laid.index + 1, laid.name, lines, [], [], on_fold=any(line.role == "fold" for line in sewn))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams on the flat pieces: their sides: which are sewn first, how long their sides are, and what is eased in."""
+"""Seams on the flat pieces: their sides and lengths, the order of sewing, and the ease."""
 
 import math
 from collections import defaultdict
@@ -12,12 +12,12 @@ from ..geometry import lengths_along, right_normals
 from ..units import UnitSystem
 from .outline import Side
 
-LEAST = 0.5  # millimeters; nobody eases in less, and flat pieces in single precision are off by far less
-GATHERED = 0.15  # of the shorter side: more than this no cloth is eased in without pleats, it is gathered
+LEAST = 0.5  # millimeters; smaller eases are ignored, and single precision is far more accurate
+GATHERED = 0.15  # of the shorter side: fabric with more ease than this gets pleats, so it is gathered
 
 
 def longer_text(length: float, shortest: float, length_text: Callable[[float], str]) -> str:
-    """ "12 mm longer, ease between notches" of a side of this length; empty of the shortest ones.
+    """Return "12 mm longer, ease between notches" for a side of this length; empty for the shortest sides.
 
     length_text: writes a length. All lengths are in millimeters.
     """
@@ -29,11 +29,11 @@ def longer_text(length: float, shortest: float, length_text: Callable[[float], s
 
 
 def longer_texts(lengths: Sequence[float], units: UnitSystem) -> list[str]:
-    """Of all sides of a seam."""
+    """Return the texts of all sides of a seam."""
     return [longer_text(length, min(lengths), units.text) for length in lengths]
 
 
-STRAIGHT = math.radians(1)  # crossing lines that differ less in straightness are alike
+STRAIGHT = math.radians(1)  # crossing lines with a smaller difference in straightness are alike
 SAME_LENGTH = 0.01  # millimeters
 AT_VERTEX = 1e-6  # millimeters along a side from one of its points: rounding
 
@@ -43,7 +43,7 @@ class SewnSide:
     """A side of a seam. All sides of the seam begin at the same vertex of the model."""
 
     side: Side
-    is_forward: bool  # as the outline runs
+    is_forward: bool  # in the direction of the outline
 
     @property
     def sources(self) -> np.ndarray:
@@ -58,25 +58,26 @@ class SewnSide:
         return lengths_along(self.points)
 
     def at(self, length: float) -> tuple[np.ndarray, np.ndarray]:
-        """The point at this length from the start, and the unit vector out of the piece there."""
+        """Return the point at this length from the start, and the unit vector out of the piece there."""
         along, points = self.along, self.points
         row = min(int(np.searchsorted(along, length, side="right")) - 1, len(points) - 2)
         share = (length - along[row]) / (along[row + 1] - along[row])
         nearest = row + round(share)
         steps = slice(row, row + 2)
         if abs(along[nearest] - length) < AT_VERTEX and 0 < nearest < len(points) - 1:
-            steps = slice(nearest - 1, nearest + 2)  # halfway between the steps on both sides: symmetric ones stay so
+            # halfway between the steps on both sides: symmetric places stay symmetric
+            steps = slice(nearest - 1, nearest + 2)
         normal = right_normals(points[steps]).sum(axis=0)
-        normal /= max(float(np.linalg.norm(normal)), np.finfo(float).tiny)  # 0 where the outline turns back on itself
+        normal /= max(float(np.linalg.norm(normal)), np.finfo(float).tiny)  # 0 if the outline turns back on itself
         return points[row] + share * (points[row + 1] - points[row]), normal if self.is_forward else -normal
 
 
 @dataclass(frozen=True)
 class SewnLengths:
-    """Lengths along a seam as it is sewn: along the shortest of its sides, which nothing is eased in of.
+    """Lengths along a seam as it is sewn: along its shortest side, which has no ease.
 
-    What is sewn together was one edge of the model, so that edges of the sides correspond one by one, and within an
-    edge lengths are to each other as the edges are: all that was eased of it is spread evenly.
+    The sides were one edge chain of the model, so their edges correspond one by one. Within an edge, lengths scale with
+    the edge, because its ease is spread evenly.
     """
 
     along: np.ndarray  # (k,) to each vertex of the seam
@@ -91,16 +92,16 @@ class SewnLengths:
         return float(self.along[-1])
 
     def on(self, side: SewnSide, place: float) -> float:
-        """The length along this side at which it is sewn to the others at this place."""
+        """Return the length along this side at which it is sewn to the others at this place."""
         return float(np.interp(place, self.along, side.along))
 
     def of_side(self, side: SewnSide, lengths: np.ndarray) -> np.ndarray:
-        """(p,) where lengths (p,) along this side are sewn."""
+        """Return where lengths (p,) along this side are sewn."""
         return np.interp(lengths, side.along, self.along)
 
 
 def sewn_sides(loops: Sequence[Sequence[Side]], count: int) -> list[list[SewnSide]]:
-    """Of each of the `count` seams the sides, over the outlines of all pieces."""
+    """Return the sides of each of the `count` seams, over the outlines of all pieces."""
     sides: list[list[Side]] = [[] for _ in range(count)]
     for loop in loops:
         for side in loop:
@@ -114,9 +115,10 @@ def _directed(side: Side, first: Side) -> SewnSide:
 
 
 def is_dart(first: Side, second: Side, widest: float) -> bool:
-    """Whether the two, one after the other on an outline, are the legs of a dart with its tip between them.
+    """Return whether two successive sides of an outline are the legs of a dart with its tip between them.
 
-    widest: angle in radians of the gap, at the tip and from there to the mouth; a wider one is the opening of a cone.
+    widest: largest angle of the gap in radians, at the tip and from there to the mouth; a wider gap is the opening of a
+    cone.
     """
     if first.seam is None or first.seam != second.seam or first.piece != second.piece:
         return False
@@ -131,7 +133,7 @@ def _angle(first: np.ndarray, second: np.ndarray) -> float:
 
 
 def turn_between(first: Side, second: Side) -> float:
-    """By how much the outline turns left where the second side follows the first, radians; at a slit's tip -pi."""
+    """Return the left turn of the outline from the first to the second side in radians; -pi at the tip of a slit."""
     (a,), (b,) = right_normals(first.points[-2:]), right_normals(second.points[:2])
     turn = math.atan2(a[0] * b[1] - a[1] * b[0], a @ b)
     return turn - 2 * math.pi if turn > math.pi - 1e-6 else turn
@@ -144,12 +146,12 @@ def _corners(loops: Sequence[Sequence[Side]]) -> Iterator[tuple[Side, Side]]:
 
 
 def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
-    """(junction's input vertex, seam) of the seams that are sewn before what crosses them at their end.
+    """Return (junction's input vertex, seam) of the seams that are sewn before those that cross them at their end.
 
-    What crosses a seam should run on straight over it once it is sewn: so at each junction first the seam over which
-    the two neighbors come nearest to a straight line, the shorter one of equals, then others that share no corner
-    with one chosen. Neighbors that are alike, as at the pole of a ball, are both left out: symmetry is kept. On both
-    sides of a seam the answer is the same, so that its two allowances end alike.
+    Once a seam is sewn, a line that crosses it should continue straight. At each junction, the first seam is therefore
+    the one over which its two neighbors are nearest to a straight line, or the shorter one of equals. Then follow
+    others that share no corner with a chosen one. Equal neighbors, as at the pole of a ball, are both left out, which
+    keeps symmetry. The answer is the same on both sides of a seam, so that its two allowances end alike.
     """
     angles: dict[int, dict[int, list[float]]] = defaultdict(lambda: defaultdict(list))
     beside: dict[tuple[int, int], set[int]] = defaultdict(set)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The outlines of a piece cut into sections of one width, with darts closed and a rule for each corner."""
+"""Cuts the outlines of a piece into sections of one width, closes darts, and finds a rule for each corner."""
 
 import math
 from collections.abc import Sequence
@@ -16,9 +16,9 @@ from .seams import is_dart, sewn_first
 from .widths import Widths
 
 Darts = Literal["close", "cut", "slit"]
-WIDEST_DART = math.radians(50)  # folded away in cloth; a wider gap, as of a cone, is cut out
-LEAST_GAP = 0.01  # millimeters: the legs of a narrower dart are one line, which no cut line can go round
-HIGHEST_CAP = 1.0  # times the mouth of the dart: a cap that leads farther out is left flat
+WIDEST_DART = math.radians(50)  # folded away in fabric; a wider gap, such as that of a cone, is cut out
+LEAST_GAP = 0.01  # millimeters: the legs of a narrower dart are one line, and no cut line fits between them
+HIGHEST_CAP = 1.0  # times the mouth of the dart: a cap that would extend farther is flat
 
 
 @dataclass(frozen=True)
@@ -42,25 +42,25 @@ class Dart:
 
     @property
     def mouth(self) -> np.ndarray:
-        """(2,2) where the legs begin on the outline."""
+        """Return the start of both legs on the outline (2,2)."""
         return np.array([self.first.points[0], self.second.points[-1]])
 
     @property
     def gap(self) -> float:
-        """The largest distance in millimeters between its legs."""
+        """Return the largest distance in millimeters between its legs."""
         return float(np.linalg.norm(self.first.points - self.second.points[::-1], axis=1).max())
 
 
 @dataclass(frozen=True)
 class Outline:
-    runs: list[Run]  # what is sewn or hemmed, in order
-    sections: list[Section]  # what the cut line goes round; none of a slit inside the piece
+    runs: list[Run]  # sewn or hemmed parts, in order
+    sections: list[Section]  # the parts of the cut line; none for a slit inside the piece
     darts: list[Dart]
     slits: list[np.ndarray]  # (k,2) each: darts without a gap that are cut along their legs
 
 
 class Rules:
-    """How allowances end at corners, and what becomes of darts."""
+    """How allowances end at corners, and how darts are cut."""
 
     def __init__(self, loops: Sequence[Sequence[Side]], corner: str, darts: str) -> None:
         if corner not in ("auto", *CORNER_TYPES):
@@ -72,10 +72,10 @@ class Rules:
         self._first = sewn_first(loops) if corner == "auto" else set()
 
     def corner(self, first: Side, second: Side) -> Corner:
-        """Between two sides of one outline.
+        """Return the corner between two sides of one outline.
 
-        What is sewn first is pressed open, so its allowance ends on the cut line of what crosses it; a hem is folded
-        up last, onto the allowances of the seams that end at it.
+        A seam that is sewn first is pressed open, so its allowance ends on the cut line of the crossing seam. A hem is
+        folded last, onto the allowances of the seams that end at it.
         """
         if self._corner != "auto":
             return Corner(self._corner)  # type: ignore[arg-type]
@@ -112,7 +112,7 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
         following = loop[(number + 1) % count]
         if rules.darts == "close" and is_leg(side):
             dart = next((dart for dart in darts if dart.first is side), None)
-            if dart and np.linalg.norm(dart.mouth[1] - dart.mouth[0]) > LEAST_GAP:  # else the outline runs on
+            if dart and np.linalg.norm(dart.mouth[1] - dart.mouth[0]) > LEAST_GAP:  # otherwise, the outline continues
                 before, after = by_side[number - 1][-1], by_side[(number + 2) % count][0]
                 sections.append(Section(_cap(dart, before, after), before.width or 0.0))
             continue
@@ -124,7 +124,7 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
 
 
 def _darts_of(loop: Sequence[Side]) -> list[Dart]:
-    """A slit inside a piece is two: it has two tips."""
+    """Return the darts. A slit inside a piece counts as two, because it has two tips."""
     pairs = [(side, loop[(number + 1) % len(loop)]) for number, side in enumerate(loop)]
     return [Dart(first, second) for first, second in pairs if is_dart(first, second, WIDEST_DART)]
 
@@ -139,9 +139,9 @@ def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:
 
 
 def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:
-    """(k,2) across the mouth of a dart: folded, it runs on as the outlines on both sides do.
+    """Return the line (k,2) across the mouth of a dart. Folded, it continues the outlines on both sides.
 
-    So each of these, reflected in the leg beside it, runs to the point where both meet.
+    Each of these, reflected in its leg, therefore continues to the point where both meet.
     """
     a, b = dart.mouth
     flat = np.array([a, b])

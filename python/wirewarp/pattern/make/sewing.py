@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An order in which the seams can be sewn: darts, then what stays flat, then rings, and last what closes a body.
+"""Finds an order in which the seams can be sewn: darts, flat seams, rings, and last those that close a body.
 
-Each assembly of pieces is kept as the closed loops of sides around it. Sewing two sides of different assemblies makes
-one that is still flat, and so does sewing two that follow each other on a loop. Other sides of one loop close a ring,
-such as a sleeve or a neckline.
+Each assembly of pieces is stored as the closed loops of sides around it. Sewing two sides of different assemblies makes
+one that is still flat, and so does sewing two successive sides of a loop. Other sides of one loop close a ring, such as
+a sleeve or a neckline.
 """
 
 from collections.abc import Mapping, Sequence
@@ -20,17 +20,17 @@ from .sections import WIDEST_DART
 
 RANKS: dict[StepKind, int] = {"dart": 0, "flat": 1, "ring": 2, "all around": 2, "closing": 3}
 Likeness = tuple[set[int], float]
-ROOM_FOR_GAP = 150.0  # millimeters: of a shorter seam a hand's width, 75 mm, would be more than half
+ROOM_FOR_GAP = 150.0  # millimeters: in a shorter seam, a hand's width of 75 mm would be more than half
 
 
 def sewing_steps(
     laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], names: Sequence[str]
 ) -> Steps[list[SewingStep]]:
-    """Each seam once. names: of the seams. A body of which nothing stays open has a gap to turn it through."""
+    """Return each seam once. names: of the seams. A body without an open edge has a gap through which it is turned."""
     first = sewn_first([loop for piece in laid for loop in piece.loops])
     waiting = {number: [own.side for own in sides] for number, sides in enumerate(seams) if len(sides) > 1}
     ends = {number: {int(sides[0].sources[0]), int(sides[0].sources[-1])} for number, sides in waiting.items()}
-    meeting: dict[int, set[int]] = {}  # by vertex of the model, the seams that wait and end there
+    meeting: dict[int, set[int]] = {}  # by vertex of the model: the waiting seams that end there
     for number, own in ends.items():
         for vertex in own:
             meeting.setdefault(vertex, set()).add(number)
@@ -56,7 +56,7 @@ def sewing_steps(
 
 
 def _gaps(laid: Sequence[Laid], seams: Mapping[int, Sequence[Side]]) -> set[int]:
-    """One seam of each body that has no open edge: the straightest of those that are long enough, else the longest."""
+    """Return one seam of each body without an open edge: the straightest that is long enough, otherwise the longest."""
     bodies = [{piece.index} for piece in laid]
     for sides in seams.values():
         joined = {side.piece for side in sides}
@@ -78,14 +78,14 @@ def _fitness(side: Side) -> tuple[bool, float]:
 
 
 def _likeness(sides: Sequence[Side]) -> Likeness:
-    """What a seam has in common with that on the other side of the body, which is sewn next: pieces and length."""
+    """Return what a seam shares with its counterpart on the other side, which is sewn next: pieces and length."""
     return {side.piece for side in sides}, round(float(sides[0].along[-1]), 1)
 
 
 class _Assemblies:
     def __init__(self, laid: Sequence[Laid]) -> None:
-        self._loops: dict[int, list[int]] = {}  # by number, the id() of each side, in order
-        self._of_side: dict[int, int] = {}  # by its id(), the loop of a side
+        self._loops: dict[int, list[int]] = {}  # by number: the id() of each side, in order
+        self._of_side: dict[int, int] = {}  # by the id() of a side: its loop
         self._assembly = list(range(len(laid)))  # by piece
         self._areas = [piece.area for piece in laid]  # by assembly
         self._legs: set[int] = set()  # the id() of each side of a dart
@@ -96,7 +96,7 @@ class _Assemblies:
                     self._legs |= {id(side), id(following)}
 
     def area(self, side: Side) -> float:
-        """Of the whole assembly that the side belongs to."""
+        """Return the area of the whole assembly to which the side belongs."""
         return self._areas[self._assembly[side.piece]]
 
     def kind(self, sides: Sequence[Side]) -> StepKind:
@@ -115,7 +115,7 @@ class _Assemblies:
         return "flat" if any(between) else "closing"
 
     def sew(self, sides: Sequence[Side]) -> StepKind:
-        """Sides beyond the second, as of a pocket, lie on these."""
+        """Sew two sides. Sides beyond the second, such as those of a pocket, are on top of these."""
         kind, (first, second) = self.kind(sides), sides[:2]
         if self._of_side[id(first)] == self._of_side[id(second)]:
             left = self._between(first, second)
@@ -136,13 +136,13 @@ class _Assemblies:
         self._of_side.update(dict.fromkeys(loop, number))
 
     def _after(self, side: Side) -> list[int]:
-        """The other sides of its loop, from its end on."""
+        """Return the other sides of its loop, from its end on."""
         loop = self._loops[self._of_side[id(side)]]
         at = loop.index(id(side))
         return loop[at + 1 :] + loop[:at]
 
     def _between(self, first: Side, second: Side) -> tuple[list[int], list[int]]:
-        """What lies between two sides of one loop, on both ways round."""
+        """Return the sides between two sides of one loop, in both directions."""
         after = self._after(first)
         at = after.index(id(second))
         return after[:at], after[at + 1 :]

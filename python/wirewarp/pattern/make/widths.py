@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How wide the allowance is along each edge of the outlines."""
+"""Widths of the allowance along each edge of the outlines."""
 
 import numpy as np
 import numpy.typing as npt
@@ -10,7 +10,7 @@ from .outline import Side
 
 
 class Widths:
-    """Widths of edges: of seams and other outlines in general, of single edges, and of single sides of these."""
+    """Widths of edges: general ones of seams and outlines, of single edges, and of single sides of edges."""
 
     def __init__(
         self,
@@ -29,7 +29,7 @@ class Widths:
         self._unused = set(self._both) | set(self._sides) | self._folds
 
     def of(self, side: Side) -> tuple[np.ndarray, np.ndarray]:
-        """(k-1,) the width outside of each step of the side, and whether it is a fold, where that is 0.
+        """Return the width (k-1,) outside of each step of the side, and whether it is a fold, which has width 0.
 
         Raises FlattenError for a fold that is sewn.
         """
@@ -43,7 +43,7 @@ class Widths:
         return np.where(folds, 0.0, widths), folds
 
     def check_all_used(self) -> None:
-        """Raises FlattenError if an edge of a given width was met on no outline."""
+        """Raises FlattenError if an edge with a given width is not on an outline."""
         if self._unused:
             edges = sorted(self._unused)
             message = f"Edge {edges[0][0]}-{edges[0][1]} has an allowance or a fold, but is on no outline of a piece."
@@ -56,7 +56,7 @@ class Widths:
 
 
 def _pairs(name: str, values: npt.ArrayLike | None) -> list[tuple[int, int]]:
-    """Edges. Raises FlattenError for what is no such table."""
+    """Return the edges of a table. Raises FlattenError for bad tables."""
     table = np.empty((0, 2)) if values is None else np.asarray(values)
     if table.size == 0 and table.ndim <= 2:
         table = table.reshape(-1, 2)
@@ -68,7 +68,7 @@ def _pairs(name: str, values: npt.ArrayLike | None) -> list[tuple[int, int]]:
 
 
 def _rows(name: str, values: npt.ArrayLike | None) -> dict[tuple[int, int], float]:
-    """Widths by vertex pairs. Raises FlattenError for what is no such table."""
+    """Return the widths of a table by vertex pairs. Raises FlattenError for bad tables."""
     if values is None:
         return {}
     try:

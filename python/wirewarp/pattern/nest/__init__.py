@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds markers: how the pieces lie on cloth."""
+"""Finds markers: places of the pieces on the cloth."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is nested: of every piece an outline with room around it, how it may be turned, and how many of it there are."""
+"""The items to nest: for each piece an outline with room around it, its allowed turns, and its number of copies."""
 
 import math
 from collections.abc import Generator, Iterable, Sequence
@@ -13,8 +13,8 @@ from ..geometry import GRID, Motion, signed_area
 from ..model import PatternPiece
 
 Grain = Literal["one way", "both ways", "free"]
-NEAR = 0.2  # millimeters: outlines are simplified by so much, outwards, for searches are quicker with fewer points
-ROUND = 0.01  # millimeters: by which an arc of straight lines is off
+NEAR = 0.2  # millimeters: tolerance of simplified outlines, outwards, because searches are faster with fewer points
+ROUND = 0.01  # millimeters: error of an arc of straight lines
 
 
 @dataclass(frozen=True)
@@ -22,8 +22,8 @@ class Item:
     piece: int  # its number
     mirrored: bool
     count: int
-    outline: np.ndarray  # (k,2) counterclockwise, mirrored already, with `room` around the piece
-    upright: float  # degrees by which it is turned so that its grain runs along the cloth
+    outline: np.ndarray  # (k,2) counterclockwise, already mirrored, with `room` around the piece
+    upright: float  # degrees by which the piece is turned so that its grain is along the cloth
     area: float  # of one piece, square millimeters
 
     def turned(self, angle: float) -> np.ndarray:
@@ -31,26 +31,26 @@ class Item:
 
 
 def angles(item: Item, grain: Grain, step: float) -> list[float]:
-    """Degrees by which the item may be turned; step: between those that are tried where it may be turned freely."""
+    """Return the allowed turns of the item in degrees. step: between the trials if it may be turned freely."""
     turns = {"one way": [0.0], "both ways": [0.0, 180.0], "free": np.arange(0.0, 360.0, step).tolist()}[grain]
     return [item.upright + turn for turn in turns]
 
 
 def room(gap: float) -> float:
-    """Around each piece, millimeters."""
+    """Return the room around each piece in millimeters."""
     return gap / 2 + NEAR
 
 
 def room_at_edges(gap: float, grain: Grain) -> float:
-    """What pieces may lie beyond the edges of the cloth with the room around them, millimeters.
+    """Return how far pieces with their room may extend beyond the edges of the cloth, in millimeters.
 
-    All of it where their widths are known; turned anyhow, a simplified outline may be narrower by NEAR.
+    This is the whole room if their widths are exact; a simplified outline in any direction may be narrower by NEAR.
     """
     return room(gap) - (NEAR if grain == "free" else 0.0)
 
 
 def items_of(pieces: Sequence[PatternPiece], gap: float, times: int) -> Generator[None, None, list[Item]]:
-    """In steps, one for each piece."""
+    """Do the work in steps, one for each piece."""
     found = []
     for piece in pieces:
         yield
@@ -73,7 +73,7 @@ def _upright(piece: PatternPiece) -> float:
 
 
 def _outline(piece: PatternPiece, gap: float, upright: float) -> np.ndarray:
-    """The cut line with room around it, exactly where it is widest when upright; parts that touch are one."""
+    """Return the cut line with room around it, exact at its widest if upright. Touching parts are united."""
     offset = pyclipper.PyclipperOffset(arc_tolerance=ROUND / GRID)
     for line in piece.of_role("cut"):
         path = np.rint(line.points / GRID).astype(np.int64)
@@ -86,9 +86,9 @@ def _outline(piece: PatternPiece, gap: float, upright: float) -> np.ndarray:
 
 
 def simplified(outline: np.ndarray, within: float, kept: Iterable[int]) -> np.ndarray:
-    """The closed outline (k,2) with fewer points, by Douglas and Peucker, none left out farther than `within` off.
+    """Return the closed outline (k,2) with fewer points, by Douglas and Peucker, with an error of at most `within`.
 
-    kept: points that are not left out, at least two.
+    kept: points that stay, at least two.
     """
     closed = np.concatenate([outline, outline[:1]])
     fixed = sorted({0, *kept})

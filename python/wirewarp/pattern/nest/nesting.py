@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds a marker: the shortest piece of cloth, or the fewest sheets, that the pieces of a pattern can be cut from."""
+"""Finds a marker: the shortest cloth, or the fewest sheets, from which the pieces of a pattern can be cut."""
 
 import math
 import time
@@ -22,9 +22,9 @@ from .items import Grain, Item, items_of, room_at_edges
 from .slide_packing import Place, SlidePacking, TooLargeError
 from .spyrrow_nesting import SpyrrowError, is_installed, searched
 
-WIDEST = 100_000.0  # millimeters: what is larger was given in another unit
+WIDEST = 100_000.0  # millimeters: a larger value was given in another unit
 MOST_GAP = 100.0
-MOST_PIECES = 10_000  # to be cut in all
+MOST_PIECES = 10_000  # number of pieces to cut in all
 LONGEST = 3600.0  # seconds
 
 Preview = Callable[[Marker], object]
@@ -32,15 +32,15 @@ Preview = Callable[[Marker], object]
 
 @dataclass(frozen=True)
 class Cloth:
-    """What the pieces are cut from, and how. Lengths are in millimeters."""
+    """The cloth and how it is cut. Lengths are in millimeters."""
 
     width: float
-    length: float | None  # of a sheet; None of a roll
+    length: float | None  # of a sheet; None for a roll
     gap: float
     grain: Grain
 
     def __post_init__(self) -> None:
-        """Takes whatever float() makes a number of. Raises FlattenError."""
+        """Convert all fields by float(). Raises FlattenError."""
         for name, least, most in (("width", 1.0, WIDEST), ("length", 1.0, WIDEST), ("gap", 0.0, MOST_GAP)):
             given = getattr(self, name)
             if given is not None or name != "length":
@@ -57,7 +57,7 @@ def nesting(
     units: UnitSystem,
     preview: Preview | None,
 ) -> Steps[Marker]:
-    """As Pattern.nesting; pieces: none of them half, on the fold."""
+    """Do the work of Pattern.nesting. pieces: none of them half a piece on the fold."""
     count = sum(sum(piece.quantity) for piece in pieces)
     if type(times) is not int or not 1 <= times * count <= MOST_PIECES:
         raise problem(f"times is {times!r}: give a whole number from 1, for at most {MOST_PIECES} pieces in all.")
@@ -71,7 +71,7 @@ def nesting(
     search = _Search(pieces, cloth, times, units)
     best: Marker | None = None
     try:
-        with closing(search.markers(seconds)) as markers:  # whatever is raised, no process searches on
+        with closing(search.markers(seconds)) as markers:  # whatever is raised, no process continues to search
             for marker in markers:
                 yield "nesting", share()
                 if marker and (best is None or _extent(marker) < _extent(best)):
@@ -102,8 +102,9 @@ class _Search:
         self._width = cloth.width + 2 * self._room
 
     def markers(self, seconds: float) -> Generator[Marker | None, None, None]:
-        """At first one; None where there is nothing new after a short time. Raises FlattenError if a piece is larger
-        than the cloth.
+        """Yield markers, or None after a short time without a new one.
+
+        Raises FlattenError for a piece larger than the cloth.
         """
         self._items = yield from items_of(self._pieces, self._cloth.gap, self._times)
         asks_spyrrow = self._cloth.length is None and seconds > 0 and is_installed()

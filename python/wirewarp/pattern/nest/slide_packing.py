@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packs pieces without a library: each slides along the cloth until it touches those that lie there already.
+"""Packs pieces without a library: each slides along the cloth until it touches those already placed.
 
-The cloth is divided into narrow rows along it, of which each knows how far it is taken; a piece knows where it begins
-and ends in each row that it covers. Gaps behind pieces stay empty. Other orders are tried while there is time.
+The cloth is divided into narrow rows along it. Each row stores how far it is used, and a piece knows its start and end
+in each row that it meets. Gaps behind pieces stay empty. Other orders are tried while there is time.
 """
 
 import math
@@ -13,28 +13,28 @@ import numpy as np
 
 from .items import Grain, Item, angles
 
-ROWS = 400  # of a cloth of 1.5 m each is 4 mm wide
-FREE_STEP = 30.0  # degrees between the turns that are tried where all are allowed
+ROWS = 400  # of 4 mm each on a cloth of 1.5 m
+FREE_STEP = 30.0  # degrees between the trials if all turns are allowed
 
 
 @dataclass(frozen=True)
 class Place:
-    """Where an item lies, in the cloth with room at its edges."""
+    """Place of an item on the cloth, including the room at its edges."""
 
     item: int
     angle: float
-    at: np.ndarray  # (2,) of the item's origin
+    at: np.ndarray  # (2,) place of the item's origin
     sheet: int
 
 
 @dataclass(frozen=True)
 class _Profile:
-    """Of an item that is turned."""
+    """A turned item."""
 
     angle: float
-    low: np.ndarray  # (r,) where it begins in each row that it covers, from its lowest point
+    low: np.ndarray  # (r,) start in each row that it meets, from its lowest point
     high: np.ndarray  # (r,)
-    corner: np.ndarray  # (2,) the lowest corner of its box
+    corner: np.ndarray  # (2,) lowest corner of its box
 
     @property
     def height(self) -> float:
@@ -50,14 +50,14 @@ class TooLargeError(Exception):
 
 class SlidePacking:
     def __init__(self, items: Sequence[Item], grain: Grain, width: float, length: float) -> None:
-        """length: of a sheet; infinite of a roll."""
+        """length: of a sheet; infinite for a roll."""
         self._items, self._grain, self._length = items, grain, length
         self._row = width / ROWS
         self._profiles: list[list[_Profile]] = []
         self._random = np.random.default_rng(0)
 
     def trials(self) -> Generator[list[Place] | None, None, None]:
-        """Without end: packings, each in another order, which is kept where it takes no more cloth; None on the way.
+        """Yield packings without end, each in another order, which is kept if it needs no more cloth; None in between.
 
         Raises TooLargeError if an item does not fit.
         """
@@ -81,7 +81,7 @@ class SlidePacking:
             tried[first], tried[second] = tried[second], tried[first]
 
     def _packed(self, order: Sequence[int]) -> Generator[None, None, tuple[list[Place], tuple[int, float]]]:
-        """With the number of sheets and the length that is used of the last one."""
+        """Return the packing with the number of sheets and the used length of the last one."""
         fronts: list[np.ndarray] = []
         places = []
         for index in order:
@@ -99,13 +99,14 @@ class SlidePacking:
         return places, (len(fronts), float(fronts[-1].max()))
 
     def _best(self, index: int, front: np.ndarray) -> tuple[_Profile, int, float] | None:
-        """How it is turned, the first row, and where in these it lies: where it ends earliest, and wastes least."""
+        """Return the turn, the first row and the place that end earliest and waste least."""
         best, found = (math.inf, math.inf), None
         for profile in self._profiles[index]:
             taken = np.lib.stride_tricks.sliding_window_view(front, len(profile.low))
             y = (taken - profile.low).max(axis=1)
             end = np.round(y + profile.height, 1)
-            wasted = np.round((y[:, None] + profile.low - taken).mean(axis=1))  # in whole millimeters: else left first
+            # in whole millimeters; the leftmost of equals
+            wasted = np.round((y[:, None] + profile.low - taken).mean(axis=1))
             row = int(np.lexsort((wasted, end))[0])
             rank = (float(end[row]), float(wasted[row]))
             if y[row] + profile.height <= self._length + 1e-9 and rank < best:
@@ -120,7 +121,7 @@ def _profile(item: Item, angle: float, row: float) -> _Profile:
     rows = max(math.ceil(points[:, 0].max() / row - 1e-9), 1)
     low, high = np.full(rows, math.inf), np.full(rows, -math.inf)
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
-        # Cut at the borders of rows, so that each part lies in one of them.
+        # Cut at the borders of rows, so that each part is in one of them.
         left, right = sorted((a[0], b[0]))
         borders = row * np.arange(math.floor(left / row) + 1, math.ceil(right / row))
         shares = np.sort((borders - a[0]) / (b[0] - a[0])) if len(borders) else np.empty(0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nesting by spyrrow, where it is installed, in a process that can be stopped."""
+"""Nests with spyrrow, if it is installed, in a process that can be stopped."""
 
 import importlib.util
 import json
@@ -18,13 +18,13 @@ from .items import Grain, Item, angles
 from .slide_packing import Place
 
 PROGRAM = Path(__file__).with_name("spyrrow_process.py")
-OFTEN = 0.02  # seconds between looks for what is found
-OVERTIME = 5.0  # seconds for which a search that does not end by itself is waited for
-NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # of Windows, which shows a console otherwise
+OFTEN = 0.02  # seconds between checks for results
+OVERTIME = 5.0  # seconds to wait for a search that does not end by itself
+NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # only on Windows, which shows a console otherwise
 
 
 class SpyrrowError(Exception):
-    """str() says what it stumbled over."""
+    """Raised with the error of spyrrow in str()."""
 
 
 def is_installed() -> bool:
@@ -34,9 +34,9 @@ def is_installed() -> bool:
 def searched(
     items: Sequence[Item], grain: Grain, width: float, seconds: float
 ) -> Generator[list[Place] | None, None, None]:
-    """Ever better places on a roll; None every now and then while there are no new ones.
+    """Yield better and better places on a roll; None at intervals without new ones.
 
-    The search ends when its time is over, and when the iterator is closed. Raises SpyrrowError.
+    The search ends when its time is over or the iterator is closed. Raises SpyrrowError.
     """
     spec = importlib.util.find_spec("spyrrow")
     assert spec is not None and spec.origin is not None
@@ -46,7 +46,7 @@ def searched(
         "seconds": max(math.ceil(seconds), 1),
         "items": [_described(item, grain) for item in items],
     }
-    # Files, for without a thread of our own a pipe cannot be looked into on every system.
+    # Files, because not every system can check a pipe for data without a thread.
     with TemporaryDirectory(prefix="wirewarp-") as folder:
         given, found, said = (Path(folder) / name for name in ("given", "found", "said"))
         given.write_text(json.dumps(task), encoding="utf-8")
@@ -72,7 +72,7 @@ def searched(
 
 
 def _described(item: Item, grain: Grain) -> dict[str, object]:
-    """Its strip has x along the cloth: everything is turned by -90 degrees there."""
+    """Return the task of spyrrow, whose strip has x along the cloth: everything is turned by -90 degrees there."""
     allowed = None if grain == "free" else [angle % 360.0 for angle in angles(item, grain, math.inf)]
     return {"outline": item.turned(-90.0).tolist(), "count": item.count, "angles": allowed}
 
@@ -84,9 +84,9 @@ def _read(
     end, line, has_ended = time.monotonic() + seconds, b"", False
     with found.open("rb") as lines:
         while not has_ended and time.monotonic() < end:
-            has_ended = process.poll() is not None  # before the last look
+            has_ended = process.poll() is not None  # before the last check
             for part in lines:
-                line += part  # the last one may not be whole yet
+                line += part  # the last line may be incomplete
                 if line.endswith(b"\n"):
                     places, line = json.loads(line), b""
                     yield [Place(number, turn, back.points(np.array([x, y])), 0) for number, turn, x, y in places]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A program, not a module: runs spyrrow, and prints each better solution as a line of JSON.
 
-Its argument is the file with the task, in a folder of its own; spyrrow_nesting.py starts it.
-In a process of its own, because spyrrow cannot be stopped, and because what it stumbles over ends its process.
+Its argument is the file with the task, in a folder of its own; spyrrow_nesting.py starts it. It is a process of its
+own, because spyrrow cannot be stopped and a panic ends its process.
 """
 
 import json
@@ -14,7 +14,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-OFTEN = 0.1  # seconds between looks for better solutions
+OFTEN = 0.1  # seconds between checks for better solutions
 
 
 def main() -> None:
@@ -29,7 +29,7 @@ def main() -> None:
         for number, each in enumerate(task["items"])
     ]
     instance = spyrrow.StripPackingInstance("", task["width"], items)
-    # One seed, for the sake of it: the time limit makes every search another one.
+    # A fixed seed for consistency, although the time limit makes each search different.
     config = spyrrow.StripPackingConfig(total_computation_time=task["seconds"], seed=1)
     reports = spyrrow.ProgressQueue()
     failures: list[BaseException] = []
@@ -53,16 +53,16 @@ def main() -> None:
 
 
 def _end_with_caller(folder: Path) -> None:
-    """Nobody writes to the standard input: it ends when whoever has started this ends, however that happens."""
+    """End with the caller: the standard input, to which nobody writes, ends with the process that started this one."""
     os.read(0, 1)  # sys.stdin would be locked when Python ends
-    shutil.rmtree(folder, ignore_errors=True)  # Windows keeps the files that this process has open
+    shutil.rmtree(folder, ignore_errors=True)  # Windows keeps files that this process has open
     os._exit(1)
 
 
 def _solve(instance: Any, config: object, reports: object, failures: list[BaseException]) -> None:  # noqa: ANN401
     try:
         instance.solve(config, reports)
-    except BaseException as error:  # a panic of Rust is no Exception
+    except BaseException as error:  # a panic of Rust is not an Exception
         failures.append(error)
 
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Papers, what is printed on them, and how lines look in every format."""
+"""Papers, their content, and the look of lines in every format."""

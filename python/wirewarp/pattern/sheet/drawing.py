@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A pattern as strokes and texts by role: what every writer draws."""
+"""A pattern as strokes and texts by role, which every writer draws."""
 
 import math
 from collections.abc import Iterator
@@ -12,17 +12,17 @@ from ..model import PatternPiece, Text
 
 
 class Look(NamedTuple):
-    layer: str  # of SVG and PDF
+    layer: str  # in SVG and PDF
     color: str
     stroke: float  # millimeters
     dashes: tuple[float, ...]
-    dxf_layer: str  # of apparel DXF, ASTM D6673
-    dxf_color: int  # of plain DXF: AutoCAD's color index
+    dxf_layer: str  # in apparel DXF, ASTM D6673
+    dxf_color: int  # in plain DXF: AutoCAD's color index
     pen: int  # of plotters
-    label: str = ""  # in the key of lines; "" of what needs none
+    label: str = ""  # in the key of lines; "" for lines without an entry
 
 
-# Colors differ enough for cutters' programs to distinguish them by the nearest of their own.
+# Colors differ enough for programs of cutters that replace each by the nearest of their own.
 LOOKS = {
     "cut": Look("Cut", "#000000", 0.5, (), "1", 1, 1, "Cutting line"),
     "inner_cut": Look("Cut", "#000000", 0.5, (), "11", 1, 1),
@@ -47,7 +47,7 @@ LAYERS = tuple(dict.fromkeys(look.layer for look in LOOKS.values()))
 
 
 ARROW = 6.0  # millimeters: length of the heads of grain arrows
-CROSS = 4.0  # across the cross in a hole to drill
+CROSS = 4.0  # size of the cross in a drill hole
 
 
 @dataclass(frozen=True)
@@ -63,11 +63,11 @@ class Stroke:
 
 
 def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
-    """Everything of a piece but its texts; cut lines last, so that inner lines are cut first, holes before outlines."""
+    """Return everything of a piece but its texts. Cut lines are last, so that inner lines are cut before outlines."""
     for line in sorted(piece.lines, key=lambda line: (line.role == "cut", line.role == "inner_cut")):
         if line.role == "cut":
             break
-        if line.role == "sew" and line.width == 0:  # the cut line lies on it
+        if line.role == "sew" and line.width == 0:  # the cut line is the same line
             continue
         role = WIRES[line.kind] if line.role == "wire" else line.role
         yield Stroke(role, line.points, line.closed, line.name)
@@ -83,7 +83,7 @@ def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
 
 
 def _arrow_heads(line: np.ndarray) -> list[np.ndarray]:
-    """(3,2) at each end of the line."""
+    """Return a head (3,2) for each end of the line."""
     heads = []
     for tip, other in (line, line[::-1]):
         back = (other - tip) / np.linalg.norm(other - tip) * min(ARROW, np.linalg.norm(other - tip) / 3)
@@ -98,7 +98,7 @@ def _cross(at: np.ndarray, size: float) -> list[np.ndarray]:
 
 
 def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.ndarray]]:
-    """Each line of the text and the middle (2,) of its base line, the text turned about its center."""
+    """Return each line of the text and the middle (2,) of its base line, with the text turned about its center."""
     angle = math.radians(text.angle)
     up = np.array([-math.sin(angle), math.cos(angle)])
     for line, below in base_lines(text, line_height):
@@ -106,7 +106,7 @@ def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.
 
 
 def base_lines(text: Text, line_height: float) -> Iterator[tuple[str, float]]:
-    """Each line of the text and how far its base line is below the center, in millimeters."""
+    """Return each line of the text and the distance of its base line below the center, in millimeters."""
     for number, line in enumerate(text.lines):
         below = line_height * (number - (len(text.lines) - 1) / 2) + 0.36  # capitals are 0.72 of the size high
         yield line, below * text.height

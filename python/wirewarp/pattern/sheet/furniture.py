@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is printed beside the pieces: squares and bars to measure, marks to join sheets, and a map of these."""
+"""Prints squares and bars to measure, marks that join sheets, and a map of the sheets."""
 
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -18,7 +18,7 @@ from .tiles import Tile, Tiles
 
 SIZE = np.array([166.0, 158.0])  # millimeters that the squares and bars take; fits on A4 and Letter
 CORNER = 4.0
-NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0  # millimeters: heights of the name of a sheet and of those of its neighbors
+NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0  # millimeters: height of the name of a sheet, and of the names of its neighbors
 KEY = (18.0, 150.0)  # millimeters from the lower left corner of all this to the upper left one of the key of lines
 KEY_ROWS, KEY_WIDTH, KEY_HEIGHT, KEY_SAMPLE, KEY_TEXT = 3, 44.0, 7.0, 12.0, 3.0
 TICK = 3.0
@@ -36,7 +36,7 @@ class Marks(NamedTuple):
 
 
 def scale_marks(pattern: PatternData, corner: np.ndarray) -> Marks:
-    """Squares and bars to measure, the allowance, and a key of the lines; corner (2,): their lower left one."""
+    """Return squares and bars to measure, the allowance, and a key of the lines. corner (2,): lower left corner."""
     strokes, texts = _scale_block(corner, pattern.units)
     key = _key_of_lines(pattern, corner + KEY)
     included = f"Allowance included: {pattern.allowance_text}"
@@ -45,7 +45,7 @@ def scale_marks(pattern: PatternData, corner: np.ndarray) -> Marks:
 
 
 def _key_of_lines(pattern: PatternData, corner: np.ndarray) -> Marks:
-    """A sample of each kind of line that is drawn; corner (2,): the upper left one."""
+    """Return a sample of each kind of line that is drawn. corner (2,): upper left corner."""
     roles = {stroke.role for piece in pattern.pieces for stroke in strokes_of(piece)}
     shown = [role for role, look in LOOKS.items() if look.label and role in roles]
     strokes, texts = [], []
@@ -79,7 +79,7 @@ def _scale_block(corner: np.ndarray, units: UnitSystem) -> tuple[list[Stroke], l
 
 
 def _bar(origin: np.ndarray, length: float, along: np.ndarray) -> Iterator[Stroke]:
-    """With a tick at both ends, whose distance is the length."""
+    """Return a bar with a tick at both ends, whose distance is the length."""
     aside = np.array([-along[1], along[0]]) * TICK
     yield Stroke("scale", np.array([origin, origin + length * along]))
     for end in (origin, origin + length * along):
@@ -87,7 +87,7 @@ def _bar(origin: np.ndarray, length: float, along: np.ndarray) -> Iterator[Strok
 
 
 def grid_marks(pattern: PatternData, size: np.ndarray) -> Marks:
-    """Lines over the whole page, size (2,) large, by which a projector is adjusted."""
+    """Return lines over the whole page, of size (2,), for adjusting a projector."""
     step, (width, height) = GRID_STEP[pattern.units.name], size
     lines = [[[x, 0.0], [x, height]] for x in np.arange(step, width, step)]
     lines += [[[0.0, y], [width, y]] for y in np.arange(step, height, step)]
@@ -95,7 +95,7 @@ def grid_marks(pattern: PatternData, size: np.ndarray) -> Marks:
 
 
 def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
-    """The frame, its name, diamonds that two sheets complete, and which sheet comes at which side."""
+    """Return the frame, its name, diamonds that two sheets complete, and the names of the neighbors."""
     low, high = np.array([MARGIN, MARGIN]), MARGIN + plan.shown
     strokes = [Stroke("sheet", low + plan.shown * UNIT, True)]
     texts = [_own_name(plan, row, column)]
@@ -109,7 +109,7 @@ def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
     )
     for direction, (other_row, other_column), at in sides:
         if plan.overlap and (other_row, other_column) in printed:
-            # Both sheets show the whole overlap, so the diamond in its middle lies on itself.
+            # Both sheets show the whole overlap, so the two diamonds in its middle coincide.
             strokes.append(Stroke("sheet", at + OVERLAP / 2 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1]]), True))
             aside = np.array([direction[1], direction[0]])
             angle = 90.0 if direction[0] else 0.0
@@ -119,7 +119,7 @@ def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
 
 
 def _own_name(plan: Tiles, row: int, column: int) -> Text:
-    """ "C3 of 11" in a corner of the sheet where no piece is cut, if there is one."""
+    """Return "C3 of 11" for a corner of the sheet without a piece, if there is one."""
     low = next(tile.low for tile in plan.tiles if (tile.row, tile.column) == (row, column))
     words = f"{sheet_name(row, column)} of {len(plan.tiles)}"
     inset = np.array([text_width(words, NAME_TEXT) / 2 + 2.0, 7.0])
@@ -132,7 +132,7 @@ def _own_name(plan: Tiles, row: int, column: int) -> Text:
 
 
 def part_marks(corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool) -> Marks:
-    """The edges of a part of a marker, size (2,) large, and which pages go on below and above; page: its number."""
+    """Return the edges of a part of a marker, of size (2,), and the pages above and below. page: its number."""
     texts = [
         Text((f"{what} page {other}",), corner + (size[0] / 2, y), 4.0)
         for is_joined, what, other, y in (
@@ -145,7 +145,7 @@ def part_marks(corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, 
 
 
 def map_marks(plan: Tiles, paper: np.ndarray) -> list[Marks]:
-    """A first page: title and advice, the sheets with the pieces on them, and what is to be measured."""
+    """Return a first page: title and advice, the sheets with the pieces on them, and the squares to measure."""
     pattern = plan.pattern
     top = paper[1] - MARGIN
     room = np.array([paper[0] - 2 * MARGIN, top - 31 - MARGIN - SIZE[1]])

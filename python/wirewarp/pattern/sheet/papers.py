@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Papers that patterns are printed on, by the names that makers know."""
+"""Papers for patterns, by their usual names."""
 
 from dataclasses import dataclass
 
@@ -11,7 +11,7 @@ from ..units import INCH
 SHEETS = {
     "a4": (210.0, 297.0),
     "letter": (8.5 * INCH, 11 * INCH),
-    "a4-letter": (210.0, 11 * INCH),  # what fits on both
+    "a4-letter": (210.0, 11 * INCH),  # fits on both
     "a3": (297.0, 420.0),
     "tabloid": (11 * INCH, 17 * INCH),
     "a0": (841.0, 1189.0),
@@ -19,20 +19,20 @@ SHEETS = {
 ROLLS = {"36in": 36 * INCH, "24in": 24 * INCH}
 PROJECTOR = "projector"
 LONGEST = 5000.0  # millimeters: PDF viewers support pages up to 5.08 m
-MARGIN = 10.0  # few printers reach nearer to the edge of a sheet
+MARGIN = 10.0  # few printers print nearer to the edge of a sheet
 
 
 @dataclass(frozen=True)
 class Page:
-    """A page of a file to print, and what it shows of the pattern. Lengths are in millimeters."""
+    """A page of a file to print, and its part of the pattern. Lengths are in millimeters."""
 
-    name: str  # "A1" of sheets to tape together, else its number
+    name: str  # "A1" for sheets to tape together, otherwise its number
     low: np.ndarray  # (2,) lower left corner
-    size: np.ndarray  # (2,) width and height: of sheets without their margins
+    size: np.ndarray  # (2,) width and height; for sheets without their margins
 
 
 def sheet_name(row: int, column: int) -> str:
-    """ "A1" is the first sheet of the top row; after row Z comes row AA."""
+    """Return the name of a sheet: "A1" is the first one of the top row; row AA follows row Z."""
     letters = ""
     row += 1
     while row:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plans the sheets of a PDF: what each shows of the pattern and prints beside it. The kind of paper is asked once."""
+"""Plans the sheets of a PDF: the parts of the pattern and the marks on each. Only this module distinguishes papers."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -28,8 +28,8 @@ from .furniture import (
 from .papers import LONGEST, MARGIN, PROJECTOR, SHEETS, Page, roll_width
 from .tiles import divided
 
-PROJECTED = 0.5  # millimeters: thinner lines look dotted under a projector
-BORDER = 5.0  # millimeters round a piece's box: notches and letters may reach over it
+PROJECTED = 0.5  # millimeters: a projector shows thinner lines as dots
+BORDER = 5.0  # millimeters around a piece's box, for notches and letters that extend beyond it
 AT_MARGIN = np.array([MARGIN, MARGIN])
 P = TypeVar("P", bound=PatternData)
 
@@ -37,21 +37,21 @@ P = TypeVar("P", bound=PatternData)
 @dataclass(frozen=True)
 class Sheet(Page):
     paper: np.ndarray  # (2,) width and height, margins included
-    corner: np.ndarray  # (2,) of the paper where `low` comes to lie
-    pieces: Sequence[int]  # indices of those that it shows
-    marks: Callable[[], list[Marks]]  # only made where they are drawn
-    is_clipped: bool = False  # to what it shows
+    corner: np.ndarray  # (2,) place of `low` on the paper
+    pieces: Sequence[int]  # indices of the pieces on it
+    marks: Callable[[], list[Marks]]  # called only when they are drawn
+    is_clipped: bool = False  # the drawing is clipped to the shown part
 
 
 @dataclass(frozen=True)
 class Plan(Generic[P]):
-    pattern: P  # as it lies on the sheets
+    pattern: P  # in its places on the sheets
     sheets: list[Sheet]
-    layers: tuple[str, ...] = ()  # beside those of pieces
-    hidden: tuple[str, ...] = ()  # those that are shown only on request
+    layers: tuple[str, ...] = ()  # in addition to those of pieces
+    hidden: tuple[str, ...] = ()  # layers that are shown only on request
     thinnest: float = 0.0  # millimeters, of all lines
-    cover: Sheet | None = None  # comes first, and shows a map of the others
-    text_sheets: Sheets | None = None  # where sheets are taped together: those that texts should stay on
+    cover: Sheet | None = None  # the first page, with a map of the others
+    text_sheets: Sheets | None = None  # sheets to tape together; texts should stay on one of them
 
     @property
     def all_sheets(self) -> list[Sheet]:
@@ -59,7 +59,7 @@ class Plan(Generic[P]):
 
 
 def plan(pattern: P, paper: str | float | None, keep_places: bool) -> Plan[P]:
-    """paper and keep_places: as write_pdf takes them. Raises FlattenError for what does not fit on the paper."""
+    """Return the plan. paper and keep_places: as for write_pdf. Raises FlattenError if it does not fit on the paper."""
     if paper is None:
         paper = page_width(pattern.marker, None, pattern.units) if pattern.marker else "a4"
     width = roll_width(paper)
@@ -69,7 +69,7 @@ def plan(pattern: P, paper: str | float | None, keep_places: bool) -> Plan[P]:
 
 
 def _one_page(pattern: P) -> Plan[P]:
-    """All on one page as large as it takes, with a grid that is hidden at first."""
+    """Plan one page of the necessary size, with a grid that is hidden at first."""
     size: np.ndarray = np.maximum(pattern.size, (SIZE[0], 0)) + 2 * MARGIN + (0, SIZE[1])
     if size.max() > LONGEST:
         width, height, most = (pattern.units.text(float(side)) for side in (*size, LONGEST))
@@ -87,13 +87,13 @@ def _one_page(pattern: P) -> Plan[P]:
 
 
 def _roll(pattern: P, width: float, keep_places: bool) -> Plan[P]:
-    """Pages as wide as the roll, on which pieces stay whole."""
+    """Plan pages as wide as the roll, on which pieces stay whole."""
     arranged = _on_roll(pattern, width, keep_places)
     sheets = []
     for number, pieces in enumerate(_pages_of_rows(arranged.pieces)):
         bounds = np.array([arranged.pieces[index].bounds for index in pieces])
         low, high = bounds[:, 0, 1].min(), bounds[:, 1, 1].max()
-        block = SIZE[1] if number == 0 else 0.0  # what is to be measured
+        block = SIZE[1] if number == 0 else 0.0  # the squares to measure
         size = np.array([width, high - low + 2 * MARGIN + block])
         marks = partial(_scale_on_first, arranged, number)
         corner = np.array([-MARGIN, low - MARGIN - block])
@@ -106,7 +106,7 @@ def _scale_on_first(pattern: PatternData, number: int) -> list[Marks]:
 
 
 def _on_roll(pattern: P, width: float, keep_places: bool) -> P:
-    """With the pieces in rows across the roll, or in their places. Raises FlattenError for what is too large for it."""
+    """Return the pieces in rows across the roll, or in their places. Raises FlattenError if one is too large for it."""
     inner, units = width - 2 * MARGIN, pattern.units
     for piece in pattern.pieces:
         if piece.size[0] > inner or piece.size[1] > LONGEST - 2 * MARGIN - SIZE[1]:
@@ -128,7 +128,7 @@ def _on_roll(pattern: P, width: float, keep_places: bool) -> P:
 
 
 def _pages_of_rows(pieces: Sequence[PatternPiece]) -> list[list[int]]:
-    """The indices of the pieces of each page, none longer than PDF viewers support."""
+    """Return the indices of the pieces of each page, none longer than PDF viewers support."""
     pages: list[list[int]] = []
     low = 0.0
     room = LONGEST - 2 * MARGIN - SIZE[1]
@@ -142,7 +142,10 @@ def _pages_of_rows(pieces: Sequence[PatternPiece]) -> list[list[int]]:
 
 
 def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
-    """roll: the width of the paper; None for one as wide as it takes. Raises FlattenError for a narrower one."""
+    """Return the width of the page.
+
+    roll: that of the paper; None for the necessary one. Raises FlattenError if too narrow.
+    """
     needed = max(marker.width, float(SIZE[0])) + 2 * MARGIN
     if roll is not None and roll < needed - 1e-6:
         raise problem(
@@ -157,7 +160,7 @@ def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
 
 
 def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
-    """The cloth with its edges, on pages as wide as the roll of paper; where it is longer than these, they overlap."""
+    """Plan the cloth with its edges, on pages as wide as the roll of paper. Pages of a longer cloth overlap."""
     page_width(marker, width, pattern.units)
     length = marker.length if marker.sheet_length is None else marker.sheet_length
     most = LONGEST - 2 * MARGIN - SIZE[1]
@@ -194,7 +197,7 @@ def _marker_marks(
 
 
 def _tiles(pattern: P, paper: str, keep_places: bool) -> Plan[P]:
-    """A first page with a map and what is to be measured, then the sheets."""
+    """Plan a first page with a map and squares to measure, then the sheets."""
     tiles = divided(pattern, paper, keep_places)
     upright = np.array(SHEETS[paper])
     cover = Sheet("", np.zeros(2), upright, upright, np.zeros(2), (), partial(map_marks, tiles, upright))
@@ -216,6 +219,6 @@ def _tiles(pattern: P, paper: str, keep_places: bool) -> Plan[P]:
 
 
 def _met(pieces: Sequence[PatternPiece], low: np.ndarray, high: np.ndarray) -> list[int]:
-    """The indices of the pieces whose box, with its border, meets the one from low (2,) to high (2,)."""
+    """Return the indices of the pieces whose box, with its border, meets the one from low (2,) to high (2,)."""
     boxes = (piece.bounds for piece in pieces)
     return [n for n, box in enumerate(boxes) if np.all(box[0] - BORDER < high) and np.all(box[1] + BORDER > low)]

@@ -15,8 +15,8 @@ from ..units import UnitSystem
 from .papers import MARGIN
 
 HEIGHT, LINE = 3.2, 5.0  # millimeters: of letters and between the base lines of rows
-COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # where they begin, as shares of the width
-SHOWN = 0.0005  # millimeters: what differs less reads 0.000 mm
+COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # starts of the columns, as shares of the width
+SHOWN = 0.0005  # millimeters: a smaller difference reads 0.000 mm
 CLOTHS = (900.0, 1400.0, 1500.0)  # millimeters: usual widths
 AT_ONCE = 6  # places of notches in a row
 SHORTENED = "..."
@@ -24,7 +24,7 @@ Row = Sequence[str]
 
 
 def proof_pages(pattern: PatternData, paper: np.ndarray) -> list[list[Text]]:
-    """The texts of as many pages of this size (2,) as it takes."""
+    """Return the texts of the necessary number of pages of this size (2,)."""
     parts = [_piece_rows(pattern), _measure_rows(pattern), _step_rows(pattern), _seam_rows(pattern)]
     rows = [row for part in parts if part for row in ((), *part)][1:]
     at_once = max(int((paper[1] - 2 * MARGIN) / LINE), 1)
@@ -51,7 +51,7 @@ def _piece_rows(pattern: PatternData) -> list[Row]:
 
 
 def _measure_rows(pattern: PatternData) -> list[Row]:
-    """What the finished work measures along its rigid wires."""
+    """Return the lengths of rigid wires in the finished work."""
     if not pattern.measures:
         return []
     rows = [("", name, pattern.units.measured(length)) for name, length in pattern.measures]
@@ -59,7 +59,7 @@ def _measure_rows(pattern: PatternData) -> list[Row]:
 
 
 def _step_rows(pattern: PatternData) -> list[Row]:
-    """An order in which the seams can be sewn."""
+    """Return an order in which the seams can be sewn."""
     rows = [(f"{number}  {step.seam}", _step_text(step)) for number, step in enumerate(pattern.steps, start=1)]
     if rows and any(step.has_gap for step in pattern.steps):
         rows.append((f"{len(rows) + 1}", "Turn the work through the gap and close the gap by hand"))
@@ -80,10 +80,10 @@ def _step_text(step: SewingStep) -> str:
 
 
 def _seam_rows(pattern: PatternData) -> list[Row]:
-    """The sides of each seam, one a row, how far the longest is from the shortest, and where their notches stand."""
+    """Return a row for each side of each seam, the difference between their lengths, and the notches."""
     rows: list[Row] = [("Seam", "Side", "Sewn length", "Allowance", "Difference")]
     for walk in pattern.walks:
-        if not walk.lengths:  # of pieces without a layout
+        if not walk.lengths:  # pieces without a layout
             continue
         difference = max(walk.lengths) - min(walk.lengths)
         sides = zip(walk.pieces, walk.lengths, walk.allowances, strict=True)
@@ -98,7 +98,7 @@ def _seam_rows(pattern: PatternData) -> list[Row]:
 
 
 def _notch_rows(walk: SeamWalk, units: UnitSystem) -> list[Row]:
-    """Where the notches of a seam stand, from the same end on all sides; of each side where it has others."""
+    """Return the places of notches of a seam from the same end on all sides, separately for sides that differ."""
     sides = [[units.measured(place) for place in places] for places in walk.notches]
     if not any(sides):
         return []
@@ -109,7 +109,7 @@ def _notch_rows(walk: SeamWalk, units: UnitSystem) -> list[Row]:
 
 
 def _in_lines(begin: str, places: Sequence[str]) -> list[Row]:
-    """So many in each row as fit."""
+    """Return rows with as many as fit."""
     lines = [", ".join(places[start : start + AT_ONCE]) for start in range(0, len(places), AT_ONCE)]
     return [("", (begin if number == 0 else "") + line) for number, line in enumerate(lines)]
 
@@ -128,7 +128,7 @@ def _page(rows: Sequence[Row], paper: np.ndarray) -> list[Text]:
 
 
 def _fitted(words: str, room: float) -> str:
-    """Cut off where it would run into the next column."""
+    """Return the text, cut off before the next column."""
     shown = words
     while _width(shown) > room and len(shown) > len(SHORTENED):
         shown = shown.removesuffix(SHORTENED)[:-1] + SHORTENED
@@ -136,7 +136,7 @@ def _fitted(words: str, room: float) -> str:
 
 
 def _width(words: str) -> float:
-    """Millimeters; 0 for letters that cannot be drawn."""
+    """Return the width in millimeters; 0 for letters that cannot be drawn."""
     letters = helvetica.encoded(words)
     if letters is not None:
         return helvetica.width(letters, HEIGHT)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Places pieces over sheets that are taped together so that they take the fewest sheets.
+"""Packs pieces on sheets to tape together, so that they need the fewest sheets.
 
-The sheets are divided into cells. Each piece goes where it needs the fewest sheets that no piece before it needs; a
-piece that ends in the overlap of two sheets needs one of them. Nothing is turned.
+The sheets are divided into cells. Each piece goes where it needs the fewest sheets that no earlier piece needs; a piece
+that ends in the overlap of two sheets needs one of them. Nothing is turned.
 """
 
 from collections.abc import Iterable, Sequence
@@ -14,20 +14,20 @@ import numpy as np
 from ..geometry import are_inside, sampled
 from ..pattern_data import OVERLAP
 
-MOST_WORK = 1_000_000  # cells times pieces, over all arrangements on one kind of sheet: well below a second
+MOST_WORK = 1_000_000  # cells times pieces, over all arrangements on one kind of sheet: takes well below a second
 CELL = OVERLAP  # millimeters, about: the overlap of two sheets is one cell
 
 
 @dataclass(frozen=True)
 class Shape:
-    """A piece over cells. A sheet has n by m of them."""
+    """The cells of a piece. A sheet has n by m of them."""
 
     cells: np.ndarray  # (columns, rows) bool
-    needed: np.ndarray  # (n, m, columns, rows) bool: the sheets that it needs if it begins in that cell of a sheet
+    needed: np.ndarray  # (n, m, columns, rows) bool: sheets that it needs if it begins in that cell of a sheet
 
 
 class Placed(NamedTuple):
-    sheets: int  # how many are needed
+    sheets: int  # number of needed sheets
     columns: int
     corners: np.ndarray  # (p,2) lower left corners of the pieces, from that of the lowest, leftmost sheet
 
@@ -35,10 +35,10 @@ class Placed(NamedTuple):
 def placed_on_sheets(
     outlines: Sequence[Sequence[np.ndarray]], step: np.ndarray, inset: float, columns: Iterable[int], fewest: int
 ) -> Placed | None:
-    """The best of the arrangements on these columns of sheets; None if none takes less than the fewest sheets so far.
+    """Return the best arrangement on this many columns of sheets; None if none needs fewer sheets than the best so far.
 
     outlines: of each piece, with its lower left corner at 0, 0. step (2,): from a sheet to the next one. inset:
-    millimeters from the edge of what is printed to the nearest piece, and half of those between pieces.
+    millimeters from the edge of the printed area to the nearest piece, and half of the distance between pieces.
     """
     per_sheet = np.maximum(np.rint(step / CELL), 2).astype(int)
     cell = step / per_sheet
@@ -53,7 +53,7 @@ def placed_on_sheets(
         if max(width for width, _ in sizes) > count * per_sheet[0] + 1:  # the last sheet shows its overlap, too
             continue
         for order in orders:
-            # Each piece is laid over about all cells that are taken in the end.
+            # Each piece is tried over about all cells that are used in the end.
             work += len(shapes) * sum(width * height for width, height in sizes)
             if work > MOST_WORK:
                 return best
@@ -66,9 +66,9 @@ def placed_on_sheets(
 
 
 def _placed(shapes: Sequence[Shape], columns: int, per_sheet: np.ndarray, fewest: int) -> tuple[int, np.ndarray] | None:
-    """The number of sheets, and the cells (p,2) in which the pieces begin; None if it takes as many as the fewest."""
+    """Return the number of sheets, and the start cells (p,2) of the pieces; None if it is not below the fewest."""
     width = columns * per_sheet[0] + 1
-    taken = np.zeros((width, 0), dtype=bool)  # cells of pieces
+    taken = np.zeros((width, 0), dtype=bool)  # cells of placed pieces
     used = np.zeros((columns, 0), dtype=bool)  # sheets
     corners = []
     for shape in shapes:
@@ -94,14 +94,14 @@ def _placed(shapes: Sequence[Shape], columns: int, per_sheet: np.ndarray, fewest
 
 
 def _mark(whole: np.ndarray, part: np.ndarray, at: np.ndarray) -> None:
-    """What of the part lies on the whole, where it begins at `at` (2,)."""
+    """Mark the part in the whole, beginning at `at` (2,)."""
     target = whole[at[0] : at[0] + part.shape[0], at[1] : at[1] + part.shape[1]]
     target |= part[: target.shape[0], : target.shape[1]]
 
 
 def _collides(taken: np.ndarray, cells: np.ndarray) -> np.ndarray:
-    """By the cell in which a piece begins, whether it would lie on others."""
-    shape = [_quick(size) for size in taken.shape]  # what runs over the far edges does not fit anyway
+    """Return for each start cell whether the piece would overlap others."""
+    shape = [_quick(size) for size in taken.shape]  # a piece beyond the far edges does not fit anyway
     product = np.fft.rfft2(taken, shape) * np.conj(np.fft.rfft2(cells, shape))
     counts = np.fft.irfft2(product, shape)
     fits = [size - own + 1 for size, own in zip(taken.shape, cells.shape, strict=True)]
@@ -110,7 +110,7 @@ def _collides(taken: np.ndarray, cells: np.ndarray) -> np.ndarray:
 
 
 def _quick(size: int) -> int:
-    """The next size whose only prime factors are 2, 3 and 5: others take a Fourier transform several times as long."""
+    """Return the next size with only the prime factors 2, 3 and 5, because others take longer to transform."""
     while True:
         rest = size
         for prime in (2, 3, 5):
@@ -122,7 +122,7 @@ def _quick(size: int) -> int:
 
 
 def _new_sheets(used: np.ndarray, needed: np.ndarray, per_sheet: np.ndarray) -> np.ndarray:
-    """By the cell in which a piece begins, how many sheets it needs that are not used yet."""
+    """Return for each start cell the number of new sheets that the piece needs."""
     n, m, columns, rows = needed.shape
     unused = np.pad(~used, ((0, columns), (0, rows)), constant_values=True)
     windows = np.lib.stride_tricks.sliding_window_view(unused, (columns, rows))[: used.shape[0], : used.shape[1]]
@@ -144,7 +144,7 @@ def _shape(outlines: Sequence[np.ndarray], cell: np.ndarray, per_sheet: np.ndarr
 
 
 def _needed(cells: np.ndarray, per_sheet: np.ndarray) -> np.ndarray:
-    """See Shape. What lies in the first cells of a sheet alone is shown by the sheet before it."""
+    """See Shape. A part in only the first cells of a sheet is shown by the sheet before it."""
     sums = np.pad(cells.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     ends = []
     for count, own in zip(cells.shape, per_sheet.tolist(), strict=True):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Divides a pattern over sheets: every piece on one sheet, or over the edges of sheets that are taped together."""
+"""Divides a pattern into sheets: every piece on one sheet, or over the edges of sheets that are taped together."""
 
 import math
 from collections.abc import Sequence
@@ -16,10 +16,10 @@ from ..pattern_data import OVERLAP, PatternData, in_rows
 from .papers import MARGIN, SHEETS, sheet_name
 from .sheet_packing import placed_on_sheets
 
-INSET = 5.0  # round the pattern, so that no cut line falls onto the edge of what is printed
+INSET = 5.0  # around the pattern, so that no cut line is on the edge of the printed area
 MOST_SHEETS = 2000
-MOST_PACKED = 60  # with more sheets than this a better arrangement is not searched for: it would take seconds
-MOST_WIDTHS = 8  # about so many numbers of columns are tried, for the same reason
+MOST_PACKED = 60  # number of sheets above which no better arrangement is searched for: it would take seconds
+MOST_WIDTHS = 8  # number of column counts that are tried, for the same reason
 P = TypeVar("P", bound=PatternData)
 
 
@@ -27,7 +27,7 @@ P = TypeVar("P", bound=PatternData)
 class Tile:
     row: int  # from the top
     column: int
-    low: np.ndarray  # (2,) lower left corner of what it shows
+    low: np.ndarray  # (2,) lower left corner of the shown part
 
     @property
     def name(self) -> str:
@@ -40,12 +40,12 @@ class Tiles(Generic[P]):
 
     pattern: P
     paper: np.ndarray  # (2,) width and height of a sheet
-    shown: np.ndarray  # (2,) of each sheet, inside its margins
-    overlap: float  # of neighboring sheets; 0 where every piece lies on one sheet
+    shown: np.ndarray  # (2,) shown part of each sheet, inside its margins
+    overlap: float  # of neighboring sheets; 0 if every piece is on one sheet
     rows: int
     columns: int
     low: np.ndarray  # (2,) lower left corner of all sheets
-    tiles: list[Tile]  # those with something on them that is on no other
+    tiles: list[Tile]  # sheets with a part that no other sheet shows
 
     @property
     def boxes(self) -> list[Box]:
@@ -53,9 +53,9 @@ class Tiles(Generic[P]):
 
     @property
     def borders(self) -> list[np.ndarray]:
-        """(2,2) the middle of the overlap at the left and the lower edge of each sheet that has a neighbor there.
+        """Return the middle (2,2) of the overlap at the left and the lower edge of each sheet with a neighbor there.
 
-        What does not cross one lies on one sheet.
+        A line that crosses none of them is on one sheet.
         """
         if not self.overlap:
             return []
@@ -75,9 +75,9 @@ class Shape(NamedTuple):
 
 
 def divided(pattern: P, paper: str, keep_places: bool) -> Tiles[P]:
-    """On the fewest sheets, upright or on their side; if it takes no more, with every piece on one sheet.
+    """Divide the pattern into the fewest sheets, upright or turned; every piece on one sheet if that needs no more.
 
-    A marker stays as it is, and so does what keeps its places. Raises FlattenError if the sheets are too many.
+    A marker keeps its places, and so does a pattern with keep_places. Raises FlattenError for too many sheets.
     """
     if pattern.marker or keep_places:
         moved = pattern.at_origin()
@@ -90,7 +90,7 @@ def divided(pattern: P, paper: str, keep_places: bool) -> Tiles[P]:
 
 
 def _whole(pattern: P, sheet: np.ndarray) -> Tiles[P] | None:
-    """Rows of pieces, each row on one sheet; None where a piece is larger than that."""
+    """Return rows of pieces, each row on one sheet; None if a piece is larger than that."""
     shown = sheet - 2 * MARGIN
     room = shown - 2 * INSET
     sizes = np.array([piece.size for piece in pattern.pieces])
@@ -109,7 +109,7 @@ def _whole(pattern: P, sheet: np.ndarray) -> Tiles[P] | None:
 
 
 def _taped(pattern: P, paper: str) -> Tiles[P]:
-    """On the fewest sheets of all arrangements that are tried. Raises FlattenError if these are too many."""
+    """Return the arrangement with the fewest sheets of all that are tried. Raises FlattenError for too many."""
     sizes = np.array([piece.size for piece in pattern.pieces])
     in_row: tuple[int, float, np.ndarray] | None = None
     tried = []
@@ -126,7 +126,7 @@ def _taped(pattern: P, paper: str) -> Tiles[P]:
             count = int(np.prod(_counts(taken, step)))
             if in_row is None or count < in_row[0]:
                 in_row = (count, width, sheet)
-            if count > MOST_SHEETS:  # so many columns that it takes long to go through them
+            if count > MOST_SHEETS:  # so many columns would take too long
                 break
     assert in_row is not None
     count, width, sheet = in_row
@@ -146,7 +146,7 @@ def _taped(pattern: P, paper: str) -> Tiles[P]:
 
 
 def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
-    """(2,) columns and rows of sheets for what is so large, each sheet a step from the one before."""
+    """Return the columns and rows (2,) of sheets for this size, each sheet a step after the one before."""
     counts: np.ndarray = np.maximum(np.ceil((size + 2 * INSET - OVERLAP) / step - 1e-9), 1).astype(int)
     return counts
 
@@ -159,7 +159,10 @@ def _check_count(count: int, pattern: PatternData) -> None:
 
 
 def _with_tiles(pattern: P, sheet: np.ndarray, columns: int | None = None) -> Tiles[P]:
-    """columns: of sheets from 0, 0 on, to the right and upwards; None: as many as it takes, from the upper left."""
+    """Return the pattern on sheets.
+
+    columns: from 0, 0 to the right and upwards; None: the necessary ones, from the upper left.
+    """
     shown = sheet - 2 * MARGIN
     step, top = shown - OVERLAP, pattern.size[1] + INSET
     if columns is None:
@@ -183,7 +186,7 @@ def _with_tiles(pattern: P, sheet: np.ndarray, columns: int | None = None) -> Ti
 
 
 def _needed(tiles: list[Tile], shown: np.ndarray, shapes: Sequence[Shape]) -> list[Tile]:
-    """Without the sheets of which all is on others: the overlap of two sheets is on both."""
+    """Remove the sheets that others show completely: two sheets both show their overlap."""
     kept = list(tiles)
     for tile in tiles:
         others = [other for other in kept if other != tile and np.all(np.abs(other.low - tile.low) < shown)]
@@ -199,7 +202,7 @@ def _box(low: np.ndarray, high: np.ndarray) -> list[list[int]]:
 
 
 def _shows(low: np.ndarray, high: np.ndarray, shape: Shape, others: Sequence[list[list[int]]] = ()) -> bool:
-    """Whether a sheet from low to high shows a part of a piece that is on none of the other sheets."""
+    """Return whether a sheet from low to high shows a part of a piece that no other sheet shows."""
     if np.any(shape.bounds[0] >= high) or np.any(shape.bounds[1] <= low):
         return False
     part = _clipped(shape.outlines, [_box(low, high)], pyclipper.CT_INTERSECTION)
