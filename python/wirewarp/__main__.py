@@ -20,7 +20,8 @@ def main() -> int:
         return 130
     except PrintError as error:
         print(error, file=sys.stderr)
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # or Python fails again with them as it ends
+        # otherwise, Python fails again when it closes them
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 2
 
 

@@ -36,18 +36,17 @@ ErrorCode.__doc__ = """What went wrong. Each code has a meaning and a remedy, on
 
 
 class FlattenError(ValueError):
-    """Bad input (raised), or a piece that breaks a guarantee (carried by the piece).
+    """Bad input (raised), or a fault of a piece (stored in the piece).
 
-    `str(error)` is one sentence that says the fault, its place and a remedy. `vertices`, `edges` (vertex pairs) and
-    `faces` are the elements that the error is about, as indices of the input. `has_layout` is true if the piece has
-    coordinates to look at.
+    `str(error)` is one sentence with the fault, its place and a remedy. `vertices`, `edges` (vertex pairs) and `faces`
+    are the faulty elements, as indices of the input. `has_layout` is true if the piece has coordinates to look at.
 
     `proposed_seams` are vertex pairs that fix the piece: flatten again with `[*seams, *error.proposed_seams]`.
-    `proposed_tolerances` are pairs of the index of a wire and a tolerance under which its length can be kept. Both are
+    `proposed_tolerances` are pairs of the index of a wire and a tolerance with which its length can be kept. Both are
     empty if there is no proposal.
 
     `arguments` are the other values in the sentence, such as lengths, limits and names, as bool, int, float, str or a
-    list of one of these. `code.arguments` documents their names. Use them, the code and the elements to make sentences
+    list of one of these. `code.arguments` documents their names. Use them, the code and the elements to write sentences
     of your own.
     """
 
@@ -90,7 +89,7 @@ class FlattenError(ValueError):
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """All fields as plain, JSON-able values."""
+        """Return all fields as plain values that JSON can store."""
         return {
             "code": self.code.value,
             "message": self.message,

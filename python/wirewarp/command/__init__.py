@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command line: from files of models to reports and patterns. docs/command.md shows how to use it."""
+"""The command line: from files of models to reports and patterns. docs/command.md describes it."""

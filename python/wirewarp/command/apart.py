@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every model in a process of its own: one that crashes, hangs or takes too much memory leaves the others running.
+"""Runs every model in its own process: one that crashes, hangs or uses too much memory does not affect the others.
 
-Processes are those of the standard library, for its pools, and pebble's, share a pipe and a lock between their workers:
-one that is killed at the wrong moment takes the pool with it. psutil measures and ends what a process has started.
+The pools of the standard library and of pebble share a pipe and a lock between their workers: a worker killed at the
+wrong moment takes the pool with it. psutil measures and ends the processes that a process has started.
 """
 
 import itertools
@@ -21,16 +21,16 @@ from typing import Generic, TypeVar
 
 import psutil
 
-# A server that has the libraries forks a process in milliseconds; Windows has none, and loads them each time. Never a
-# fork of this process: the threads of a library are not for children.
+# A server with the libraries forks a process in milliseconds; Windows has no fork and loads them each time. This
+# process is never forked, because threads of libraries do not survive a fork.
 if sys.platform == "win32":
     CONTEXT = multiprocessing.get_context("spawn")
-    MOST = 60  # processes: Windows waits for no more than 63 at once
+    MOST = 60  # processes: Windows waits for at most 63 at once
 else:
     CONTEXT = multiprocessing.get_context("forkserver")
     MOST = sys.maxsize
-OFTEN = 0.5  # seconds between looks at time and memory; a look takes milliseconds
-LEAVE = 5.0  # seconds that a process has to end after its result, or once it is killed
+OFTEN = 0.5  # seconds between checks of time and memory; a check takes milliseconds
+LEAVE = 5.0  # seconds until a process must have ended after its result or a kill
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
@@ -38,29 +38,29 @@ Result = TypeVar("Result")
 @dataclass(frozen=True)
 class Limits:
     seconds: float
-    memory: int  # bytes, those of Blender with it
+    memory: int  # bytes, including Blender's
 
 
 @dataclass(frozen=True)
 class Stopped:
-    """A process that brought no result."""
+    """A process without a result."""
 
     code: str  # "time_limit", "memory_limit" or "crashed"
     sentence: str
-    seconds: float  # that it took
+    seconds: float  # duration
 
 
 def each_apart(
     work: Callable[[Item], Result], items: Iterable[Item], jobs: int, limits: Limits, modules: list[str]
 ) -> Generator[tuple[int, Result | Stopped], None, None]:
-    """The number and the result of each item, as they end; so many jobs at a time.
+    """Yield the number and the result of each item, as they end, with this many jobs at a time.
 
-    work is a function of a module, for other processes to find; modules are what these are to have loaded.
-    Whoever stops asking for results, or is killed, ends all of them.
+    work is a function of a module that other processes can import; modules are preloaded. All processes end if the
+    caller stops asking for results or is killed.
     """
     CONTEXT.set_forkserver_preload(modules)
     if sys.platform != "win32":
-        resource_tracker.ensure_running()  # as it starts it lets Ctrl+C through, whatever was held back before
+        resource_tracker.ensure_running()  # its start unblocks Ctrl+C
     waiting = enumerate(items)
     running: list[_Run[Result]] = []
     looked = time.monotonic()
@@ -89,9 +89,9 @@ def each_apart(
 
 @contextmanager
 def _ctrl_c_waits() -> Iterator[None]:
-    """Ctrl+C is heard at the end: a process halfway through its start or its end is known to nobody who could end it.
+    """Delay Ctrl+C to the end: nobody could end a process that is being started or ended.
 
-    The server, which begins with the first process, must not hear it at all: it inherits the mask.
+    The server, which starts with the first process, must ignore it: it inherits the mask.
     """
     pressed: list[int] = []
     before = signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
@@ -102,7 +102,7 @@ def _ctrl_c_waits() -> Iterator[None]:
         if masked is not None:
             signal.pthread_sigmask(signal.SIG_SETMASK, masked)
         signal.signal(signal.SIGINT, before)
-    if pressed and callable(before):  # not where it is ignored, as in the background of a shell
+    if pressed and callable(before):  # not if it is ignored, as in the background of a shell
         before(signal.SIGINT, None)
 
 
@@ -112,14 +112,14 @@ class _Run(Generic[Result]):
         self.results, sender = CONTEXT.Pipe(duplex=False)
         self._process = CONTEXT.Process(target=_do, args=(work, item, sender))
         self._process.start()
-        sender.close()  # here, so that the end of the process is the end of the pipe
+        sender.close()  # close it here, so that the pipe ends with the process
 
     def ended(self) -> tuple[Result | Stopped] | None:
         try:
             if not self.results.poll():
                 return None
             result: Result | Stopped = self.results.recv()
-        except (EOFError, OSError):  # of a pipe whose other end is gone; on Windows poll() raises it
+        except (EOFError, OSError):  # the other end of the pipe is gone; on Windows poll() raises it
             self._process.join()
             result = Stopped("crashed", _crash(self._process.exitcode), self._seconds())
         self._close()
@@ -159,13 +159,13 @@ class _Run(Generic[Result]):
 
 
 def _do(work: Callable[[Item], Result], item: Item, sender: Connection) -> None:
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # of Ctrl+C: whoever has started this ends it
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends this process on Ctrl+C
     threading.Thread(target=_end_with_parent, daemon=True).start()
     sender.send(work(item))
 
 
 def _end_with_parent() -> None:
-    """A parent that is killed cannot say so. What was begun is left to whoever begins anew."""
+    """End with the parent, which cannot send a message if it is killed. The next run continues unfinished work."""
     parent = multiprocessing.parent_process()
     if parent:
         parent.join()
@@ -173,7 +173,7 @@ def _end_with_parent() -> None:
 
 
 def _family(pid: int | None) -> list[psutil.Process]:
-    """The process, and those that it has started."""
+    """Return the process and those that it has started."""
     try:
         process = psutil.Process(pid)
         return [process, *process.children(recursive=True)]

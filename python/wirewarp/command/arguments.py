@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be asked for on the command line."""
+"""Arguments of the command line."""
 
 import argparse
 import os
@@ -30,7 +30,7 @@ GRAINS: dict[str, Grain] = {
     "one-way": "one way",
     "both-ways": "both ways",
     "free": "free",
-}  # as Pattern.nested knows them
+}  # as in Pattern.nested
 ORIENTATIONS = get_args(Orientation)
 VERDICTS = (
     "Prints one line of JSON for each model. The exit code is that of the worst: 0 if every length is exact and there "
@@ -48,12 +48,12 @@ class Arguments:
 
 
 def parsed(words: Sequence[str]) -> Arguments:
-    """Ends the program with code 2 and a sentence where they cannot be meant."""
+    """Return the arguments, or end the program with code 2 and a sentence if they are invalid."""
     parser = argparse.ArgumentParser(prog="python -m wirewarp", description="Flat patterns with exact lengths.")
     commands = parser.add_subparsers(required=True, metavar="flatten|batch|propose")
     flatten = commands.add_parser(
         "flatten",
-        parents=[_model_options(), _writing_options(), _running_options()],  # of its own: their defaults differ
+        parents=[_model_options(), _writing_options(), _running_options()],  # a separate instance: its defaults differ
         help="flatten the models named, and write reports and patterns",
         description="Flattens models (OBJ, PLY, STL, glTF, Blender) and writes for each a report and a pattern. "
         + VERDICTS,
@@ -109,7 +109,7 @@ def parsed(words: Sequence[str]) -> Arguments:
 
 
 def _shape_options() -> argparse.ArgumentParser:
-    """What the flat pieces of a model depend on."""
+    """Return the options that the flat pieces of a model depend on."""
     options = _Options(add_help=False, allow_abbrev=False)
     options.add_argument(
         "--seams",
@@ -163,7 +163,7 @@ def _cut_options() -> argparse.ArgumentParser:
 
 
 def _model_options() -> argparse.ArgumentParser:
-    """What may differ from model to model."""
+    """Return the options that may differ from model to model."""
     options = _Options(add_help=False, allow_abbrev=False, parents=[_shape_options()])
     options.add_argument(
         "--format", default="pdf,svg", metavar="F,F", type=_formats, help="of pdf, svg, dxf, plt (pdf,svg)"
@@ -210,7 +210,7 @@ def _running_options() -> argparse.ArgumentParser:
 
 
 class _Options(argparse.ArgumentParser):
-    """Parses the options of a model in a list: an error there does not print the usage of the command."""
+    """Parses the options of a model in a list. An error there does not print the usage of the command."""
 
     def error(self, message: str) -> NoReturn:
         raise InputError(message)
@@ -280,7 +280,7 @@ def _material(given: argparse.Namespace) -> MaterialRequest:
 
 
 def _clashes(requests: Sequence[Request]) -> dict[int, str]:
-    """Returns a sentence for each request, by number, that would write a file which another writes or reads."""
+    """Return a sentence for each request, by number, that would write a file which another one writes or reads."""
     clashes: dict[int, str] = {}
     writers: dict[Path, int] = {}
     for number, request in enumerate(requests):
@@ -329,7 +329,7 @@ def _formats(text: str) -> tuple[str, ...]:
 
 
 def _cloth(text: str) -> tuple[float, float | None]:
-    """Width, and length of sheets."""
+    """Return width, and length of sheets."""
     match = SHEET.fullmatch(text.strip())
     if match:
         return _length(f"{match[1]}{match[3]}"), _length(f"{match[2]}{match[3]}")
@@ -337,7 +337,7 @@ def _cloth(text: str) -> tuple[float, float | None]:
 
 
 def _stretch(text: str) -> tuple[float, float]:
-    """Across and along the grain, as shares."""
+    """Return shares across and along the grain."""
     match = STRETCH.fullmatch(text.strip())
     if not match:
         raise argparse.ArgumentTypeError(f"{text!r} is not a stretch: give 10% or, across and along the grain, 10%,5%")

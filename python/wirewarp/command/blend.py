@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models of Blender, flattened by the add-on in Blender without a window, by the marks and settings in the file."""
+"""Flattens Blender files with the add-on in Blender without a window, by the marks and settings in the file."""
 
 import json
 import shutil
@@ -19,20 +19,21 @@ ANSWER = ".answer.json"
 
 
 class BlenderError(Exception):
-    """Blender itself came to an end. str() is a sentence."""
+    """Blender itself crashed. str() is a sentence."""
 
 
 def flatten_blend(request: Request, folder: Path) -> tuple[Line, dict[str, Any]]:
-    """Writes patterns to the folder; the line, and what the report says besides. Raises InputError."""
+    """Write patterns to the folder. Return the line, and the other parts of the report. Raises InputError."""
     program = shutil.which(request.blender)
     if program is None:
         raise InputError(f'There is no Blender at "{request.blender}": give --blender PATH.')
     job = {"folder": str(folder), "stem": request.model.stem, "formats": request.formats, "answer": ANSWER}
-    # Scripts in files of strangers are not run; the file of the name given, not one that begins with a dash.
+    # Scripts in the file do not run, and a file name cannot be an option because it follows a dash.
     options = ("--background", "--disable-autoexec", str(request.model.absolute()), "--python-exit-code", "1")
     with subprocess.Popen(
         [program, *options, "--python", str(SCRIPT), "--", json.dumps(job)],
-        stdin=subprocess.PIPE,  # never written to: when this process ends, the script reads the end, and ends Blender
+        # never written to: its end tells the script that this process has ended, and the script ends Blender
+        stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
@@ -70,7 +71,7 @@ def _told(request: Request, told: dict[str, Any]) -> tuple[Line, dict[str, Any]]
         "figures": figures_of(reports),
         "problems": [f"{place_name(report, issue.piece)}: {issue.sentence}" for report, issue in issues],
         "codes": [issue.code for _, issue in issues],
-        "warnings": [*notes, *told["warnings"]],  # those of the export come last
+        "warnings": [*notes, *told["warnings"]],  # those of the export are last
         "files": [request.report_path.name, *told["files"]],
     }
     return line, told["report"]

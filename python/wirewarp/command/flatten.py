@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens one model, writes its files, and says what became of it."""
+"""Flattens one model, writes its files, and returns its line."""
 
 import hashlib
 import json
@@ -25,19 +25,19 @@ from .staged import staged_folder, take_places
 from .suffixes import BLEND
 from .verdicts import REFUSED, STOPPED, Line, unfinished, word_of
 
-# Of these only names and contents count.
+# For these files only names and contents count.
 WHEREABOUTS = ("blender", "folder", "model", "refusal", "resume", "seams", "wires")
 
 
 def flatten_model(request: Request) -> Line:
-    """Never raises for what is wrong with the model, the folder or a file that was read again: the line says it."""
+    """Return the line. Never raises for faults of the model, the folder or a file that was read again."""
     try:
         return _line(request)
     except InputError as error:
         return unfinished(REFUSED, "input", str(error))
     except FlattenError as error:
         return unfinished(REFUSED, error.code.value, str(error))
-    except RuntimeError as error:  # of files that are not as they were meant
+    except RuntimeError as error:  # the file read again differs from the pattern
         return unfinished(REFUSED, "read_back", str(error))
     except OSError as error:
         return unfinished(REFUSED, "file", f"{error.filename or request.folder}: {error.strerror or error}")
@@ -68,7 +68,7 @@ def _line(request: Request) -> Line:
 
 
 def _done_before(request: Request, made_of: str) -> Line | None:
-    """The line of the last time, if nothing has changed since and all that was written is there."""
+    """Return the previous line, if nothing has changed since and all its files exist."""
     path = request.report_path
     if not request.resume or not path.is_file():
         return None
@@ -76,14 +76,14 @@ def _done_before(request: Request, made_of: str) -> Line | None:
         line: Line = json.loads(path.read_text(encoding="utf-8"))["line"]
         is_same = line["made_of"] == made_of and all((request.folder / name).is_file() for name in line["files"])
     except (ValueError, KeyError, TypeError):
-        return None  # no report of ours, and not replaced
+        return None  # not one of our reports, so it is not replaced
     return {**line, "skipped": True} if is_same else None
 
 
 def _made_of(request: Request, model: Model | None) -> str:
-    """A digest of the version, the settings, what was read of the model (it may have several files), and the lines.
+    """Return a digest of the version, the settings, all files of the model, and the lines.
 
-    Of what Blender reads, of its file.
+    For Blender, the file counts.
     """
     settings = {key: str(value) for key, value in asdict(request).items() if key not in WHEREABOUTS}
     names = [request.model.name, *(name if name in FROM_MODEL else Path(name).name for name in request.lines)]
@@ -104,7 +104,7 @@ def _made_of(request: Request, model: Model | None) -> str:
 
 
 def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict[str, Any]]:
-    """Writes patterns and picture to the folder; the line, and what the report says besides."""
+    """Write patterns and picture to the folder. Return the line, and the other parts of the report."""
     repairs: list[str] = []
     lines = lines_of(request.wires)
     if request.repair:
@@ -157,19 +157,19 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
             marker = _nested(pattern, request.marker)
             laid = pattern.laid_on(marker)
             for kind in request.formats:
-                _note(laid.write(folder / request.marker_path(kind).name), line)  # PDF on a roll as wide as it needs
+                _note(laid.write(folder / request.marker_path(kind).name), line)  # PDF on a roll of the necessary width
             line["marker"], report["marker"] = marker.sentence(laid.units), marker.to_dict()
     return line, report | _timeless(result.to_dict())
 
 
 def _translated(lines: Lines, found: Repaired) -> Lines:
-    """Wires and eases of the file for the repaired mesh."""
+    """Return wires and eases of the file for the repaired mesh."""
     wires = [Wire(found.chain(wire.vertices), wire.tolerance, wire.name, wire.ease) for wire in lines.wires]
     return Lines(wires, [Ease(found.sides(ease.half_edges), ease.ratio) for ease in lines.eases])
 
 
 def material_options(material: MaterialRequest, unit: str) -> Options:
-    """unit: of the model."""
+    """Return the options. unit: of the model."""
     thickness = material.thickness / MILLIMETERS[unit]
     cloth = Cloth.preset(material.cloth) if material.cloth else None
     if any(material.stretch):
@@ -187,7 +187,7 @@ def material_options(material: MaterialRequest, unit: str) -> Options:
 
 
 def _timeless(result: dict[str, Any]) -> dict[str, Any]:
-    """Without the seconds that it took: the same model gives the same bytes again."""
+    """Return the data without durations: the same model gives the same bytes again."""
     for each in (result, *result["pieces"]):
         del each["report"]["seconds"]
     return result

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Run by Blender on a file of its own: flattens what is marked, and exports it as the settings in the file say.
+"""Runs in Blender on its own file: flattens the marked objects, and exports them by the settings in the file.
 
-Its last argument is a job as JSON; see blend.py, which starts it and reads the answer.
+Its last argument is a job as JSON; blend.py starts it and reads the answer.
 """
 
 import json
@@ -19,13 +19,13 @@ NOTHING_MARKED = "No mesh that can be seen in the file has a seam or a wire: mar
 
 
 def end_with_caller() -> None:
-    """Nobody writes to the standard input: it ends when whoever has started Blender ends, however that happens."""
+    """End with the caller: the standard input, to which nobody writes, ends with the process that started Blender."""
     sys.stdin.read()
     os._exit(1)
 
 
 def is_marked(target: bpy.types.Object) -> bool:
-    """Whether there is something to flatten by; flat pieces of an earlier run do not count."""
+    """Return whether an object has marks; flat pieces of an earlier run do not count."""
     if target.type != "MESH" or not target.visible_get() or "source_vertex" in target.data.attributes:
         return False
     edges = target.data.edges
@@ -39,7 +39,7 @@ def is_marked(target: bpy.types.Object) -> bool:
 
 
 def settings_of(operator: Any) -> dict[str, Any]:  # noqa: ANN401 (bpy.ops has no types)
-    """What the file's scene says about the operator's own properties."""
+    """Return the settings of the file's scene for the operator's own properties."""
     scene = bpy.context.scene.wirewarp
     names = set(operator.get_rna_type().properties.keys()) & set(scene.bl_rna.properties.keys()) - {"rna_type", "name"}
     return {name: getattr(scene, name) for name in names if getattr(scene, name) != ""}
@@ -50,11 +50,11 @@ def file_name(text: str) -> str:
 
 
 def clash_sentence(models: list[bpy.types.Object]) -> str:
-    """Empty if every model has a file of its own, also where upper and lower case are the same."""
+    """Return "" if every model has a file of its own, even if file names ignore case."""
     owners: dict[str, bpy.types.Object] = {}
     for model in models:
         other = owners.setdefault(file_name(model.name).casefold(), model)
-        if other != model:  # of a library it may have the same name
+        if other != model:  # an object of a library may have the same name
             return f'The patterns of "{other.name_full}" and "{model.name_full}" would be one file: rename one of them.'
     return ""
 
@@ -77,7 +77,7 @@ def flatten(job: dict[str, Any]) -> dict[str, Any]:
     report_path = folder / "report.part"
     try:
         bpy.ops.object.wirewarp_flatten(report_path=str(report_path), **settings_of(bpy.ops.object.wirewarp_flatten))
-    except RuntimeError as error:  # pieces that failed are in the report
+    except RuntimeError as error:  # the report contains pieces that failed
         if not report_path.is_file():
             return {"refusal": str(error).strip().removeprefix("Error: ")}
     report = json.loads(report_path.read_text(encoding="utf-8"))
@@ -89,7 +89,7 @@ def flatten(job: dict[str, Any]) -> dict[str, Any]:
 
 
 def export(job: dict[str, Any], models: list[bpy.types.Object], folder: Path) -> tuple[list[str], list[str]]:
-    """The names of the files, STEM.pdf of one model, STEM-OBJECT.pdf of each of several; and warnings."""
+    """Return the names of the files, STEM.pdf for one model, STEM-OBJECT.pdf for each of several; and warnings."""
     files: list[str] = []
     warnings: list[str] = []
     report_path = folder / "export.part"
@@ -102,15 +102,15 @@ def export(job: dict[str, Any], models: list[bpy.types.Object], folder: Path) ->
             bpy.ops.object.wirewarp_export(**paths, **settings_of(bpy.ops.object.wirewarp_export))
             warnings += json.loads(report_path.read_text(encoding="utf-8"))["warnings"]
             report_path.unlink()
-    return files, list(dict.fromkeys(warnings))  # most are of every format
+    return files, list(dict.fromkeys(warnings))  # most apply to every format
 
 
 threading.Thread(target=end_with_caller, daemon=True).start()
 job = json.loads(sys.argv[-1])
 try:
     answer = flatten(job)
-except RuntimeError as error:  # of the export, with a sentence
+except RuntimeError as error:  # from the export, with a sentence
     answer = {"refusal": str(error).strip().removeprefix("Error: ")}
 (Path(job["folder"]) / job["answer"]).write_text(json.dumps(answer), encoding="utf-8")
 sys.stdout.flush()
-os._exit(0)  # the file is not to be saved, and the thread that waits need not be waited for
+os._exit(0)  # the file is not saved, and the waiting thread is not needed

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is wrong with what was given, in a sentence."""
+"""Faults of the input, as sentences."""
 
 
 class InputError(Exception):
-    """str() is the sentence."""
+    """A fault of the input. str() is the sentence."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The models of folders and lists, and where in the output each belongs."""
+"""Finds the models of folders and lists, and the output folder of each."""
 
 import json
 import os
@@ -18,13 +18,13 @@ Options = dict[str, str | int | float | bool]
 @dataclass(frozen=True)
 class Found:
     model: Path
-    folder: Path  # in that of the output
+    folder: Path  # relative to the output folder
     options: Options = field(default_factory=dict)  # as on the command line, without "--"
-    source: str = ""  # the list and the line that has the options
+    source: str = ""  # the list and the line with the options
 
 
 def found_models(inputs: Iterable[Path]) -> list[Found]:
-    """Models themselves, those inside of folders, and those of lists; in an order of their own. Raises InputError."""
+    """Return the given models, those in folders, and those of lists, in a fixed order. Raises InputError."""
     models: list[Found] = []
     for path in inputs:
         if path.is_dir():
@@ -32,7 +32,7 @@ def found_models(inputs: Iterable[Path]) -> list[Found]:
         elif path.suffix.lower() == LIST:
             found = list(_in_list(path))
         else:
-            found = [Found(path, Path())]  # whether it is there, its line says
+            found = [Found(path, Path())]  # its line reports whether it exists
         if not found:
             raise InputError(f'there is no model in "{path}": none of {", ".join(SUFFIXES)}')
         models += found
@@ -51,7 +51,7 @@ def _in_folder(top: Path) -> Iterator[Found]:
 
 
 def _in_list(path: Path) -> Iterator[Found]:
-    """Paths in a list are seen from where it lies, and so are those of the output."""
+    """Paths in a list are relative to the list, and so are its outputs."""
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
     except (OSError, ValueError) as error:
@@ -74,6 +74,6 @@ def _in_list(path: Path) -> Iterator[Found]:
 
 
 def _folder_of(model: Path) -> Path:
-    """That of the model in the list, if it lies in the folder of the list."""
+    """Return the folder of the model in the list, if it is inside the folder of the list."""
     inside = not model.is_absolute() and ".." not in model.parts
     return model.parent if inside else Path()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams, wires and eases of a model: from its UV map, from its sharp edges, or from JSON files."""
+"""Reads seams, wires and eases of a model: from its UV map, from its sharp edges, or from JSON files."""
 
 import json
 import math
@@ -21,7 +21,7 @@ SAME_UV = 1e-6  # of the unit square: files have about as many decimals
 
 
 def seams_of(model: Model, wanted: str) -> np.ndarray:
-    """(k,2) vertices. wanted: "uv", "sharp", a path, or "". Raises InputError."""
+    """Return edges (k,2) of vertices. wanted: "uv", "sharp", a path, or "". Raises InputError."""
     if not wanted:
         return np.empty((0, 2), dtype=np.int64)
     if wanted == "uv":
@@ -34,7 +34,7 @@ def seams_of(model: Model, wanted: str) -> np.ndarray:
 
 
 def edges_of(path: str) -> np.ndarray:
-    """(k,2) vertices of the lines in a file; of none for "". Raises InputError."""
+    """Return edges (k,2) of the lines in a file; none for "". Raises InputError."""
     chains = _read(Path(path)) if path else []
     if not isinstance(chains, list) or not all(_is_chain(chain) for chain in chains):
         raise InputError(f'"{path}" must be a JSON list of lines of vertices, as [[0, 1, 2], [5, 6]].')
@@ -49,7 +49,7 @@ class Lines:
 
 
 def lines_of(path: str) -> Lines:
-    """Wires, and eases of one side. Raises InputError."""
+    """Return wires, and eases of one side. Raises InputError."""
     if not path:
         return Lines()
     entries = _read(Path(path))
@@ -76,7 +76,7 @@ def _add_wire(lines: Lines, entry: dict[str, Any]) -> None:
 
 
 def _add_ease(lines: Lines, entry: dict[str, Any]) -> None:
-    """Each step of the list is an edge as the triangle on that side has it."""
+    """Add the ease. Each step of the list is an edge in the direction of the triangle on that side."""
     lines.eases.append(Ease(list(pairwise(entry["side"])), entry.get("ease", 0.0)))
 
 
@@ -92,13 +92,14 @@ def _is_chain(value: object) -> bool:
 
 
 def _is_vertex(value: object) -> bool:
-    """Whether it may be one; JSON's numbers have no limit."""
+    """Return whether it may be a vertex; JSON's numbers have no limit."""
     return type(value) is int and abs(value) <= LARGEST
 
 
 def _sides_at_edges(faces: np.ndarray) -> np.ndarray:
-    """(k,2,2) corners (numbers in the ravelled faces): of each two sides of faces that lie on one edge, their two ends,
-    in the same order.
+    """Return corners (k,2,2), indices into the ravelled faces.
+
+    They are both ends of each two sides of faces on one edge, in the same order.
     """
     starts = np.arange(faces.size)
     ends = starts - starts % 3 + (starts + 1) % 3
@@ -111,7 +112,7 @@ def _sides_at_edges(faces: np.ndarray) -> np.ndarray:
 
 
 def _island_borders(model: Model, corner_uv: np.ndarray) -> np.ndarray:
-    """(k,2) vertices of the edges whose ends have other places on the map in one face than in the other."""
+    """Return edges (k,2) whose ends have different places on the map in the two faces."""
     sides = _sides_at_edges(model.faces)
     places = corner_uv.reshape(-1, 2)[sides]
     apart = np.abs(places[:, 0] - places[:, 1]).max(axis=(1, 2)) > SAME_UV

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models from files, read by trimesh."""
+"""Reads models from files with trimesh."""
 
 import codecs
 import io
@@ -13,16 +13,16 @@ import numpy as np
 from .input_error import InputError
 from .suffixes import READ_BY_TRIMESH, SUFFIXES
 
-# Names, comments and materials of text formats. Names may be in any encoding; in Shift-JIS a letter may even end in a
-# backslash, which joins two lines. By materials trimesh would sort the faces and change the numbers of the vertices.
+# Remove names, comments and materials of text formats. Names may have any encoding; in Shift-JIS a letter may end in a
+# backslash, which joins two lines. trimesh would sort the faces by materials and renumber the vertices.
 UNUSED = re.compile(rb"^[ \t]*(?:mtllib|usemtl)\b[^\r\n]*|[\x80-\xff][^\r\n]*", re.MULTILINE)
-STL_HEADER, STL_FACE = 84, 50  # bytes of a binary STL file: up to the number of faces, and of each face
+STL_HEADER, STL_FACE = 84, 50  # bytes of a binary STL file before the faces, and of each face
 STL_END = 1000  # bytes at the end of a text STL file, enough for "endsolid" and a long name
 
 
 @dataclass(frozen=True)
 class Model:
-    vertices: np.ndarray  # (n,3), as they come in the file; those at one place are one
+    vertices: np.ndarray  # (n,3) in the order of the file, with those in one place merged
     faces: np.ndarray  # (m,3)
     corner_uv: np.ndarray | None  # (m,3,2)
 
@@ -37,14 +37,14 @@ def read_model(path: Path) -> Model:
         import trimesh
     except ModuleNotFoundError as error:
         raise InputError("Models are read by trimesh, which is missing: pip install wirewarp[command]") from error
-    logging.getLogger("trimesh").setLevel(logging.CRITICAL)  # an InputError says what is wrong
+    logging.getLogger("trimesh").setLevel(logging.CRITICAL)  # an InputError has the sentence
     kind = path.suffix.lower()[1:]
     is_gltf = kind in ("gltf", "glb")  # reads files beside it
     try:
         mesh = trimesh.load_mesh(path if is_gltf else _contents(path, kind), file_type=kind, process=False)
     except (InputError, MemoryError, OSError):
         raise
-    except Exception as error:  # whatever it raises for a damaged file; its words are for programmers
+    except Exception as error:  # any error for a damaged file; its words are for programmers
         raise InputError(f'"{path.name}" is damaged or is not {kind.upper()}. Export the model again.') from error
     if len(mesh.faces) == 0:
         raise InputError(f'"{path.name}" has no faces.')
@@ -59,7 +59,7 @@ def read_model(path: Path) -> Model:
 
 
 def _contents(path: Path, kind: str) -> io.BytesIO:
-    """Returns the part of an OBJ, PLY or STL file that trimesh needs. Raises InputError if an STL file is cut off."""
+    """Return the part of an OBJ, PLY or STL file that trimesh needs. Raises InputError if an STL file is cut off."""
     data = path.read_bytes().removeprefix(codecs.BOM_UTF8)
     if kind == "stl":
         size = STL_HEADER + STL_FACE * int.from_bytes(data[STL_HEADER - 4 : STL_HEADER], "little")
@@ -73,7 +73,7 @@ def _contents(path: Path, kind: str) -> io.BytesIO:
 
 
 def _joined(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices at one place become one, the first: files repeat them for each UV or normal, STL for each face."""
+    """Merge vertices in one place: files repeat them for each UV or normal, STL for each face."""
     _, first, inverse = np.unique(vertices, axis=0, return_index=True, return_inverse=True)
     order = np.argsort(first)
     rank = np.empty_like(order)

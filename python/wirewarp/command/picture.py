@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A picture of a flattening: the pieces as they lie, colored by how far the cloth must give, with wires and numbers."""
+"""A picture of a flattening: the pieces in their places, colored by stretch, with wires and numbers."""
 
 from pathlib import Path
 
@@ -12,16 +12,17 @@ from ..pattern.make.outline import FlatPiece, flat_piece
 from ..pattern.sheet.drawing import LOOKS, WIRES
 
 LONGEST = 2000  # pixels, of the longer side
-SMOOTH = 2  # times as large while it is drawn, for soft edges
+SMOOTH = 2  # scale while drawing, for soft edges
 MARGIN = 60  # pixels
-LEAST = 0.01  # strain of the strongest color at least: less than this is nothing to see
-COLORS = np.array([[255, 255, 255], [255, 221, 140], [235, 120, 50], [160, 20, 30]], dtype=float)  # from none to most
+LEAST = 0.01  # smallest strain of the strongest color: less is invisible
+# from none to the largest
+COLORS = np.array([[255, 255, 255], [255, 221, 140], [235, 120, 50], [160, 20, 30]], dtype=float)
 LEGEND = 24  # pixels: height of its letters; numbers of pieces are twice as high
 Point = tuple[float, float]
 
 
 def write_picture(path: Path, result: FlattenResult, vertices: np.ndarray, millimeters: float) -> bool:
-    """Writes a PNG; False if no piece has a layout. vertices (n,3) of the model; millimeters: in one of its units."""
+    """Write a PNG; False if no piece has a layout. vertices (n,3) of the model; millimeters: length of its unit."""
     pieces = {number: piece for number, piece in enumerate(result.pieces, start=1) if len(piece.vertices)}
     if not pieces:
         return False
@@ -55,7 +56,10 @@ def write_picture(path: Path, result: FlattenResult, vertices: np.ndarray, milli
 
 
 def strain(vertices: np.ndarray, piece: Piece) -> np.ndarray:
-    """(q,) of each face the largest |stretch - 1| in any direction. vertices (p,3): those of the piece on the model."""
+    """Return the largest |stretch - 1| (q,) of each face in any direction.
+
+    vertices (p,3): those of the piece on the model.
+    """
     a, b, c = (vertices[piece.faces[:, corner]] for corner in range(3))
     along, aside = b - a, c - a
     length = np.linalg.norm(along, axis=1)
@@ -85,7 +89,7 @@ def _draw_lines(draw: ImageDraw.ImageDraw, piece: FlatPiece, at: list[Point]) ->
 
 
 def _draw_legend(draw: ImageDraw.ImageDraw, corner: Point, most: float, hundred: float) -> None:
-    """corner: upper left; most: the strain of the strongest color; hundred: 100 mm in pixels."""
+    """Draw the legend. corner: upper left; most: strain of the strongest color; hundred: 100 mm in pixels."""
     x, y = corner
     long, high = 100 * SMOOTH, LEGEND * SMOOTH
     for column, color in enumerate(_colors(np.linspace(0, 1, long))):

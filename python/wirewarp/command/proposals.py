@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks what is suggested for pieces that failed, and flattens again, until nothing more is suggested."""
+"""Marks the proposals for pieces that failed, and flattens again, until there are no more."""
 
 from dataclasses import replace
 
@@ -10,13 +10,13 @@ from ..report import counted
 from .lines import Lines
 from .model import Model
 
-MOST_ROUNDS = 10  # a part is cut open, then its handles, then what is still too short: few models take four
+MOST_ROUNDS = 10  # closed parts need one round, handles another, short outlines a third: few models need four
 
 
 def with_proposals(
     model: Model, result: FlattenResult, seams: np.ndarray, lines: Lines, options: Options
 ) -> tuple[FlattenResult, Lines, list[str]]:
-    """The last result with the lines that it has, and what was done. Raises FlattenError."""
+    """Return the last result with its lines, and what was done. Raises FlattenError."""
     marked = {(int(min(a, b)), int(max(a, b))) for a, b in seams}
     before, tolerances = len(marked), [wire.tolerance for wire in lines.wires]
     for _ in range(MOST_ROUNDS):
@@ -44,7 +44,7 @@ def with_proposals(
 
 
 def _widened(wire: Wire, tolerance: float) -> Wire:
-    """The wire itself if it has this tolerance already."""
+    """Return the wire with this tolerance, or the wire itself if it has it already."""
     if tolerance <= wire.tolerance:
         return wire
     return Wire(wire.vertices, tolerance, wire.name, wire.ease)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One model from its file to the cuts that are proposed for it."""
+"""Reads one model and returns the cuts proposed for it."""
 
 import math
 from typing import Any
@@ -17,7 +17,7 @@ IN_BLENDER = "In Blender the add-on suggests darts and seams; here models are OB
 
 
 def propose_for(request: CutRequest) -> Line:
-    """Never raises for what is wrong with the model: the line says it."""
+    """Return the line. Never raises for faults of the model."""
     try:
         return _line(request)
     except InputError as error:
@@ -101,5 +101,5 @@ def _lines_along(edges: list[list[int]]) -> list[list[int]]:
 
 
 def _if_finite(figure: float) -> float | None:
-    """JSON has no other; first cuts have none before them."""
+    """Return None for infinity, which JSON lacks: cut sets have no figures before."""
     return figure if math.isfinite(figure) else None

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repairs of a triangle mesh, each with a sentence on what was done.
+"""Repairs a triangle mesh, with a sentence on each repair.
 
-Vertices keep their numbers; lines that name a merged vertex, or an edge that was divided, are translated. Unlike Check
-and Repair of the add-on this leaves interior faces, and loose edges, which no file of triangles has.
+Vertices keep their numbers. Lines that contain a merged vertex or a divided edge are translated. Unlike Check and
+Repair of the add-on, this keeps interior faces, and loose edges, which no file of triangles has.
 """
 
 from collections import defaultdict
@@ -21,14 +21,14 @@ OBLIQUE = np.array([0.3, 0.5, 0.81])  # a direction in which hardly any model ha
 @dataclass(frozen=True)
 class Repaired:
     model: Model
-    seams: np.ndarray  # (k,2) edges of three or more faces, which must be seams
+    seams: np.ndarray  # (k,2) edges with three or more faces, which must be seams
     done: list[str]
-    labels: np.ndarray  # (n,) the vertex that each has become
-    divided: dict[frozenset[int], int]  # edges, and the vertex that divides each
+    labels: np.ndarray  # (n,) new vertex of each
+    divided: dict[frozenset[int], int]  # divided edges, and the vertex that divides each
     reversed: set[tuple[int, int]]  # directed edges of faces that were flipped
 
     def chain(self, vertices: np.ndarray) -> list[int]:
-        """A line of vertices of the file as one of the repaired mesh."""
+        """Return a line of vertices of the file as one of the repaired mesh."""
         found: list[int] = []
         for vertex in vertices.tolist():
             own = int(self.labels[vertex]) if 0 <= vertex < len(self.labels) else vertex
@@ -38,12 +38,12 @@ class Repaired:
         return found
 
     def pairs(self, edges: np.ndarray) -> np.ndarray:
-        """(k,2) edges, in the same way."""
+        """Return edges (k,2) of the repaired mesh."""
         steps = [step for edge in edges for step in pairwise(self.chain(edge))]
         return np.array(steps, dtype=np.int64).reshape(-1, 2)
 
     def sides(self, half_edges: np.ndarray) -> np.ndarray:
-        """(k,2) directed edges, in the same way, on the side of the same faces."""
+        """Return directed edges (k,2) of the repaired mesh, on the side of the same faces."""
         return np.array([step[::-1] if step in self.reversed else step for step in map(tuple, self.pairs(half_edges))])
 
     def _between(self, a: int, b: int) -> list[int]:
@@ -52,7 +52,7 @@ class Repaired:
 
 
 def repaired(model: Model) -> Repaired:
-    """Merges, then removes faces without area and duplicates, then makes neighbors face the same way."""
+    """Merge vertices, remove faces without area and duplicates, then make neighbors face the same way."""
     close = CLOSE * float(np.ptp(model.vertices, axis=0).max())
     done: list[str] = []
     labels = _labels(model.vertices, close)
@@ -92,10 +92,10 @@ def _with_flipped(model: Model, rows: np.ndarray) -> Model:
 
 
 def _labels(vertices: np.ndarray, close: float) -> np.ndarray:
-    """(n,) the first of the vertices that are close to each."""
+    """Return the first (n,) of the vertices that are close to each."""
     labels = np.arange(len(vertices))
     pairs = _close_pairs(vertices, close)
-    while True:  # along chains of close vertices
+    while True:  # follow chains of close vertices
         before = labels.copy()
         lowest = np.minimum(labels[pairs[:, 0]], labels[pairs[:, 1]])
         np.minimum.at(labels, pairs.ravel(), np.repeat(lowest, 2))
@@ -105,7 +105,7 @@ def _labels(vertices: np.ndarray, close: float) -> np.ndarray:
 
 
 def _with_merged_vertices(model: Model, labels: np.ndarray) -> tuple[Model, int]:
-    """Returns how many used ones are gone, too."""
+    """Return the mesh, and the number of used vertices that were merged."""
     faces = labels[model.faces]
     merged = len(np.unique(model.faces)) - len(np.unique(faces))
     a, b, c = faces.T
@@ -114,7 +114,7 @@ def _with_merged_vertices(model: Model, labels: np.ndarray) -> tuple[Model, int]
 
 
 def _close_pairs(vertices: np.ndarray, close: float) -> np.ndarray:
-    """(k,2) of vertices no farther apart than that."""
+    """Return pairs (k,2) of vertices within this distance."""
     heights = vertices @ (OBLIQUE / np.linalg.norm(OBLIQUE))
     order = np.argsort(heights, kind="stable")
     rows, found = np.arange(len(order)), [np.empty((0, 2), dtype=np.int64)]
@@ -129,10 +129,10 @@ def _close_pairs(vertices: np.ndarray, close: float) -> np.ndarray:
 
 
 def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[frozenset[int], int]]:
-    """A face whose vertex lies on its opposite edge goes, and the face across that edge is cut there.
+    """Remove each face with a vertex on its opposite edge, and cut the face across that edge there.
 
-    One after the other, for the parts of a flat face that was cut are flat, too. Returns how many were flat at first,
-    and what divides the edges that were cut.
+    Faces are treated one after the other, because the parts of a cut flat face are flat, too. Returns the number of
+    flat faces, and the vertices that divide the cut edges.
     """
     faces = [tuple(face) for face in model.faces.tolist()]
     uv = [None] * len(faces) if model.corner_uv is None else list(model.corner_uv)
@@ -156,7 +156,7 @@ def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[fr
         for other in sorted(by_edge[frozenset(long_edge)] - gone):
             gone.add(other)
             if tip in faces[other]:
-                continue  # the same three vertices: nothing of it is left
+                continue  # the same three vertices: nothing remains
             for face, corners in _cut_at(model.vertices, faces[other], uv[other], long_edge, tip):
                 for side in pairwise((*face, face[0])):
                     by_edge[frozenset(side)].add(len(faces))
@@ -171,14 +171,14 @@ def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[fr
 
 
 def _height(vertices: np.ndarray, face: tuple[int, ...]) -> float:
-    """Above the longest edge."""
+    """Return the height above the longest edge."""
     a, b, c = vertices[list(face)]
     longest = max(np.linalg.norm(b - a), np.linalg.norm(c - b), np.linalg.norm(a - c))
     return float(np.linalg.norm(np.cross(b - a, c - a)) / longest) if longest > 0 else 0.0
 
 
 def _longest_edge(vertices: np.ndarray, face: tuple[int, ...]) -> tuple[tuple[int, int], int]:
-    """And the vertex opposite."""
+    """Return the longest edge and the opposite vertex."""
     a, b, c = face
     sides = [((a, b), c), ((b, c), a), ((c, a), b)]
     return max(sides, key=lambda side: float(np.linalg.norm(vertices[side[0][0]] - vertices[side[0][1]])))
@@ -187,7 +187,7 @@ def _longest_edge(vertices: np.ndarray, face: tuple[int, ...]) -> tuple[tuple[in
 def _cut_at(
     vertices: np.ndarray, face: tuple[int, ...], uv: np.ndarray | None, edge: tuple[int, int], tip: int
 ) -> list[tuple[tuple[int, int, int], np.ndarray | None]]:
-    """The two parts of a face with this edge that the tip, which lies on it, divides; with their places on the map."""
+    """Return the two parts of a face whose edge the tip divides, with their places on the map."""
     first = next(k for k in range(3) if {face[k], face[(k + 1) % 3]} == set(edge))
     a, b, c = (face[(first + k) % 3] for k in range(3))
     parts = ((a, tip, c), (tip, b, c))
@@ -201,9 +201,9 @@ def _cut_at(
 
 
 def _opposed_faces(model: Model) -> np.ndarray:
-    """(k,) of each connected part the lesser area that faces the other way than the rest.
+    """Return faces (k,): of each connected part the smaller area that faces the other way.
 
-    Of a part with one side only, as a Möbius strip, none: no flip makes it consistent.
+    For a part with only one side, such as a Möbius strip, return none: no flip makes it consistent.
     """
     neighbors: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     at_edge: dict[tuple[int, int], list[tuple[int, bool]]] = defaultdict(list)
@@ -241,7 +241,7 @@ def _opposed_faces(model: Model) -> np.ndarray:
 
 
 def _edges_of_many_faces(faces: np.ndarray) -> np.ndarray:
-    """(k,2) edges of three or more."""
+    """Return edges (k,2) with three or more faces."""
     edges = np.sort(faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     found, counts = np.unique(edges, axis=0, return_counts=True)
     return found[counts > 2]

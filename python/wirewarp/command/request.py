@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is asked for of one model."""
+"""The request for one model."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -8,13 +8,13 @@ from typing import Literal
 from ..pattern.nest.items import Grain
 
 MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
-Orientation = Literal["wire", "boundary", "up", "best"]  # as Options knows them
+Orientation = Literal["wire", "boundary", "up", "best"]  # as in Options
 FROM_MODEL = ("uv", "sharp")
 
 
 @dataclass(frozen=True)
 class MarkerRequest:
-    """What the pieces are cut from, in millimeters, and how; see Pattern.nested."""
+    """The material to cut from, in millimeters, and its use; see Pattern.nested."""
 
     width: float
     length: float | None
@@ -26,9 +26,9 @@ class MarkerRequest:
 
 @dataclass(frozen=True)
 class MaterialRequest:
-    """What the pieces are made of and how they lie on it; see Options. The thickness is in millimeters."""
+    """The material of the pieces and its direction; see Options. The thickness is in millimeters."""
 
-    cloth: str  # of Cloth.preset, or "" for none
+    cloth: str  # a name for Cloth.preset, or "" for none
     orientation: Orientation
     stretch: tuple[float, float]  # across and along the grain, as shares
     thickness: float
@@ -37,7 +37,7 @@ class MaterialRequest:
 
 @dataclass(frozen=True)
 class ModelRequest:
-    """One model, and what its flat pieces depend on."""
+    """One model, and everything its flat pieces depend on."""
 
     model: Path
     seams: str  # "uv", "sharp", a path, or "" for none
@@ -48,20 +48,20 @@ class ModelRequest:
 
 @dataclass(frozen=True)
 class CutRequest(ModelRequest):
-    """Where to cut it. Lengths are in millimeters."""
+    """Where to cut. Lengths are in millimeters."""
 
     no_seam: str  # a path, or "" for none
     kind: Literal["dart", "seam"]
     piece: int | None  # from 1; None for any
-    count: int | None  # None: as many as the library proposes
-    strain: float | None  # None: as the library has it
+    count: int | None  # None: the library's number
+    strain: float | None  # None: the library's value
     longest: float | None
-    together: int | None  # cuts that are taken together at most; None: each is one by itself
+    together: int | None  # largest number of cuts made together; None: each by itself
 
 
 @dataclass(frozen=True)
 class Request(ModelRequest):
-    """What is written of it, and where. Lengths are in millimeters."""
+    """The files to write, and their places. Lengths are in millimeters."""
 
     folder: Path
     formats: tuple[str, ...]
@@ -77,7 +77,7 @@ class Request(ModelRequest):
     resume: bool
     repair: bool
     take_proposals: bool
-    refusal: str = ""  # why it cannot be done beside the other requests
+    refusal: str = ""  # why it conflicts with other requests
 
     @property
     def report_path(self) -> Path:
@@ -88,7 +88,7 @@ class Request(ModelRequest):
 
     @property
     def picture_path(self) -> Path:
-        """Not NAME.png, which many models have as their texture."""
+        """Return the path. NAME.png would be the texture of many models."""
         return self.folder / f"{self.model.stem}-strain.png"
 
     def marker_path(self, kind: str) -> Path:
@@ -96,13 +96,13 @@ class Request(ModelRequest):
 
     @property
     def all_paths(self) -> list[Path]:
-        """What may be written, but for the names of several objects of Blender, which only the file has."""
+        """Return all possible output files, except names of several objects, which only the Blender file knows."""
         drawn = [path(kind) for kind in self.formats for path in (self.pattern_path, self.marker_path)]
         return [*drawn, self.picture_path, self.report_path]
 
     @property
     def line_files(self) -> list[Path]:
-        """The files that seams and wires are read from."""
+        """Return the files with seams and wires."""
         return [Path(name) for name in self.lines if name not in ("", *FROM_MODEL)]
 
     @property

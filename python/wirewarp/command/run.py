@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Does what was asked for, and prints what became of each model."""
+"""Processes all requests, and prints the result of each model."""
 
 import json
 import os
@@ -22,18 +22,18 @@ MODULES = ["trimesh", __name__]
 
 
 class PrintError(Exception):
-    """The standard output takes no lines. str() is a sentence."""
+    """The standard output accepts no lines. str() is a sentence."""
 
 
 def run(arguments: Arguments) -> int:
-    """Prints one line of JSON for each model, in their order; returns the exit code, that of the worst.
+    """Print one line of JSON for each model, in their order. Return the exit code of the worst.
 
     Raises PrintError.
     """
-    # Matrices are small here, and models many: threads for each would be in the way of others.
+    # Matrices are small and models many, so threads for each matrix would only slow it down.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     for request in with_left([each for each in arguments.requests if isinstance(each, Request)]):
-        _remove_staged(request)  # here, for models that are done are not begun again
+        _remove_staged(request)  # here, because finished models are skipped later
     worst = 0
     # The bar is drawn where standard error is a terminal.
     with (
@@ -49,7 +49,7 @@ def run(arguments: Arguments) -> int:
 
 def _print(line: Line) -> None:
     try:
-        print(json.dumps(line), flush=True)  # ASCII: every console can show it
+        print(json.dumps(line), flush=True)  # ASCII, which every console can show
     except OSError as error:
         raise PrintError(f"The lines cannot be printed: {error.strerror or error}") from error
 
@@ -74,7 +74,7 @@ def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Generator[Line, None, 
                 following += 1
     finally:
         results.close()
-        for request in begun.values():  # of a run that is stopped
+        for request in begun.values():  # of a stopped run
             _remove_staged(request)
 
 
@@ -93,5 +93,5 @@ def _line(request: AnyRequest, result: Line | Stopped) -> Line:
 
 def _remove_staged(request: AnyRequest) -> None:
     if isinstance(request, Request):
-        with suppress(OSError):  # the next run of this model tries again, and its line says what is wrong
+        with suppress(OSError):  # the next run of this model tries again, and its line reports the fault
             remove_staged(request)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All files of a model take their places together: what is refused or stopped on the way changes nothing."""
+"""All files of a model are moved to their places together: a refused or stopped run changes nothing."""
 
 import hashlib
 import json
@@ -12,13 +12,13 @@ from pathlib import Path
 from .input_error import InputError
 from .request import Request
 
-HIDDEN = ".wirewarp-"  # how the names of staged folders begin
-EARLIER = ".earlier"  # folder in the staged one, for the files of the last run
+HIDDEN = ".wirewarp-"  # prefix of the names of staged folders
+EARLIER = ".earlier"  # folder in the staged one, for the files of the previous run
 
 
 @contextmanager
 def staged_folder(request: Request) -> Iterator[Path]:
-    """For `with`: a hidden folder beside the files that there will be, which is gone afterward."""
+    """Yield a hidden folder beside the future files, and remove it afterward."""
     request.folder.mkdir(parents=True, exist_ok=True)
     remove_staged(request)
     folder = Path(tempfile.mkdtemp(prefix=_prefix(request), dir=request.folder))
@@ -29,30 +29,31 @@ def staged_folder(request: Request) -> Iterator[Path]:
 
 
 def remove_staged(request: Request) -> None:
-    """What a run of this model has left that was killed. Raises OSError if files cannot be put back."""
+    """Remove the remains of a killed run of this model. Raises OSError if files cannot be put back."""
     for left in request.folder.glob(f"{_prefix(request)}*"):
         _remove(left, request)
 
 
 def with_left(requests: Sequence[Request]) -> list[Request]:
-    """Those of which a run that was killed has left a folder."""
+    """Return the models of which a killed run has left a folder."""
     left = {folder: {path.name for path in folder.glob(f"{HIDDEN}*")} for folder in {r.folder for r in requests}}
     return [r for r in requests if any(name.startswith(_prefix(r)) for name in left[r.folder])]
 
 
 def listed_files(report: Path) -> list[str]:
-    """The names of the files that a report of ours is of, itself among them; none if it is not our report."""
+    """Return the files that our report lists, including itself; none if it is not our report."""
     try:
         names = json.loads(report.read_text(encoding="utf-8"))["line"]["files"]
-        return [name for name in names if Path(name).name == name]  # beside it, whoever has written it
+        return [name for name in names if Path(name).name == name]  # beside it, whoever wrote it
     except (FileNotFoundError, ValueError, KeyError, TypeError):
         return []
 
 
 def take_places(staged: Path, request: Request) -> None:
-    """Moves the files where they belong, and those of the last run into the staged folder, which is removed.
+    """Move the files to their places, and those of the previous run into the staged folder, which is removed.
 
-    The report goes first and comes last: where there is one, all is of it. Raises InputError where a file is of others.
+    The report goes first and comes last: if there is one, all files belong to it. Raises InputError if a file is not
+    ours.
     """
     earlier = listed_files(request.report_path)
     made = sorted((path.name for path in staged.iterdir()), key=lambda name: name == request.report_path.name)
@@ -71,14 +72,17 @@ def take_places(staged: Path, request: Request) -> None:
 
 
 def _remove(staged: Path, request: Request) -> None:
-    """After an error or a kill amid take_places, what was there before is put back first."""
+    """Remove the folder. After an error or a kill during take_places, put the earlier files back first."""
     if (staged / EARLIER).is_dir() and (staged / request.report_path.name).exists():
         _put_back(staged, request)
     shutil.rmtree(staged, ignore_errors=True)
 
 
 def _put_back(staged: Path, request: Request) -> None:
-    """Killed at any moment, it can be done again: a new file is in its place as long as it is not in the folder."""
+    """Put the earlier files back.
+
+    This can be repeated after a kill: a new file is in place once it has left the folder.
+    """
     for name in listed_files(staged / request.report_path.name):
         if not (staged / name).exists() and (request.folder / name).exists():
             (request.folder / name).replace(staged / name)
@@ -89,5 +93,5 @@ def _put_back(staged: Path, request: Request) -> None:
 
 
 def _prefix(request: Request) -> str:
-    """By a digest, for the name of a model may be as long as file systems allow."""
+    """Use a digest, because the name of a model may have the maximum length of the file system."""
     return f"{HIDDEN}{hashlib.blake2b(request.model.stem.encode(), digest_size=8).hexdigest()}-"

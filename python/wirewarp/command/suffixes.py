@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which files are models."""
+"""Suffixes of model files."""
 
 BLEND = ".blend"
 READ_BY_TRIMESH = (".obj", ".ply", ".stl", ".gltf", ".glb")

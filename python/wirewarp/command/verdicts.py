@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What may become of a model, and the line that says it."""
+"""The possible results of a model, and the line that reports each."""
 
 from typing import Any
 
@@ -8,18 +8,18 @@ from ..report import Kind, Verdict
 READY, NEEDS_STRETCH = "ready to cut", "needs stretch fabric"
 FAILED, REFUSED, STOPPED = "not ready to cut", "refused", "stopped"
 PROPOSED, NOTHING = "proposed", "nothing to propose"
-# The command ends with that of the worst model. With 0 every length is exact and there are fabrics to cut from.
+# Exit codes: the command ends with that of the worst model. With 0, every length is exact and a fabric can do it.
 EXIT_CODES = {READY: 0, NEEDS_STRETCH: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
 Line = dict[str, Any]
 
 
 def word_of(verdict: Verdict) -> str:
-    """The word of the line for the report's verdict."""
+    """Return the word of the line for the report's verdict."""
     if verdict.is_ready:
         return READY
     return NEEDS_STRETCH if verdict.kind is Kind.NEEDS_STRETCH else FAILED
 
 
 def unfinished(verdict: str, code: str, problem: str) -> Line:
-    """The line of a model of which nothing was written."""
+    """Return the line of a model of which nothing was written."""
     return {"verdict": verdict, "problems": [problem], "codes": [code]}

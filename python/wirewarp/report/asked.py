@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How long lines were to be: as on the model, but for their ease, tolerance and the built-in stretch of the fabric."""
+"""Target lengths of lines: those on the model, changed by ease, tolerance and the built-in stretch of the fabric."""
 
 from itertools import pairwise
 
@@ -7,27 +7,27 @@ import numpy as np
 
 from .. import BoundaryReport, Piece, WireReport
 
-# Chains add up the rounding of their edges; the library itself checks every edge to 1e-9.
+# Lengths of chains include the rounding of their edges; the library itself checks every edge to 1e-9.
 LENGTH_LIMIT = 1e-8
 
 
 def kept(line: WireReport | BoundaryReport) -> bool:
-    """Whether each edge has the length that the library guarantees. NaN has not."""
+    """Return whether each edge has the length that the library guarantees; False for NaN."""
     return line.max_edge_error <= LENGTH_LIMIT
 
 
 def asked_of_wire(wire: WireReport, ease: float) -> float:
-    """The length at its ease, without the h that its tolerance allows.
+    """Return the length with the wire's ease, without the change h that its tolerance allows.
 
-    The library says of the stretch of the fabric only that it was kept; pieces that do not keep it have no layout.
+    The library only reports whether the stretch of the fabric was kept; pieces that do not keep it have no layout.
     """
     return wire.length_2d * (1 + ease) / (1 + wire.variation) if kept(wire) else wire.length_3d * (1 + ease)
 
 
 def asked_of_outline(piece: Piece, vertices: np.ndarray, sides: dict[tuple[int, int], float]) -> list[float]:
-    """The length of each chain of the outline, with the h that its wires have come to.
+    """Return the target length of each chain of the outline, with the change h of its wires.
 
-    vertices (n,3) of the model; sides: the ease of directed edges of which one side has an ease of its own.
+    vertices (n,3) of the model; sides: ease of directed edges with an ease on one side.
     """
     if all(map(kept, piece.boundaries)):
         return [chain.length_2d for chain in piece.boundaries]
@@ -44,7 +44,7 @@ def asked_of_outline(piece: Piece, vertices: np.ndarray, sides: dict[tuple[int, 
 
 
 def _mean_ratio(chain: BoundaryReport, ratios: dict[tuple[int, int], float], vertices: np.ndarray) -> float:
-    """By length; ratios: of the directed edges that are to be longer or shorter."""
+    """Return the mean weighted by length. ratios: of the directed edges with a longer or shorter target."""
     lengths = np.linalg.norm(np.diff(vertices[chain.vertices], axis=0), axis=1)
     own = [ratios.get(step, 1.0) for step in pairwise(chain.vertices.tolist())]
     return float(np.average(own, weights=lengths))

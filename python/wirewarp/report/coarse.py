@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Outlines that a coarse model gives corners where a smooth one has a curve."""
+"""Finds outlines that are curves on a smooth model and have corners on a coarse one."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -14,13 +14,14 @@ COARSE_ADVICE = (
     "The model is coarse here, so curves are cut with corners. A Subdivision Surface modifier makes them smooth, with "
     "equal lengths on both sides of seams"
 )
-LEAST_TURN = np.radians(15.0)  # at one vertex: what turns less looks round on fabric
-CORNER = np.radians(60.0)  # what turns further is a corner: a curve of so few edges has no shape of its own
-ALIKE = 0.5  # of its turn, by which a neighbor on a curve turns the same way at least; beside a corner it is straight
+LEAST_TURN = np.radians(15.0)  # at one vertex: a smaller turn looks round on fabric
+CORNER = np.radians(60.0)  # a larger turn is a corner: a curve of so few edges has no shape of its own
+# of its turn: a neighbor on a curve turns at least that much in the same direction; beside a corner it is straight
+ALIKE = 0.5
 
 
 def coarse_hints(pieces: Sequence[Piece]) -> list[Hint]:
-    """One hint, or none. pieces: those with a layout."""
+    """Return one hint, or none. pieces: those with a layout."""
     turns: dict[int, float] = {}
     for piece in pieces:
         for sources, points in _outlines(piece):
@@ -35,10 +36,10 @@ def coarse_hints(pieces: Sequence[Piece]) -> list[Hint]:
 
 
 def _outlines(piece: Piece) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Vertices of the model (k,) and their places (k,2) of each section of the outline."""
+    """Return vertices of the model (k,) and their places (k,2) for each section of the outline."""
     faces = np.asarray(piece.faces, dtype=np.int64)
     sides = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    # Of all sides, each of one triangle: those of a slit of one edge are not the outline's, for its ends are not split.
+    # Uses sides of triangles. A slit of one edge is not part of the outline, because its ends are not split.
     ends = dict(zip(map(tuple, piece.source_vertex[sides].tolist()), sides.tolist(), strict=True))
     for chain in piece.boundaries:
         steps = [ends[step] for step in pairwise(chain.vertices.tolist())]
@@ -49,7 +50,7 @@ def _outlines(piece: Piece) -> Iterator[tuple[np.ndarray, np.ndarray]]:
 
 
 def _curved(points: np.ndarray) -> Iterator[tuple[int, float]]:
-    """The rows of points (k,2) at which a curve turns too far, and by how much."""
+    """Return the rows of points (k,2) at which a curve turns too far, and the turns."""
     along = np.diff(points, axis=0)
     crossed = along[:-1, 0] * along[1:, 1] - along[:-1, 1] * along[1:, 0]
     turns = np.arctan2(crossed, (along[:-1] * along[1:]).sum(axis=1))

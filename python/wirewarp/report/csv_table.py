@@ -10,11 +10,11 @@ from .model import Lengths, Piece, Report, WirePart
 from .names import open_edges, piece_names, pieces_of_wires, seam_name, side_names
 from .words import LengthText
 
-DIGITS = 6  # after the point
+DIGITS = 6  # decimals
 
 
 def report_csv(report: Report, units: LengthText) -> str:
-    """A header, and a line for each side of a seam, each wire, each open section of outline and each piece."""
+    """Return a header, and a line for each side of a seam, each wire, each open section of outline and each piece."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_header(units))
@@ -93,12 +93,12 @@ def _piece_row(piece: Piece, units: LengthText) -> list[str]:
 
 
 def _plain(name: str) -> str:
-    """As spreadsheets take it for a text, and not for a formula."""
+    """Return a text that spreadsheets do not read as a formula."""
     return f"'{name}" if name.startswith(("=", "+", "-", "@", "\t", "\r")) else name
 
 
 def _number(value: float | None, factor: float = 1) -> str:
-    """Empty if there is none, as without a layout; what rounds to nothing has no sign."""
+    """Return the number, empty if there is none, as without a layout. Zero has no sign."""
     if value is None:
         return ""
     text = f"{value * factor:.{DIGITS}f}"
@@ -106,7 +106,7 @@ def _number(value: float | None, factor: float = 1) -> str:
 
 
 def _tolerance(tolerance: float) -> str:
-    """In percent; seams, outlines and rigid wires have 0."""
+    """Return the tolerance in percent; seams, outlines and rigid wires have 0."""
     return "free" if math.isinf(tolerance) else f"{100 * tolerance:g}"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From an entry of a report to the elements of the model it is about."""
+"""From an entry of a report to its elements of the model."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,17 +16,17 @@ EdgePairs = Sequence[tuple[int, int]] | np.ndarray  # (k,2) vertices
 
 @dataclass(frozen=True)
 class Elements:
-    """Elements of a mesh; a whole piece has no elements of its own."""
+    """Elements of a mesh; an entry about a whole piece has none."""
 
     vertices: Indices = ()
     edges: EdgePairs = ()
     faces: Indices = ()
-    piece: int | None = None  # only in this one
+    piece: int | None = None  # only in this piece
     whole_piece: bool = False
 
 
 def elements_of(report: Report, what: str, index: int) -> Elements | None:
-    """The elements of one entry; None if the report has no such entry.
+    """Return the elements of one entry; None if the report has no such entry.
 
     what: SEAM, WIRE, OUTLINE (an open edge), PIECE, STRETCH or EASE (the worst place of a piece), ISSUE or HINT.
     """

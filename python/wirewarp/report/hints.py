@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What would make good pieces better, and where."""
+"""Hints that would improve good pieces, and their places."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,12 +13,12 @@ from .strain import PieceStrain, connected_regions, edge_keys, percent_text, thr
 from .wording import needs_text, strain_text
 from .words import tolerance_text
 
-# A stretch from which a dart is worth a thought: the piece can be cut from stretch fabric, but is pulled there.
+# Stretch above which a dart may help: stretch fabric can do it, but is pulled there.
 STRAIN_LIMIT = 0.08
-LARGEST_SHARE = 0.25  # of the area of a piece: if more is strained, only the worst of it is a place to point at
-MOST_PIECES = 4  # that have a place in the list
-MOST_REGIONS = 2  # of one piece
-LEAST_AMOUNT = 0.1  # of the greatest in the piece: smaller ones are single faces, not worth words
+LARGEST_SHARE = 0.25  # of the area of a piece: if more is strained, only its worst part is a useful place
+MOST_PIECES = 4  # number of pieces with a place in the list
+MOST_REGIONS = 2  # number of places in one piece
+LEAST_AMOUNT = 0.1  # of the largest in the piece: smaller ones are single faces
 TORN, STRAINED, BEYOND_FABRIC, WIRE_AT_LIMIT = "torn", "strained", "beyond_cloth", "wire_at_limit"
 TORN_ADVICE = (
     "Some edges overlap but are not joined. If they should be, select them, use Mesh > Merge > By Distance (or Merge "
@@ -27,14 +27,14 @@ TORN_ADVICE = (
 
 
 class Places:
-    """The model's triangles: how large they are, and to which face each belongs."""
+    """The model's triangles: their areas, and the face of each."""
 
     def __init__(self, areas: np.ndarray, polygons: np.ndarray | None) -> None:
         self.areas = areas  # (m,)
-        self._polygons = polygons  # (m,) the face of each triangle; None: each is a face of its own
+        self._polygons = polygons  # (m,) the face of each triangle; None: each triangle is a face
 
     def faces_of(self, triangles: np.ndarray | Sequence[int]) -> list[int]:
-        """The faces of these triangles, each once, ascending."""
+        """Return the faces of these triangles, each once, ascending."""
         rows = np.asarray(triangles, dtype=np.int64)
         found: list[int] = np.unique(rows if self._polygons is None else self._polygons[rows]).tolist()
         return found
@@ -47,7 +47,7 @@ class Region:
     triangles: np.ndarray  # of the model
     stretch: float
     ease: float
-    amount: float  # strain times area: what a dart there would have to take up
+    amount: float  # strain times area: the excess that a dart there would have to remove
 
     @property
     def worst(self) -> float:
@@ -57,7 +57,7 @@ class Region:
 def strain_hints(
     pieces: Sequence[Piece], strains: Sequence[PieceStrain | None], figures: Sequence[float], places: Places
 ) -> list[Hint]:
-    """Where the fabric is strained most: the worst piece first, in it the worst place.
+    """Return hints for the most strained places: the worst piece first, its worst place first.
 
     strains: None for a piece that failed; figures: the stretch of each piece.
     """
@@ -67,7 +67,7 @@ def strain_hints(
         strain = strains[index]
         if strain is None or len({hint.piece for hint in hints}) == MOST_PIECES:
             continue
-        alike: dict[tuple[str, str], list[Region]] = {}  # one line for those with equal strain
+        alike: dict[tuple[str, str], list[Region]] = {}  # one line for places with equal strain
         for region in _worth_words(_regions(pieces[index], strain, places)):
             alike.setdefault((percent_text(region.stretch), percent_text(region.ease)), []).append(region)
         hints += [_strain_hint(index, regions, rank == 0, places) for rank, regions in enumerate(alike.values())]
@@ -75,7 +75,7 @@ def strain_hints(
 
 
 def _worth_words(regions: list[Region]) -> list[Region]:
-    """Those with the largest amount, and the one with the largest strain; the worst first."""
+    """Return the regions with the largest amounts, and the one with the largest strain; the worst first."""
     ranked = sorted(regions, key=lambda region: -region.amount)
     chosen = [region for region in ranked[:MOST_REGIONS] if region.amount >= LEAST_AMOUNT * ranked[0].amount]
     worst = max(regions, key=lambda region: region.worst, default=None)
@@ -108,14 +108,14 @@ def _regions(piece: Piece, strain: PieceStrain, places: Places) -> list[Region]:
 
 
 def _worst_part(strain: np.ndarray, areas: np.ndarray) -> float:
-    """The strain from which triangles make up the largest share that a place may have."""
+    """Return the strain above which the triangles make up the largest share that a place may have."""
     order = np.argsort(-strain)
     inside = np.searchsorted(np.cumsum(areas[order]), LARGEST_SHARE * areas.sum())
     return float(strain[order[min(inside, len(order) - 1)]])
 
 
 def thread_hints(pieces: Sequence[Piece], threads: Sequence[Threads | None], places: Places) -> list[Hint]:
-    """Where the threads must stretch most, in each piece in which that is too much; the worst piece first.
+    """Return hints where threads must stretch too far in a piece; the worst piece first.
 
     threads: None for a piece that failed.
     """
@@ -131,13 +131,13 @@ def thread_hints(pieces: Sequence[Piece], threads: Sequence[Threads | None], pla
 
 
 def _limit(threads: Threads, way: str) -> float:
-    """The stretch along these threads from which a dart is worth a thought."""
+    """Return the stretch along these threads above which a dart may help."""
     known: float | None = getattr(threads.gives, way)
     return known if known is not None else STRAIN_LIMIT + (getattr(threads.worn, way) or 0.0)
 
 
 def _thread_hint(index: int, piece: Piece, threads: Threads, places: Places) -> Hint:
-    """At the place where a dart would have most to take up."""
+    """Return a hint at the place where a dart would have to remove most."""
     strains = thread_strains(piece.metrics)
     beyond = np.max([strain - _limit(threads, way) for way, strain in strains.items()], axis=0)
     amounts = beyond * places.areas[piece.source_face]
@@ -153,7 +153,7 @@ def _thread_hint(index: int, piece: Piece, threads: Threads, places: Places) -> 
 
 
 def wire_hints(wires: Sequence[Wire]) -> list[Hint]:
-    """Elastic wires that would change their length further if they could; the largest change first."""
+    """Return hints for elastic wires at their tolerance; the largest change first."""
     at_limit = [(index, wire) for index, wire in enumerate(wires) if wire.at_limit]
     at_limit.sort(key=lambda each: -abs(each[1].percent[0] or 0))
     return [
@@ -169,9 +169,9 @@ def wire_hints(wires: Sequence[Wire]) -> list[Hint]:
 
 
 def torn_hints(vertices: np.ndarray, outline: np.ndarray) -> list[Hint]:
-    """One hint, or none; fabric that is cut apart or doubled on purpose is like that, too.
+    """Return one hint, or none. Fabric that is cut apart or doubled on purpose looks the same.
 
-    vertices (n,3) of the model; outline (k,2): its edges of one face.
+    vertices (n,3) of the model; outline (k,2): its edges with one face.
     """
     edges = torn_edges(vertices, outline)
     pairs: Pairs = [(a, b) for a, b in edges.tolist()]
@@ -179,7 +179,7 @@ def torn_hints(vertices: np.ndarray, outline: np.ndarray) -> list[Hint]:
 
 
 def torn_edges(vertices: np.ndarray, outline: np.ndarray) -> np.ndarray:
-    """(k,2) the edges of outlines with both ends exactly where another one has its ends."""
+    """Return the outline edges (k,2) whose ends are both exactly at the ends of another outline edge."""
     numbers = _numbered(vertices[outline.ravel()])
     keys = edge_keys(numbers, len(numbers))
     _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
@@ -187,7 +187,7 @@ def torn_edges(vertices: np.ndarray, outline: np.ndarray) -> np.ndarray:
 
 
 def _numbered(points: np.ndarray) -> np.ndarray:
-    """(k,) one number for each position among points (k,3)."""
+    """Return one number (k,) for each position among points (k,3)."""
     order = np.lexsort(points.T)
     is_new = np.any(np.diff(points[order], axis=0) != 0, axis=1)
     numbers = np.zeros(len(points), dtype=np.int64)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A report as JSON, out and in: the only place that knows its keys, which are the names of the fields in model.py.
+"""Writes and reads a report as JSON: the only place that knows its keys, which are the field names in model.py.
 
-Every length stands twice, in the model's units under its name and in meters under its name + "_m"; areas do so with
-"_m2". What can be computed from the rest (DERIVED) is written for scripts, and not read. JSON has no infinity: a number
-that does not exist is null, the tolerance of a free wire "inf".
+Every length is written twice: in the model's units under its name, and in meters under its name + "_m"; areas with
+"_m2". Derived values (DERIVED) are written for scripts, and not read. JSON has no infinity: a missing number is null,
+and the tolerance of a free wire "inf".
 """
 
 import math
@@ -23,7 +23,7 @@ AnyReport = TypeVar("AnyReport", bound=Report)
 
 
 class ReportError(ValueError):
-    """What is read is not a report of this version. str() is a sentence."""
+    """The data is not a report of this version. str() is a sentence."""
 
 
 def to_dict(report: Report) -> dict[str, Any]:
@@ -32,7 +32,7 @@ def to_dict(report: Report) -> dict[str, Any]:
 
 
 def run_to_dict(version: str, units: dict[str, Any], reports: Sequence[Report]) -> dict[str, Any]:
-    """The reports of one run; version: of WireWarp."""
+    """Return the reports of one run as a dict. version: of WireWarp."""
     return {
         "schema": SCHEMA,
         "wirewarp": version,
@@ -43,7 +43,10 @@ def run_to_dict(version: str, units: dict[str, Any], reports: Sequence[Report]) 
 
 
 def from_dict(data: object, kind: type[AnyReport]) -> AnyReport:
-    """kind: Report, or a subclass with more fields. Raises ReportError unless `data` is what to_dict has written."""
+    """Return the report.
+
+    kind: Report, or a subclass with more fields. Raises ReportError unless to_dict wrote `data`.
+    """
     if not isinstance(data, dict) or data.get("schema") != SCHEMA:
         raise ReportError(f'The report does not have the schema "{SCHEMA}".')
     found: AnyReport = _read(kind, data, "report")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From a FlattenResult to its report."""
+"""Makes a report from a FlattenResult."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -28,7 +28,7 @@ from .strain import (
     wanted_strain,
 )
 
-AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would go further if it could
+AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would change further without it
 UNUSED_TOLERANCES = "This method keeps every wire rigid, so tolerances were not used."
 
 
@@ -47,19 +47,19 @@ def make_report(
     polygons: np.ndarray | None = None,
     issues: Sequence[Issue] | None = None,
 ) -> Report:
-    """The report of flatten(vertices, faces, wires=wires, eases=eases, options=Options(cloth=cloth)).
+    """Return the report of flatten(vertices, faces, wires=wires, eases=eases, options=Options(cloth=cloth)).
 
-    fabric: name of the preset that the cloth is made of. limits: its maximum stretch across and along the grain, None
-    if not known; without it that of the cloth. meters: length of a unit. name: of the model. polygons (m,): the face
-    of the model that each triangle belongs to, if its faces are larger. issues: one for each piece that failed, if
-    their sentences are not to be the library's.
+    fabric: name of the preset of the cloth. limits: its maximum stretch across and along the grain, None if unknown; by
+    default that of the cloth. meters: length of a unit. name: of the model. polygons (m,): face of the model to which
+    each triangle belongs, if its faces are larger. issues: one for each failed piece, if they replace the library's
+    sentences.
     """
     known = limits or (cloth.limits if cloth and cloth.limits else (None, None))
     return _Maker(result, vertices, faces, wires, eases, cloth, fabric, known, meters, name, polygons).report(issues)
 
 
 def failure_report(issue: Issue, name: str = "") -> Report:
-    """The report of a model that could not be flattened at all."""
+    """Return the report of a model that could not be flattened at all."""
     return Report(object=name, issues=[issue])
 
 
@@ -179,7 +179,7 @@ class _Maker:
         return wanted_strain(eases_of_piece(piece, self._eases, self._sides))
 
     def _faces_around(self, piece: Piece, shares: np.ndarray) -> list[int]:
-        """Around the face with the largest share."""
+        """Return the faces around the face with the largest share."""
         around = triangles_around(piece, int(np.argmax(shares)))
         return self._places.faces_of(np.asarray(piece.source_face)[around])
 
@@ -187,7 +187,7 @@ class _Maker:
         ease = self._eases[wire.wire_index]
         given = abs(wire.variation - ease)
         if str(wire.kind) == "super_elastic":
-            is_kept = math.isfinite(wire.length_2d)  # nothing else is guaranteed
+            is_kept = math.isfinite(wire.length_2d)  # no other length is guaranteed
         else:
             is_kept = kept(wire) and given <= wire.tolerance + LENGTH_LIMIT
         return model.WirePart(
@@ -209,7 +209,7 @@ class _Maker:
     def _seam(self, index: int, seam: SeamReport, failed: set[int]) -> model.Seam:
         asked = [seam.length_3d * (1 + seam.variation) * (1 + ease) for ease in seam.eases]
         pairs = zip(seam.length_2d, asked, strict=True)
-        within = all(abs(length - wanted) <= LENGTH_LIMIT * seam.length_3d for length, wanted in pairs)  # NaN is not
+        within = all(abs(length - wanted) <= LENGTH_LIMIT * seam.length_3d for length, wanted in pairs)  # false for NaN
         return model.Seam(
             index=index,
             name=f"Seam {index + 1}",

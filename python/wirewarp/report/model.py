@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report as dataclasses. Lengths and areas are in the model's units, indices are those of its mesh.
+"""The report as dataclasses. Lengths and areas are in the model's units, indices refer to its mesh.
 
-Names of fields are the keys of the JSON form (json_form.py). None stands for a number that does not exist: without a
-layout there is no flat length.
+Names of fields are the keys of the JSON form (json_form.py). None is a missing number: without a layout there is no
+flat length.
 """
 
 import math
@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 Pairs = list[tuple[int, int]]  # edges as vertex pairs
-ANY_FABRIC = 0.03  # a stretch that every fabric can do: the least in the core's table, that of woven cotton
+ANY_FABRIC = 0.03  # a stretch that every fabric can do: the smallest in the core's table, that of woven cotton
 
 METHOD_NAMES = {
     "refined": "Refined",
@@ -24,18 +24,18 @@ class Lengths:
     """A line on the model and on each of its flat sides."""
 
     length_3d: float | None
-    length_2d: list[float | None]  # one a side
-    length_asked: list[float | None]  # one a side: what the flat length was to be, by ease, tolerance and fabric
+    length_2d: list[float | None]  # one per side
+    length_asked: list[float | None]  # one per side: target of the flat length, from ease, tolerance and fabric
 
     @property
     def difference(self) -> list[float | None]:
-        """Flat length less length on the model, one a side."""
+        """Return the flat length minus the length on the model, one per side."""
         model = self.length_3d
         return [None if flat is None or model is None else flat - model for flat in self.length_2d]
 
     @property
     def percent(self) -> list[float | None]:
-        """The difference as a percentage of the length on the model, one a side."""
+        """Return the difference as a percentage of the length on the model, one per side."""
         return [
             100 * each / self.length_3d if self.length_3d and each is not None else None for each in self.difference
         ]
@@ -48,7 +48,7 @@ class Lengths:
 
 @dataclass(kw_only=True)
 class WirePart(Lengths):
-    """One part of a wire in one piece, between the vertices where the wire meets an outline."""
+    """One part of a wire in one piece, between the vertices at which the wire meets an outline."""
 
     name: str
     wire: int  # index in Report.wires
@@ -57,7 +57,7 @@ class WirePart(Lengths):
     tolerance: float  # inf: free
     ease: float
     ok: bool
-    at_limit: bool  # an elastic wire that would change its length further if it could
+    at_limit: bool  # an elastic wire that would change its length further without its tolerance
 
 
 @dataclass(kw_only=True)
@@ -65,13 +65,13 @@ class Wire(WirePart):
     """A whole wire."""
 
     vertices: list[int]
-    wire_id: int = 0  # of the mark in Blender; 0 elsewhere
-    marked_id: int = 0  # the id on its edges: a copied wire shares it with its copies
+    wire_id: int = 0  # id of the mark in Blender; 0 elsewhere
+    marked_id: int = 0  # id on its edges: a copied wire shares it with its copies
 
 
 @dataclass(kw_only=True)
 class HelperWire(Lengths):
-    """A free wire that the method added by itself."""
+    """A free wire that the method added itself."""
 
     variation: float | None
 
@@ -89,19 +89,19 @@ class Chain(Lengths):
 class Seam(Lengths):
     index: int
     name: str
-    seam_id: int = 0  # known in Blender by this id; 0 elsewhere
+    seam_id: int = 0  # id of the seam in Blender; 0 elsewhere
     is_dart: bool
-    pieces: list[int]  # one a side
+    pieces: list[int]  # one per side
     edges: Pairs
-    variation: float | None  # by how much all sides are longer than on the model
-    eases: list[float | None]  # by how much more each side is
+    variation: float | None  # change of length of all sides, as a fraction of the length on the model
+    eases: list[float | None]  # additional change of each side
     mismatch: float | None
     ok: bool
 
 
 @dataclass(kw_only=True)
 class Ways:
-    """A share of the flat length in each direction of the fabric; None: not known."""
+    """A share of the flat length in each direction of the fabric; None: unknown."""
 
     across: float | None
     along: float | None
@@ -109,18 +109,18 @@ class Ways:
 
 @dataclass(kw_only=True)
 class Threads:
-    """What a fabric with a grain must do in a piece: figures that 99% of the piece's area stays below."""
+    """Strain of a fabric with a grain in a piece: figures that 99% of the piece's area stays below."""
 
-    cloth: str  # the fabric as sentences call it
-    across: float  # by how much threads across the grain are stretched
+    cloth: str  # name of the fabric in sentences
+    across: float  # stretch of the threads across the grain
     along: float
-    shear: float  # radians by which the threads leave the right angle
+    shear: float  # radians between the threads and the right angle
     gives: Ways  # maximum stretch of the fabric
-    worn: Ways  # built-in stretch, which is wanted
+    worn: Ways  # built-in stretch, which is intended
 
     @property
     def over(self) -> bool:
-        """Whether the fabric must stretch further than it can."""
+        """Return whether the fabric must stretch further than it can."""
         return self.is_over("across") or self.is_over("along")
 
     def is_over(self, way: str) -> bool:
@@ -128,7 +128,7 @@ class Threads:
         return needed > self.limit(way)
 
     def limit(self, way: str) -> float:
-        """The maximum stretch; if it is not known, what every fabric does beyond the built-in stretch."""
+        """Return the maximum stretch; if unknown, what every fabric can do beyond the built-in stretch."""
         known: float | None = getattr(self.gives, way)
         return known if known is not None else (1 + (getattr(self.worn, way) or 0.0)) * (1 + ANY_FABRIC) - 1
 
@@ -137,8 +137,8 @@ class Threads:
 class Piece:
     index: int
     name: str
-    piece_id: int = 0  # known in Blender by this id; 0 elsewhere
-    ok: bool  # all guarantees hold
+    piece_id: int = 0  # id of the piece in Blender; 0 elsewhere
+    ok: bool  # all guarantees are met
     has_layout: bool
     faces: int
     triangles: int
@@ -146,10 +146,10 @@ class Piece:
     area_2d: float | None
     arap_energy: float | None
     cloth_energy: float | None
-    stretch: float | None  # see strain.py: the one figure of the verdict; inf for a piece that has collapsed
+    stretch: float | None  # see strain.py: the figure of the verdict; inf for a collapsed piece
     aspect_ratio_max: float | None
     stretch_max: float | None  # of the worst face
-    stretch_faces: list[int]  # around the worst one
+    stretch_faces: list[int]  # around the worst face
     ease_max: float | None
     ease_faces: list[int]
     angle_deviation_rms: float | None
@@ -173,18 +173,18 @@ class Piece:
 
     @property
     def is_strained(self) -> bool:
-        """Whether the lengths are kept, but the fabric must stretch further than it can, or than every fabric can."""
+        """Return whether lengths are kept, but the fabric must stretch further than it, or every fabric, can."""
         return self.ok and (self.threads.over if self.threads else self.needed > ANY_FABRIC)
 
     @property
     def needed(self) -> float:
-        """`stretch` as a number: inf for a layout that has collapsed."""
+        """Return `stretch` as a number: inf for a collapsed layout."""
         return math.inf if self.stretch is None else self.stretch
 
 
 @dataclass(frozen=True, kw_only=True)
 class LooserWire:
-    """A wire whose length can be kept if it gets this tolerance."""
+    """A wire whose length can be kept with this tolerance."""
 
     name: str
     tolerance: float
@@ -193,7 +193,7 @@ class LooserWire:
 
 @dataclass(frozen=True)
 class Issue:
-    """What went wrong, in one sentence, and the elements of the model that the sentence is about.
+    """A fault in one sentence, with its elements of the model.
 
     code: that of wirewarp.ErrorCode, or the program's own.
     """
@@ -204,7 +204,7 @@ class Issue:
     vertices: list[int] = field(default_factory=list)
     edges: Pairs = field(default_factory=list)
     faces: list[int] = field(default_factory=list)
-    proposed_seams: Pairs = field(default_factory=list)  # edges that would make it flat if they were seams
+    proposed_seams: Pairs = field(default_factory=list)  # edges that make the piece flat if they are seams
     proposed_tolerances: list[LooserWire] = field(default_factory=list)
     both_sides: bool = False  # the proposal is for this piece and its mirror image
 
@@ -215,26 +215,26 @@ class Issue:
 
 @dataclass(frozen=True)
 class Hint(Issue):
-    """What would make a good piece better."""
+    """A way to improve a good piece."""
 
-    short: str = ""  # the sentence without the advice, for a list under it
-    wire: int | None = None  # index in Report.wires, whose name stands before the sentence
+    short: str = ""  # the sentence without the advice, for a list below it
+    wire: int | None = None  # index in Report.wires; its name precedes the sentence
 
 
 @dataclass(frozen=True)
 class Note:
     text: str
     is_warning: bool = False
-    piece: int | None = None  # whose name stands before the text
+    piece: int | None = None  # its name precedes the text
 
 
 @dataclass(kw_only=True)
 class Report:
-    """What became of one model."""
+    """The result of one model."""
 
     object: str = ""  # the model's name
-    meters: float = 1.0  # in a unit of the model
-    method: str = ""  # "" where nothing was flattened
+    meters: float = 1.0  # per unit of the model
+    method: str = ""  # "" if nothing was flattened
     pieces: list[Piece] = field(default_factory=list)
     seams: list[Seam] = field(default_factory=list)
     wires: list[Wire] = field(default_factory=list)
@@ -246,7 +246,7 @@ class Report:
 
     @property
     def ok(self) -> bool:
-        """Whether all guarantees hold in all pieces."""
+        """Return whether all guarantees are met in all pieces."""
         return not self.issues
 
     @property

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the entries of a report are called, in panels, in sentences and in tables."""
+"""Names of the entries of a report in panels, sentences and tables."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -10,29 +10,29 @@ from .model import Chain, Hint, Issue, Note, Report, Seam
 
 
 def piece_names(report: Report, indices: Iterable[int]) -> str:
-    """Each piece once: "Front, Back"."""
+    """Return each piece once: "Front, Back"."""
     return ", ".join(report.pieces[index].name for index in dict.fromkeys(indices))
 
 
 def joined_pieces(report: Report, pieces: Iterable[int]) -> str:
-    """What a seam between these pieces joins: "Front – Back"."""
+    """Return the pieces that a seam joins: "Front – Back"."""
     return " – ".join(report.pieces[index].name for index in dict.fromkeys(pieces))
 
 
 def seam_name(report: Report, seam: Seam) -> str:
-    """ "Seam 3: Front – Back", "Dart 4: Front"."""
+    """Return "Seam 3: Front – Back", "Dart 4: Front"."""
     return f"{seam.name}: {joined_pieces(report, seam.pieces)}"
 
 
 def side_names(report: Report, seam: Seam) -> list[str]:
-    """One for each side of a seam."""
+    """Return one name for each side of a seam."""
     if len(set(seam.pieces)) == len(seam.pieces):
         return [report.pieces[piece].name for piece in seam.pieces]
     return [f"Side {number}" for number in range(1, len(seam.pieces) + 1)]
 
 
 def pieces_of_wires(report: Report) -> dict[int, list[int]]:
-    """The pieces that each wire lies in."""
+    """Return the pieces that each wire crosses."""
     pieces: dict[int, list[int]] = {wire.wire: [] for wire in report.wires}
     for piece in report.pieces:
         for part in piece.wires:
@@ -41,7 +41,7 @@ def pieces_of_wires(report: Report) -> dict[int, list[int]]:
 
 
 def open_edges(report: Report) -> list[tuple[str, int, Chain]]:
-    """(name, piece, chain) of every section of outline that is not sewn: hems, necklines, armholes."""
+    """Return (name, piece, chain) of every open section of outline: hems, necklines, armholes."""
     found = []
     for piece in report.pieces:
         free = [chain for chain in piece.outline if chain.seam is None]
@@ -54,12 +54,12 @@ def open_edges(report: Report) -> list[tuple[str, int, Chain]]:
 
 
 def issue_text(report: Report, issue: Issue) -> str:
-    """The sentence of an issue, with the name of its piece in front."""
+    """Return the sentence of an issue, preceded by the name of its piece."""
     return issue.sentence if issue.piece is None else f"{report.pieces[issue.piece].name}: {issue.sentence}"
 
 
 def hint_text(report: Report, hint: Hint) -> str:
-    """A hint in short, with the name of its piece or wire in front."""
+    """Return a short hint, preceded by the name of its piece or wire."""
     if hint.wire is not None:
         return f'"{report.wires[hint.wire].name}" {hint.short}'
     return hint.short if hint.piece is None else f"{report.pieces[hint.piece].name}: {hint.short}"
@@ -70,7 +70,7 @@ def note_text(report: Report, note: Note) -> str:
 
 
 def rename_wires(report: Report, names: Mapping[int, str]) -> None:
-    """Gives the wires these names, by their ids in Blender."""
+    """Give the wires these names, by their ids in Blender."""
     renamed = {wire.name: names[wire.wire_id] for wire in report.wires}
     if all(old == new for old, new in renamed.items()):
         return
@@ -90,7 +90,7 @@ def rename_wires(report: Report, names: Mapping[int, str]) -> None:
 
 
 def _renamed(sentence: str, renamed: Mapping[str, str]) -> str:
-    """With new names in the lists that stand after the word wire: a piece or an object may have the same name."""
+    """Replace names only in the lists after the word wire: a piece or an object may have the same name."""
     quoted = "|".join(re.escape(name) for name in sorted(renamed, key=len, reverse=True))
     listed = rf'\b[Ww]ires? "(?:{quoted})"(?:(?:, | and )"(?:{quoted})")*'
     each = re.compile(f'"({quoted})"')

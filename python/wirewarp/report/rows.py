@@ -9,7 +9,7 @@ from .names import joined_pieces, open_edges, piece_names, pieces_of_wires, side
 from .verdict import Verdict, verdict
 from .words import ease_text, tolerance_text
 
-LEAST = 5e-5  # of eases: less is shown as none
+LEAST = 5e-5  # smaller eases are shown as none
 
 
 @dataclass(frozen=True)
@@ -19,11 +19,11 @@ class Side:
     length_2d: float | None  # None: no layout
     difference: float | None
     percent: float | None
-    length_asked: float | None  # None: not known without a layout
+    length_asked: float | None  # None: unknown without a layout
 
     @property
     def off(self) -> float | None:
-        """By how much it is longer than it was to be."""
+        """Return the flat length minus its target."""
         return None if self.length_2d is None or self.length_asked is None else self.length_2d - self.length_asked
 
 
@@ -34,18 +34,18 @@ class ReportRow:
     sides: list[Side]
     what: str | None = None  # for the button that selects it
     index: int = 0
-    note: str = ""  # what a seam joins; where a wire lies, its tolerance and what came of that
-    seam_id: int = 0  # by which a seam's name is found in the list where it can be changed
+    note: str = ""  # pieces of a seam; place, tolerance and result of a wire
+    seam_id: int = 0  # id by which the list of names finds the seam
     at_limit: bool = False
 
     @property
     def badness(self) -> float:
-        """Failures first, then the largest difference in percent."""
+        """Return the key of the order: failures first, then the largest difference in percent."""
         worst = max(
             math.inf if side.off is None or not side.length_3d else abs(side.off) / side.length_3d
             for side in self.sides
         )
-        return math.inf if not self.ok else round(worst, 8)  # rounding errors do not make an order
+        return math.inf if not self.ok else round(worst, 8)  # rounding errors do not affect the order
 
 
 @dataclass(frozen=True)
@@ -53,11 +53,11 @@ class PieceRow:
     index: int
     name: str
     ok: bool
-    is_strained: bool  # lengths are kept, but not every fabric, or not the chosen one, stretches as far
+    is_strained: bool  # lengths are kept, but the chosen fabric, or not every fabric, stretches as far
     has_layout: bool
     area_3d: float | None
     area_2d: float | None
-    needed: float  # the one figure of the verdict, a share of the flat length
+    needed: float  # figure of the verdict, a share of the flat length
     stretch_max: float  # of the worst face; inf if a face has no area
     ease_max: float
     threads: Threads | None
@@ -79,7 +79,7 @@ def seam_rows(report: Report) -> list[ReportRow]:
 
 
 def wire_rows(report: Report) -> list[ReportRow]:
-    """Whole wires, with the pieces that their parts lie in."""
+    """Return whole wires, with the pieces of their parts."""
     pieces = pieces_of_wires(report)
     return _worst_first([
         ReportRow(
@@ -96,7 +96,7 @@ def wire_rows(report: Report) -> list[ReportRow]:
 
 
 def outline_rows(report: Report) -> list[ReportRow]:
-    """Sections of outline that are not sewn: hems, necklines, armholes."""
+    """Return open sections of outline: hems, necklines, armholes."""
     return _worst_first([
         ReportRow(name, chain.ok, _sides(chain, ["Flat"]), "OUTLINE", index, _ease(chain))
         for index, (name, _, chain) in enumerate(open_edges(report))
@@ -104,7 +104,7 @@ def outline_rows(report: Report) -> list[ReportRow]:
 
 
 def piece_rows(report: Report) -> list[PieceRow]:
-    """Failed ones first, then by how far their fabric must stretch."""
+    """Return failed pieces first, then by the stretch that they need."""
     return [
         PieceRow(
             index=piece.index,
@@ -152,14 +152,14 @@ def _tolerance(method: str, wire: Wire) -> str:
 
 
 def merged(sides: list[Side], texts: list[tuple[str, ...]]) -> list[tuple[str, tuple[str, ...]]]:
-    """(label, text) of the sides of a seam, put together if all read the same: "Both sides"."""
+    """Return (label, text) of the sides of a seam, as "Both sides" if all texts are equal."""
     if len(sides) > 1 and len(set(texts)) == 1:
         return [("Both sides" if len(sides) == 2 else f"All {len(sides)} sides", texts[0])]
     return [(side.label, text) for side, text in zip(sides, texts, strict=True)]
 
 
 def largest_difference(rows: list[ReportRow]) -> float | None:
-    """From what they were to be, of all sides that have a layout, without its sign."""
+    """Return the largest absolute difference from the target among sides that have a layout."""
     differences = [side.off for row in rows for side in row.sides]
     return max((abs(difference) for difference in differences if difference is not None), default=None)
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How far the fabric must stretch, in one figure for the verdict, the list of pieces and suggestions.
+"""How far the fabric must stretch, as one figure for the verdict, the list of pieces and suggestions.
 
-The figure of a piece is the stretch that 99% of its area stays below, in the worst direction: of each triangle
-max(σ1, 1/σ2) - 1, with the principal stretches of the map from flat to model. So compressing counts as much as the
-stretch that would undo it. It is that of DartProposal.strain, by which suggestions are ranked. What lines with an ease
-ask for is wanted: the piece is measured beyond it. With a fabric, the stretch along its threads counts (Threads).
+The figure of a piece is the stretch that 99% of its area stays below, in the worst direction: for each triangle max(σ1,
+1/σ2) - 1, with the principal stretches of the map from flat to model. Compression therefore counts like the stretch
+that would undo it. DartProposal.strain, which ranks suggestions, is the same figure. Eases are intended: the piece is
+measured beyond them. With a fabric, the stretch along its threads counts (Threads).
 """
 
 import math
@@ -17,9 +17,9 @@ import numpy as np
 from .. import Cloth, Metrics, Piece
 from .model import Threads, Ways
 
-SHARE = 0.99  # of the area: single triangles in corners ask for more than any fabric will notice
-Limits = tuple[float | None, float | None]  # across and along the grain; None: not known
-NAMES = {"woven": "woven cotton", "swim": "swim knit"}  # in sentences, where the preset's name is not a noun
+SHARE = 0.99  # of the area: fabric does not notice single strained triangles in corners
+Limits = tuple[float | None, float | None]  # across and along the grain; None: unknown
+NAMES = {"woven": "woven cotton", "swim": "swim knit"}  # for sentences, if the preset's name is not a noun
 
 
 @dataclass(frozen=True)
@@ -27,10 +27,10 @@ class PieceStrain:
     """Per triangle of a piece with a layout, as shares of the flat length."""
 
     stretch: np.ndarray  # (q,) at least 0; inf where the flat triangle has no area
-    ease: np.ndarray  # (q,) from 0 to 1: how far the fabric is compressed
+    ease: np.ndarray  # (q,) from 0 to 1: compression of the fabric
 
     def beyond(self, wanted: "Wanted") -> "PieceStrain":
-        """Without what the eases of the piece's lines ask for."""
+        """Return the strain beyond the eases of the piece's lines."""
         return PieceStrain(
             stretch=np.maximum((1 + self.stretch) / wanted.stretch - 1, 0),
             ease=np.maximum(1 - (1 - self.ease) * wanted.compression, 0),
@@ -38,7 +38,7 @@ class PieceStrain:
 
 
 def piece_strain(metrics: Metrics) -> PieceStrain:
-    """From the library's strain of threads, so that thick material is measured in the middle of its thickness.
+    """Use the library's strain of threads, which measures thick material at mid-thickness.
 
     Threads of lengths p and q with g = p q sin γ between them have the metric (p², g; g, q²): its eigenvalues are the
     squares of the principal stretches of the map from flat to model.
@@ -57,19 +57,25 @@ def piece_strain(metrics: Metrics) -> PieceStrain:
 
 @dataclass(frozen=True)
 class Wanted:
-    """Factors that the eases of a piece's lines ask for."""
+    """Factors from the eases of a piece's lines."""
 
-    stretch: float = 1.0  # of negative ease: the fabric is this many times longer when worn
-    compression: float = 1.0  # of ease and gathers: the flat line is this many times longer than on the model
+    stretch: float = 1.0  # from negative ease: the fabric is this many times longer when worn
+    compression: float = 1.0  # from ease and gathers: the flat line is this many times longer than on the model
 
 
 def wanted_strain(ratios: Sequence[float]) -> Wanted:
-    """The largest of each; ratios: how much longer than on the model the lines of a piece are to be."""
+    """Return the largest factor of each kind.
+
+    ratios: target lengths of the lines of a piece over those on the model.
+    """
     return Wanted(1 / (1 + min([0.0, *ratios])), 1 + max([0.0, *ratios]))
 
 
 def eases_of_piece(piece: Piece, wires: Sequence[float], sides: dict[tuple[int, int], float]) -> list[float]:
-    """The eases of a piece's lines. wires: the ease of each; sides: of directed edges whose side has an ease."""
+    """Return the eases of a piece's lines.
+
+    wires: ease of each; sides: eases of directed edges with an ease on one side.
+    """
     eases = [wires[wire.wire_index] for wire in piece.wires]
     if sides:
         steps = [step for chain in piece.boundaries for step in pairwise(chain.vertices.tolist())]
@@ -78,22 +84,22 @@ def eases_of_piece(piece: Piece, wires: Sequence[float], sides: dict[tuple[int, 
 
 
 def stretch_figure(strain: PieceStrain, areas: np.ndarray) -> float:
-    """The one figure of a piece; areas (q,) of its triangles on the model."""
+    """Return the figure of a piece. areas (q,): of its triangles on the model."""
     with np.errstate(divide="ignore"):
         undone = 1 / (1 - strain.ease) - 1
     return widespread(np.maximum(strain.stretch, undone), areas)
 
 
 def widespread(values: np.ndarray, areas: np.ndarray) -> float:
-    """What 99% of the area stays below."""
+    """Return the value that 99% of the area stays below."""
     order = np.argsort(values)
     below = np.cumsum(areas[order])
-    # Less by what rounding makes of sums of areas: of equal triangles the same one is taken however they are numbered.
+    # Subtract the rounding error of sums of areas: among equal triangles, the choice does not depend on the numbering.
     return float(values[order[min(np.searchsorted(below, SHARE * (1 - 1e-9) * below[-1]), len(order) - 1)]])
 
 
 def threads_of(metrics: Metrics, areas: np.ndarray, wanted: Wanted, cloth: Cloth, name: str, limits: Limits) -> Threads:
-    """What the fabric must do along its threads in a piece with a layout.
+    """Return the strain of the fabric along its threads in a piece with a layout.
 
     name: of the fabric's preset, or "custom"; limits: its maximum stretch.
     """
@@ -111,35 +117,36 @@ def threads_of(metrics: Metrics, areas: np.ndarray, wanted: Wanted, cloth: Cloth
 
 
 def thread_strains(metrics: Metrics) -> dict[str, np.ndarray]:
-    """(q,) of the threads across and along the grain; inf where the flat triangle has no area."""
+    """Return the strain (q,) of the threads across and along the grain; inf if the flat triangle has no area."""
     strains = {"across": metrics.face_weft_strain, "along": metrics.face_warp_strain}
     return {way: _numbers(strain, math.inf) for way, strain in strains.items()}
 
 
 def _numbers(values: np.ndarray, collapsed: float) -> np.ndarray:
-    """With this value for triangles that have none."""
+    """Replace missing values by this number."""
     found: np.ndarray = np.where(np.isfinite(values), values, collapsed)
     return found
 
 
 def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """(m,) of triangles (m,3) of vertices (n,3)."""
+    """Return the areas (m,) of triangles (m,3) of vertices (n,3)."""
     a, b, c = (vertices[triangles[:, corner]] for corner in range(3))
     areas: np.ndarray = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
     return areas
 
 
 def triangles_around(piece: Piece, triangle: int) -> np.ndarray:
-    """The triangles (k,) of a piece that share a vertex with one of them, itself included."""
+    """Return the triangles (k,) of a piece that share a vertex with one of these, which are included."""
     return np.flatnonzero(np.isin(piece.faces, piece.faces[triangle]).any(axis=1))
 
 
 def connected_regions(piece: Piece, members: np.ndarray) -> list[np.ndarray]:
-    """The triangles of the mask members (q,) in groups that hang together by edges of the piece."""
+    """Return the triangles of the mask members (q,) in groups that edges of the piece connect."""
     triangles = np.flatnonzero(members)
     neighbors = _neighbors(np.asarray(piece.faces)[triangles], len(piece.vertices))
     labels = np.arange(len(triangles))
-    while True:  # each takes the lowest label around; following labels to theirs takes long ways in few rounds
+    # each takes the lowest label around it; following labels to theirs needs few rounds over long distances
+    while True:
         lowest = np.minimum(labels, labels[neighbors].min(axis=1))
         lowest = lowest[lowest]
         if np.array_equal(lowest, labels):
@@ -151,7 +158,7 @@ def connected_regions(piece: Piece, members: np.ndarray) -> list[np.ndarray]:
 
 
 def _neighbors(faces: np.ndarray, vertex_count: int) -> np.ndarray:
-    """(t,3) the triangle across each side, itself where there is none; faces (t,3)."""
+    """Return the triangle (t,3) across each side, itself if there is none; faces (t,3)."""
     keys = edge_keys(faces[:, [0, 1, 1, 2, 2, 0]], vertex_count)
     sides = np.argsort(keys, kind="stable")
     pairs = np.flatnonzero(keys[sides][1:] == keys[sides][:-1])
@@ -163,13 +170,13 @@ def _neighbors(faces: np.ndarray, vertex_count: int) -> np.ndarray:
 
 
 def edge_keys(pairs: np.ndarray, count: int) -> np.ndarray:
-    """One number for each pair of vertices, whichever comes first; count: of all vertices."""
+    """Return one number for each pair of vertices in any order. count: of all vertices."""
     keys: np.ndarray = np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1) @ np.array([count, 1])
     return keys
 
 
 def percent_text(share: float) -> str:
-    """ "19%", "9.5%", "over 100%", "unlimited"."""
+    """Return "19%", "9.5%", "over 100%", "unlimited"."""
     if math.isinf(share):
         return "unlimited"
     if share >= 1:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which pieces may be cut, and from which fabric: the same in Blender and on the command line."""
+"""Which pieces can be cut, and from which fabric: the same in Blender and on the command line."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -11,28 +11,28 @@ from .strain import percent_text
 from .words import counted
 
 CLOSED_CODE = "closed_chart"
-ANY_LIMIT = 1.0  # no fabric comes to twice its length
+ANY_LIMIT = 1.0  # no fabric stretches to twice its length
 NOT_KNOWN = Ways(across=None, along=None)  # maximum stretch
 SHOWN_NAMES = 4
 
 
 class Level(StrEnum):
     GOOD = "good"  # cut
-    CAUTION = "caution"  # do not cut before you have read the sentence
+    CAUTION = "caution"  # read the sentence before you cut
     BAD = "bad"  # do not cut
 
 
 class Kind(StrEnum):
-    """The worst first: a verdict is of the first kind that applies to a piece."""
+    """The worst first: a verdict has the first kind that applies to a piece."""
 
     NOT_FLATTENED = "not flattened"
-    FAILED = "failed"  # a guarantee is broken
-    CLOSED = "closed"  # only closed pieces failed: no cut was chosen yet
+    FAILED = "failed"  # a guarantee is not met
+    CLOSED = "closed"  # only closed pieces failed: they have no cut yet
     NO_FABRIC = "no fabric"  # a piece must stretch to more than twice its length
     BEYOND_FABRIC = "beyond fabric"  # the chosen fabric does not stretch as far
-    NEEDS_STRETCH = "needs stretch"  # no fabric is chosen, and not every one will do
-    NOT_AS_SEEN = "not as seen"  # modifiers or shape keys were left out
-    READY = "ready"  # to be cut from the chosen fabric
+    NEEDS_STRETCH = "needs stretch"  # no fabric is chosen, and not every fabric can do it
+    NOT_AS_SEEN = "not as seen"  # modifiers or shape keys were ignored
+    READY = "ready"  # can be cut from the chosen fabric
     READY_FOR_ANY = "ready for any fabric"
 
     @property
@@ -42,7 +42,7 @@ class Kind(StrEnum):
         return Level.BAD if self in (Kind.NOT_FLATTENED, Kind.FAILED) else Level.CAUTION
 
 
-CUTTABLE = (Kind.NEEDS_STRETCH, Kind.READY, Kind.READY_FOR_ANY)  # from some fabric
+CUTTABLE = (Kind.NEEDS_STRETCH, Kind.READY, Kind.READY_FOR_ANY)  # kinds that some fabric can do
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ class _Entry:
 
 
 def verdict(*reports: Report) -> Verdict:
-    """On one report, or on all reports of a run."""
+    """Return the verdict on one report, or on all reports of a run."""
     entries = [_Entry(report, piece) for report in reports for piece in report.pieces]
     if not entries:
         return Verdict((Line(Kind.NOT_FLATTENED, wording.NOT_FLATTENED),))
@@ -83,7 +83,7 @@ def verdict(*reports: Report) -> Verdict:
     by_kind: dict[Kind, list[_Entry]] = {}
     for entry in entries:
         by_kind.setdefault(_kind_of(entry), []).append(entry)
-    if Kind.FAILED in by_kind and Kind.CLOSED in by_kind:  # the issues say which is which
+    if Kind.FAILED in by_kind and Kind.CLOSED in by_kind:  # the issues distinguish them
         by_kind[Kind.FAILED] += by_kind.pop(Kind.CLOSED)
     if Kind.NEEDS_STRETCH in by_kind:  # one fabric for all pieces
         by_kind[Kind.NEEDS_STRETCH] += by_kind.pop(Kind.READY_FOR_ANY, [])
@@ -97,7 +97,7 @@ def verdict(*reports: Report) -> Verdict:
 
 
 def as_seen(found: Verdict, makers: Iterable[str]) -> Verdict:
-    """The verdict if modifiers or shape keys, which were left out, make the model look different."""
+    """Return the verdict if ignored modifiers or shape keys make the model look different."""
     names = list(dict.fromkeys(makers))
     if not names:
         return found
@@ -124,7 +124,7 @@ def _kind_of(entry: _Entry) -> Kind:
 
 
 def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: bool) -> list[str]:
-    """The sentences on the pieces of one kind, the worst first; entries: all pieces."""
+    """Return the sentences on the pieces of one kind, the worst first. entries: all pieces."""
     everything = len(own) == len(entries)
     names = _names(own, with_objects)
     match kind:
@@ -167,24 +167,24 @@ def _names(entries: Sequence[_Entry], with_objects: bool) -> str:
 
 
 def _listed(names: Iterable[str], between: str) -> str:
-    """Each once, the first ones by name."""
+    """Return each once, the first ones by name."""
     every = list(dict.fromkeys(names))
     shown, hidden = every[:SHOWN_NAMES], len(every) - SHOWN_NAMES
     if hidden > 0:
         return f"{between.join(shown)} and {hidden} more"
-    if between != ", ":  # names of objects with pieces have commas in them
+    if between != ", ":  # names of objects with pieces contain commas
         return between.join(shown)
     *others, last = shown
     return f"{', '.join(others)} and {last}" if others else last
 
 
 def kept_text(reports: Iterable[Report]) -> str:
-    """What is true of the lengths in reports without an issue."""
+    """Return the sentence on lengths in reports without an issue."""
     loose = any(wire.tolerance != 0 for report in reports if report.method != "wirewarping" for wire in report.wires)
     return wording.TOLERATED if loose else wording.EXACT
 
 
 def place_name(report: Report, piece: int | None) -> str:
-    """The object and the piece, if there is one and it is not called like the object."""
+    """Return the object and the piece, if there is one with another name."""
     name = report.object if piece is None else report.pieces[piece].name
     return name if name == report.object else f"{report.object}, {name}"

@@ -8,13 +8,13 @@ from .model import Threads
 from .strain import percent_text
 from .words import counted
 
-LESSER = 0.5  # of stretch and compression, the lesser is worth words from this share of the greater
+LESSER = 0.5  # of stretch and compression: the smaller one is mentioned from this share of the larger one
 NOT_FLATTENED = "Not flattened"
 EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"
 
 
 def closed(names: str, count: int) -> str:
-    """names: of the closed pieces, or "" for a whole model."""
+    """Return the sentence. names: of the closed pieces, or "" for a whole model."""
     what = "are closed: choose where to cut them" if count > 1 else "is closed: choose where to cut it"
     return f"{names or 'This model'} {what}"
 
@@ -24,7 +24,7 @@ def failed(count: int, of: int) -> str:
 
 
 def failed_models(names: str) -> str:
-    """names: of the models that have no pieces because flattening failed."""
+    """Return the sentence. names: of the models without pieces because flattening failed."""
     return f"Do not cut: {names} failed"
 
 
@@ -33,7 +33,7 @@ def no_fabric(names: str) -> str:
 
 
 def beyond_fabric(names: str, threads: Threads) -> str:
-    """ "Front must stretch 4.0% across and 7.6% along (shear 19°), but this denim stretches only 3.0%. ..." """
+    """Return "Front must stretch 4.0% across and 7.6% along (shear 19°), but this denim stretches only 3.0%. ..."."""
     return (
         f"{names} must stretch {needs_text(threads)}, but this {threads.cloth} stretches only {gives_text(threads)}. "
         "Add a dart or seam, or choose another fabric."
@@ -41,14 +41,14 @@ def beyond_fabric(names: str, threads: Threads) -> str:
 
 
 def needs_stretch(names: str, is_exact: bool, stretch: str) -> str:
-    """names: of the pieces, "" for all; is_exact: no wire has a tolerance; stretch: in percent."""
+    """Return the sentence. names: of the pieces, "" for all; is_exact: no wire has a tolerance; stretch: in percent."""
     which = f"Lengths of {names}" if names else "Lengths"
     kept = "exact" if is_exact else "exact or within their tolerance"
     return f"{which} are {kept}. Cut from fabric that stretches at least {stretch}."
 
 
 def by_way(across: float, along: float) -> str:
-    """ "12% across and 5.0% along"."""
+    """Return "12% across and 5.0% along"."""
     return f"{percent_text(across)} across and {percent_text(along)} along"
 
 
@@ -57,7 +57,7 @@ def ready(which: str) -> str:
 
 
 def ready_for_stretch(which: str, stretch: float) -> str:
-    """Of fabric whose maximum stretch is not known, but that is to be stretched as far anyway when it is worn."""
+    """Return the sentence for a fabric of unknown maximum stretch that is stretched as far anyway when worn."""
     return f"Ready to cut from fabric that stretches at least {percent_text(stretch)}: {which}"
 
 
@@ -66,17 +66,17 @@ def ready_for_any(which: str) -> str:
 
 
 def ignored(makers: Sequence[str]) -> str:
-    """makers: "modifiers", "shape keys"."""
+    """Return the sentence. makers: "modifiers", "shape keys"."""
     return f"{' and '.join(makers).capitalize()} were ignored, so sizes differ from what you see"
 
 
 def needs_text(threads: Threads) -> str:
-    """ "4.0% across and 2.0% along (shear 18°)"."""
+    """Return "4.0% across and 2.0% along (shear 18°)"."""
     return f"{by_way(threads.across, threads.along)} (shear {math.degrees(threads.shear):.0f}°)"
 
 
 def gives_text(threads: Threads) -> str:
-    """ "3.0%", "50% across and 25% along", or what is known."""
+    """Return "3.0%", "50% across and 25% along", or the known part."""
     ways = {"across": threads.gives.across, "along": threads.gives.along}
     known = {way: percent_text(share) for way, share in ways.items() if share is not None}
     if len(known) == 2 and len(set(known.values())) == 1:
@@ -85,9 +85,9 @@ def gives_text(threads: Threads) -> str:
 
 
 def strain_text(stretch: float, compression: float) -> str:
-    """ "stretched", "compressed" or both, if the lesser is not much less; shares of the flat length.
+    """Return "stretched", "compressed" or both, if the smaller share of the flat length is not much smaller.
 
-    Without a figure: that of the piece is the one that counts, and a second one beside it would confuse.
+    It contains no figure, because that of the piece counts and a second one beside it would confuse.
     """
     strains = {"stretched": stretch, "compressed": compression}
     return " and ".join(word for word, share in strains.items() if share >= LESSER * max(strains.values()))

@@ -5,24 +5,24 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-# Areas in square millimeters would be numbers of six digits: unit of the area, and how many of ours it is long.
+# Areas in square millimeters would have six digits: unit of the area, and its side in units of length.
 _AREA_UNITS = {"mm": ("cm", 10.0), "um": ("cm", 1e4), "thou": ("in", 1000.0)}
 _DECIMALS = {"mm": 2, "cm": 3, "m": 4, "in": 3}
 _AREA_DECIMALS = {"mm": 1, "um": 1, "cm": 1, "in": 2, "thou": 2, "ft": 3}
 
 
 def counted(count: int, one: str, many: str = "") -> str:
-    """ "1 edge", "2 edges". many: the words of the plural where an s does not make them, "edges lie"."""
+    """Return "1 edge", "2 edges". many: the plural if it does not end in s, "edges lie"."""
     return f"{count} {one if count == 1 else many or f'{one}s'}"
 
 
 def quoted(names: Iterable[str]) -> str:
-    """ "Front", "Back": each with its quotation marks."""
+    """Return "Front", "Back": each in quotation marks."""
     return ", ".join(f'"{name}"' for name in names)
 
 
 def paragraph(sentences: Iterable[str]) -> str:
-    """In one line, each sentence with its end: Blender's status bar drops line breaks."""
+    """Return one line with a period after each sentence: Blender's status bar drops line breaks."""
     return " ".join(each if each.endswith((".", "?", ":")) else f"{each}." for each in sentences)
 
 
@@ -32,14 +32,14 @@ def ease_text(ease: float) -> str:
 
 
 def wire_text(tolerance: float, ease: float) -> str:
-    """Of a wire with its ease, if it has one: "±3%", "+5%", "+5% ±3%", "free"."""
+    """Return the text of a wire with its ease, if it has one: "±3%", "+5%", "+5% ±3%", "free"."""
     if ease == 0 or math.isinf(tolerance):
         return tolerance_text(tolerance)
     return ease_text(ease) if tolerance == 0 else f"{ease_text(ease)} {tolerance_text(tolerance)}"
 
 
 def tolerance_text(tolerance: float) -> str:
-    """A rigid, an elastic or a free (super-elastic) wire: "rigid", "±3%", "free"."""
+    """Return the text of a rigid, an elastic or a free wire: "rigid", "±3%", "free"."""
     if tolerance == 0:
         return "rigid"
     return "free" if math.isinf(tolerance) else f"±{100 * tolerance:.3g}%"
@@ -47,7 +47,7 @@ def tolerance_text(tolerance: float) -> str:
 
 @dataclass(frozen=True)
 class LengthText:
-    """Writes lengths given in Blender units; all in one unit, so that a column of numbers can be compared."""
+    """Writes lengths given in Blender units, all in one unit, so that a column of numbers can be compared."""
 
     unit: str
     per_blender_unit: float
@@ -59,12 +59,12 @@ class LengthText:
         return f"{length * self.per_blender_unit:.{_DECIMALS.get(self.unit, 4)}f}"
 
     def difference(self, length: float) -> str:
-        """A signed difference; what rounds to nothing has no sign."""
+        """Return a signed difference; zero has no sign."""
         text = self.number(length)
         return text.removeprefix("-") if float(text) == 0 else f"{float(text):+.{_DECIMALS.get(self.unit, 4)}f}"
 
     def rough(self, length: float) -> str:
-        """To three digits."""
+        """Return the length with three digits."""
         return f"{float(f'{length * self.per_blender_unit:.3g}'):.10g} {self.unit}".rstrip()
 
     @property
@@ -74,12 +74,12 @@ class LengthText:
 
     @property
     def area_per_blender_unit(self) -> float:
-        """How many of our areas one square Blender unit is."""
+        """Return the area of one square Blender unit in this unit of area."""
         _, scale = self._area_scale()
         return (self.per_blender_unit / scale) ** 2
 
     def area(self, area: float) -> str:
-        """Of an area in square Blender units."""
+        """Return the text of an area in square Blender units."""
         number = f"{area * self.area_per_blender_unit:.{_AREA_DECIMALS.get(self.unit, 4)}f}"
         return f"{number} {self.area_unit}".rstrip()
 
