@@ -4,6 +4,7 @@
 namespace {
 constexpr int kLanes = 4;
 constexpr int kRowsAtOnce = 3;  // 12 registers of sums, and four for what is multiplied
+constexpr int kRowsSummed = 4;  // 4 registers of x, and one of sums at a time
 }  // namespace
 
 #include "numerics/cholesky/front_kernels_body.h"

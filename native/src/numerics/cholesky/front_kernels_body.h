@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The kernels themselves. Each front_kernels_*.cpp includes them once, after it has said how many numbers a register of
-// its processor holds (kLanes) and how many row tiles its registers can accumulate at once (kRowsAtOnce).
+// its processor holds (kLanes), and how many row tiles its registers can hold at once while a front is factored
+// (kRowsAtOnce) and while the rows of L are summed up in back substitution (kRowsSummed).
 //
 // Files compiled for a newer processor must share nothing inline with others: of two copies of an inline function the
 // linker keeps one, and would hand the new instructions to old processors. So all here is in an unnamed namespace, and

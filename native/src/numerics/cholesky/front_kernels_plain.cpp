@@ -3,6 +3,7 @@
 namespace {
 constexpr int kLanes = 2;
 constexpr int kRowsAtOnce = 1;  // 8 registers of sums; two rows would take all
+constexpr int kRowsSummed = 2;  // 4 registers of x, and one of sums at a time
 }  // namespace
 
 #include "numerics/cholesky/front_kernels_body.h"

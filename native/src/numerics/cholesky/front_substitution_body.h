@@ -23,30 +23,53 @@ inline void product(const Tile* l, int columns, const double* x, double (&result
   }
 }
 
-/// sums_j += L_tj ∘ x_t over the columns j of kRows row tiles from l on, stride tiles apart: the numbers of a column of
+/// Begins to read the tiles that back substitution needs soon. It goes through memory from the end to the beginning,
+/// where processors do not look ahead by themselves: without this it takes 1.7 times as long.
+inline void fetch_ahead(const Tile* tile) {
+  constexpr int kTilesAhead = 128;     // 16 KB: half as many take 5% longer, twice as many save nothing
+  constexpr int kLine = 64;            // bytes that the processor reads at once
+  constexpr int kIntoSecondLevel = 2;  // cache: prefetching into the first level is a third slower
+  const char* const ahead = reinterpret_cast<const char*>(tile - kTilesAhead);
+  for (int byte = 0; byte < static_cast<int>(sizeof(Tile)); byte += kLine)
+    __builtin_prefetch(ahead + byte, 0, kIntoSecondLevel);
+}
+
+/// sums_j += L_tj ∘ x_t for kRows row tiles t from `first` on, columns j from begin to end: the numbers of a column of
 /// sums_j add up to what L_tjᵀ x_t gives there.
 template <int kRows>
-inline void add_products(const Tile* l, int stride, int columns, const double* x, Tile* sums) {
+inline void add_products(const Tile* panel, int m, int first, int begin, int end, const double* x, Tile* sums) {
+  const Tile* l[kRows];
   Lanes x_t[kRows][kParts];
 #pragma GCC unroll 4
   for (int row = 0; row < kRows; ++row) {
+    l[row] = panel + panel_row(first + row, m);
 #pragma GCC unroll 4
     for (int part = 0; part < kParts; ++part) {
-      x_t[row][part] = *reinterpret_cast<const Lanes*>(x + kTile * row + kLanes * part);
+      x_t[row][part] = *reinterpret_cast<const Lanes*>(x + kTile * (first + row) + kLanes * part);
     }
   }
-  for (int j = 0; j < columns; ++j) {
+  for (int j = begin; j < end; ++j) {
+#pragma GCC unroll 4
+    for (int row = 0; row < kRows; ++row) fetch_ahead(l[row] + j);
 #pragma GCC unroll 4
     for (int k = 0; k < kTile; ++k) {
 #pragma GCC unroll 4
       for (int part = 0; part < kParts; ++part) {
         Lanes sum = column(sums[j], k, part);
 #pragma GCC unroll 4
-        for (int row = 0; row < kRows; ++row) sum += column(l[row * stride + j], k, part) * x_t[row][part];
+        for (int row = 0; row < kRows; ++row) sum += column(l[row][j], k, part) * x_t[row][part];
         column(sums[j], k, part) = sum;
       }
     }
   }
+}
+
+/// The same for the row tiles from first to last and all columns before end, the last rows first.
+inline void add_all_products(const Tile* panel, int m, int first, int last, int end, const double* x, Tile* sums) {
+  int t = last;
+  for (; t - kRowsSummed >= first; t -= kRowsSummed)
+    add_products<kRowsSummed>(panel, m, t - kRowsSummed, 0, end, x, sums);
+  while (t > first) add_products<1>(panel, m, --t, 0, end, x, sums);
 }
 
 void solve_lower(const Tile* panel, int m, int r, double* x) {
@@ -66,18 +89,21 @@ void solve_lower(const Tile* panel, int m, int r, double* x) {
 
 void solve_upper(const Tile* panel, int m, int r, double* x, Tile* sums) {
   for (int j = 0; j < m; ++j) sums[j] = Tile{};
-  int t = m;
-  for (; t + 1 < m + r; t += 2) add_products<2>(panel + panel_row(t, m), m, m, x + kTile * t, sums);
-  if (t < m + r) add_products<1>(panel + panel_row(t, m), 0, m, x + kTile * t, sums);
-  for (t = m - 1; t >= 0; --t) {
-    const Tile* const l = panel + panel_row(t, m);
-    double* const x_t = x + kTile * t;
-    for (int i = kTile - 1; i >= 0; --i) {
-      for (int k = 0; k < kTile; ++k) x_t[i] -= sums[t].entries[kTile * i + k];
-      for (int k = i + 1; k < kTile; ++k) x_t[i] -= l[t].entries[kTile * i + k] * x_t[k];
-      x_t[i] *= l[t].entries[kTile * i + i];
+  add_all_products(panel, m, m, m + r, m, x, sums);
+  for (int last = m; last > 0;) {
+    const int first = last > kRowsSummed ? last - kRowsSummed : 0;
+    for (int t = last - 1; t >= first; --t) {
+      const Tile* const l = panel + panel_row(t, m);
+      double* const x_t = x + kTile * t;
+      for (int i = kTile - 1; i >= 0; --i) {
+        for (int k = 0; k < kTile; ++k) x_t[i] -= sums[t].entries[kTile * i + k];
+        for (int k = i + 1; k < kTile; ++k) x_t[i] -= l[t].entries[kTile * i + k] * x_t[k];
+        x_t[i] *= l[t].entries[kTile * i + i];
+      }
+      add_products<1>(panel, m, t, first, t, x, sums);
     }
-    add_products<1>(l, 0, t, x_t, sums);
+    add_all_products(panel, m, first, last, first, x, sums);
+    last = first;
   }
 }
 
