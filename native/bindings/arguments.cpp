@@ -31,6 +31,10 @@ std::vector<Item> read_list(py::handle value, const std::string& argument, const
 
 }  // namespace
 
+std::vector<SurfacePath> read_paths(py::handle value) {
+  return read_list<SurfacePath>(value, "paths", "SurfacePath");
+}
+
 Options read_options(py::handle value) {
   if (value.is_none()) return {};
   if (py::isinstance<Options>(value)) return value.cast<const Options&>();

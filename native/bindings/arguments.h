@@ -5,11 +5,15 @@
 
 #include "bind.h"
 #include "wirewarp/cache.h"
+#include "wirewarp/cut_mesh.h"
 #include "wirewarp/flatten.h"
 
 namespace wirewarp::bindings {
 
 FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires, py::handle eases);
+
+/// paths: a list of SurfacePath.
+std::vector<SurfacePath> read_paths(py::handle value);
 
 /// None: the defaults.
 Options read_options(py::handle value);

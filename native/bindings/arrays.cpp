@@ -184,6 +184,21 @@ VertexPairs read_half_edges(py::handle value) {
 
 CornerUv read_corner_uv(py::handle value) { return read_reals<CornerUv>(value, "corner_uv", {3, 2}); }
 
+Positions3 read_coordinates(py::handle value) { return read_reals<Positions3>(value, "SurfacePath coordinates", {3}); }
+
+std::vector<int> read_whole_numbers(py::handle value, const std::string& name) {
+  const py::array array = as_array(value, name);
+  check_kind(array, value, name, array.size() == 0 ? "iuf" : "iu", "whole numbers");
+  if (array.ndim() != 1) throw wrong_shape(name, "(n,)", array);
+  std::vector<int> result(static_cast<std::size_t>(array.size()));
+  if (const auto found = narrow(array, result.data())) {
+    throw FlattenError(ErrorCode::invalid_option, ErrorArguments{{"name", name},
+                                                                 {"value", "a list with " + found->value},
+                                                                 {"allowed", "have indices below 2147483648"}});
+  }
+  return result;
+}
+
 std::vector<int> read_chain(py::handle value, const std::string& owner) {
   const std::string name = owner + " vertices";
   if (!py::isinstance<py::array>(value)) {

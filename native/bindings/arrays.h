@@ -34,6 +34,12 @@ VertexPairs read_half_edges(py::handle value);
 /// corner_uv (m, 3, 2), real numbers.
 CornerUv read_corner_uv(py::handle value);
 
+/// Of a SurfacePath: coordinates (k, 3), real numbers.
+Positions3 read_coordinates(py::handle value);
+
+/// One-dimensional, whole numbers; throws invalid_type or invalid_shape, calling it `name`.
+std::vector<int> read_whole_numbers(py::handle value, const std::string& name);
+
 /// Vertices in a row: any sequence or one-dimensional array of whole numbers; owner: "Wire", for messages.
 std::vector<int> read_chain(py::handle value, const std::string& owner);
 

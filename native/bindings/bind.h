@@ -11,6 +11,7 @@ namespace wirewarp::bindings {
 namespace py = pybind11;
 
 void bind_cloth(py::module_& module);
+void bind_cut_mesh(py::module_& module);
 void bind_options(py::module_& module);
 void bind_wire(py::module_& module);
 void bind_ease(py::module_& module);

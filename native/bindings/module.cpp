@@ -17,6 +17,7 @@ PYBIND11_MODULE(in_main_interpreter, module) {
   bind_cache(module);
   bind_flatten(module);
   bind_job(module);
+  bind_cut_mesh(module);
   bind_propose(module);
   bind_straighten(module);
   bind_running_calls();

@@ -30,6 +30,7 @@ LAYERS = [
     "numerics/cholesky",
     "surface/mesh",
     "surface/check_input",
+    "surface/cut_mesh",
     "surface/charts",
     "surface/network",
     "surface/orientation",

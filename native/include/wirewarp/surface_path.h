@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lines on a mesh that need not follow its edges.
+#pragma once
+
+#include <vector>
+
+#include "wirewarp/types.h"
+
+namespace wirewarp {
+
+/// A line on a triangle mesh, straight from each point to the next. Two points in a row lie in one triangle.
+struct SurfacePath {
+  std::vector<int> faces;  // (k,) triangle that has the point, inside or on its rim
+  Positions3 coordinates;  // (k, 3) barycentric coordinates in that triangle: shares of its corners
+};
+
+/// Throws FlattenError (invalid_option) if the path cannot be valid on any mesh.
+void check_surface_path(const SurfacePath& path);
+
+}  // namespace wirewarp

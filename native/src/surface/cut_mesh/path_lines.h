@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The straight lines of paths within faces, divided where they cross or pass close by a site.
+#pragma once
+
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "surface/cut_mesh/path_sites.h"
+#include "surface/cut_mesh/triangulate_face.h"
+
+namespace wirewarp {
+
+inline FacePoint point_in(const Shares& shares) { return {shares[1], shares[2]}; }
+
+class PathLines {
+ public:
+  explicit PathLines(PathSites& sites) : sites_(sites) {}
+
+  /// Draws a line between two sites of a face. Those along edges need not be drawn.
+  void draw(int face, int from, int to);
+
+  /// Divides the lines of all faces, until none crosses another. Throws invalid_option if that takes too long.
+  void divide();
+
+  /// Sites from one end of a line to the other, without the first: where it was divided, and others on its edge.
+  void append_sites(int from, int to, std::vector<int>& line) const;
+
+  /// Lines within a face, which cross no other; the smaller site first.
+  const std::map<int, std::set<std::array<int, 2>>>& lines() const { return lines_; }
+
+ private:
+  using Line = std::array<int, 2>;
+
+  bool divide_once(int face, const std::set<Line>& lines);
+  void divide_at(int face, Line line, int site);
+  bool is_between(int face, int site, const Line& line) const;
+  int crossing_of(int face, const Line& one, const Line& other);
+  int site_close_by(int face, const Line& line) const;
+  FacePoint point(int face, int site) const { return point_in(sites_.shares_in(site, face)); }
+
+  PathSites& sites_;
+  std::map<int, std::set<Line>> lines_;  // by face
+  std::map<Line, int> divided_;          // the site between the ends of lines that are no more
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The places through which paths on a mesh lead: vertices, points on edges and points in faces, far enough apart that
+// no slivers lie between them.
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "surface/mesh/edge_table.h"
+
+namespace wirewarp {
+
+/// Barycentric coordinates in a face.
+using Shares = std::array<double, 3>;
+
+struct Site {
+  std::vector<int> vertices;  // of the mesh: one, the ends of an edge with the smaller first, or the corners of a face
+  std::vector<double> shares;  // of them
+  int edge = -1;               // for two vertices
+  int face = -1;               // for three vertices
+};
+
+class PathSites {
+ public:
+  /// Sites 0 to num_vertices - 1 are the vertices. All are kept by reference.
+  PathSites(const Triangles& faces, const EdgeTable& edges, int num_vertices, double snap);
+
+  /// The site at a point, moved to an edge, a vertex or another site within reach.
+  int add(int face, const Shares& shares);
+
+  /// A new site strictly inside a face, wherever others are.
+  int add_inside(int face, const Shares& shares);
+
+  int size() const { return static_cast<int>(sites_.size()); }
+  const Site& operator[](int site) const { return sites_[site]; }
+
+  /// Sites on an edge between its ends, from the smaller one.
+  const std::vector<int>& on_edge(int edge) const;
+
+  /// Sites strictly inside a face.
+  const std::vector<int>& in_face(int face) const;
+
+  /// Sites around a face from its first corner on, then those inside.
+  std::vector<int> of_face(int face) const;
+
+  /// Of a site on a face or its rim.
+  Shares shares_in(int site, int face) const;
+
+  /// Faces that have a site inside or on their rim, ascending.
+  std::vector<int> faces_at(int site) const;
+
+  /// The edge that has both sites on it or at its ends, -1 if there is none.
+  int common_edge(int a, int b) const;
+
+  /// Edges that have sites between their ends, ascending.
+  std::vector<int> divided_edges() const;
+
+  /// The vertices or sites along an edge, ends included, from the smaller end.
+  std::vector<int> along(int edge) const;
+
+  /// The same along a side of a face, from the corner with the side's number.
+  std::vector<int> along_side(int face, int side) const;
+
+  double snap() const { return snap_; }
+
+ private:
+  int add_on_edge(int edge, double share);
+  int find_inside(int face, const Shares& shares) const;
+
+  const Triangles& faces_;
+  const EdgeTable& edges_;
+  const double snap_;
+  std::vector<Site> sites_;
+  std::map<int, std::vector<int>> on_edge_;
+  std::map<int, std::vector<int>> in_face_;
+  std::vector<std::vector<int>> faces_of_vertex_;
+};
+
+}  // namespace wirewarp

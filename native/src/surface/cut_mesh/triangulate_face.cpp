@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface/cut_mesh/triangulate_face.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <tuple>
+
+namespace wirewarp {
+namespace {
+
+using Pair = std::array<int, 2>;
+using Triangle = std::array<int, 3>;
+
+class Triangulation {
+ public:
+  explicit Triangulation(const FaceToDivide& face)
+      : face_(face), count_(static_cast<int>(face.points.size())), is_joined_(count_, std::vector<char>(count_, 0)) {
+    const int rim = static_cast<int>(face.sides.size());
+    for (int i = 0; i < rim; ++i) join(i, (i + 1) % rim);
+    for (const Pair& line : face.lines) join(line[0], line[1]);
+    join_the_rest();
+  }
+
+  std::vector<Triangle> triangles() const;
+
+ private:
+  void join(int a, int b) {
+    is_joined_[a][b] = is_joined_[b][a] = 1;
+    edges_.push_back({a, b});
+  }
+  void join_the_rest();
+  bool are_on_one_side(int a, int b) const;
+  bool may_join(int a, int b) const;
+  bool has_point_between(int a, int b) const;
+  bool is_empty(int a, int b, int c) const;
+  const FacePoint& at(int i) const { return face_.points[i]; }
+
+  const FaceToDivide& face_;
+  const int count_;
+  std::vector<std::vector<char>> is_joined_;
+  std::vector<Pair> edges_;
+};
+
+bool Triangulation::are_on_one_side(int a, int b) const {
+  const int rim = static_cast<int>(face_.sides.size());
+  if (a >= rim || b >= rim) return false;
+  for (const int side : face_.sides[a]) {
+    if (side == face_.sides[b][0] || side == face_.sides[b][1]) return true;
+  }
+  return false;
+}
+
+bool Triangulation::has_point_between(int a, int b) const {
+  for (int i = 0; i < count_; ++i) {
+    if (i == a || i == b || std::abs(doubled_area(at(a), at(b), at(i))) > kInLine) continue;
+    const double along = (at(i)[0] - at(a)[0]) * (at(b)[0] - at(a)[0]) + (at(i)[1] - at(a)[1]) * (at(b)[1] - at(a)[1]);
+    const double back = (at(i)[0] - at(b)[0]) * (at(a)[0] - at(b)[0]) + (at(i)[1] - at(b)[1]) * (at(a)[1] - at(b)[1]);
+    if (along > 0 && back > 0) return true;
+  }
+  return false;
+}
+
+bool Triangulation::may_join(int a, int b) const {
+  if (is_joined_[a][b] != 0 || are_on_one_side(a, b) || has_point_between(a, b)) return false;
+  return std::none_of(edges_.begin(), edges_.end(), [&](const Pair& edge) {
+    const bool meets = edge[0] == a || edge[0] == b || edge[1] == a || edge[1] == b;
+    return !meets && do_cross(at(a), at(b), at(edge[0]), at(edge[1]));
+  });
+}
+
+/// The shortest first, as long as they cross no other.
+void Triangulation::join_the_rest() {
+  std::vector<std::tuple<double, int, int>> pairs;
+  for (int a = 0; a < count_; ++a) {
+    for (int b = a + 1; b < count_; ++b) {
+      pairs.emplace_back((face_.places.row(a) - face_.places.row(b)).squaredNorm(), a, b);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (const auto& [length, a, b] : pairs) {
+    if (may_join(a, b)) join(a, b);
+  }
+}
+
+bool Triangulation::is_empty(int a, int b, int c) const {
+  for (int i = 0; i < count_; ++i) {
+    if (i == a || i == b || i == c) continue;
+    if (doubled_area(at(a), at(b), at(i)) > -kInLine && doubled_area(at(b), at(c), at(i)) > -kInLine &&
+        doubled_area(at(c), at(a), at(i)) > -kInLine) {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<Triangle> Triangulation::triangles() const {
+  std::vector<Triangle> triangles;
+  for (int a = 0; a < count_; ++a) {
+    for (int b = a + 1; b < count_; ++b) {
+      if (is_joined_[a][b] == 0) continue;
+      for (int c = b + 1; c < count_; ++c) {
+        if (is_joined_[a][c] == 0 || is_joined_[b][c] == 0) continue;
+        const double area = doubled_area(at(a), at(b), at(c));
+        if (area > kInLine && is_empty(a, b, c)) triangles.push_back({a, b, c});
+        if (area < -kInLine && is_empty(a, c, b)) triangles.push_back({a, c, b});
+      }
+    }
+  }
+  const std::size_t rim = face_.sides.size();
+  if (triangles.size() != 2 * face_.points.size() - rim - 2) {  // by Euler's formula
+    throw std::logic_error("A face was not divided into triangles: lines in it cross or pass through points.");
+  }
+  return triangles;
+}
+
+/// The smallest height in space.
+double least_height(const FaceToDivide& face, const Triangle& triangle) {
+  const auto at = [&](int k) -> Eigen::RowVector3d { return face.places.row(triangle[k]); };
+  const Eigen::RowVector3d a = at(1) - at(0), b = at(2) - at(0);
+  const double longest = std::max({a.norm(), b.norm(), (b - a).norm()});
+  return a.cross(b).norm() / longest;
+}
+
+/// The corner after which the edge to the next one is that from a to b; -1 if there is none.
+int corner_before(const Triangle& triangle, int a, int b) {
+  for (int k = 0; k < 3; ++k) {
+    if (triangle[k] == a && triangle[(k + 1) % 3] == b) return k;
+  }
+  return -1;
+}
+
+/// Replaces the edge between two triangles if the lower one of the new two is higher. False if it stays.
+bool flip(const FaceToDivide& face, Triangle& first, Triangle& second) {
+  constexpr double kHigher = 1 + 1e-9;  // far above rounding, so that no edge is flipped to and fro
+  for (int k = 0; k < 3; ++k) {
+    const int a = first[k], b = first[(k + 1) % 3], c = first[(k + 2) % 3];
+    const int there = corner_before(second, b, a);
+    if (there < 0 || face.lines.count({std::min(a, b), std::max(a, b)}) != 0) continue;
+    const int d = second[(there + 2) % 3];
+    const Triangle one{c, a, d}, other{d, b, c};
+    const auto is_turned = [&](const Triangle& t) {
+      return doubled_area(face.points[t[0]], face.points[t[1]], face.points[t[2]]) <= kInLine;
+    };
+    if (is_turned(one) || is_turned(other)) continue;
+    const double before = std::min(least_height(face, first), least_height(face, second));
+    if (std::min(least_height(face, one), least_height(face, other)) <= kHigher * before) continue;
+    first = one;
+    second = other;
+    return true;
+  }
+  return false;
+}
+
+bool flip_any(const FaceToDivide& face, std::vector<Triangle>& triangles) {
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t j = i + 1; j < triangles.size(); ++j) {
+      if (flip(face, triangles[i], triangles[j])) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const FacePoint& d) {
+  const auto are_apart = [](double first, double second) { return (first > kInLine && second < -kInLine) || (first < -kInLine && second > kInLine); };
+  return are_apart(doubled_area(a, b, c), doubled_area(a, b, d)) && are_apart(doubled_area(c, d, a), doubled_area(c, d, b));
+}
+
+std::vector<std::array<int, 3>> triangulate(const FaceToDivide& face) {
+  std::vector<Triangle> triangles = Triangulation(face).triangles();
+  while (flip_any(face, triangles)) {  // each raises a low triangle and lowers none below that: it ends
+  }
+  return triangles;
+}
+
+}  // namespace wirewarp

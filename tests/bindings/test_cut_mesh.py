@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""cut_mesh: arrays in and out, attributes, darts across faces; tests/native/test_cut_mesh.cpp has more."""
+
+import pickle
+
+import numpy as np
+import pytest
+import wirewarp
+from surfaces import grid, spherical_patch
+
+Lines = list[wirewarp.SurfacePath]
+
+
+def across(columns: int, at: float, end: float) -> wirewarp.SurfacePath:
+    """In a grid of as many columns and rows over the unit square, from the left outline at a height to the right."""
+    cell = int(at * columns)
+    faces, coordinates = [], []
+    fraction = at * columns - cell
+    for column in range(int(end * columns)):
+        lower = 2 * (cell * columns + column)  # corners: lower left, lower right, upper right
+        # Through the upper left triangle to the diagonal, through the other one to the edge on the right.
+        faces += [lower + 1, lower]
+        coordinates += [(1 - fraction, 0, fraction), (1 - fraction, 0, fraction)]
+    faces.append(lower)
+    coordinates.append((0, 1 - fraction, fraction))
+    return wirewarp.SurfacePath(faces, coordinates)
+
+
+def test_attributes_of_vertices_faces_and_corners_are_taken_over() -> None:
+    vertices, faces = grid(4, 4, lambda u, v: (u, v, u * v))
+    of_vertices = np.column_stack([vertices, vertices @ [1.0, 2, 3]])
+    of_faces = np.arange(len(faces))
+    of_corners = 10 * of_faces[:, None, None] + vertices[faces]
+    path = across(4, 0.3, 1.0)
+    new_vertices, new_faces, edges, sources = wirewarp.cut_mesh(vertices, faces, [path])
+    assert new_vertices.shape == (len(vertices) + 9, 3) and (new_vertices[: len(vertices)] == vertices).all()
+    assert (edges.shape, edges.dtype) == ((8, 2), np.int32) and (sources.edge_paths == 0).all()
+    assert np.allclose(new_vertices[np.unique(edges), 1], 0.3, rtol=0, atol=1e-15)
+    mixed = (sources.vertex_weights[:, :, None] * of_vertices[sources.vertices]).sum(axis=1)
+    assert np.allclose(mixed, np.column_stack([new_vertices, new_vertices @ [1.0, 2, 3]]), rtol=0, atol=1e-14)
+    corners = np.einsum("fij,fjk->fik", sources.corner_weights, of_corners[sources.faces])
+    assert np.allclose(corners, 10 * of_faces[sources.faces][:, None, None] + new_vertices[new_faces], atol=1e-12)
+    assert (np.bincount(sources.faces, minlength=len(faces))[np.unique(path.faces)] == 3).all()
+    uprights, diagonals = {(v, v + 5) for v in range(5, 10)}, {(v, v + 6) for v in range(5, 9)}
+    assert {tuple(line[[0, -1]].tolist()) for line in sources.divided_edges} == uprights | diagonals
+
+
+def test_a_dart_across_faces_is_flattened_with_equal_sides() -> None:
+    vertices, faces = spherical_patch(12, 12)
+    path = across(12, 0.53, 0.5)
+    new_vertices, new_faces, edges, _ = wirewarp.cut_mesh(vertices, faces, [path])
+    before = wirewarp.flatten(vertices, faces).pieces[0]
+    result = wirewarp.flatten(new_vertices, new_faces, seams=edges)
+    piece = result.pieces[0]
+    assert before.error is None and piece.error is None and len(result.pieces) == 1
+    assert piece.metrics.arap_energy < before.metrics.arap_energy
+    assert piece.metrics.area_3d == pytest.approx(before.metrics.area_3d, rel=1e-12)
+    dart = next(seam for seam in result.seams if seam.pieces == (0, 0))
+    assert dart.length_3d == pytest.approx(np.linalg.norm(np.diff(new_vertices[edges], axis=1), axis=2).sum())
+    assert dart.mismatch <= 1e-9 * dart.length_3d
+
+
+def test_paths_and_sources_can_be_pickled_and_written_as_json() -> None:
+    vertices, faces = grid(2, 2, lambda u, v: (u, v, 0.0))
+    path = across(2, 0.3, 1.0)
+    sources = wirewarp.cut_mesh(vertices, faces, [path])[3]
+    for record in (path, sources):
+        again = pickle.loads(pickle.dumps(record))
+        assert again.to_dict() == record.to_dict()
+    assert path.to_dict()["faces"] == [1, 0, 3, 2, 2]
+
+
+@pytest.mark.parametrize(
+    ("faces", "coordinates", "code", "sentence"),
+    [
+        ([0], [(1, 0, 0)], "invalid_option", "The option path is too short: it must have two points or more."),
+        ([0, 1], [(1, 0, 0)], "invalid_option", "The option path is a line of 2 faces and 1 coordinates: it must have"),
+        ([0, 0.5], np.eye(3)[:2], "invalid_type", "SurfacePath faces must be whole numbers, not float64."),
+        ([[0, 0]], np.eye(3)[:2], "invalid_shape", "SurfacePath faces has the shape (1, 2): it must be (n,)."),
+        ([0, 0], [(1, 0), (0, 1)], "invalid_shape", "SurfacePath coordinates has the shape (2, 2): it must be (n, 3)."),
+        ([0, 0], [(1, 0, 0), (0, np.nan, 1)], "invalid_option", "The option path is at point 1 at 0, nan, 1: it must"),
+        ([0, 10**12], np.eye(3)[:2], "invalid_option", "The option SurfacePath faces is a list with 1000000000000: it"),
+    ],
+)
+def test_what_is_no_path_is_refused(faces: object, coordinates: object, code: str, sentence: str) -> None:
+    with pytest.raises(wirewarp.FlattenError) as caught:
+        wirewarp.SurfacePath(faces, coordinates)
+    assert caught.value.code == code
+    assert str(caught.value).startswith(sentence)
+
+
+@pytest.mark.parametrize(
+    ("paths", "snap", "code", "sentence"),
+    [
+        ([(0, 1)], 0.05, "invalid_type", "paths[0] must be a SurfacePath, not tuple."),
+        (None, 0.05, "invalid_type", "paths must be a list of SurfacePath, not NoneType."),
+        ([], "much", "invalid_type", "snap must be a number, not str."),
+        ([], 1.0, "invalid_option", "The option snap is 1: it must be from 0.0001 to 0.25."),
+        ([wirewarp.SurfacePath([0, 99], np.eye(3)[:2])], 0.05, "invalid_option", "The option paths[0] is a line in"),
+    ],
+)
+def test_what_cannot_be_cut_is_refused(paths: Lines, snap: float, code: str, sentence: str) -> None:
+    vertices, faces = spherical_patch(4, 4)
+    with pytest.raises(wirewarp.FlattenError) as caught:
+        wirewarp.cut_mesh(vertices, faces, paths, snap=snap)
+    assert caught.value.code == code
+    assert str(caught.value).startswith(sentence)
