@@ -16,7 +16,7 @@ from bpy.props import (
 
 from .blender.views import redraw_views
 from .solve.papers import PAPERS
-from .state.memory import note_change
+from .state.due import note_change
 from .state.settings import FlattenSettings, TargetSettings
 
 
@@ -193,7 +193,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
     auto_update: BoolProperty(
         name="Auto",
         description="Flatten again automatically when seams, wires, shape or scale change, or with Modifiers their "
-        "result, as soon as the mouse moves. Models of more than 20,000 vertices wait until you leave Edit Mode",
+        "result, as soon as no tool is running. Models of more than 20,000 vertices wait until you leave Edit Mode",
         default=False,
         update=_look_for_changes,
     )

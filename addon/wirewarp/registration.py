@@ -9,7 +9,7 @@ import bpy
 from . import export, flatten, marks, overlay, properties, report_panel, suggest, ui
 from .flatten import auto_update, update_operators
 from .solve.flatten import drop_jobs
-from .state import drawings, memory, reports, wires
+from .state import drawings, due, memory, reports, wires
 from .ui import window_run
 
 ROOMS = (ui, marks, flatten, suggest, export, report_panel, overlay)
@@ -25,7 +25,7 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
 )
 OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)
 CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
-PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # attach() of each returns what takes it back
+PARTS = (properties, overlay, ui.layout, ui.menus, auto_update, due)  # attach() of each returns what takes it back
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
     "frame_change_post": (memory.drop_changed,),

@@ -13,7 +13,7 @@ ONE_PIECE, TWO_PIECES = 81, 90  # vertices of the flat pieces, without and with 
 
 
 def begin_held_update() -> Generator[object, None, Event]:
-    """Cuts the bump in Edit Mode, and moves the mouse until the update runs; it goes on until the event is set."""
+    """Cuts the bump in Edit Mode, and waits until the update runs; it goes on until the event is set."""
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True
@@ -21,7 +21,7 @@ def begin_held_update() -> Generator[object, None, Event]:
     select_edges(source, on_line(0, 0.0))
     with drive.in_view():
         bpy.ops.mesh.mark_seam("INVOKE_DEFAULT", True, clear=False)
-    yield from drive.move_mouse_until(window_run.is_running)
+    yield window_run.is_running
     return goes_on
 
 
@@ -47,7 +47,7 @@ def a_tool_begun_during_an_update_goes_on() -> drive.Tour:
         yield from drive.ticks(5)
     assert (window_run.is_running(), source.mode, flat_vertices()) == (True, "EDIT", ONE_PIECE)
     yield from drive.press("ESC", (x + 90, y + 45))
-    yield from drive.move_mouse_until(lambda: flat_vertices() == TWO_PIECES)
+    yield lambda: flat_vertices() == TWO_PIECES
     assert not window_run.is_running()
     assert [vertex.co.z for vertex in bpy.data.objects["Bump"].data.vertices] == heights
 
@@ -59,11 +59,11 @@ def an_update_does_not_end_in_another_mode() -> drive.Tour:
         bpy.ops.object.mode_set(mode="SCULPT")
     before = contents(source)
     yield from let_it_solve(goes_on)
-    yield from drive.move_mouse_until(lambda: not window_run.is_running())
+    yield lambda: not window_run.is_running()
     assert (source.mode, contents(source), flat_vertices()) == ("SCULPT", before, ONE_PIECE)
     with drive.in_view():
         bpy.ops.object.mode_set(mode="OBJECT")
-    yield from drive.move_mouse_until(lambda: flat_vertices() == TWO_PIECES)
+    yield lambda: flat_vertices() == TWO_PIECES
 
 
 def an_update_does_not_end_in_another_scene() -> drive.Tour:
@@ -74,7 +74,7 @@ def an_update_does_not_end_in_another_scene() -> drive.Tour:
     window.scene = other = bpy.data.scenes.new("Other")
     before = contents(source)
     yield from let_it_solve(goes_on)
-    yield from drive.move_mouse_until(lambda: not window_run.is_running())
+    yield lambda: not window_run.is_running()
     assert (list(other.collection.all_objects), contents(source), flat_vertices()) == ([], before, ONE_PIECE)
     window.scene = scene
-    yield from drive.move_mouse_until(lambda: flat_vertices() == TWO_PIECES)
+    yield lambda: flat_vertices() == TWO_PIECES

@@ -4,7 +4,8 @@
 A handler only notes that something changed. The next movement of the mouse reaches the operator wm.wirewarp_watch by
 the keymap, unless a tool that is still going on (moving vertices, a knife) keeps it to itself: leaving Edit Mode under
 such a tool crashes Blender, and before 4.2 Python cannot ask whether there is one; timers do run under it. The operator
-runs the update, with an undo step like any other operator, and the update ends by the same rule.
+runs the update, with an undo step like any other operator, and the update ends by the same rule. Nobody has to move the
+mouse: while something is due, the timer of state.due makes Blender send such an event for where the mouse is.
 """
 
 from collections.abc import Callable
@@ -15,16 +16,13 @@ import bpy
 from ..issues import ObjectError
 from ..solve.report import ObjectReport
 from ..state.changes import has_changed, present_state
-from ..state.memory import kept, note_change, state_of
+from ..state.due import note_change
+from ..state.memory import kept, state_of
 from ..state.owners import model_of
 from ..state.reports import last_report
 
 WATCH = "wm.wirewarp_watch"
 EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, for to leave it and come back is felt
-
-
-def is_due(scene: bpy.types.Scene) -> bool:
-    return state_of(scene).is_due
 
 
 def forget_change(scene: bpy.types.Scene) -> None:
@@ -112,4 +110,5 @@ def attach() -> Callable[[], None]:
         return lambda: None
     keymap = keyconfig.keymaps.new(name="Window")
     item = keymap.keymap_items.new(WATCH, "MOUSEMOVE", "ANY", any=True)
+
     return lambda: keymap.keymap_items.remove(item)

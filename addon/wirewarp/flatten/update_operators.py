@@ -8,6 +8,7 @@ import bpy
 
 from ..blender.modes import WORKING_MODES
 from ..properties import take_settings
+from ..state.due import is_due
 from ..ui import window_run
 from . import auto_update
 from .models import Outcome
@@ -75,7 +76,7 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         """A change in another mode, or during a run, waits for its end."""
-        return auto_update.is_due(context.scene) and OBJECT_OT_wirewarp_update.poll(context)
+        return is_due(context.scene) and OBJECT_OT_wirewarp_update.poll(context)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         if context.scene.wirewarp.auto_update:

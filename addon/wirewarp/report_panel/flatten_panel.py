@@ -5,12 +5,13 @@ import bpy
 
 from ..blender.units import likely_units, strange_size, unit_of_height, unit_text
 from ..core import Kind, as_seen
-from ..flatten.auto_update import EDIT_LIMIT, is_due, is_left, waits_for_object_mode
+from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
 from ..marks.wire_list import shown_wires
 from ..solve.report import ObjectReport
 from ..state.changes import shows_modified
 from ..state.drawings import kept_drawing
+from ..state.due import is_due
 from ..state.memory import stamp
 from ..state.modifiers import shaped_by
 from ..state.owners import find_flat_object, has_flat_object, model_of, model_or_self
@@ -24,7 +25,7 @@ from .fabrics import ICON, VIEW3D_MT_wirewarp_fabrics
 from .first_steps import draw_first_steps
 from .next_step import CHECK, SHOW, NextStep, next_step, piece_to_cut, uv_step, wants_seams
 
-DUE = "Auto: the pieces follow when the mouse moves."
+DUE = "Auto updates the pieces when you finish the change."
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
 FABRIC_HELPS = (Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC)
 WAITS = f"This model has more than {EDIT_LIMIT:,} vertices, so Auto waits until you leave Edit Mode."

@@ -28,8 +28,9 @@ class ObjectState:
     failure: Any = None  # the report of a run that wrote nothing; see state.reports
     suggestions: Any = None  # see state.suggestions
     solved: Any = None  # the wirewarp.Cache of its solved pieces; see flatten.read
+    solved_by_map: Any = None  # that of the pieces by the seams of its UV map
     tried: dict | None = None  # the model when Auto left its pieces as they were; see flatten.auto_update
-    is_due: bool = False  # of a scene: Auto has to look for changes
+    is_due: bool = False  # of a scene: Auto has to look for changes; see state.due
     is_undone: bool = False  # of a scene: the last change was taken back
 
 
@@ -64,11 +65,6 @@ def all_states() -> Iterator[ObjectState]:
 def _key(owner: bpy.types.ID) -> object:
     """Returns what stays the same when the data-block is renamed. Before Blender 4.1 a later one may get it, too."""
     return owner.session_uid if hasattr(owner, "session_uid") else owner.as_pointer()
-
-
-def note_change(scene: bpy.types.Scene) -> None:
-    """Notes that something may have changed in this scene, for Auto to look into it soon."""
-    state_of(scene).is_due = True
 
 
 def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:

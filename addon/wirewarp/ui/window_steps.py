@@ -5,6 +5,7 @@ import traceback
 
 import bpy
 
+from ..blender.events import send_mouse_move
 from ..solve.steps import Steps, T, in_one_go
 from . import window_run
 
@@ -27,6 +28,8 @@ class WindowSteps:
             self._run.go_on()
         if self._run.is_done and event.type == self.ends_on:
             return self.finish_run(context)
+        if self._run.is_done and self.ends_on == "MOUSEMOVE" and event.type == "TIMER":
+            send_mouse_move(context.window)
         return {"PASS_THROUGH" if self.lets_pass(event) else "RUNNING_MODAL"}
 
     def cancel(self, _context: bpy.types.Context) -> None:
