@@ -83,7 +83,9 @@ def test_a_cloth_that_does_not_give_enough_is_told_with_its_place(source, addon,
     (piece,), (hint,) = report.pieces, [each for each in report.hints if each.code == "beyond_cloth"]
     threads = piece.threads
     assert threads.over and max(threads.across, threads.along) > 0.01
-    told = f"Bump must stretch {addon.core.needs_text(threads)}, but this woven cotton stretches only 1.0%"
+    ways = {"across": threads.across, "along": threads.along}
+    needed = " and ".join(f"{addon.core.percent_text(share)} {way}" for way, share in ways.items() if share > 0.01)
+    told = f"Bump must stretch {needed}, but this woven cotton stretches only 1.0%"
     assert told in capfd.readouterr().out and told in draw_panels(addon)
     assert 0 < len(hint.faces) < len(source.data.polygons)
     assert addon.core.verdict(report).kind == "beyond fabric"

@@ -210,7 +210,8 @@ def test_a_stored_report_that_cannot_be_read_is_a_sentence(source, addon, stored
     [
         ("METRIC", "MILLIMETERS", 1.0, "571.23 mm", "5712.3 cm²"),
         ("METRIC", "CENTIMETERS", 0.1, "5.712 cm", "57.1 cm²"),
-        ("METRIC", "METERS", 1.0, "0.5712 m", "0.5712 m²"),
+        ("METRIC", "METERS", 1.0, "571.23 mm", "5712.3 cm²"),
+        ("IMPERIAL", "FEET", 1.0, "22.489 in", "885.41 in²"),
         ("IMPERIAL", "INCHES", 1.0, "22.489 in", "885.41 in²"),
         ("NONE", None, 1.0, "0.5712", "0.5712"),
     ],

@@ -159,3 +159,33 @@ def test_seams_of_a_map_that_lowers_the_stretch_are_offered_for_a_model_without_
     mark_seam(source, ACROSS)  # now the user has seams of their own
     flatten(source)
     assert uv_seams_of(addon, source) is None
+
+
+def test_who_cancels_while_the_seams_of_the_map_are_tried_has_the_pieces(addon, monkeypatch):
+    """And the bar never goes back."""
+    source, scene, solver = with_islands(), bpy.context.scene, addon.flatten.models
+    flatten_arrays, runs, fractions = solver.flatten_arrays, [], []
+
+    def counting(*what):
+        runs.append(what)
+        yield 0.0
+        return (yield from flatten_arrays(*what))
+
+    monkeypatch.setattr(solver, "flatten_arrays", counting)
+    models = addon.flatten.read.read_models(bpy.context, [source], scene.wirewarp)
+    choices = addon.state.settings.choices_of(scene.wirewarp, 1.0)
+    running = solver.solve_models(addon.core.library(), models, choices, 1.0)
+    while len(runs) < 2:
+        fractions.append(next(running))
+    with pytest.raises(StopIteration) as end:
+        running.throw(addon.solve.steps.CanceledError())
+    (outcome,) = end.value.value
+    assert outcome.pieces is not None and outcome.report.uv_seams is None
+    assert fractions == sorted(fractions) and fractions[-1] == 0.5
+
+
+def test_the_seams_of_the_map_are_solved_once(addon):
+    source = with_islands()
+    flatten(source)
+    _, by_map = addon.flatten.read.solved_pieces(source)
+    assert by_map.size == 2

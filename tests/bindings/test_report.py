@@ -98,8 +98,14 @@ def test_the_verdict_names_the_stretch_the_pieces_and_the_fabric():
     )
     (beyond,) = verdict(report_of_pieces(0.21, limits=0.2)).lines
     assert beyond.text == (
-        "Piece 1 must stretch 21% across and 0.0% along (shear 6°), but this denim stretches only 20%. "
+        "Piece 1 must stretch 21% across, but this denim stretches only 20%. "
         "Add a dart or seam, or choose another fabric."
+    )
+    worst, second = verdict(report_of_pieces(0.21, 0.3, limits=0.2)).lines
+    assert (worst.text, second.text) == (
+        "Piece 2 must stretch 30% across, but this denim stretches only 20%",
+        "Piece 1 must stretch 21% across, but this denim stretches only 20%. "
+        "Add a dart or seam, or choose another fabric.",
     )
     (ready,) = verdict(report_of_pieces(0.0, 0.0)).lines
     assert ready.text == "Ready to cut from any fabric: 2 pieces, every length kept"

@@ -10,24 +10,22 @@ from ..words import LengthText
 
 _UNITS = {
     "KILOMETERS": "km",
-    "METERS": "m",
     "CENTIMETERS": "cm",
     "MILLIMETERS": "mm",
     "MICROMETERS": "um",
     "MILES": "mi",
-    "FEET": "ft",
     "INCHES": "in",
     "THOU": "thou",
 }
-# Cutters work in these; metres only where the scene asks for them.
-_ADAPTIVE = {"METRIC": "mm", "IMPERIAL": "in"}
+# Cutters work in these: also in a new file, where Blender shows meters or feet.
+_CUTTERS = {"METRIC": "mm", "IMPERIAL": "in"}
 
 
 def length_text(scene: bpy.types.Scene) -> LengthText:
     settings = scene.unit_settings
     if settings.system == "NONE":
         return LengthText("", 1.0)
-    unit = _UNITS.get(settings.length_unit) or _ADAPTIVE[settings.system]
+    unit = _UNITS.get(settings.length_unit) or _CUTTERS[settings.system]
     meters = bpy.utils.units.to_value(settings.system, "LENGTH", f"1{unit}")
     return LengthText(unit, settings.scale_length / meters)
 

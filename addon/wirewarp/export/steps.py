@@ -23,12 +23,12 @@ from ..blender.files import (
 from ..blender.modes import in_object_mode
 from ..core import FlattenError, pattern
 from ..issues import ObjectError, object_error
+from ..solve.steps import CanceledError
 from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
 from ..state.reports import pieces_report
 from ..ui import window_run
 from ..ui.layout import draw_sentence
 from ..ui.settings import settings_sentence
-from ..ui.window_run import CancelledError
 from ..ui.window_steps import WindowSteps
 from .export import ExportChoices, Exported, PatternParts, export, made_pattern
 from .markers import keep_marker
@@ -177,7 +177,7 @@ class PatternExport(WindowSteps, ExportHelper):
     def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:
             return self._tell(self._run.result())
-        except CancelledError:
+        except CanceledError:
             self.report({"WARNING"}, "Export was canceled. Nothing was written.")
             return {"CANCELLED"}
         except FAULTS as error:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From models as read to results as they will be written. No Blender in here."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 from types import ModuleType
 
@@ -15,7 +15,7 @@ from ..solve.flatten import FlattenChoices, flatten_arrays, has_layout, used_cho
 from ..solve.identity import KnownPieces, PieceIdentity, identify_pieces
 from ..solve.report import Facts, ObjectReport, UvSeams, failure_report, object_report, uv_seams
 from ..solve.seams import KnownSeams, SeamIdentity, identify_seams, ids_by_edge
-from ..solve.steps import Steps, told_as
+from ..solve.steps import CanceledError, Steps, told_as
 from ..solve.uv_islands import new_seams
 
 MIDDLE = "Lengths on the model are those of the middle of the material's thickness."
@@ -34,6 +34,7 @@ class Model:
     known: KnownPieces | None = None
     seams: KnownSeams | None = None
     solved: Cache | None = None  # wirewarp.Cache, the pieces of the last run
+    solved_by_map: Cache | None = None  # those of the last try with the seams of the UV map
     issue: Issue | None = None  # why it cannot be flattened
 
 
@@ -54,11 +55,25 @@ class Outcome:
 def solve_models(
     library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
 ) -> Steps[list[Outcome]]:
-    """Flattens every model; meters: in a Blender unit; tries_uv_seams: if the marked ones fail."""
+    """Flattens every model; meters: in a Blender unit; tries_uv_seams: if the marked ones fail.
+
+    Who cancels while UV seams are tried has the pieces nevertheless.
+    """
     outcomes: list[Outcome] = []
-    for model in models:
-        steps = _solve(library, model, choices, meters, tries_uv_seams)
-        outcomes.append((yield from told_as(steps, lambda share: (len(outcomes) + share) / len(models))))
+    with_map = [model for model in models if tries_uv_seams and _may_have_uv_seams(model)]
+
+    def after(done: int) -> Callable[[float], float]:
+        return lambda share: (done + share) / (len(models) + len(with_map))
+
+    for number, model in enumerate(models):
+        outcomes.append((yield from told_as(_solve(library, model, choices, meters), after(number))))
+    try:
+        for number, model in enumerate(with_map, start=len(models)):
+            report = outcomes[models.index(model)].report
+            trying = _try_uv_seams(library, model, choices, meters, report)
+            report.uv_seams = yield from told_as(trying, after(number))
+    except CanceledError:
+        return outcomes
     return outcomes
 
 
@@ -67,9 +82,7 @@ def failed_report(model: Model, issue: Issue) -> ObjectReport:
     return replace(failure_report(issue, model.facts), model_state=model.state)
 
 
-def _solve(
-    library: ModuleType, model: Model, choices: FlattenChoices, meters: float, tries_uv_seams: bool
-) -> Steps[Outcome]:
+def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: float) -> Steps[Outcome]:
     try:
         if model.issue:
             raise ObjectError(model.issue)
@@ -87,8 +100,6 @@ def _solve(
             outcome.report.notes.append(note(NO_ANGLE))
         outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report.notes += model.notes
-    if tries_uv_seams:
-        outcome.report.uv_seams = yield from _try_uv_seams(library, model, choices, meters, outcome.report)
     if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
         outcome.report.notes.append(warning(INWARD))
     if model.arrays:
@@ -96,25 +107,27 @@ def _solve(
     return outcome
 
 
+def _may_have_uv_seams(model: Model) -> bool:
+    """Whether the model's own UV map has seams to add. Modifiers make edges of their own, which nobody can mark."""
+    return model.arrays is not None and not model.facts.with_modifiers and len(new_seams(model.arrays)) > 0
+
+
 def _try_uv_seams(
     library: ModuleType, model: Model, choices: FlattenChoices, meters: float, report: ObjectReport
 ) -> Steps[UvSeams | None]:
     """If pieces failed, or the model has no seams and cannot be cut from every fabric, its own UV map may do better.
 
-    None if it has nothing to add or does not do better. Modifiers make edges of their own, which nobody can mark.
+    None if it does not do better.
     """
     arrays = model.arrays
-    if arrays is None or model.facts.with_modifiers:
-        return None
     is_strained = not len(arrays.seams) and any(piece.is_strained for piece in report.pieces)
-    added = new_seams(arrays)
-    if not len(added) or not (report.issues or is_strained):
+    if not (report.issues or is_strained):
         return None
-    seam_edges = np.union1d(arrays.seam_edges, added).astype(np.int32)
+    seam_edges = np.union1d(arrays.seam_edges, new_seams(arrays)).astype(np.int32)
     ids = np.zeros(len(seam_edges), dtype=np.int32)
     tried = replace(arrays, seam_edges=seam_edges, seams=arrays.edges[seam_edges], seam_ids=ids)
     try:
-        result = yield from flatten_arrays(library, tried, choices)
+        result = yield from flatten_arrays(library, tried, choices, model.solved_by_map)
     except ObjectError:
         return None  # what is wrong with the model as a whole is in the report
     found = uv_seams(result, tried, meters, choices.cloth)

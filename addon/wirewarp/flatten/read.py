@@ -82,7 +82,7 @@ def _read(
         shaped_by=shaped_by(source, depsgraph),
         counts=element_counts(source.data),
     )
-    arrays = known = seams = state = solved = issue = None
+    arrays = known = seams = state = solved = by_map = issue = None
     try:
         _check(source, settings)
         base = marked_mesh(source)
@@ -95,16 +95,16 @@ def _read(
         known = known_pieces(source, arrays, flat, flattened_name(source))
         seams = known_seams(source, arrays, flat)
         state = model_state(source, base, use_modifiers)
-        solved = solved_pieces(source)
+        solved, by_map = solved_pieces(source)
     except ObjectError as error:
         issue = error.issue
     notes = left_out(source, arrays, use_modifiers)
-    return Model(source.name_full, facts, state, notes, arrays, known, seams, solved, issue)
+    return Model(source.name_full, facts, state, notes, arrays, known, seams, solved, by_map, issue)
 
 
-def solved_pieces(source: bpy.types.Object) -> core.Cache:
-    """The object's wirewarp.Cache. What does not fit is not taken from it."""
+def solved_pieces(source: bpy.types.Object) -> tuple[core.Cache, core.Cache]:
+    """The object's Caches: of its pieces, and of those by the seams of its UV map. What does not fit is not used."""
     state = state_of(source)
     if state.solved is None:
-        state.solved = core.library().Cache()
-    return state.solved
+        state.solved, state.solved_by_map = core.library().Cache(), core.library().Cache()
+    return state.solved, state.solved_by_map

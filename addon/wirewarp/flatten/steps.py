@@ -14,11 +14,10 @@ from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_ar
 from ..issues import Issue, ObjectError
 from ..properties import preferences
 from ..solve.report import ObjectReport, run_message
-from ..solve.steps import Steps
+from ..solve.steps import CanceledError, Steps
 from ..state.owners import find_flat_object
 from ..state.settings import FlattenSettings, choices_of
 from ..ui import window_run
-from ..ui.window_run import CancelledError
 from ..ui.window_steps import WindowSteps, fault_sentence
 from .models import Model, Outcome, failed_report, solve_models
 from .read import check_current, find_source, read_models
@@ -81,7 +80,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
     def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:
             outcomes = self._run.result()
-        except CancelledError:
+        except CanceledError:
             return self.give_up(context, "cancelled", "Flatten was canceled. Nothing was written.", "WARNING")
         except Exception as error:
             sentence = fault_sentence(error, "Flatten failed, nothing was written")

@@ -45,7 +45,7 @@ RIM, RIM_ALPHA = 1.5, 0.6  # of the rim: pixels wider than the line
 # In the order in which they are drawn: a wire on a seam or in what failed is seen on top of it.
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
-    "proposed": LineStyle("Suggested seam", _hex("#890089"), 6.0),
+    "proposed": LineStyle("Suggested cut", _hex("#890089"), 6.0),
     "page": LineStyle("Page", _hex("#9c78fc"), 1.5),
     "cut": LineStyle("Cutting line", _hex("#99bb77"), 2.0),
     "ease": LineStyle("Side with ease", _hex("#ff4bb4"), 3.0),

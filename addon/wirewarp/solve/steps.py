@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Work in steps, between which the window goes on: generators that yield the share of the work that is done.
 
-To stop one close it: files are then as they were. Whoever drives one closes it: the traceback of an error would keep it
-alive. There are no Python threads, which Blender does not allow; the solver has its own, in the core. No Blender here.
+To stop one throw CanceledError into it: work that is extra then ends with the result that is there. To drop one close
+it. Files are then as they were. Whoever drives one closes it: the traceback of an error would keep it alive. There are
+no Python threads, which Blender does not allow; the solver has its own, in the core. No Blender here.
 """
 
 import time
 from collections.abc import Callable, Generator
 from contextlib import closing
+from functools import partial
 from typing import TypeVar
 
 SLICE = 0.04  # seconds of work between two looks at the window: it is drawn 20 times a second
@@ -17,16 +19,25 @@ T = TypeVar("T")
 Steps = Generator[float, None, T]  # yields from 0 to 1
 
 
+class CanceledError(Exception):
+    """The user wants no more work, and no result if there is none yet."""
+
+
 def told_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[T]:
     """The same steps; share: of the whole, by what they yield."""
     with closing(steps):
+        go_on = partial(next, steps)
         while True:
             try:
-                yielded = next(steps)
+                yielded = go_on()
             except StopIteration as end:
                 result: T = end.value
                 return result
-            yield share(yielded)
+            go_on = partial(next, steps)
+            try:
+                yield share(yielded)
+            except CanceledError as canceled:
+                go_on = partial(steps.throw, canceled)
 
 
 def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:

@@ -10,12 +10,12 @@ from ..blender.views import redraw_views
 from ..flatten.targets import active_target, nothing_to_flatten
 from ..issues import ObjectError
 from ..properties import mend_settings
+from ..solve.steps import CanceledError
 from ..solve.suggest import Cut
 from ..solve.suggestion_words import cut_text, found_words, shortfall, step_text
 from ..state.owners import model_or_self
 from ..state.suggestions import choose, drop
 from ..ui import window_run
-from ..ui.window_run import CancelledError
 from ..ui.window_steps import WindowSteps, fault_sentence
 from ..words import paragraph, quoted
 from .search import Search, begin_search, keep_found
@@ -65,7 +65,7 @@ class SuggestCuts(WindowSteps):
     def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:
             return self._keep(context, self._run.result())
-        except CancelledError:
+        except CanceledError:
             self.report({"WARNING"}, "The search was canceled.")
             return {"CANCELLED"}
         except ObjectError as error:
@@ -114,7 +114,7 @@ class SuggestCuts(WindowSteps):
 
 
 class OBJECT_OT_wirewarp_suggest_darts(SuggestCuts, bpy.types.Operator):
-    """Search for the darts that reduce the distortion of the piece most. Each is tested by flattening with it"""
+    """Find the darts that lower the stretch of this piece most"""
 
     bl_idname = "object.wirewarp_suggest_darts"
     bl_label = "Suggest Darts"
@@ -122,7 +122,7 @@ class OBJECT_OT_wirewarp_suggest_darts(SuggestCuts, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_suggest_seams(SuggestCuts, bpy.types.Operator):
-    """Search for the seams that reduce the distortion of the piece most, or for the first ones of a closed model"""
+    """Find the seams that lower the stretch of this piece most, or the first ones of a closed model"""
 
     bl_idname = "object.wirewarp_suggest_seams"
     bl_label = "Suggest Seams"

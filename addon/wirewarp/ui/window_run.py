@@ -6,20 +6,17 @@ However a run ends, be it done, cancelled, by another file or because the add-on
 
 import math
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic
 
 import bpy
 
 from ..blender.views import redraw_sidebars
-from ..solve.steps import Steps, T
+from ..solve.steps import CanceledError, Steps, T
 
 POLL_SECONDS = 0.02
 UNSEEN_SECONDS = 0.3  # a line that is gone at once would only flicker
-
-
-class CancelledError(Exception):
-    """The user wants no result."""
 
 
 @dataclass(frozen=True)
@@ -84,19 +81,24 @@ class WindowRun(Generic[T]):
         self.is_done = self._is_cancelled = False
 
     def cancel(self) -> None:
-        try:
-            self._steps.close()
-        finally:  # whatever that raises, the operator ends the run
-            self.is_done = self._is_cancelled = True
+        """Ends the work. Work that was extra leaves the result that was there before."""
+        if self.is_done:
+            self._is_cancelled = True
+        else:
+            self._do(lambda: self._steps.throw(CanceledError()))
 
     def go_on(self) -> None:
         """By a step; also shows how far it is."""
-        if self.is_done:
-            return
+        if not self.is_done:
+            self._do(lambda: next(self._steps))
+
+    def _do(self, step: Callable[[], float]) -> None:
         try:
-            fraction = next(self._steps)
+            fraction = step()
         except StopIteration as end:
             self._result, self.is_done = end.value, True
+        except CanceledError:
+            self.is_done = self._is_cancelled = True
         except Exception as error:  # result() raises it where somebody hears it
             self._error, self.is_done = error, True
         else:
@@ -109,10 +111,10 @@ class WindowRun(Generic[T]):
             redraw_sidebars()
 
     def result(self) -> T:
-        """Of a run that is done. Raises CancelledError after cancel(), and what the work raised."""
+        """Of a run that is done. Raises CanceledError after cancel(), and what the work raised."""
         self.stop()
         if self._is_cancelled:
-            raise CancelledError
+            raise CanceledError
         if self._error:
             raise self._error
         return self._result

@@ -141,7 +141,9 @@ def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: b
                 if entry.piece.threads
             ]
             hidden = len(own) - len(shown)
-            return shown + ([f"And {counted(hidden, 'more piece')}"] if hidden else [])
+            more = [f"And {counted(hidden, 'more piece')}"] if hidden else []
+            *others, last = shown + more
+            return [*others, f"{last}. {wording.BEYOND_REMEDY}"]
         case Kind.NEEDS_STRETCH:
             return [_needs_stretch(own, "" if everything else names)]
     which = f"{counted(len(own), 'piece')}, {kept_text([entry.report for entry in own])}" if everything else names

@@ -10,6 +10,7 @@ from .words import counted
 
 LESSER = 0.5  # of stretch and compression: the smaller one is mentioned from this share of the larger one
 NOT_FLATTENED = "Not flattened"
+BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # once, after all pieces
 EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"
 
 
@@ -33,11 +34,13 @@ def no_fabric(names: str) -> str:
 
 
 def beyond_fabric(names: str, threads: Threads) -> str:
-    """Return "Front must stretch 4.0% across and 7.6% along (shear 19°), but this denim stretches only 3.0%. ..."."""
-    return (
-        f"{names} must stretch {needs_text(threads)}, but this {threads.cloth} stretches only {gives_text(threads)}. "
-        "Add a dart or seam, or choose another fabric."
-    )
+    """Return "Front must stretch 7.6% along, but this denim stretches only 3.0%": only ways beyond the fabric."""
+    over = [way for way in ("across", "along") if threads.is_over(way) and getattr(threads.gives, way) is not None]
+    needed = " and ".join(f"{percent_text(getattr(threads, way))} {way}" for way in over)
+    known = [percent_text(getattr(threads.gives, way)) for way in over]
+    ways = [f"{text} {way}" for text, way in zip(known, over, strict=True)]
+    stretches = known[0] if len(set(known)) == 1 else " and ".join(ways)
+    return f"{names} must stretch {needed}, but this {threads.cloth} stretches only {stretches}"
 
 
 def needs_stretch(names: str, is_exact: bool, stretch: str) -> str:
@@ -73,15 +76,6 @@ def ignored(makers: Sequence[str]) -> str:
 def needs_text(threads: Threads) -> str:
     """Return "4.0% across and 2.0% along (shear 18°)"."""
     return f"{by_way(threads.across, threads.along)} (shear {math.degrees(threads.shear):.0f}°)"
-
-
-def gives_text(threads: Threads) -> str:
-    """Return "3.0%", "50% across and 25% along", or the known part."""
-    ways = {"across": threads.gives.across, "along": threads.gives.along}
-    known = {way: percent_text(share) for way, share in ways.items() if share is not None}
-    if len(known) == 2 and len(set(known.values())) == 1:
-        return known["across"]
-    return " and ".join(f"{text} {way}" for way, text in known.items())
 
 
 def strain_text(stretch: float, compression: float) -> str:
