@@ -16,7 +16,7 @@ from bpy.props import (
 
 from .blender.views import redraw_views
 from .solve.papers import PAPERS
-from .state.due import note_change
+from .state.memory import note_change
 from .state.settings import FlattenSettings, TargetSettings
 
 

@@ -7,9 +7,9 @@ from contextlib import ExitStack
 import bpy
 
 from . import export, flatten, marks, overlay, properties, report_panel, suggest, ui
-from .flatten import auto_update, update_operators
+from .flatten import auto_update
 from .solve.flatten import drop_jobs
-from .state import drawings, due, memory, reports, wires
+from .state import drawings, identities, memory, reports
 from .ui import window_run
 
 ROOMS = (ui, marks, flatten, suggest, export, report_panel, overlay)
@@ -25,13 +25,13 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
 )
 OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)
 CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
-PARTS = (properties, overlay, ui.layout, ui.menus, auto_update, due)  # attach() of each returns what takes it back
+PARTS = (properties, overlay, ui.layout, ui.menus, auto_update, memory)  # attach() of each returns what takes it back
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
     "frame_change_post": (memory.drop_changed,),
     "undo_post": (memory.drop_gathered, reports.forget_incomparable, auto_update.note_undo),
     "redo_post": (memory.drop_gathered, reports.forget_incomparable, auto_update.note_undo),
-    "save_pre": (wires.write_brought_names,),
+    "save_pre": (identities.write_brought_names,),
     "load_pre": (window_run.stop, drop_jobs),
     "load_post": (drawings.forget, memory.forget),
 }
@@ -50,7 +50,7 @@ def register() -> Callable[[], None]:
             for function in functions:
                 getattr(bpy.app.handlers, name).append(bpy.app.handlers.persistent(function))
                 undo.callback(_remove_handler, name, function)
-        undo.callback(update_operators.forget_joining)
+        undo.callback(auto_update.forget_joining)
         for forget in reversed(FORGET):  # what is registered last goes first
             undo.callback(forget)
         return undo.pop_all().close

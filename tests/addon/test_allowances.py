@@ -183,7 +183,7 @@ def test_the_width_of_a_side_goes_through_modifiers(source, addon):
     mark_side(source, -1, kind="WIDTH", width=15.0)
     source.modifiers.new("Subdivision", "SUBSURF").levels = 2
     bpy.ops.object.wirewarp_flatten(spacing=50.0, use_modifiers=True)
-    choices = addon.export.pattern_parts.PatternChoices(10.0, 100.0, "close")
+    choices = addon.export.export.PatternChoices(10.0, 100.0, "close")
     pieces = addon.solve.steps.in_one_go(
         addon.export.read.read_pattern(bpy.context.scene, source).making(choices)
     ).pieces

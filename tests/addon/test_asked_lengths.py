@@ -20,7 +20,7 @@ def source():
 
 def eases_of(addon, report, kind):
     """What the table for spreadsheets has as the asked ease, in percent."""
-    text = addon.core.report_csv(report, addon.blender.units.length_text(bpy.context.scene))
+    text = addon.core.report_csv(report, addon.blender.objects.length_text(bpy.context.scene))
     lines = csv.DictReader(io.StringIO(text))
     return [float(line["Asked ease (%)"]) for line in lines if line["Kind"] == kind]
 
@@ -85,12 +85,12 @@ def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, 
     ease(source, SEAM, sides="ONE", ease_percent=percent)
     bpy.ops.object.wirewarp_flatten()
     (row,) = addon.state.reports.last_report(source).tables.seams
-    units = addon.blender.units.length_text(bpy.context.scene)
+    units = addon.blender.objects.length_text(bpy.context.scene)
     left, right = shares(source)
     side = "Top Right" if left > right else "Top Left"  # on its wearer the left is at +x
     spatial, *_ = lengths(source, SEAM)
     told = f"{side} {units.rough(longer * spatial)} longer, {how} between notches"
-    assert addon.report_panel.table.longer_sides(row.sides, units, 0.5) == [told]
+    assert addon.report_panel.panel.longer_sides(row.sides, units, 0.5) == [told]
     assert told in draw_panels(addon)
     assert abs(addon.core.largest_difference([row])) < 1e-6  # nothing that was not asked for
     path = tmp_path / "a.svg"

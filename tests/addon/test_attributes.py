@@ -65,7 +65,7 @@ def test_names_of_joined_wires_are_saved(marked, addon, tmp_path):
     bpy.ops.wm.save_as_mainfile(filepath=path)
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     bpy.ops.wm.open_mainfile(filepath=path)
-    names = [name for name, _ in addon.state.wires.listed_wires(bpy.data.objects["Bump"])]
+    names = [name for name, _ in addon.state.identities.listed_wires(bpy.data.objects["Bump"])]
     assert names == ["Wire 1", "Wire 2", "Hip"]
 
 

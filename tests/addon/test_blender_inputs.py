@@ -58,7 +58,7 @@ def test_wires_of_another_file_are_made_local_first(library, addon, kind, comman
         bpy.context.view_layer.update()
     other = grid("Other", bump)
     select_only(target, other)
-    before, edge = wire_marks(target.data), addon.state.wires.wires_of(target)[0].edges[0]
+    before, edge = wire_marks(target.data), addon.state.identities.wires_of(target)[0].edges[0]
     assert f'"Bump" {kind}' in answer(f"mesh.wirewarp_{command}", edge=edge)
     assert (wire_marks(target.data), target.data.wirewarp_grain) == (before, 0)
     assert (bpy.context.active_object, set(bpy.context.selected_objects)) == (target, {target, other})

@@ -148,7 +148,7 @@ def grain(source):
 def test_the_grain_angle_turns_the_grain_wire(source, addon, capfd):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", grain_angle=math.radians(45))
     assert "Grain Angle was not used" in capfd.readouterr().out
-    ((_, wire),) = addon.state.wires.listed_wires(source)
+    ((_, wire),) = addon.state.identities.listed_wires(source)
     bpy.ops.mesh.wirewarp_grain_wire(edge=wire.edges[0])
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN")
     assert grain(source) % 180 == pytest.approx(0, abs=1e-3) or grain(source) % 180 == pytest.approx(180, abs=1e-3)
@@ -181,7 +181,7 @@ def test_a_cloth_that_is_worn_stretched_is_cut_smaller(addon):
     target = grid("Half", half_cylinder, size=16)
     mark(target, on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten(orientation="UP", cloth="SWIM")
-    ((_, wire),) = addon.state.wires.listed_wires(target)
+    ((_, wire),) = addon.state.identities.listed_wires(target)
     bpy.ops.mesh.wirewarp_grain_wire(edge=wire.edges[0])
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", keep_places=False)
     plain = box(target)

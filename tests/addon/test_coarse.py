@@ -57,4 +57,4 @@ def test_how_much_shorter_outlines_become_is_said_and_levels_have_an_end(addon, 
     circle, polygon = 2 * math.pi * (4 + 2 * math.cos(math.pi / 6)) / 6, 24 * math.sin(math.pi / 12)
     shorter = addon.core.percent_text(1 - circle / polygon)
     assert f"Subdivision makes the outlines {shorter} shorter." in said
-    assert source.modifiers[0].levels == addon.state.modifiers.MOST_LEVELS
+    assert source.modifiers[0].levels == addon.state.read_model.MOST_LEVELS

@@ -78,12 +78,12 @@ def test_a_part_of_a_line_that_is_marked_keeps_its_ease(source, capfd):
 
 def test_the_list_of_wires_changes_an_ease_and_keeps_it(source, addon):
     ease(source, SEAM, sides="ALL", ease_percent=2.0)
-    ((name, wire),) = addon.state.wires.listed_wires(source)
+    ((name, wire),) = addon.state.identities.listed_wires(source)
     bpy.ops.mesh.wirewarp_change_wire(edge=wire.edges[0], name=name, kind="ELASTIC", tolerance=0.01)
-    ((_, kept),) = addon.state.wires.listed_wires(source)
+    ((_, kept),) = addon.state.identities.listed_wires(source)
     assert (kept.tolerance, kept.ease) == (0.01, 0.02)
     bpy.ops.mesh.wirewarp_change_wire(edge=wire.edges[0], kind="RIGID", ease=-0.05)
-    ((_, changed),) = addon.state.wires.listed_wires(source)
+    ((_, changed),) = addon.state.identities.listed_wires(source)
     assert (changed.tolerance, changed.ease) == (0, -0.05)
 
 

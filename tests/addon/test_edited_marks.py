@@ -94,5 +94,5 @@ def test_a_mirror_is_applied_and_the_copies_are_wires_of_their_own(marked, addon
     modifier = marked.modifiers.new("Mirror", "MIRROR")
     modifier.mirror_object = bpy.data.objects.new("Middle", None)
     bpy.ops.object.modifier_apply(modifier="Mirror")
-    names = [name for name, _ in addon.state.wires.listed_wires(marked)]
+    names = [name for name, _ in addon.state.identities.listed_wires(marked)]
     assert names == ["Wire 1", "Wire 1 (2)", "Wire 2", "Wire 2 (2)"]

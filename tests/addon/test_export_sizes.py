@@ -22,9 +22,9 @@ def source():
 
 
 def test_sizes_told_before_saving(source, addon):
-    choices = addon.export.pattern_parts.PatternChoices(0.0, 100.0, "cut")
+    choices = addon.export.export.PatternChoices(0.0, 100.0, "cut")
     pattern = addon.solve.steps.in_one_go(addon.export.read.read_pattern(bpy.context.scene, source).making(choices))
-    total, largest = addon.export.sentences.size_sentences(pattern, pattern.svg_size)
+    total, largest = addon.export.steps.size_sentences(pattern, pattern.svg_size)
     assert re.fullmatch(r"2 pieces on \d+ × \d+ mm\.", total)
     wide, high = map(int, re.fullmatch(r"Largest piece: Top (?:Left|Right), (\d+) × (\d+) mm\.", largest).groups())
     assert 200 < max(wide, high) < 260
@@ -33,7 +33,7 @@ def test_sizes_told_before_saving(source, addon):
 
 def test_of_many_pieces_over_one_another_the_first_are_named(addon):
     module, square = addon.core.pattern, np.array([(0, 0), (9, 0), (9, 9), (0, 9)], dtype=float)
-    told = addon.export.sentences.crossing_sentence
+    told = addon.export.steps.crossing_sentence
 
     def pattern(count):
         outlines = [[module.Line("cut", square + k, closed=True)] for k in range(count)]

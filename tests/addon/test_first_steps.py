@@ -19,7 +19,7 @@ def test_an_empty_file_offers_samples_and_the_guide(addon):
 
 @pytest.mark.parametrize("place", range(4))
 def test_a_sample_is_added_with_its_fabric_and_is_ready_to_cut(addon, place):
-    sample, *_ = addon.report_panel.first_steps.SAMPLES[place]
+    sample, *_ = addon.report_panel.next_step.SAMPLES[place]
     scenes = len(bpy.data.scenes)
     assert bpy.ops.object.wirewarp_open_sample(sample=sample) == {"FINISHED"}
     source = bpy.context.active_object
@@ -32,7 +32,7 @@ def test_a_sample_is_added_with_its_fabric_and_is_ready_to_cut(addon, place):
 
 
 def test_all_samples_that_are_offered_are_in_the_zip(addon):
-    module = addon.report_panel.first_steps
+    module = addon.report_panel.next_step
     assert {path.stem for path in module.FOLDER.glob("*.blend")} == {name.lower() for name, *_ in module.SAMPLES}
 
 
@@ -58,12 +58,12 @@ def test_a_sample_in_an_empty_file_brings_its_units():
 
 
 def test_a_sample_that_is_not_there_is_named(addon, monkeypatch, tmp_path):
-    monkeypatch.setattr(addon.report_panel.first_steps, "FOLDER", tmp_path)
+    monkeypatch.setattr(addon.report_panel.next_step, "FOLDER", tmp_path)
     with pytest.raises(RuntimeError, match='"cushion.blend" is not installed'):
         bpy.ops.object.wirewarp_open_sample(sample="CUSHION")
 
 
 def test_the_guide_fits_its_popup(addon):
-    module = addon.report_panel.first_steps
+    module = addon.report_panel.next_step
     blf.size(0, 11)
     assert max(blf.dimensions(0, step)[0] for step in module.STEPS) < module.WIDTH - 40

@@ -138,7 +138,7 @@ def test_on_paper_the_grain_turns_with_the_piece_too(addon, source):
     flat = flat_of(source)
     flat.data.transform(Matrix.Rotation(math.radians(30), 4, "Z"))
     bpy.context.view_layer.update()
-    choices = addon.export.pattern_parts.PatternChoices(10.0, 100.0, "close")
+    choices = addon.export.export.PatternChoices(10.0, 100.0, "close")
     for piece in addon.solve.steps.in_one_go(
         addon.export.read.read_pattern(bpy.context.scene, source).making(choices)
     ).pieces:

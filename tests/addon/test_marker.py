@@ -51,10 +51,10 @@ def test_the_marker_is_kept_for_other_formats_until_the_pieces_change(source, tm
     kept = source["wirewarp_marker"]
     export(tmp_path, "a.pdf")
     assert source["wirewarp_marker"] == kept
-    marker = addon.export.markers.kept_marker(kept).marker
+    marker = addon.export.read.kept_marker(kept).marker
     parts = addon.export.read.read_pattern(bpy.context.scene, source)
     choices = addon.export.export.ExportChoices(
-        addon.export.pattern_parts.PatternChoices(10.0, 100.0, "close"), frozenset(), cloth=parts.kept.cloth
+        addon.export.export.PatternChoices(10.0, 100.0, "close"), frozenset(), cloth=parts.kept.cloth
     )
     assert addon.export.export.made_pattern(parts, choices).marker is not marker
     assert addon.export.export.made_pattern(parts, choices).marker == marker
@@ -65,7 +65,7 @@ def test_the_marker_is_kept_for_other_formats_until_the_pieces_change(source, tm
 def test_what_is_no_marker_of_ours_is_left_alone(source, tmp_path, addon):
     for stored in ("", "{}", "x" * 64 + "{}", 7):
         source["wirewarp_marker"] = stored
-        assert addon.export.markers.kept_marker(addon.export.markers.marker_text(source)) is None
+        assert addon.export.read.kept_marker(addon.export.read.marker_text(source)) is None
     export(tmp_path)
 
 
@@ -129,8 +129,8 @@ def test_a_search_that_is_stopped_writes_nothing(source, tmp_path, addon, search
     path.write_bytes(b"of an earlier export")
     parts = addon.export.read.read_pattern(bpy.context.scene, source)
     module = addon.export.export
-    made = addon.export.pattern_parts.PatternChoices(10.0, 100.0, "close")
-    cloth = addon.export.pattern_parts.Cloth(400.0, 4.0, "free")
+    made = addon.export.export.PatternChoices(10.0, 100.0, "close")
+    cloth = addon.export.export.Cloth(400.0, 4.0, "free")
     choices = module.ExportChoices(made, frozenset(), cloth=cloth, seconds=600.0)
     steps = module.export(parts, choices, path)
     told = [next(steps)]

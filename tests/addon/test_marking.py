@@ -185,13 +185,13 @@ def test_an_attribute_of_our_name_that_is_not_ours():
 def test_the_list_of_wires_follows_the_mesh(addon):
     target = grid("Bump", bump)
     mark(target, EAST_WEST)
-    (wire,) = addon.state.wires.wires_of(target)
+    (wire,) = addon.state.identities.wires_of(target)
     identity = addon.blender.objects.linear_part(target)
     before = wire.length(identity)
     target.data.vertices.foreach_set("co", [c for vertex in target.data.vertices for c in (vertex.co * 2)])
     target.data.update()
     bpy.context.view_layer.update()
-    (wire,) = addon.state.wires.wires_of(target)
+    (wire,) = addon.state.identities.wires_of(target)
     assert wire.length(identity) == pytest.approx(2 * before, rel=1e-6)
 
 
@@ -234,7 +234,7 @@ def test_a_model_is_marked_from_nothing_selected(addon):
     bpy.ops.object.wirewarp_mark_model()
     chosen = [edge.index for edge in bmesh.from_edit_mesh(source.data).edges if edge.select]
     assert chosen == [3]  # what the user has selected stays
-    assert not addon.marks.seam_operators.has_every_edge(source.data)
+    assert not addon.marks.mark_operators.has_every_edge(source.data)
     assert bpy.ops.mesh.wirewarp_mark_seam() == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     assert [edge.index for edge in source.data.edges if edge.use_seam] == [3]
@@ -244,4 +244,4 @@ def test_every_edge_selected_is_noticed(addon):
     source = grid("Bump", bump, size=4)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
-    assert addon.marks.seam_operators.has_every_edge(source.data)
+    assert addon.marks.mark_operators.has_every_edge(source.data)

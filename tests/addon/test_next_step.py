@@ -253,7 +253,7 @@ def test_amber_offers_the_fabrics_that_can_and_one_click_flattens_for_it(addon):
     source = grid("Bump", bump, size=4)
     bpy.ops.object.wirewarp_flatten()
     report = addon.state.reports.last_report(source)
-    offered = addon.report_panel.fabrics.fabrics_that_can(report)
+    offered = addon.report_panel.flatten_panel.fabrics_that_can(report)
     needed = report.pieces[0].needed
     limits = {name: min(addon.core.Cloth.preset(name).limits) for name in addon.core.Cloth.presets()}
     assert 0 < len(offered) < len(limits)

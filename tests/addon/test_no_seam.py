@@ -40,10 +40,10 @@ def test_cuts_go_when_their_way_is_painted(addon):
 
 def test_paint_during_the_search_is_noticed(addon):
     source = grid("Bump", bump)
-    search = addon.suggest.search.begin_search(bpy.context, source, "DARTS", None)
+    search = addon.suggest.operators.begin_search(bpy.context, source, "DARTS", None)
     paint(source)
     with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search'):
-        addon.suggest.search.keep_found(search, [])
+        addon.suggest.operators.keep_found(search, [])
 
 
 @pytest.mark.parametrize(("data_type", "domain"), [("BOOLEAN", "POINT"), ("INT", "EDGE"), ("FLOAT", "CORNER")])

@@ -73,7 +73,7 @@ def test_lines_and_their_rims_differ(addon, vision):
 
 @pytest.mark.parametrize("vision", list(VISIONS))
 def test_equal_steps_of_a_map_are_told_apart_and_in_order(addon, vision):
-    surfaces, maps = addon.overlay.surfaces, addon.solve.maps
+    surfaces, maps = addon.overlay.gather, addon.solve.maps
     for color_map in maps.COLOR_MAPS:
         steps = color_map.colors(np.linspace(color_map.low, color_map.high, 9))
         seen = np.array([lab(color[:3], vision) for color in surfaces.screen_colors(steps)])
@@ -90,7 +90,7 @@ def lay_out(addon, map_name="STRETCH", notes=(), unit=1.0, extremes=(-0.031, 0.2
     styles = list(addon.overlay.lines.STYLES.values())
     color_map = getattr(addon.solve.maps, map_name) if map_name else None
     width = lambda text: LETTER * unit * len(text)  # noqa: E731
-    return addon.overlay.legend.lay_out(styles, notes, color_map, extremes, (900.0, 16.0), unit, width)
+    return addon.overlay.screen.lay_out(styles, notes, color_map, extremes, (900.0, 16.0), unit, width)
 
 
 @pytest.mark.parametrize("unit", [1.0, 2.0])
@@ -124,7 +124,7 @@ def test_the_legend_says_what_the_colors_mean(addon):
 
 
 def test_without_anything_to_say_there_is_no_legend(addon):
-    legend = addon.overlay.legend.lay_out([], [], None, None, (900.0, 16.0), 1.0, len)
+    legend = addon.overlay.screen.lay_out([], [], None, None, (900.0, 16.0), 1.0, len)
     assert (legend.boxes, legend.texts) == ([], [])
 
 

@@ -221,7 +221,7 @@ def test_lengths_and_areas_are_shown_in_the_scenes_units(addon, system, unit, sc
     settings.system, settings.scale_length = system, scale
     if unit:
         settings.length_unit = unit
-    text = addon.blender.units.length_text(bpy.context.scene)
+    text = addon.blender.objects.length_text(bpy.context.scene)
     assert (text(0.57123), text.area(0.57123)) == (length, area)
 
 

@@ -49,7 +49,7 @@ def test_the_report_is_parsed_once(addon, report):
 
 
 def table_of(addon, report):
-    text = addon.core.report_csv(report, addon.blender.units.length_text(bpy.context.scene))
+    text = addon.core.report_csv(report, addon.blender.objects.length_text(bpy.context.scene))
     return list(csv.DictReader(io.StringIO(text)))
 
 

@@ -276,13 +276,13 @@ def test_there_is_no_second_run_beside_another(addon, source, monkeypatch):
 
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
     """No operator is unregistered for it, which would take Adjust Last Operation away; in the end all go."""
-    updating = addon.flatten.update_operators.updating_in
+    updating = addon.flatten.auto_update.updating_in
     idnames = [updating(group).idname_py() for group in ("Move", "Mark Seam", "Move", "Update Flat Pieces")]
     assert len(set(idnames)) == 3 and idnames[0] == idnames[2] and idnames[3] == "object.wirewarp_update"
     joining = [getattr(bpy.types, f"OBJECT_OT_wirewarp_update_{number}") for number in (0, 1)]
     assert [cls.bl_undo_group for cls in joining] == ["Move", "Mark Seam"]
     assert all(cls.is_registered and cls.bl_options == {"INTERNAL", "UNDO_GROUPED"} for cls in joining)
-    most = addon.flatten.update_operators.MOST
+    most = addon.flatten.auto_update.MOST
     idnames = {updating(f"Group {number}").idname_py() for number in range(2 * most)}
     assert len(idnames) == most - 2 + 1  # the two above are for other groups, and the rest have a step of their own
     addon.unregister()
@@ -324,14 +324,14 @@ def test_what_goes_wrong_while_the_pieces_are_made_leaves_the_file_as_it_was(add
 
 def test_another_grain_wire_is_due_once(addon, source):
     assert taken(addon) == []
-    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.state.wires.find_wires(source)[0].edges[0])
+    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.state.identities.find_wires(source)[0].edges[0])
     assert taken(addon) == ["Bump"]
     bpy.ops.object.wirewarp_flatten()
     assert taken(addon) == []
 
 
 def test_a_model_that_cannot_be_read_is_tried_once_whatever_its_grain_wire(addon, source):
-    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.state.wires.find_wires(source)[0].edges[0])
+    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.state.identities.find_wires(source)[0].edges[0])
     bpy.ops.object.wirewarp_flatten()
     source.scale.x = 0.0
     assert taken(addon) == ["Bump"]

@@ -55,7 +55,7 @@ def test_the_file_holds_eases_and_cloth(name, addon):
     shape, mesh = SAMPLES[name], open_sample(name).data
     starts = read(mesh.loops, "vertex_index", np.int32)
     ends = np.concatenate([np.roll(starts[list(polygon.loop_indices)], -1) for polygon in mesh.polygons])
-    ratios = addon.state.sides.SIDE_EASES.read(mesh)
+    ratios = addon.state.allowances.SIDE_EASES.read(mesh)
     eased = np.flatnonzero(ratios)
     found = {(int(starts[corner]), int(ends[corner])): ratios[corner] for corner in eased}
     assert found == {tuple(pair): np.float32(ease.ratio) for ease in shape.eases for pair in ease.half_edges.tolist()}

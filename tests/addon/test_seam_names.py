@@ -110,7 +110,7 @@ def test_the_list_and_the_table_say_what_a_seam_joins(addon, source):
     joined = " – ".join(names)
     assert joined in draw_panels(addon)
     text = addon.core.report_csv(
-        addon.state.reports.last_report(source), addon.blender.units.length_text(bpy.context.scene)
+        addon.state.reports.last_report(source), addon.blender.objects.length_text(bpy.context.scene)
     )
     assert f"Seam,Seam 1: {joined},{names[0]}," in text
 
@@ -153,6 +153,6 @@ class MovingEntries(list):
 def test_names_are_written_where_entries_are_after_new_ones(addon):
     source = SimpleNamespace(wirewarp_seams=MovingEntries([SimpleNamespace(seam_id=1, name="Seam 1")]))
     names = {2: "Seam 2", 1: "Seam 3"}
-    identities = [addon.solve.seams.SeamIdentity(seam_id, name, is_dart=False) for seam_id, name in names.items()]
+    identities = [addon.solve.identity.SeamIdentity(seam_id, name, is_dart=False) for seam_id, name in names.items()]
     addon.state.identities.write_seams(source, None, identities, on_model=False)
     assert addon.state.identities.seam_names(source) == names

@@ -31,7 +31,7 @@ def test_one_side_is_that_of_the_smaller_piece_on_all_seams(addon):
     for seam in seams.values():
         mark_seam(source, seam)
     ease(source, lambda a, b: any(seam(a, b) for seam in seams.values()), sides="ONE", ease_percent=5.0)
-    eased = np.flatnonzero(addon.state.sides.SIDE_EASES.read(source.data))
+    eased = np.flatnonzero(addon.state.allowances.SIDE_EASES.read(source.data))
     faces = np.repeat(np.arange(len(source.data.polygons)), [len(face.loop_indices) for face in source.data.polygons])
     middles = [source.data.polygons[face].center.x for face in faces[eased]]
     assert len(eased) == 16 and min(map(abs, middles)) > 0.5
@@ -109,9 +109,9 @@ def test_after_a_loop_cut_one_side_is_eased_and_what_was_marked_stays(source, ad
     ease(source, SEAM, sides=sides, ease_percent=5.0)
     cut_beside_seam(source)
     mark_seam(source, BESIDE)
-    before = addon.state.sides.SIDE_EASES.read(source.data)
+    before = addon.state.allowances.SIDE_EASES.read(source.data)
     ease(source, BESIDE, sides=beside, ease_percent=2.0)
-    after = addon.state.sides.SIDE_EASES.read(source.data)
+    after = addon.state.allowances.SIDE_EASES.read(source.data)
     assert np.count_nonzero(before) == 8 and (after[before != 0] == np.float32(0.05)).all()
     assert np.count_nonzero(after == np.float32(0.02)) == 8  # one corner of each edge
 

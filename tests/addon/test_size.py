@@ -16,7 +16,7 @@ def sized(addon):
     def make(width):
         source = grid("Chair", lambda x, y: [width / 2 * value for value in bump(x, y)])
         bpy.context.view_layer.update()
-        size = addon.blender.units
+        size = addon.blender.objects
         offered = [size.unit_text(source, unit) for unit in size.likely_units(source)]
         return size.strange_size(source, bpy.context.scene), offered
 
@@ -59,16 +59,16 @@ def test_the_unit_follows_from_the_height_that_the_model_should_have(addon, size
     across = source.dimensions.x
     source.rotation_euler.y = math.pi / 2  # as importers turn models
     bpy.context.view_layer.update()
-    assert addon.blender.units.unit_of_height(source, 1.2) == pytest.approx(1.2 / across)
+    assert addon.blender.objects.unit_of_height(source, 1.2) == pytest.approx(1.2 / across)
     source.rotation_euler.y = 0.0
     bpy.context.view_layer.update()
-    meters = addon.blender.units.unit_of_height(source, 1.2)
+    meters = addon.blender.objects.unit_of_height(source, 1.2)
     bpy.ops.scene.wirewarp_set_unit(meters=meters)
-    assert source.dimensions.z * addon.blender.units.meters_per_blender_unit(bpy.context.scene) == pytest.approx(1.2)
+    assert source.dimensions.z * addon.blender.objects.meters_per_blender_unit(bpy.context.scene) == pytest.approx(1.2)
 
 
 def test_a_scene_without_units_gets_some(addon, sized):
     bpy.context.scene.unit_settings.system = "NONE"
     assert sized(150)[0]
     bpy.ops.scene.wirewarp_set_unit(meters=0.01)
-    assert addon.blender.units.strange_size(bpy.data.objects["Chair"], bpy.context.scene) == ""
+    assert addon.blender.objects.strange_size(bpy.data.objects["Chair"], bpy.context.scene) == ""

@@ -93,9 +93,7 @@ def test_the_least_strain_is_first_and_rows_differ(addon):
     SUGGEST["DARTS"]()
     cuts = found(addon, source).cuts
     assert [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
-    rows = [
-        addon.solve.suggestion_words.cut_text(cut, addon.blender.units.length_text(bpy.context.scene)) for cut in cuts
-    ]
+    rows = [addon.solve.suggest.cut_text(cut, addon.blender.objects.length_text(bpy.context.scene)) for cut in cuts]
     assert len(rows) == len(set(rows))
 
 
@@ -198,7 +196,7 @@ def test_it_is_taken_in_both_modes(addon, mode):
 
 def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
     source = grid("Bump", bump)
-    suggest = addon.suggest.search
+    suggest = addon.suggest.operators
     search = suggest.begin_search(bpy.context, source, "DARTS", None)
     cuts = addon.solve.steps.in_one_go(search.steps)
     bpy.data.objects.remove(source)

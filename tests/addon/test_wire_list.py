@@ -28,11 +28,11 @@ def source():
 def listed(addon, target):
     """Name, tolerance and number of edges of each line."""
     bpy.context.view_layer.update()
-    return [(name, wire.tolerance, len(wire.edges)) for name, wire in addon.state.wires.listed_wires(target)]
+    return [(name, wire.tolerance, len(wire.edges)) for name, wire in addon.state.identities.listed_wires(target)]
 
 
 def edge_of(addon, target, wanted):
-    return next(wire.edges[0] for name, wire in addon.state.wires.listed_wires(target) if name == wanted)
+    return next(wire.edges[0] for name, wire in addon.state.identities.listed_wires(target) if name == wanted)
 
 
 def in_edit_mode(target, line, operator, **settings):
@@ -199,14 +199,16 @@ def row_of(addon, target, entry, width=600):
 def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source):
     bpy.context.scene.unit_settings.length_unit = "CENTIMETERS"
     row = row_of(addon, source, source.data.wirewarp_names[1])
-    length = sum(wire.length(np.eye(3)) for name, wire in addon.state.wires.listed_wires(source) if name == "Middle")
+    length = sum(
+        wire.length(np.eye(3)) for name, wire in addon.state.identities.listed_wires(source) if name == "Middle"
+    )
     assert row == ["Middle", f"±5%  {100 * length:.3f} cm"]
     assert row_of(addon, source, source.data.wirewarp_names[1], width=200) == ["Middle", f"{100 * length:.0f} cm"]
 
 
 def test_what_has_no_row_of_its_own_stands_below_and_what_is_gone_nowhere(addon, source):
     """A wire cut in two by hand, without Mark, and one whose edges were cleared by a script."""
-    wires = dict(addon.state.wires.listed_wires(source))
+    wires = dict(addon.state.identities.listed_wires(source))
     for row in wires["Bust"].edges[3:5]:
         source.data.attributes["wirewarp_wire"].data[row].value = 0
     for row in wires["Middle"].edges:

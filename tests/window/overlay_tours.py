@@ -114,7 +114,7 @@ def marks_are_undone() -> drive.Tour:
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
-    edge = wirewarp_addon.state.wires.find_wires(source)[0].edges[0]
+    edge = wirewarp_addon.state.identities.find_wires(source)[0].edges[0]
     select_edges(source, on_line(1, 0.25), on_line(1, 1.0))
     with drive.in_view():
         bpy.ops.ed.undo_push(message="Selected")

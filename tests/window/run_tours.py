@@ -17,7 +17,7 @@ solve_models = wirewarp_addon.flatten.models
 def collect_messages() -> list[tuple[str, str]]:
     """What operators tell the user from now on, with their level."""
     messages = []
-    steps = wirewarp_addon.flatten.steps.FlattenSteps
+    steps = wirewarp_addon.flatten.operators.FlattenSteps
     drive.replace(steps, "message", lambda _operator, level, text: messages.append((level, text)))
     return messages
 

@@ -102,7 +102,7 @@ def a_search_ends_under_a_tool() -> drive.Tour:
     source = grid("Bump", bump)
     select_edges(source, on_line(0, 0.0))
     remember()
-    run, goes_on = wirewarp_addon.suggest.search, Event()
+    run, goes_on = wirewarp_addon.suggest.operators, Event()
     suggest_cuts = run.suggest_cuts
 
     def wait_and_suggest(*what: object) -> Generator[float, None, object]:
@@ -126,7 +126,7 @@ def a_search_ends_under_a_tool() -> drive.Tour:
 def a_fault_of_the_core_ends_the_search() -> drive.Tour:
     """It is told, and another search can begin."""
     source = grid("Bump", bump)
-    run, operators, told = wirewarp_addon.suggest.search, wirewarp_addon.suggest.operators, []
+    run, operators, told = wirewarp_addon.suggest.operators, wirewarp_addon.suggest.operators, []
     suggest_cuts, fault_sentence = run.suggest_cuts, operators.fault_sentence
 
     def fail(*_: object) -> Generator[float, None, object]:

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Attributes of ours on meshes: read, written, and whether their names are free.
+"""Attributes of ours on meshes: read, written, and whether their names are free; data as sealed text.
 
 Attributes, UV maps, color attributes and vertex groups share one room. Where a name is taken, Blender gives what is new
 another one, or makes nothing at all.
 """
+
+import hashlib
+import json
+from typing import Any
 
 import bpy
 import numpy as np
@@ -11,6 +15,25 @@ import numpy as np
 from ..issues import object_error
 from ..names import Attribute
 from .mesh import read_attribute
+
+DIGITS = 24  # of the digest
+
+
+def sealed(data: dict[str, Any]) -> str:
+    text = json.dumps(data)
+    return _digest(text) + text
+
+
+def unsealed(stored: object) -> dict[str, Any] | None:
+    """Returns the data; None if sealed() has not made this text."""
+    if not isinstance(stored, str) or stored[:DIGITS] != _digest(stored[DIGITS:]):
+        return None
+    return json.loads(stored[DIGITS:])
+
+
+def _digest(text: str) -> str:
+    return hashlib.blake2b(text.encode(errors="replace"), digest_size=DIGITS // 2).hexdigest()
+
 
 _ZEROS = {"INT": np.int32, "FLOAT": np.float32}
 _ELEMENTS = {"POINT": "vertices", "EDGE": "edges", "FACE": "polygons", "CORNER": "loops"}

@@ -140,3 +140,17 @@ def work_area(context: bpy.types.Context) -> bpy.types.Area | None:
     return (
         context.area if context.area in areas else max(areas, key=lambda each: each.width * each.height, default=None)
     )
+
+
+def send_mouse_move(window: bpy.types.Window) -> None:
+    """Makes Blender send a movement of the mouse to where it is, so that handlers get one as if a user had moved it.
+
+    After a region is scrolled Blender does so, because another button may lie under the mouse. So one is scrolled by
+    nothing.
+    """
+    for area in window.screen.areas:
+        for region in area.regions:
+            with bpy.context.temp_override(window=window, area=area, region=region):
+                if region.height > 1 and bpy.ops.view2d.pan.poll():
+                    bpy.ops.view2d.pan("EXEC_DEFAULT", deltax=0, deltay=0)
+                    return

@@ -1,14 +1,129 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From what was read of flat pieces to a file. No Blender in here."""
 
-from collections.abc import Mapping
+from collections.abc import Generator, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal, NamedTuple
 
-from ..core import pattern
-from ..solve.steps import Steps, in_one_go, in_slices, told_as
-from .pattern_parts import Cloth, PatternChoices, PatternParts, Stages, laid_on_kept
+from ..core import FlattenError, pattern
+from ..issues import object_error
+from ..solve.steps import Steps, T, in_one_go, in_slices, told_as
+
+Stages = Generator[tuple[str, float], None, T]  # steps of the library: the stage, and the share of it that is done
+
+
+@dataclass(frozen=True)
+class PatternChoices:
+    """Lengths are in millimeters."""
+
+    allowance: float  # where none is marked
+    notch_spacing: float  # along seams, 0 for none
+    darts: str  # "close", "cut" or "slit", as the library has it
+    pairs: bool = False  # draw one piece of each mirrored pair
+    on_fold: bool = False  # draw half of each symmetric piece
+
+
+Grain = Literal["one way", "both ways", "free"]
+GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}  # by settings
+
+
+@dataclass(frozen=True)
+class Cloth:
+    """On which pieces are nested; lengths are in millimeters."""
+
+    width: float
+    gap: float  # between pieces
+    grain: Grain  # how they may be turned
+
+
+@dataclass(frozen=True)
+class KeptMarker:
+    cloth: Cloth
+    marker: pattern.Marker
+
+
+class Allowances(NamedTuple):
+    """Where they are marked, as Pattern.from_pieces takes them."""
+
+    both: list[tuple[int, int, float]]
+    sides: list[tuple[int, int, float]]
+    folds: list[tuple[int, int]]
+
+
+@dataclass(frozen=True)
+class PatternParts:
+    title: str
+    pieces: Sequence[pattern.FlatPiece]
+    failed: Sequence[str]  # names of those that failed
+    seam_names: Sequence[str]
+    allowances: Allowances
+    units: Literal["metric", "imperial"]
+    date: str
+    measures: Sequence[tuple[str, float]] = ()  # names and lengths on the model of rigid wires, millimeters
+    kept: KeptMarker | None = None
+
+    @property
+    def refusal(self) -> str:
+        """Why the pieces should not be cut; empty where they may be."""
+        if not self.failed:
+            return ""
+        return (
+            f"Failed: {', '.join(self.failed)}. See the report for what is wrong, or choose Failed Pieces to export "
+            "them anyway."
+        )
+
+    def cut_lines(self, allowance: float, darts: str, pairs: bool = False, on_fold: bool = False) -> pattern.Pattern:
+        """Only the lines, where they lie. Raises ObjectError as making() does."""
+        with _errors_of_library():
+            return pattern.Pattern.of_cut_lines(
+                self.pieces, allowance=allowance, darts=darts, pairs=pairs, on_fold=on_fold, **self._marked
+            )
+
+    def making(self, choices: PatternChoices) -> Stages[pattern.Pattern]:
+        """Raises ObjectError where they make none."""
+        with _errors_of_library():
+            steps = pattern.Pattern.making(
+                self.pieces,
+                self.seam_names,
+                title=self.title,
+                date=self.date,
+                allowance=choices.allowance,
+                notch_spacing=choices.notch_spacing,
+                darts=choices.darts,
+                pairs=choices.pairs,
+                on_fold=choices.on_fold,
+                measures=self.measures,
+                **self._marked,
+            )
+            return (yield from steps)
+
+    @property
+    def _marked(self) -> dict[str, Any]:
+        """What is marked on the model, and the units, as the library's options."""
+        both, sides, folds = self.allowances
+        return {"units": self.units, "allowances": both, "side_allowances": sides, "folds": folds}
+
+
+@contextmanager
+def _errors_of_library() -> Iterator[None]:
+    """The library's errors as ours."""
+    try:
+        yield
+    except FlattenError as error:
+        raise object_error(str(error.code), error.message) from error
+
+
+def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -> pattern.Pattern | None:
+    """None where the marker is of other cloth or of other pieces."""
+    if kept is None or kept.cloth != cloth:
+        return None
+    try:
+        return made.laid_on(kept.marker)
+    except FlattenError:
+        return None
+
 
 SEARCH = 0.9  # of the whole, where a marker is sought, which takes seconds; what else there is comes before and after
 

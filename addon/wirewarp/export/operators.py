@@ -11,10 +11,8 @@ from ..core import pattern
 from ..properties import PatternSettings, take_settings
 from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
 from ..words import counted
-from .export import ExportChoices
-from .pattern_parts import GRAINS, Cloth, PatternChoices
-from .sentences import largest_sentence, size_sentences
-from .steps import PatternExport
+from .export import GRAINS, Cloth, ExportChoices, PatternChoices
+from .steps import PatternExport, largest_sentence, size_sentences
 
 FORMATS = {suffix[1:].upper(): each for suffix, each in pattern.FORMATS.items()}
 DRAWN = [  # kinds of the library, upper case and with underscores

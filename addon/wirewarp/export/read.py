@@ -3,28 +3,48 @@
 
 import datetime
 from collections.abc import Mapping, Sequence
+from dataclasses import asdict
 
 import bpy
 import numpy as np
 
-from ..blender.attributes import has_attributes
+from ..blender.attributes import has_attributes, sealed, unsealed
 from ..blender.mesh import current_mesh, evaluated_mesh
-from ..blender.objects import linear_part
-from ..blender.units import meters_per_blender_unit
+from ..blender.objects import linear_part, meters_per_blender_unit
 from ..core import pattern
 from ..issues import object_error
-from ..names import PIECE_INDEX, SOURCE_VERTEX
+from ..names import MARKER, PIECE_INDEX, SOURCE_VERTEX
 from ..solve.chains import chains_of_marks, edge_keys
 from ..solve.outlines import FlatPieces, OutlineEdges, outline_of, piece_of_vertices
 from ..solve.report import ObjectReport
 from ..state.allowances import read_allowances
-from ..state.current_pieces import current_pieces
-from ..state.flat_pieces import read_flat_pieces
+from ..state.flat_pieces import current_pieces, read_flat_pieces
+from ..state.identities import names_of
 from ..state.record import UPRIGHT, grains
 from ..state.reports import pieces_report
-from ..state.wires import names_of
-from .markers import kept_marker, marker_text
-from .pattern_parts import Allowances, PatternParts
+from .export import Allowances, Cloth, KeptMarker, PatternParts
+
+
+def keep_marker(source: bpy.types.Object, kept: KeptMarker) -> None:
+    source[MARKER] = sealed({"cloth": asdict(kept.cloth), "marker": kept.marker.to_dict()})
+
+
+def marker_text(source: bpy.types.Object) -> str:
+    """As it is stored; empty where there is none."""
+    stored = source.get(MARKER)
+    return stored if isinstance(stored, str) else ""
+
+
+def kept_marker(text: str) -> KeptMarker | None:
+    """Of a text of marker_text; None where that was not written by keep_marker of this version."""
+    stored = unsealed(text)
+    if stored is None:
+        return None
+    try:
+        return KeptMarker(Cloth(**stored["cloth"]), pattern.Marker.from_dict(stored["marker"]))
+    except (KeyError, TypeError):  # another version keeps other things
+        return None
+
 
 EDITED = "The flat pieces were edited by hand, and a seam of the model is missing on them. Flatten the model again."
 

@@ -7,13 +7,12 @@ import bpy
 import numpy as np
 
 from ..blender.mesh import edge_vertices, evaluated_mesh, vertex_places
-from ..blender.modes import in_object_mode
 from ..blender.objects import remove_object
+from ..blender.selection import in_object_mode
 from ..issues import object_error
 from ..names import FLAT_LENGTH, MARKS, SEAM
 from ..solve.outlines import FlatPieces, outline_of
-from ..state.current_pieces import current_pieces
-from ..state.flat_pieces import OF_ELEMENTS, read_flat_pieces
+from ..state.flat_pieces import OF_ELEMENTS, current_pieces, read_flat_pieces
 from ..state.owners import model_or_self
 from ..ui.editing import reporting_refusals
 from .read import EDITED

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import bpy
+import numpy as np
 from bpy.props import BoolProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
@@ -20,8 +21,8 @@ from ..blender.files import (
     replaced_file,
     unwritten,
 )
-from ..blender.modes import in_object_mode
-from ..core import FlattenError, pattern
+from ..blender.selection import in_object_mode
+from ..core import SHOWN_NAMES, FlattenError, pattern
 from ..issues import ObjectError, object_error
 from ..solve.steps import CanceledError
 from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
@@ -29,12 +30,46 @@ from ..state.reports import pieces_report
 from ..ui import window_run
 from ..ui.layout import draw_sentence
 from ..ui.settings import settings_sentence
-from ..ui.window_steps import WindowSteps
-from .export import ExportChoices, Exported, PatternParts, export, made_pattern
-from .markers import keep_marker
-from .pattern_parts import KeptMarker
-from .read import read_pattern
-from .sentences import INCH, crossing_sentence
+from ..ui.window_run import WindowSteps
+from ..words import counted
+from .export import ExportChoices, Exported, KeptMarker, PatternParts, export, made_pattern
+from .read import keep_marker, pieces_over_others, read_pattern
+
+INCH = 25.4
+
+
+def crossing_sentence(made: pattern.Pattern) -> str:
+    """Empty if no pieces overlap."""
+    names = pieces_over_others(made.pieces)
+    if not names:
+        return ""
+    hidden = len(names) - SHOWN_NAMES
+    shown = ", ".join(names[:SHOWN_NAMES]) + (f" and {hidden} more" if hidden > 0 else "")
+    return f"These pieces overlap: {shown}. Move them apart before you cut."
+
+
+def copies_sentences(made: pattern.Pattern) -> list[str]:
+    """The pieces that are drawn once for their mirror images."""
+    pairs = [f"{piece.name} and {piece.mirrored_name}" for piece in made.pieces if piece.mirrored_name]
+    folds = [piece.name for piece in made.pieces if piece.on_fold]
+    return [f"{what}: {', '.join(names)}" for what, names in (("Cut 1 pair", pairs), ("On the fold", folds)) if names]
+
+
+def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:
+    return [f"{counted(len(made.pieces), 'piece')} on {_size_text(made, *size)}.", largest_sentence(made)]
+
+
+def largest_sentence(made: pattern.Pattern) -> str:
+    """By the area of its box: what a sheet must have room for."""
+    largest = max(made.pieces, key=lambda piece: float(piece.size.prod()))
+    return f"Largest piece: {largest.name}, {_size_text(made, *largest.size)}."
+
+
+def _size_text(made: pattern.Pattern, width: float, height: float) -> str:
+    """Of millimeters, in inches too for those who measure in them."""
+    inches = f" ({width / INCH:.1f} × {height / INCH:.1f} in)" if made.units.name == "imperial" else ""
+    return f"{width:.0f} × {height:.0f} mm{inches}"
+
 
 FAULTS = (ObjectError, FlattenError, OSError, RuntimeError)  # with a sentence for the user
 

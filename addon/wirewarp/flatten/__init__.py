@@ -4,9 +4,9 @@
 May import: ui, state, solve, blender, properties, core, issues, names, words.
 """
 
-from . import operators, update_operators
+from . import auto_update, operators
 
 MODULES = (
     operators,
-    update_operators,
+    auto_update,
 )

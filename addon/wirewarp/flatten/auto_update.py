@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""When flat pieces are to be made again by themselves: what has changed since, and whether the user is at rest.
+"""When flat pieces are to be made again by themselves, and the operators that do so.
 
 A handler only notes that something changed. The next movement of the mouse reaches the operator wm.wirewarp_watch by
 the keymap, unless a tool that is still going on (moving vertices, a knife) keeps it to itself: leaving Edit Mode under
@@ -9,17 +9,23 @@ mouse: while something is due, the timer of state.due makes Blender send such an
 """
 
 from collections.abc import Callable
+from itertools import takewhile
 
 import bmesh
 import bpy
 
+from ..blender.selection import WORKING_MODES
 from ..issues import ObjectError
+from ..properties import take_settings
 from ..solve.report import ObjectReport
 from ..state.changes import has_changed, present_state
-from ..state.due import note_change
-from ..state.memory import kept, state_of
+from ..state.memory import is_due, kept, note_change, state_of
 from ..state.owners import model_of
 from ..state.reports import last_report
+from ..ui import window_run
+from .models import Outcome
+from .operators import FlattenSteps
+from .read import find_source
 
 WATCH = "wm.wirewarp_watch"
 EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, for to leave it and come back is felt
@@ -112,3 +118,111 @@ def attach() -> Callable[[], None]:
     item = keymap.keymap_items.new(WATCH, "MOUSEMOVE", "ANY", any=True)
 
     return lambda: keymap.keymap_items.remove(item)
+
+
+LABEL = "Update Flat Pieces"
+JOINING = "OBJECT_OT_wirewarp_update_{}"  # names of the operators of updating_in, by number
+MOST = 32  # of them: more kinds of operators than a session uses; after that, updates have undo steps of their own
+
+
+class UpdateSteps(FlattenSteps):
+    """Mixed into the operators that update: one for each undo step that an update has joined, see updating_in."""
+
+    bl_label = LABEL
+    bl_options = {"INTERNAL", "UNDO_GROUPED"}
+    tries_uv_seams = False
+
+    # As it was begun, it ends with a movement of the mouse that no tool has taken: see auto_update.
+    ends_on = "MOUSEMOVE"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Also for scripts: a second run in the window would leave the first without its end."""
+        return context.mode in WORKING_MODES and not window_run.is_running()
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        take_settings(self, context.scene.wirewarp)
+        sources = take_changed(context)
+        return self.begin_run(context, sources) if sources else {"CANCELLED"}
+
+    def lets_pass(self, _event: bpy.types.Event) -> bool:
+        """Everything: if the user goes on marking, this run ends without a result and the next one begins."""
+        return True
+
+    def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
+        """Nothing: the user is at work in this view."""
+
+    def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
+        """A model that changed meanwhile is due again already; what only could not be written is due as it is."""
+        if code == "elsewhere":
+            sources = filter(None, map(find_source, self._models))
+            put_back(list(sources), bpy.data.scenes.get(self._scene, context.scene))
+        return {"CANCELLED"} if code in {"changed", "elsewhere"} else super().give_up(context, code, sentence, level)
+
+    def message(self, level: str, text: str) -> None:
+        """Without the window that an error opens: the report has it, and the user is still at work."""
+        self.report({"WARNING" if level == "ERROR" else level}, text)
+
+
+class OBJECT_OT_wirewarp_update(UpdateSteps, bpy.types.Operator):
+    """Flatten again what has changed"""
+
+    bl_idname = "object.wirewarp_update"
+    bl_undo_group = LABEL
+
+
+class WM_OT_wirewarp_watch(bpy.types.Operator):
+    """Look whether flat pieces are to be made again"""
+
+    bl_idname = "wm.wirewarp_watch"
+    bl_label = "Watch for Changes"
+    bl_options = {"INTERNAL"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """A change in another mode, or during a run, waits for its end."""
+        return is_due(context.scene) and OBJECT_OT_wirewarp_update.poll(context)
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        if context.scene.wirewarp.auto_update:
+            last = context.window_manager.operators[-1].name if context.window_manager.operators else LABEL
+            updating_in(last)("INVOKE_DEFAULT", True)
+        else:
+            forget_change(context.scene)
+        return {"PASS_THROUGH"}
+
+
+def updating_in(group: str) -> Callable:
+    """The operator that updates within the last undo step, if that is of this name.
+
+    With a step of its own, undo would first take back the pieces alone, and leave them at odds with the marks. Blender
+    joins steps of one undo group, and takes an operator's group when it is registered. To register one anew would take
+    Adjust Last Operation from the user, for Blender forgets all operations when an operator goes; so there is one more.
+    """
+    if group == LABEL:
+        return bpy.ops.object.wirewarp_update
+    joining = _joining()
+    number = next((number for number, cls in enumerate(joining) if cls.bl_undo_group == group), len(joining))
+    if number == MOST:
+        return bpy.ops.object.wirewarp_update
+    if number == len(joining):
+        idname = f"object.wirewarp_update_{number}"
+        content = {"__doc__": OBJECT_OT_wirewarp_update.__doc__, "bl_idname": idname, "bl_undo_group": group}
+        bpy.utils.register_class(type(JOINING.format(number), (UpdateSteps, bpy.types.Operator), content))
+    return getattr(bpy.ops.object, f"wirewarp_update_{number}")
+
+
+def _joining() -> list[type[bpy.types.Operator]]:
+    """The operators of updating_in that there are."""
+    return list(takewhile(bool, (getattr(bpy.types, JOINING.format(number), None) for number in range(MOST))))
+
+
+def forget_joining() -> None:
+    for cls in _joining():
+        bpy.utils.unregister_class(cls)
+
+
+CLASSES = (
+    OBJECT_OT_wirewarp_update,
+    WM_OT_wirewarp_watch,
+)

@@ -9,14 +9,20 @@ import numpy as np
 
 from ..core import ANY_LIMIT, Cache, FlattenResult, Note, torn_hints
 from ..issues import Issue, ObjectError, note, warning
-from ..solve.arrays import INWARD, MeshArrays, faces_inward
+from ..solve.arrays import INWARD, MeshArrays, faces_inward, new_seams
 from ..solve.flat_mesh import FlatMesh, flat_mesh
 from ..solve.flatten import FlattenChoices, flatten_arrays, has_layout, used_choices
-from ..solve.identity import KnownPieces, PieceIdentity, identify_pieces
+from ..solve.identity import (
+    KnownPieces,
+    KnownSeams,
+    PieceIdentity,
+    SeamIdentity,
+    identify_pieces,
+    identify_seams,
+    ids_by_edge,
+)
 from ..solve.report import Facts, ObjectReport, UvSeams, failure_report, object_report, uv_seams
-from ..solve.seams import KnownSeams, SeamIdentity, identify_seams, ids_by_edge
 from ..solve.steps import CanceledError, Steps, told_as
-from ..solve.uv_islands import new_seams
 
 MIDDLE = "Lengths on the model are those of the middle of the material's thickness."
 NO_ANGLE = "Grain Angle was not used: it needs Upright: Grain Wire and a grain wire."

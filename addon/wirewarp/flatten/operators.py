@@ -1,18 +1,153 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The button Flatten."""
+"""The button Flatten, and what it has in common with the automatic update: read, solve, write."""
 
+import json
 from pathlib import Path
 
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
-from ..blender.files import OPTIONS, check_room, given_file, unwritten
-from ..blender.modes import WORKING_MODES
-from ..properties import take_settings
+from .. import core
+from ..blender.files import OPTIONS, check_room, given_file, replaced_file, unwritten
+from ..blender.objects import meters_per_blender_unit
+from ..blender.selection import WORKING_MODES, hold_whole_file, in_object_mode
+from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_area
+from ..issues import Issue, ObjectError
+from ..properties import preferences, take_settings
+from ..solve.report import ObjectReport, run_message
+from ..solve.steps import CanceledError, Steps
+from ..state.owners import find_flat_object
+from ..state.settings import FlattenSettings, choices_of
 from ..ui import window_run
 from ..ui.settings import draw_settings
-from .steps import FlattenSteps
-from .targets import active_target, mesh_targets, nothing_to_flatten
+from ..ui.window_run import WindowSteps, fault_sentence
+from .models import Model, Outcome, failed_report, solve_models
+from .read import active_target, check_current, find_source, mesh_targets, nothing_to_flatten, read_models
+from .write import write_results
+
+# What a user may do during a run: look around.
+HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_PERIOD"} | {
+    f"NUMPAD_{digit}" for digit in range(10)
+}
+HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
+
+
+def write_json(path: Path, report: dict) -> None:
+    """Raises OSError, and leaves the file as it was, if it cannot be written."""
+    with replaced_file(path) as unfinished:
+        unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+class FlattenSteps(WindowSteps, FlattenSettings):
+    """Mixed into operators."""
+
+    tries_uv_seams = True  # which takes as long as the run
+
+    @property
+    def report_file(self) -> Path | None:
+        """Where the report goes as JSON."""
+        return None
+
+    def begin_run(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
+        """Reads now and solves while modal() waits for it."""
+        with in_object_mode(context):
+            self._models = read_models(context, sources, self)
+        self._scene, self._view_layer = _place(context)
+        what = sources[0].name if len(sources) == 1 else f"{len(sources)} objects"
+        return self.begin(context, window_run.FLATTEN, what, self._solving(context, self._models))
+
+    def lets_pass(self, event: bpy.types.Event) -> bool:
+        """All else would be lost or make the result untrue."""
+        if event.type == "LEFTMOUSE":
+            return is_over_sidebar(event)  # where Cancel is
+        return event.type in HARMLESS or event.type.startswith(HARMLESS_KINDS)
+
+    def flatten_now(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
+        """All at once; Blender waits."""
+        with in_object_mode(context):
+            models = read_models(context, sources, self)
+            outcomes = self.wait_for(context, self._solving(context, models))
+            self._write(context, outcomes)
+        return self._tell(context, outcomes)
+
+    def message(self, level: str, text: str) -> None:
+        """What became of it, to the user; level: INFO, WARNING or ERROR."""
+        self.report({level}, text)
+
+    def _solving(self, context: bpy.types.Context, models: list[Model]) -> Steps[list[Outcome]]:
+        meters = meters_per_blender_unit(context.scene)
+        choices = choices_of(self, meters)
+        return solve_models(core.library(), models, choices, meters, tries_uv_seams=self.tries_uv_seams)
+
+    def finish_run(self, context: bpy.types.Context) -> set[str]:
+        try:
+            outcomes = self._run.result()
+        except CanceledError:
+            return self.give_up(context, "cancelled", "Flatten was canceled. Nothing was written.", "WARNING")
+        except Exception as error:
+            sentence = fault_sentence(error, "Flatten failed, nothing was written")
+            return self.give_up(context, "internal_error", sentence, "ERROR")
+        if context.mode not in WORKING_MODES or _place(context) != (self._scene, self._view_layer):
+            sentence = "The mode or the scene changed during the run, so nothing was written. Flatten again."
+            return self.give_up(context, "elsewhere", sentence, "ERROR")
+        try:
+            with in_object_mode(context):
+                check_current(context, self._models, self)
+                self._write(context, outcomes)
+        except ObjectError as error:
+            return self.give_up(context, error.issue.code, str(error), "ERROR")
+        except Exception as error:  # as on a full memory; with an undo step, so that the user can take it back
+            sentence = fault_sentence(error, "Flatten failed. Undo (Ctrl+Z) removes what was written")
+            self.give_up(context, "internal_error", sentence, "ERROR")
+            hold_whole_file()
+            return {"FINISHED"}
+        self.show(context, outcomes)
+        return self._tell(context, outcomes, "WARNING")  # the window of an error would cover Flatten and its sentence
+
+    def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
+        """Brings into view what the user has not seen yet, or not there."""
+        sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
+        area = work_area(context)
+        # In Edit Mode the user is at work on the edges in this view.
+        if sources and area and preferences(context).moves_view and context.mode == "OBJECT":
+            show_objects(context, area, [each for source in sources for each in (source, find_flat_object(source))])
+
+    def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
+        """Ends a run of which nothing is written but the report file."""
+        redraw_views()
+        self._write_report(context, [failed_report(model, Issue(code, sentence)) for model in self._models])
+        self.message(level, sentence)
+        return {"CANCELLED"}
+
+    def _write(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
+        write_results(context, outcomes, self)
+        hold_whole_file()
+
+    def _tell(self, context: bpy.types.Context, outcomes: list[Outcome], failed: str = "ERROR") -> set[str]:
+        """failed: the level of the message on pieces that failed."""
+        redraw_views()  # Blender does so by itself after a run that changed data, but not after one that failed
+        reports = [outcome.report for outcome in outcomes]
+        self._write_report(context, reports)
+        level, text = run_message(reports)
+        self.message(failed if level == "ERROR" else level, text)
+        return {"FINISHED" if any(outcome.pieces for outcome in outcomes) else "CANCELLED"}
+
+    def _write_report(self, context: bpy.types.Context, reports: list[ObjectReport]) -> None:
+        if self.report_file is None:
+            return
+        units = {
+            "meters_per_blender_unit": meters_per_blender_unit(context.scene),
+            "system": context.scene.unit_settings.system,
+        }
+        try:
+            write_json(self.report_file, core.run_to_dict(core.library().__version__, units, reports))
+        except OSError as error:
+            self.report({"ERROR"}, unwritten(self.report_file, error))
+
+
+def _place(context: bpy.types.Context) -> tuple[str, str]:
+    """Where the results go, by name: undo may replace the scene."""
+    return context.scene.name_full, context.view_layer.name
 
 
 class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
@@ -103,4 +238,7 @@ class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):
         return {"FINISHED"}
 
 
-CLASSES = (OBJECT_OT_wirewarp_flatten, OBJECT_OT_wirewarp_cancel)
+CLASSES = (
+    OBJECT_OT_wirewarp_flatten,
+    OBJECT_OT_wirewarp_cancel,
+)

@@ -10,13 +10,12 @@ from ..issues import note, warning
 from ..names import UV_LAYER
 from ..solve.flat_mesh import FlatMesh
 from ..solve.flatten import gap_between
-from ..state.identities import with_new_names, write_pieces, write_seams
+from ..state.identities import update_names, with_new_names, write_pieces, write_seams
 from ..state.marked_mesh import wires_on
 from ..state.owners import earlier_sentence, find_flat_object, has_flat_object, is_earlier, model_of
 from ..state.record import new_record
 from ..state.reports import remember, store, with_names
-from ..state.wires import update_names
-from .flat_object import follow_name, show_flat_object, write_flat_object
+from .flat_object import follow_name, show_flat_object, write_flat_object, write_uv
 from .models import Outcome
 from .places import (
     TURNED_TEXT,
@@ -29,7 +28,6 @@ from .places import (
     wants_new_layout,
 )
 from .read import RunSettings, find_source
-from .uv import write_uv
 
 
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:

@@ -4,14 +4,14 @@
 May import: ui, state, solve, blender, properties, issues, names, words.
 """
 
-from . import ease_operator, mark_operators, panel, seam_operators, unit_operator, wire_list, wire_operators
+from . import ease_operator, mark_operators, panel, wire_list
 
 MODULES = (
     mark_operators,
-    seam_operators,
+    mark_operators,
     ease_operator,
-    wire_operators,
-    unit_operator,
+    wire_list,
+    mark_operators,
     panel,
     wire_list,
 )

@@ -9,7 +9,7 @@ import bpy
 from bpy.props import EnumProperty
 
 from ..blender.mesh import selected_edges
-from ..blender.units import length_text, meters_per_blender_unit
+from ..blender.objects import length_text, meters_per_blender_unit
 from ..issues import object_error
 from ..properties import EaseAmount, take_settings
 from ..state.owners import model_of
@@ -17,7 +17,7 @@ from ..ui.editing import change_edited, reporting_refusals
 from ..ui.settings import draw_ease
 from ..words import LengthText, counted, ease_text
 from .ease import Amount, Eased, Planned, check_ease_attributes, clear_eases, plan_corners, plan_lines, plan_sides
-from .flat_sides import selected_sides
+from .mark import selected_sides
 
 SIDES = [
     (

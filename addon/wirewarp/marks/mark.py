@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking and clearing the selected edges of a mesh in Edit Mode."""
+"""Marking and clearing edges of the model, from Edit Mode of the model or of its flat pieces."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -9,12 +9,31 @@ import bmesh
 import bpy
 import numpy as np
 
-from ..issues import Issue, ObjectError
-from ..names import WIRE
-from ..solve.chains import split_into_chains
+from ..blender.attributes import find_values, has_attributes
+from ..blender.mesh import (
+    add_seams,
+    corner_edges,
+    corner_vertices,
+    edge_vertices,
+    face_sizes,
+    faces_at_edges,
+    faces_of_corners,
+    next_loops,
+    read,
+    read_seams,
+    read_uv,
+)
+from ..blender.objects import check_local
+from ..issues import Issue, ObjectError, object_error
+from ..names import SOURCE_FACE, SOURCE_VERTEX, WIRE
+from ..solve.arrays import island_borders
+from ..solve.chains import edge_keys, split_into_chains
 from ..solve.identity import new_id
+from ..state.flat_pieces import current_pieces
+from ..state.identities import list_places, repair_names
 from ..state.marked_mesh import check_attributes, edit_layers
-from ..state.wires import list_places, repair_names
+from ..state.owners import earlier_sentence, is_earlier, model_of
+from ..state.read_model import own_uv_map
 from ..words import counted
 
 
@@ -144,3 +163,82 @@ def plan_wires(
         whole = len(ids) == 1 and np.count_nonzero(present) == edges_of_wire[ids[0]]
         planned.append(PlannedWire(chain.edges, ids[0] if whole else 0))
     return planned
+
+
+def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
+    """Marks the borders of the islands of each object's map; seams that are there stay.
+
+    Returns the number of new ones, and the names of the maps. Raises ObjectError, with nothing marked, if one has no UV
+    map.
+    """
+    maps = [_find_map(target) for target in targets]
+    count = sum(_mark_borders(target.data, layer) for target, layer in zip(targets, maps, strict=True))
+    return count, list(dict.fromkeys(layer.name for layer in maps))
+
+
+def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
+    """The user's own map, or that of the flat pieces if there is no other."""
+    found = own_uv_map(target.data) or target.data.uv_layers.active
+    if found is None:
+        raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')
+    return found
+
+
+def _mark_borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> int:
+    before = read_seams(mesh)
+    borders = island_borders(
+        corner_edges(mesh),
+        corner_vertices(mesh),
+        next_loops(mesh),
+        read_uv(layer),
+        len(mesh.edges),
+    )
+    add_seams(mesh, np.flatnonzero(borders))
+    mesh.update()
+    return int(np.count_nonzero(borders & ~before))
+
+
+WITH_MODIFIERS = (
+    'The pieces of "{}" were made with Modifiers, and their sides are not on the model: mark both sides there, or '
+    "flatten it without Modifiers, mark one side on the pieces and flatten it with them again."
+)
+
+
+@dataclass(frozen=True)
+class SelectedSides:
+    """Of the model: edges and the face on the selected side of each."""
+
+    model: bpy.types.Object
+    edges: np.ndarray  # (k,)
+    faces: np.ndarray  # (k,)
+    left_out: int  # selected edges inside of pieces
+
+    @property
+    def corners(self) -> np.ndarray:
+        """(k,) of these faces, at which these edges begin, in the order of the mesh."""
+        mesh = self.model.data
+        count, loop_edges = len(mesh.polygons), corner_edges(mesh).astype(np.int64)
+        return np.flatnonzero(np.isin(loop_edges * count + faces_of_corners(mesh), self.edges * count + self.faces))
+
+
+def selected_sides(flat: bpy.types.Object) -> SelectedSides:
+    """Of the selected outline edges of flat pieces in Object Mode. Raises ObjectError if these are not true."""
+    source = model_of(flat)
+    if is_earlier(flat):
+        raise object_error("earlier_pieces", earlier_sentence(flat))
+    report, _ = current_pieces(source)
+    if report.with_modifiers:
+        raise object_error("with_modifiers", WITH_MODIFIERS.format(source.name))
+    if not has_attributes(flat.data, SOURCE_FACE):
+        raise object_error("edited_pieces", f'"{flat.name}" was edited by hand. Flatten "{source.name}" again.')
+    check_local(source, source.data)
+    mesh, model = flat.data, source.data
+    selected = read(mesh.edges, "select", bool) & ~read(mesh.edges, "hide", bool)
+    rows = np.flatnonzero(selected & (faces_at_edges(mesh) == 1))
+    face_of_edge = np.zeros(len(mesh.edges), dtype=np.int64)
+    face_of_edge[corner_edges(mesh)] = np.repeat(find_values(mesh, SOURCE_FACE), face_sizes(mesh))
+    ends = find_values(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[rows]]
+    keys = edge_keys(edge_vertices(model), len(model.vertices))
+    order = np.argsort(keys)
+    edges = order[np.searchsorted(keys[order], edge_keys(ends, len(model.vertices)))]
+    return SelectedSides(source, edges, face_of_edge[rows].astype(np.int64), int(selected.sum()) - len(rows))

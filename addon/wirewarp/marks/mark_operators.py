@@ -1,23 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking and clearing seams and wires on the selected edges."""
+"""Marking and clearing seams, wires and allowances on the selected edges; setting the unit."""
 
 import math
 from collections.abc import Callable
 
+import bmesh
 import bpy
-from bpy.props import EnumProperty, FloatProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty
 
 from ..blender.mesh import selected_edges
-from ..blender.modes import in_object_mode
-from ..blender.units import meters_per_blender_unit
+from ..blender.objects import meters_per_blender_unit
+from ..blender.selection import hold_whole_file, in_object_mode
 from ..issues import object_error
-from ..state.allowances import NONE, check_allowances, mark_edges, mark_sides
-from ..state.owners import model_of
+from ..state.allowances import NONE, check_allowances, mark_edges, mark_sides, scale_lengths
+from ..state.owners import check_not_edited, model_of
 from ..ui.editing import OnModel, change_edited, reporting_refusals
 from ..words import counted, quoted
-from .flat_sides import selected_sides
-from .mark import clear_selected, mark_selected
-from .uv_seams import seams_from_uv
+from .mark import clear_selected, mark_selected, seams_from_uv, selected_sides
 
 KINDS = [
     ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
@@ -222,9 +221,120 @@ class MESH_OT_wirewarp_seams_from_uv_islands(OnModel, bpy.types.Operator):
         return {"FINISHED"}
 
 
+WIDTH = 360  # of the question, in Blender's own pixels
+
+
+def has_every_edge(mesh: bpy.types.Mesh) -> bool:
+    """Whether all edges of a mesh in Edit Mode are selected, as they are in a model that was just imported."""
+    edges = bmesh.from_edit_mesh(mesh).edges
+    return len(edges) > 0 and all(edge.select for edge in edges)
+
+
+def _deselect(mesh: bpy.types.Mesh) -> None:
+    edit = bmesh.from_edit_mesh(mesh)
+    for elements in (edit.faces, edit.edges, edit.verts):
+        for element in elements:
+            element.select = False
+    edit.select_flush(False)
+    bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
+
+
+class OBJECT_OT_wirewarp_mark_model(bpy.types.Operator):
+    """Enter Edit Mode to select edges and mark them as seams and wires. If every edge is selected, none is then"""
+
+    bl_idname = "object.wirewarp_mark_model"
+    bl_label = "Mark This Model"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if active is None or active.type != "MESH" or context.mode != "OBJECT":
+            return False
+        if active.library or active.data.library or active.override_library:
+            cls.poll_message_set("Linked data cannot be edited. Use Object > Relations > Make Local first")
+            return False
+        return active.visible_get()
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        bpy.ops.object.mode_set(mode="EDIT")
+        context.tool_settings.mesh_select_mode = (False, True, False)
+        for mesh in (each.data for each in context.objects_in_mode_unique_data):
+            if has_every_edge(mesh):
+                _deselect(mesh)
+        return {"FINISHED"}
+
+
+class MESH_OT_wirewarp_mark_seam(OnModel, bpy.types.Operator):
+    """Mark the selected edges as seams, or clear them; asks first if every edge is selected"""
+
+    bl_idname = "mesh.wirewarp_mark_seam"
+    bl_label = "Mark Seam"
+    bl_options = {"INTERNAL", "REGISTER", "UNDO"}
+    on_model = "mark seams"
+    _asks = False
+
+    clear: BoolProperty(name="Clear", description="Clear seams", default=False, options={"HIDDEN"})
+
+    @classmethod
+    def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
+        if properties.clear:
+            return "Make the selected edges ordinary edges again"
+        return "The fabric is cut along the selected edges"
+
+    def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
+        if not self.clear and any(has_every_edge(each.data) for each in context.objects_in_mode_unique_data):
+            self._asks = True
+            return context.window_manager.invoke_props_dialog(self, width=WIDTH)
+        return self.execute(context)
+
+    def draw(self, _context: bpy.types.Context) -> None:
+        """The question, in the dialog alone."""
+        if self._asks:
+            self.layout.label(text="Every edge is selected. Cut the fabric along all of them?", icon="QUESTION")
+
+    def execute(self, _context: bpy.types.Context) -> set[str]:
+        self._asks = False
+        return bpy.ops.mesh.mark_seam(clear=self.clear)
+
+
+class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
+    """Use this unit for all lengths of this scene. Nothing moves in the view"""
+
+    bl_idname = "scene.wirewarp_set_unit"
+    bl_label = "Set Unit"
+    bl_options = {"REGISTER", "UNDO"}
+
+    meters: FloatProperty(name="Unit", description="Meters in one Blender unit", min=1e-6, max=1e6, default=0.01)
+
+    @reporting_refusals
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        scene, settings = context.scene, context.scene.unit_settings
+        before = meters_per_blender_unit(scene)
+        with in_object_mode(context):
+            _keep_lengths(scene, before / self.meters)
+        if settings.system == "NONE":
+            settings.system = "METRIC"
+        settings.scale_length = self.meters
+        hold_whole_file()
+        return {"FINISHED"}
+
+
+def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
+    """What is marked on the models stays as wide, in Blender units so many times. Raises ObjectError before any is."""
+    models = [each for each in scene.objects if each.type == "MESH" and each.data.library is None]
+    for model in models:
+        check_not_edited(model)
+    for mesh in {model.data for model in models}:
+        scale_lengths(mesh, factor)
+
+
 CLASSES = (
     MESH_OT_wirewarp_mark,
     MESH_OT_wirewarp_clear,
     MESH_OT_wirewarp_allowance,
     MESH_OT_wirewarp_seams_from_uv_islands,
+    OBJECT_OT_wirewarp_mark_model,
+    MESH_OT_wirewarp_mark_seam,
+    SCENE_OT_wirewarp_set_unit,
 )

@@ -10,8 +10,7 @@ from collections.abc import Callable
 import bpy
 
 from . import panel
-from .uv_editor import draw_map, draw_map_names
-from .view3d import draw_screen, draw_space
+from .view3d import draw_map, draw_map_names, draw_screen, draw_space
 
 MODULES = (panel,)
 _HANDLERS = (

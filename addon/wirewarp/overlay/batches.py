@@ -12,9 +12,9 @@ from gpu_extras.batch import batch_for_shader
 
 from ..state.drawings import Same, kept_drawing
 from .failures import Failures
+from .gather import ColoredTriangles
 from .lines import CORES, RIM, RIM_ALPHA, STYLES
 from .objects import Lines
-from .surfaces import ColoredTriangles
 
 FAILED_ALPHA = 0.6
 LINES, TRIANGLES, COLORED = "POLYLINE_UNIFORM_COLOR", "UNIFORM_COLOR", "SMOOTH_COLOR"

@@ -15,25 +15,32 @@ from ..names import PIECE, PIECE_INDEX, SOURCE_CORNER
 from ..solve.maps import ColorMap
 from ..solve.report import ObjectReport
 from ..state.changes import has_changed
-from ..state.identities import piece_names, seam_names
+from ..state.identities import chain_names, piece_names, seam_names
 from ..state.owners import find_flat_object, model_of, model_or_self
 from ..state.record import grains, read_record
 from ..state.reports import last_report, pieces_report
-from ..state.wires import chain_names
-from .eases import ease_arrows
-from .gather import gather_lines, gather_side_eases, gather_triangles, shown_mesh
+from .gather import (
+    ColoredTriangles,
+    Extremes,
+    colored,
+    gather_lines,
+    gather_side_eases,
+    gather_triangles,
+    on_model,
+    shown_mesh,
+)
 from .lines import (
     LineEdges,
     Name,
     arrow,
     dashes_by_kind,
+    ease_arrows,
     lines_by_kind,
     piece_rooms,
     seam_line_names,
     wire_line_names,
     wire_runs,
 )
-from .surfaces import ColoredTriangles, Extremes, colored, on_model
 
 ARROW = 0.4  # length of a grain arrow by the size of its piece
 

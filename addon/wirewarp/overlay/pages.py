@@ -7,9 +7,8 @@ import bpy
 import numpy as np
 
 from ..core import FlattenError, pattern
-from ..export.markers import kept_marker
-from ..export.pattern_parts import Cloth, PatternParts, laid_on_kept
-from ..export.read import read_outlines
+from ..export.export import Cloth, PatternParts, laid_on_kept
+from ..export.read import kept_marker, read_outlines
 from ..issues import ObjectError
 from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
 from ..words import counted

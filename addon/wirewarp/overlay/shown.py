@@ -8,12 +8,11 @@ from functools import partial
 import bpy
 import numpy as np
 
-from ..blender.objects import metric
-from ..blender.units import meters_per_blender_unit
+from ..blender.objects import meters_per_blender_unit, metric
 from ..core import percent_text
-from ..export.markers import marker_text
-from ..export.pattern_parts import GRAINS, Cloth
-from ..export.sentences import copies_sentences
+from ..export.export import GRAINS, Cloth
+from ..export.read import marker_text
+from ..export.steps import copies_sentences
 from ..issues import ObjectError
 from ..names import MARKS
 from ..solve.maps import ASPECT_RATIO, CLOTH_MAPS, COLOR_MAPS, STRETCH, ColorMap
@@ -24,12 +23,10 @@ from ..state.memory import find_objects, stamp
 from ..state.owners import find_flat_object, model_of, model_or_self
 from ..state.reports import last_report, pieces_report
 from ..state.suggestions import suggestions_of
-from .failures import Failures, failures, uv_failures
-from .gather import gather_uv_lines, shows_our_map
+from .failures import Failures, failures, suggested_lines, uv_failures, uv_suggested_lines, with_cut
+from .gather import ColoredTriangles, Extremes, gather_uv_lines, shows_our_map
 from .objects import Lines, colored_surface, lines_of, marked_lines
 from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, outlines, page_preview
-from .suggested import suggested_lines, uv_suggested_lines, with_cut
-from .surfaces import ColoredTriangles, Extremes
 
 MODES = {"OBJECT", "EDIT"}
 STRETCH_MAPS = (STRETCH, ASPECT_RATIO)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws in a 3D view: surfaces and lines among the objects, names and legend over them."""
+"""Draws in a 3D view and in a UV editor: surfaces and lines, with names and legend over them."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,7 +12,7 @@ from mathutils import Matrix
 from ..state.owners import model_of
 from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
 from .screen import MAX_NAMES, PlacedName, write_over
-from .shown import Drawing, drawings, extremes, map_notes, shown_map
+from .shown import Drawing, UvDrawing, drawings, extremes, map_notes, shown_map, uv_drawings
 
 # How much nearer to the eye, of its distance, what lies on a surface is drawn, so that it is not half hidden in it.
 SURFACE_NEARER = 0.0005
@@ -169,3 +169,41 @@ def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarr
     depth = np.where(in_front, projected[:, 3], 1.0)
     points = (1 + projected[:, :2] / depth[:, None]) / 2 * size
     return points, in_front & np.all((points >= 0) & (points <= size), axis=1)
+
+
+def draw_map() -> None:
+    """The handler for POST_VIEW: what is drawn has the coordinates of the map."""
+    context = bpy.context
+    shown = list(uv_drawings(context))
+    if not shown:
+        return
+    unit = context.preferences.system.ui_scale
+    with blending():
+        for drawing in shown:
+            if drawing.failures is not None and len(drawing.failures.triangles):
+                draw_failed(drawing.target, "uv failed faces", drawing.failures.triangles)
+        for layer in Layer:
+            for drawing in shown:
+                draw_lines(drawing.target, "uv", drawing.lines, drawing.failures, unit, layer)
+
+
+def draw_map_names() -> None:
+    """The handler for POST_PIXEL."""
+    context = bpy.context
+    shown = list(uv_drawings(context))
+    if shown:
+        write_over(context, shown, (name for drawing in shown for name in _names_in_region(context, drawing)))
+
+
+def _names_in_region(context: bpy.types.Context, drawing: UvDrawing) -> Iterator[PlacedName]:
+    """Texts with those of their places that are in the region."""
+    region, to_region = context.region, context.region.view2d.view_to_region
+    origin = np.array(to_region(0, 0, clip=False))
+    pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000  # it rounds
+    for name in drawing.lines.names:
+        points = origin + name.places[:, :2] * pixels
+        seen = np.all((points >= 0) & (points <= (region.width, region.height)), axis=1)
+        if seen.any():
+            room = name.room * pixels[0]
+            owner = drawing.target.name_full, name.piece
+            yield PlacedName(name.texts, points[seen], name.reach * pixels[0], owner, room, None, name.is_selected)

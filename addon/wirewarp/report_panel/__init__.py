@@ -4,14 +4,14 @@
 May import: suggest, flatten, marks, overlay, ui, state, solve, blender, properties, core, issues, words.
 """
 
-from . import check, export_panel, fabrics, first_steps, flatten_panel, mend, operators, panel, piece_list
+from . import export_panel, flatten_panel, mend, next_step, operators, panel, piece_list
 
 MODULES = (
     operators,
     mend,
-    check,
-    first_steps,
-    fabrics,
+    mend,
+    next_step,
+    flatten_panel,
     flatten_panel,
     export_panel,
     piece_list,

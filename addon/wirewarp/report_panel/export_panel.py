@@ -6,7 +6,7 @@ import bpy
 from ..overlay.shown import shown_copies, shown_pages
 from ..state.owners import find_flat_object
 from ..ui.layout import SidebarPanel, draw_progress, draw_sentence
-from ..ui.shown import shown_source
+from ..ui.settings import shown_source
 from ..ui.window_run import EXPORT
 from .piece_list import shown_pieces
 

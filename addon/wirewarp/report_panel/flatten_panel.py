@@ -3,27 +3,55 @@
 
 import bpy
 
-from ..blender.units import likely_units, strange_size, unit_of_height, unit_text
-from ..core import Kind, as_seen
+from ..blender.objects import likely_units, strange_size, unit_of_height, unit_text
+from ..core import Cloth, Kind, as_seen
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
 from ..marks.wire_list import shown_wires
 from ..solve.report import ObjectReport
 from ..state.changes import shows_modified
 from ..state.drawings import kept_drawing
-from ..state.due import is_due
-from ..state.memory import stamp
-from ..state.modifiers import shaped_by
+from ..state.memory import is_due, stamp
 from ..state.owners import find_flat_object, has_flat_object, model_of, model_or_self
+from ..state.read_model import shaped_by
 from ..state.reports import last_report
+from ..state.settings import fabric_label
 from ..suggest.panel import are_shown, draw_suggest
 from ..ui.layout import LEVEL_ICONS, SidebarPanel, draw_progress, draw_sentence
-from ..ui.settings import draw_settings, settings_sentence
-from ..ui.shown import untrue_sentence
+from ..ui.settings import draw_settings, settings_sentence, shown_report, untrue_sentence
 from ..ui.window_run import FLATTEN
-from .fabrics import ICON, VIEW3D_MT_wirewarp_fabrics
-from .first_steps import draw_first_steps
-from .next_step import CHECK, SHOW, NextStep, next_step, piece_to_cut, uv_step, wants_seams
+from .next_step import CHECK, SHOW, NextStep, draw_first_steps, next_step, piece_to_cut, uv_step, wants_seams
+
+OTHER_SHAPE = 1.5  # leather must stretch 11% in the fitted top, of which woven cotton must stretch 7.6%
+ICON = "MATCLOTH"
+NONE_CAN = "No fabric in the list surely stretches far enough"
+
+
+def fabrics_that_can(report: ObjectReport) -> list[str]:
+    """The presets that stretch far enough for all pieces, whatever their grain; the least stretching first.
+
+    Each fabric makes other shapes: what is needed after a flatten for one is no more than a measure for others.
+    """
+    needed = max((piece.needed * (OTHER_SHAPE if piece.threads else 1) for piece in report.pieces), default=0.0)
+    limits = {name: min(Cloth.preset(name).limits) for name in Cloth.presets()}
+    return sorted((name for name, limit in limits.items() if limit >= needed), key=limits.__getitem__)
+
+
+class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
+    """Choose a fabric that stretches far enough, and flatten for it"""
+
+    bl_label = "Choose Fabric"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        report, layout = shown_report(context), self.layout
+        layout.operator_context = "INVOKE_DEFAULT"
+        names = fabrics_that_can(report) if report else []
+        for name in names:
+            button = layout.operator("object.wirewarp_mend", text=fabric_label(name))
+            button.what, button.cloth = "FABRIC", name.upper()
+        if not names:
+            layout.label(text=NONE_CAN, icon="INFO")
+
 
 DUE = "Auto updates the pieces when you finish the change."
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
@@ -176,6 +204,7 @@ class VIEW3D_PT_wirewarp_advanced(SidebarPanel, bpy.types.Panel):
 
 
 CLASSES = (
+    VIEW3D_MT_wirewarp_fabrics,
     VIEW3D_PT_wirewarp_flatten,
     VIEW3D_PT_wirewarp_settings,
     VIEW3D_PT_wirewarp_advanced,

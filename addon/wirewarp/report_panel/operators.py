@@ -5,18 +5,15 @@ import bpy
 from bpy.props import EnumProperty, IntProperty
 
 from ..blender.mesh import current_mesh, element_counts
-from ..blender.modes import in_object_mode
-from ..blender.objects import check_local
-from ..blender.selection import select_elements
-from ..blender.units import length_text
+from ..blender.objects import check_local, length_text
+from ..blender.selection import in_object_mode, select_elements
 from ..blender.views import redraw_views, show_objects
 from ..core import Elements, elements_of, report_csv
 from ..issues import ObjectError, changed_error, object_error
-from ..marks.change import loosen_wires, mark_seams
+from ..marks.ease import loosen_wires, mark_seams
 from ..solve.report import ObjectReport
 from ..state.changes import has_changed, has_moved
-from ..state.elements import faces_of_piece, on_flat
-from ..state.flat_pieces import pieces_of_report
+from ..state.flat_pieces import faces_of_piece, on_flat, pieces_of_report
 from ..state.owners import check_not_edited, find_flat_object, model_or_self
 from ..state.reports import last_report, pieces_report
 from ..words import counted

@@ -3,15 +3,15 @@
 
 import bpy
 
-from ..blender.units import length_text
+from ..blender.objects import length_text
 from ..core import PieceRow, needs_text, percent_text
 from ..solve.report import ObjectReport
 from ..state.reports import pieces_report
 from ..suggest.panel import draw_suggest
 from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of
-from ..ui.shown import shown_report, shown_source
+from ..ui.settings import shown_report, shown_source
 from .flatten_panel import offered_piece
-from .table import draw_select
+from .panel import draw_select
 
 NO_STRAIN = 5e-4  # what is shown as 0.0%
 WORTH_A_CUT = 0.005  # of the strain: with less the library proposes nothing (CutWishes::strain)

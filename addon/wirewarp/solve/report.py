@@ -22,9 +22,8 @@ from ..core import (
 from ..words import paragraph
 from .arrays import MeshArrays
 from .flatten import ClothChoice, issue_of_piece, library_cloth, library_marks, maximum_stretch
-from .identity import PieceIdentity
+from .identity import PieceIdentity, SeamIdentity
 from .mirrored_pieces import with_mirror_images
-from .seams import SeamIdentity
 
 SHOWN_SENTENCES = 4
 

@@ -1,20 +1,166 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seam allowances that were marked on edges of the model, in Object Mode.
+"""Marks of one side of an edge alone, and seam allowances. Of meshes in Object Mode.
+
+A value on the face's corner, as scripts may write it, is blended when the edge is split, and comes to lie on another
+edge when the face is flipped or mirrored. What is on edges and faces goes with them whole. So the side that differs
+is the one of the face whose number (wirewarp_face INT, random, 0 none) is on the edge, and its value lies on the edge.
+
+A face that is cut, copied or extruded gives its number to others. That does no harm if only one face of an edge has it:
+so faces get numbers of their own before a side is marked. If several faces of an edge have its number, or none of
+several, the side is unknown.
 
 wirewarp_allowance FLOAT, on edges, in Blender units: above 0 the width on all sides of the edge; below 0 nothing is
 added, for the cloth lies double there (a fold) or stays raw. 0 is what Blender gives to edges that are new or come from
 another mesh: as NaN and where there is no attribute, the pattern's default. One side of an edge may differ: see sides.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import bpy
 import numpy as np
 
 from ..blender.attributes import check_attribute, find_values, read_values, write_marked, write_values
-from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, faces_at_edges, read_seams
-from ..names import ALLOWANCE, MARKS
-from .sides import SIDE_ALLOWANCES, is_set
+from ..blender.mesh import (
+    corner_edges,
+    corner_vertices,
+    edge_vertices,
+    face_sizes,
+    faces_at_edges,
+    faces_of_corners,
+    read_seams,
+)
+from ..issues import Issue, ObjectError
+from ..names import ALLOWANCE, EASED_SIDE, FACE, MARKS, SIDE, SIDE_ALLOWANCE, SIDE_EASE, SIDE_RATIO, SIDE_WIDTH, Mark
+from ..solve.identity import new_id
+from ..words import counted
+
+
+@dataclass(frozen=True)
+class SidedMark:
+    """A value that one side of an edge may have. Its methods take meshes in Object Mode."""
+
+    what: str  # as sentences call it
+    value: Mark  # FLOAT, on edges: of the side that is marked
+    side: Mark  # INT, on edges: the number of the face on that side, 0 none
+    corner: Mark  # FLOAT, on corners: of the edge that begins there, as scripts may write it for both sides
+
+    def check_attributes(self, mesh: bpy.types.Mesh) -> None:
+        """Raises ObjectError if an attribute of our name has another type or domain."""
+        for attribute in (self.value, self.side, FACE, self.corner):
+            check_attribute(mesh, attribute)
+
+    def check(self, mesh: bpy.types.Mesh, *, has_modifiers: bool = False) -> None:
+        """Raises ObjectError as check_attributes does, if a side is unknown, or if a side has two values.
+
+        An edge of a single face that is not the marked one has lost its mark with that face. has_modifiers: the mesh is
+        what they made; a Mirror that merges its middle has the same face on both sides there.
+        """
+        self.check_attributes(mesh)
+        _, counts = marked_corners(mesh, self.side)
+        sides, values = read_values(mesh, self.side), read_values(mesh, self.value)
+        lost = np.flatnonzero((sides != 0) & is_set(values) & (counts != 1) & (faces_at_edges(mesh) > 1))
+        if len(lost):
+            why, first = "faces there were copied or replaced", "Mark it again"
+            if has_modifiers:
+                why, first = "modifiers copied or replaced faces there", "Apply them and mark it again"
+            sentence = (
+                f'The side of the {self.what} is unknown on {counted(len(lost), "edge")} of "{mesh.name}", because '
+                f"{why}. {first}, or mark it on all sides alike."
+            )
+            raise ObjectError(Issue("side_unknown", sentence, edges=_pairs(mesh, lost)))
+        corners, marked = read_values(mesh, self.corner), self._on_edges(mesh)
+        contradict = np.unique(corner_edges(mesh)[(corners != 0) & (marked != 0) & (corners != marked)])
+        if len(contradict):
+            sentence = (
+                f'Edges of "{mesh.name}" have two {self.what}s of one side, the one that was marked and another in the '
+                f"attribute {self.corner.name}: mark their {self.what} again."
+            )
+            raise ObjectError(Issue(f"{self.what}s_contradict", sentence, edges=_pairs(mesh, contradict)))
+
+    def read(self, mesh: bpy.types.Mesh) -> np.ndarray:
+        """Returns (l,) float32: the value of the edge that begins at each corner, on the side of its face; 0 for none.
+
+        Attributes of another type or domain count as none. If a side has two values, it returns the corner's.
+        """
+        if not {self.value.name, self.corner.name} & set(mesh.attributes.keys()):
+            return np.zeros(len(mesh.loops), dtype=np.float32)
+        corners, marked = read_values(mesh, self.corner), self._on_edges(mesh)
+        return np.where(is_set(corners) | (marked == 0), corners, marked)
+
+    def mark(self, mesh: bpy.types.Mesh, corners: Sequence[int] | np.ndarray, values: np.ndarray | float) -> None:
+        """Gives these values to the sides that begin at these corners, one for each edge. Clears the others."""
+        rows, faces = corner_edges(mesh)[corners], faces_of_corners(mesh)[corners]
+        self.clear(mesh, rows)
+        numbers = number_faces(mesh, faces)
+        for attribute, each in ((self.value, values), (self.side, numbers[faces])):
+            present = read_values(mesh, attribute)
+            present[rows] = each
+            write_marked(mesh, attribute, present)
+
+    def clear(self, mesh: bpy.types.Mesh, rows: np.ndarray) -> np.ndarray:
+        """Clears all sides of these edges (k,). Returns (k,) bool: which edges had a value on a side."""
+        cleared = np.isin(corner_edges(mesh), rows)
+        value, side, corner = (read_values(mesh, each) for each in (self.value, self.side, self.corner))
+        had = (side[rows] != 0) | np.isin(rows, corner_edges(mesh)[cleared & (corner != 0)])
+        value[rows], side[rows], corner[cleared] = 0, 0, 0
+        for attribute, values in ((self.value, value), (self.side, side), (self.corner, corner)):
+            write_marked(mesh, attribute, values)
+        return had
+
+    def _on_edges(self, mesh: bpy.types.Mesh) -> np.ndarray:
+        """Returns (l,) float32: as read, of the values that lie on edges."""
+        marked, counts = marked_corners(mesh, self.side)
+        loop_edges = corner_edges(mesh)
+        return np.where(marked & (counts[loop_edges] == 1), read_values(mesh, self.value)[loop_edges], np.float32(0))
+
+
+SIDE_EASES = SidedMark("ease", SIDE_RATIO, EASED_SIDE, SIDE_EASE)
+SIDE_ALLOWANCES = SidedMark("allowance", SIDE_WIDTH, SIDE, SIDE_ALLOWANCE)
+
+
+def is_set(values: np.ndarray) -> np.ndarray:
+    return np.isfinite(values) & (values != 0)
+
+
+def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
+    """Numbers these faces, and those anew that share a number. Returns (f,) the numbers of all faces, 0 for none.
+
+    Known sides stay known. The mesh is in Object Mode.
+    """
+    numbers = read_values(mesh, FACE)
+    _, first, counts = np.unique(numbers, return_inverse=True, return_counts=True)
+    renumbered = (numbers != 0) & (counts[first] > 1)
+    renumbered[faces] |= numbers[faces] == 0
+    given = numbers.copy()
+    given[renumbered] = [new_id() for _ in range(np.count_nonzero(renumbered))]
+    of_loops, loop_edges = np.repeat(given, face_sizes(mesh)), corner_edges(mesh)
+    for each in (SIDE_EASES, SIDE_ALLOWANCES):
+        marked, counts = marked_corners(mesh, each.side)
+        known = marked & (counts[loop_edges] == 1)
+        if known.any():
+            sides = read_values(mesh, each.side)
+            sides[loop_edges[known]] = of_loops[known]
+            write_marked(mesh, each.side, sides)
+    write_marked(mesh, FACE, given)
+    return given
+
+
+def marked_corners(mesh: bpy.types.Mesh, side: Mark) -> tuple[np.ndarray, np.ndarray]:
+    """(l,) bool: corners of faces with the number that is on the edge which begins there; (e,) how many each edge has.
+
+    side: the attribute of this number.
+    """
+    loop_edges = corner_edges(mesh)
+    of_loops = read_values(mesh, side)[loop_edges]
+    numbers = np.repeat(read_values(mesh, FACE), face_sizes(mesh))
+    marked = (of_loops != 0) & (of_loops == numbers)
+    return marked, np.bincount(loop_edges[marked], minlength=len(mesh.edges))
+
+
+def _pairs(mesh: bpy.types.Mesh, rows: np.ndarray) -> list[tuple[int, int]]:
+    return [tuple(pair) for pair in edge_vertices(mesh)[rows].tolist()]
+
 
 NONE = -1.0  # what stands on edges without allowance
 

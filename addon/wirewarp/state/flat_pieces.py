@@ -1,19 +1,47 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A flat mesh read back: of which elements of the model it is, as arrays, and whether its shape is kept."""
+"""A flat mesh read back: of which elements of the model it is, and whether it is still true."""
 
 import bpy
 import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, face_sizes, vertex_places
-from ..issues import object_error
+from ..core import Elements
+from ..issues import changed_error, object_error
 from ..names import FLAT_LENGTH, PIECE, PIECE_INDEX, SOURCE_CORNER, SOURCE_FACE, SOURCE_VERTEX
 from ..solve.arrays import edge_lengths
+from ..solve.chains import edge_keys
 from ..solve.outlines import FlatPieces, outline_of, signed_areas
 from ..solve.report import ObjectReport
+from .changes import has_changed, shows_modified
 from .marked_mesh import read_marks
-from .owners import find_flat_object, has_flat_object
+from .memory import read_anew
+from .owners import check_not_edited, find_flat_object, has_flat_object
 from .record import read_record
+from .reports import pieces_report
+
+
+def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
+    """The same on the flat pieces; an edge along a seam is there once a side."""
+    in_piece = np.full(len(flat.face_piece), True) if elements.piece is None else flat.face_piece == elements.piece
+    if elements.whole_piece:
+        return Elements(faces=np.flatnonzero(in_piece))
+    sources = flat.source_vertex
+    reached = np.zeros(len(sources), dtype=bool)
+    reached[flat.loop_vertices[np.repeat(in_piece, flat.face_sizes)]] = True
+    count = int(max(sources.max(initial=0), np.max(elements.edges, initial=0))) + 1
+    wanted = np.isin(edge_keys(sources[flat.edges], count), edge_keys(elements.edges, count))
+    return Elements(
+        vertices=np.flatnonzero(np.isin(sources, elements.vertices) & reached),
+        edges=flat.edges[wanted & reached[flat.edges].all(axis=1)],
+        faces=np.flatnonzero(np.isin(flat.source_face, elements.faces) & in_piece),
+    )
+
+
+def faces_of_piece(piece: int, flat: FlatPieces) -> np.ndarray:
+    """On the model."""
+    return flat.source_face[flat.face_piece == piece]
+
 
 OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # what a flat mesh always has
 # Of lengths in single precision, relative to the length and to the largest coordinate: pieces may have been moved.
@@ -75,3 +103,53 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
         return False  # mirrored, the difference is twice the area
     difference = np.abs(edge_lengths(pieces.vertices, pieces.edges) - laid_out)
     return bool(np.all(difference <= LENGTH_ERROR * laid_out + PLACE_ERROR * size))
+
+
+def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Object]:
+    """The report and the flat object of a model in Object Mode. Raises ObjectError where they are not true any more."""
+    report, flat = pieces_report(source), find_flat_object(source)
+    if report is None or not has_flat_object(source) or report.flat_object is None:
+        raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
+    check_not_edited(source)
+    bpy.context.view_layer.update()
+    if _has_changed(source, report):
+        raise changed_error(source.name)
+    if _is_edited(flat.data, report):
+        raise object_error(
+            "edited_pieces",
+            f'The pieces in "{flat.name}" were edited by hand, so their lengths are no longer those of the model. '
+            f'Flatten "{source.name}" again. Moving and turning whole pieces is fine.',
+        )
+    if not is_true_size(flat):
+        raise object_error(
+            "scaled_pieces",
+            f'"{flat.name}" or its parent is scaled or mirrored, so it is not actual size. Clear the scale (Alt+S), or '
+            f'scale "{source.name}" and flatten again.',
+        )
+    return report, flat
+
+
+def _has_changed(source: bpy.types.Object, report: ObjectReport) -> bool:
+    """Blender makes nothing of the modifiers of hidden objects, and less in Edit Mode."""
+    if report.with_modifiers and not shows_modified(source):
+        raise object_error(
+            "not_visible",
+            f'Show "{source.name}" in Object Mode first, so its modifiers can be checked.',
+        )
+    return has_changed(source, report.model_state, read_anew)
+
+
+def _is_edited(mesh: bpy.types.Mesh, report: ObjectReport) -> bool:
+    """Whether anything but the place of whole pieces is other than it was laid out."""
+    if not has_attributes(mesh, PIECE_INDEX, SOURCE_VERTEX):
+        return True
+    pieces = find_values(mesh, PIECE_INDEX)
+    faces = [piece.faces if piece.has_layout else 0 for piece in report.pieces]
+    if np.any((pieces < 0) | (pieces >= len(faces))) or np.bincount(pieces, minlength=len(faces)).tolist() != faces:
+        return True
+    return not has_kept_shape(mesh)
+
+
+def is_true_size(flat: bpy.types.Object) -> bool:
+    """Whether the object is shown as its mesh is, neither scaled nor mirrored."""
+    return np.allclose(flat.matrix_world.to_scale(), 1, rtol=0, atol=1e-5)

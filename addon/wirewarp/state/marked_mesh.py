@@ -21,8 +21,8 @@ from ..blender.mesh import (
 from ..names import EASE, PIECE, SEAM, TOLERANCE, WIRE, Attribute
 from ..solve.chains import EdgeMarks
 from ..solve.identity import MAX_ID
+from .allowances import SIDE_EASES
 from .memory import Take, read_anew
-from .sides import SIDE_EASES
 
 OF_WIRES = (WIRE, TOLERANCE, EASE)
 

@@ -16,9 +16,8 @@ from ..core import ReportError, from_dict, rename_wires, to_dict
 from ..issues import Issue
 from ..names import REPORT, REPORT_SEAL
 from ..solve.report import ObjectReport, failure_report
-from .identities import piece_names, seam_names
+from .identities import piece_names, present_names, seam_names
 from .memory import all_states, note, state_of
-from .wires import present_names
 
 
 def store(source: bpy.types.Object, report: ObjectReport) -> None:

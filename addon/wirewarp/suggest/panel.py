@@ -5,15 +5,14 @@ from collections.abc import Sequence
 
 import bpy
 
-from ..blender.units import length_text
-from ..solve.suggestion_words import row_text, shortfall
+from ..blender.objects import length_text
+from ..solve.suggest import row_text, shortfall
 from ..state.drawings import Same, kept_drawing
 from ..state.memory import stamp
 from ..state.settings import TargetSettings
 from ..state.suggestions import Suggestions, current_suggestions, suggestions_of
 from ..ui.layout import SidebarPanel, draw_progress, draw_sentence
-from ..ui.settings import figures_sentence
-from ..ui.shown import shown_source
+from ..ui.settings import figures_sentence, shown_source
 from ..ui.window_run import SUGGEST
 from ..words import counted
 

@@ -1,6 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Smooth lines in place of edges: computed by the core, cut into the mesh; and the button for the selected seam."""
+"""Smooth lines in place of edges: computed by the core, cut into the mesh; and the button for a seam.
 
+The surface stays, and so do marks, maps and attributes: what is new gets them from what it lies on.
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
 from itertools import pairwise
 
 import bmesh
@@ -9,12 +14,13 @@ import numpy as np
 
 from .. import core
 from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, read_selected_edges
-from ..blender.modes import in_object_mode
 from ..blender.objects import check_local
+from ..blender.selection import in_object_mode
 from ..issues import Issue, ObjectError, object_error
-from ..marks.change import clear_seams, edges_with_marks, mark_seams
+from ..marks.ease import clear_seams, edges_with_marks, mark_seams
+from ..names import MARKS
 from ..solve.chains import split_into_chains
-from ..solve.smooth_lines import smooth_line
+from ..solve.smooth_lines import Point, SmoothLine, smooth_line
 from ..solve.suggest import Pairs
 from ..state.marked_mesh import marked_mesh
 from ..state.owners import check_not_edited
@@ -22,7 +28,95 @@ from ..state.read_model import object_to_arrays
 from ..state.suggestions import read_no_seam
 from ..ui.editing import OnModel, reporting_refusals
 from ..words import counted
-from .cut_lines import cut_line, unchanged_on_error
+
+
+def cut_across_faces(mesh: bpy.types.Mesh, pairs: Pairs) -> None:
+    """Adds edges, given as vertex pairs, across faces of four corners."""
+    with _edited(mesh) as edited:
+        vertices = list(edited.verts)
+        for a, b in pairs:
+            first, second = vertices[a], vertices[b]
+            face = next(each for each in first.link_faces if second in each.verts and len(each.verts) == 4)
+            _split(edited, face, first, second)
+
+
+def cut_line(mesh: bpy.types.Mesh, line: SmoothLine) -> Pairs:
+    """Makes edges of the line; vertices keep their indices. Returns these edges. Raises ObjectError, with no change."""
+    with _edited(mesh) as edited:
+        old_vertices, old_faces = list(edited.verts), list(edited.faces)
+        for polygon, pairs in line.diagonals.items():
+            parts = [old_faces[polygon]]
+            for a, b in pairs:
+                ends = old_vertices[a], old_vertices[b]
+                face = next(each for each in parts if set(ends) <= set(each.verts))
+                parts.append(_split(edited, face, *ends))
+        vertices = [_vertex_at(edited, old_vertices, point) for point in line.points]
+        for first, second in pairwise(vertices):
+            if edited.edges.get((first, second)) is None:
+                face = next(each for each in first.link_faces if second in each.verts)
+                _split(edited, face, first, second)
+        edited.verts.index_update()
+        return [(first.index, second.index) for first, second in pairwise(vertices)]
+
+
+@contextmanager
+def unchanged_on_error(mesh: bpy.types.Mesh) -> Iterator[None]:
+    """Of several lines all are cut, or none."""
+    before = bmesh.new()
+    try:
+        before.from_mesh(mesh)
+        yield
+    except Exception:
+        before.to_mesh(mesh)
+        mesh.update()
+        raise
+    finally:
+        before.free()
+
+
+@contextmanager
+def _edited(mesh: bpy.types.Mesh) -> Iterator[bmesh.types.BMesh]:
+    """Writes the mesh at the end, unless something is raised."""
+    edited = bmesh.new()
+    try:
+        edited.from_mesh(mesh)
+        yield edited
+        edited.to_mesh(mesh)
+    finally:
+        edited.free()
+    mesh.update()
+
+
+def _split(
+    edited: bmesh.types.BMesh, face: bmesh.types.BMFace, first: bmesh.types.BMVert, second: bmesh.types.BMVert
+) -> bmesh.types.BMFace:
+    """Returns the face that is new."""
+    new, corner = bmesh.utils.face_split(face, first, second)
+    for loop in corner.edge.link_loops:  # they are copies of corners that begin other edges
+        for side in _side_layers(edited):
+            loop[side] = 0.0
+    return new
+
+
+def _vertex_at(edited: bmesh.types.BMesh, vertices: list[bmesh.types.BMVert], point: Point) -> bmesh.types.BMVert:
+    """A new one where the point is none."""
+    first, second, share = point
+    if first == second:
+        return vertices[first]
+    edge = edited.edges.get((vertices[first], vertices[second]))
+    if edge is None:
+        sentence = f"The smooth line would cross itself at edge {first}-{second}. Mark it along edges instead."
+        raise object_error("line_crosses_itself", sentence)
+    _, vertex = bmesh.utils.edge_split(edge, vertices[first], share)
+    for loop in vertex.link_loops:  # it begins the second half of what the corner before it began
+        for side in _side_layers(edited):
+            loop[side] = loop.link_loop_prev[side]
+    return vertex
+
+
+def _side_layers(edited: bmesh.types.BMesh) -> list[bmesh.types.BMLayerItem]:
+    layers = edited.loops.layers.float
+    return [layers[mark.name] for mark in MARKS if mark.domain == "CORNER" and mark.name in layers]
 
 
 def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:

@@ -7,8 +7,8 @@ from typing import TypeVar
 
 import bpy
 
-from ..blender.modes import hold_whole_file, in_object_mode
 from ..blender.objects import check_local
+from ..blender.selection import hold_whole_file, in_object_mode
 from ..issues import ObjectError
 from ..state.owners import model_of
 
