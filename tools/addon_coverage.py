@@ -14,8 +14,7 @@ FOLDER = BUILD / "coverage"
 COVERAGE_APT = ("python3-coverage",)
 KINDS = ("headless", "window")
 NEEDS_WINDOW = {  # what Blender runs in a window only; all others are tested without one, too
-    "addon/wirewarp/overlay/view3d.py": "draws in a view",
-    "addon/wirewarp/overlay/view3d.py": "draws in a UV editor",
+    "addon/wirewarp/overlay/view3d.py": "draws in a view and in a UV editor",
     "addon/wirewarp/overlay/screen.py": "draws text",
 }
 REGISTERING = {"attach", "detach", "register", "unregister"}  # run of every module, whatever it does

@@ -8,10 +8,7 @@ from . import ease_operator, mark_operators, panel, wire_list
 
 MODULES = (
     mark_operators,
-    mark_operators,
     ease_operator,
     wire_list,
-    mark_operators,
     panel,
-    wire_list,
 )

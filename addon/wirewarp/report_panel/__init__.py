@@ -9,9 +9,7 @@ from . import export_panel, flatten_panel, mend, next_step, operators, panel, pi
 MODULES = (
     operators,
     mend,
-    mend,
     next_step,
-    flatten_panel,
     flatten_panel,
     export_panel,
     piece_list,
