@@ -15,6 +15,7 @@ from bpy.props import (
 )
 
 from .blender.views import redraw_views
+from .core import Cloth
 from .solve.papers import PAPERS
 from .state.memory import note_change
 from .state.settings import FlattenSettings, TargetSettings
@@ -189,7 +190,14 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
         note_change(settings.id_data)
 
 
+def _aim_at_fabric(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
+    """The fabric's maximum stretch is the first target of suggested cuts."""
+    if settings.cloth not in {"NONE", "CUSTOM"}:
+        settings.aim_stretch = 100 * max(Cloth.preset(settings.cloth.lower()).limits)
+
+
 class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, EaseAmount, bpy.types.PropertyGroup):
+    cloth: EnumProperty(**FlattenSettings.__annotations__["cloth"].keywords, update=_aim_at_fabric)
     auto_update: BoolProperty(
         name="Auto",
         description="Flatten again automatically when seams, wires, shape or scale change, or with Modifiers their "

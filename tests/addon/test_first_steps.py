@@ -57,6 +57,18 @@ def test_a_sample_in_an_empty_file_brings_its_units():
     assert bpy.context.scene.unit_settings.scale_length == 1
 
 
+def test_a_sample_beside_the_cube_of_a_new_file_brings_its_fabric():
+    bpy.ops.mesh.primitive_cube_add()
+    bpy.context.scene.unit_settings.length_unit = "METERS"
+    bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")
+    assert bpy.context.scene.wirewarp.cloth == "JERSEY"
+    assert bpy.context.scene.unit_settings.length_unit == "METERS"
+    bpy.ops.object.wirewarp_flatten(cloth="JERSEY")
+    bpy.context.scene.wirewarp.property_unset("cloth")
+    bpy.ops.object.wirewarp_open_sample(sample="JEANS")
+    assert bpy.context.scene.wirewarp.cloth == "NONE"  # the first pattern was made
+
+
 def test_a_sample_that_is_not_there_is_named(addon, monkeypatch, tmp_path):
     monkeypatch.setattr(addon.report_panel.next_step, "FOLDER", tmp_path)
     with pytest.raises(RuntimeError, match='"cushion.blend" is not installed'):

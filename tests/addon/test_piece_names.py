@@ -13,6 +13,7 @@ from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line,
 
 TURN = [2 * math.pi * k / 8 for k in range(8)]
 TUBE_FACES = [[k, (k + 1) % 8, (k + 1) % 8 + 8, k + 8] for k in range(8)]
+FOUR_HALVES = ["Top Left 1", "Top Left 2", "Top Right 1", "Top Right 2"]
 HALVES = ["Top Left", "Top Right"]
 
 
@@ -172,10 +173,55 @@ def test_a_ring_around_the_middle_of_the_model_is_around(addon):
 
 
 def test_more_than_two_of_one_side_are_numbered():
+    """By the order from front to back in the middle; left and right, a pair has one number."""
+    for axis, names in ((1, ["Top 1", "Top 2", "Top 3", "Top 4"]), (0, FOUR_HALVES)):
+        target = grid("Bump", bump)
+        for line in (-0.5, 0.0, 0.5):
+            mark_seam(target, on_line(axis, line))
+        assert sorted(flatten(target)) == names
+    assert middle_of(target, "Top Left 1")[0] == pytest.approx(-middle_of(target, "Top Right 1")[0])
+
+
+def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
+    """Two pairs on the front and two at the sides, with a piece in the middle of the front."""
+    normals = np.array([[0, -1, 0]] * 5 + [[1, 0, 0], [-1, 0, 0]] * 2, dtype=float)
+    places = [(0.2, -0.1, 0.3), (-0.2, -0.1, -0.3), (0.2, -0.1, -0.3), (-0.2, -0.1, 0.3), (0, -0.1, 0)]
+    places += [(0.4, 0, -0.2), (-0.4, 0, 0.2), (0.4, 0, 0.2), (-0.4, 0, -0.2)]
+    offsets = np.array(places, dtype=float)
+    identity = addon.solve.identity
+    order, names = identity.from_top(offsets), identity.side_names(normals, offsets)
+    names = dict(zip(order, identity.numbered([names[index] for index in order], []), strict=True))
+    assert [names[index] for index in range(9)] == [
+        "Front Left 1",
+        "Front Right 2",
+        "Front Left 2",
+        "Front Right 1",
+        "Front",
+        "Left Lower",
+        "Right Upper",
+        "Left Upper",
+        "Right Lower",
+    ]
+
+
+@pytest.mark.parametrize("kind", ["group", "material", "attribute"])
+def test_two_pieces_of_one_region_are_called_by_it_and_their_side(kind):
     target = grid("Bump", bump)
-    for line in (-0.5, 0.0, 0.5):
-        mark_seam(target, on_line(0, line))
-    assert sorted(flatten(target)) == ["Top 1", "Top 2", "Top 3", "Top 4"]
+    mark_seam(target, on_line(0, -0.5))
+    mark_seam(target, on_line(0, 0.5))
+    if kind == "group":
+        fill_group(target, "Sleeve", lambda co: abs(co.x) > 0.49)
+    else:
+        of_sleeve = [abs(face.center.x) > 0.5 for face in target.data.polygons]
+        if kind == "material":
+            for name in ("Body", "Sleeve"):
+                target.data.materials.append(bpy.data.materials.new(name))
+            target.data.polygons.foreach_set("material_index", [int(each) for each in of_sleeve])
+        else:
+            target.data.attributes.new("Sleeve", "BOOLEAN", "FACE").data.foreach_set("value", of_sleeve)
+    middle = "Body" if kind == "material" else "Top"
+    assert sorted(flatten(target)) == sorted([middle, "Left Sleeve", "Right Sleeve"])
+    assert middle_of(target, "Left Sleeve")[0] > 0.5
 
 
 def fill_group(target, name, wanted):
@@ -225,8 +271,8 @@ def test_of_two_parts_of_a_piece_the_larger_keeps_the_name(source):
     rename(source, "Top Left", "Sleeve")
     mark_seam(source, on_line(0, 0.75))
     names = flatten(source)
-    assert sorted(names) == ["Sleeve", "Top", "Top Right"]
-    assert middle_of(source, "Top")[0] == pytest.approx(0.875)
+    assert sorted(names) == ["Sleeve", "Top Left", "Top Right"]
+    assert middle_of(source, "Top Left")[0] == pytest.approx(0.875)
     assert 0 < middle_of(source, "Sleeve")[0] < 0.75
 
 

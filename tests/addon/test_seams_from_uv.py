@@ -4,6 +4,7 @@
 import bpy
 import numpy as np
 import pytest
+from everything import draw_panels
 from surfaces import bump, edge_vertices, flatten, grid, mark_seam, on_line, read, select_edges, select_only
 
 pytestmark = pytest.mark.api
@@ -136,6 +137,21 @@ def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addo
     assert len(seam_edges(source.data)) == 7  # of twelve, five hold the six faces together
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
     assert uv_seams_of(addon, source) is None
+
+
+def test_before_the_first_run_the_seams_of_the_map_are_a_button(addon):
+    """A model of an island for each piece so is a pattern in one click. Not if something is marked already."""
+    source, buttons = with_islands(), []
+    select_only(source)
+    draw_panels(addon, buttons)
+    assert "object.wirewarp_mend" in buttons
+    assert bpy.ops.object.wirewarp_mend(what="UV_SEAMS") == {"FINISHED"}
+    assert len(addon.state.reports.last_report(source).pieces) == 2
+    marked, buttons = with_islands(), []
+    mark_seam(marked, ACROSS)
+    select_only(marked)
+    draw_panels(addon, buttons)
+    assert "object.wirewarp_mend" not in buttons
 
 
 def test_without_a_map_or_with_modifiers_no_seams_of_a_map_are_tried(addon):

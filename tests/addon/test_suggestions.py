@@ -3,6 +3,7 @@
 
 import math
 import types
+from itertools import pairwise
 
 import bpy
 import numpy as np
@@ -338,21 +339,34 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     draw_panels(addon, buttons)
     assert "object.wirewarp_suggest_seams" in buttons and "object.wirewarp_suggest_darts" not in buttons
     assert SUGGEST["SEAMS"]() == {"FINISHED"}
-    cuts = found(addon, source).cuts
-    assert f"{len(cuts)} sets of seams suggested. The first: {cuts[0].num_pieces} piece" in capfd.readouterr().out
+    suggestions = found(addon, source)
+    cuts, chosen = suggestions.cuts, suggestions.cuts[suggestions.chosen]
+    assert f"{len(cuts)} sets of seams suggested. Chosen: {chosen.num_pieces} piece" in capfd.readouterr().out
     assert all(cut.is_first and cut.piece == 0 and len(cut.lengths) == 1 for cut in cuts)
-    assert [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
+    for few, more in pairwise(cuts):  # each row has more pieces than the one above, and less stretch
+        assert few.num_pieces <= more.num_pieces and few.strain > more.strain
     words = draw_panels(addon)
     assert "Suggested Seams" in words and "→" not in words
     (drawn,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == source)
-    places = read(source.data.vertices, "co", np.float32, 3)[np.unique(cuts[0].edges)]
+    places = read(source.data.vertices, "co", np.float32, 3)[np.unique(chosen.edges)]
     proposed = {tuple(place) for place in drawn.failures.lines["proposed"].tolist()}
     assert {tuple(place) for place in places.tolist()} <= proposed
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
-    assert pairs(seams_of(source)) == pairs(cuts[0].edges)
+    assert pairs(seams_of(source)) == pairs(chosen.edges)
     pieces = addon.state.reports.last_report(source).pieces
     assert pieces and all(piece.ok for piece in pieces)
-    assert widespread(addon, source) <= cuts[0].strain * 1.05  # of all pieces; that of the worst one is claimed
+    assert widespread(addon, source) <= chosen.strain * 1.05  # of all pieces; that of the worst one is claimed
+
+
+def test_the_chosen_set_is_of_the_fewest_pieces_that_the_fabric_can_do(addon):
+    suggest = addon.solve.suggest
+    sets = [
+        suggest.Cut([], [], 0, [1.0], strain, math.inf, pieces) for pieces, strain in ((9, 0.04), (3, 0.3), (5, 0.1))
+    ]
+    sets.append(suggest.Cut([], [], 0, [1.0], 0.2, math.inf, 6))  # more pieces than the third, and more stretch
+    sets = suggest.from_few_pieces(sets)
+    assert [each.num_pieces for each in sets] == [3, 5, 9]
+    assert [suggest.set_for(sets, limit) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
 
 
 def test_where_all_is_painted_there_are_no_first_cuts(addon):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What is wrong with a mesh before it is flattened: found by kind, and repaired with Blender's own tools."""
 
+import math
 from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -130,19 +131,55 @@ def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 
 
 def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
-    """As Select > Select All by Trait > Interior Faces, but for those that can be seen from outside."""
+    """As Select > Select All by Trait > Interior Faces, but for those that can be seen from outside.
+
+    The faces divide space into rooms. Interior are the walls of which no side belongs to a room that a straight way
+    leads out of: a notch of a block is as open as the space around it.
+    """
     walled = [face for face in edit.faces if all(len(edge.link_faces) > 2 for edge in face.edges)]
     if not walled:
         return []
+    room_of = _rooms(edit)
     surface = BVHTree.FromBMesh(edit)
-    return [face for face in walled if all(_is_covered(surface, face, side) for side in (1, -1))]
+    seen = {room_of[side] for side in room_of if _leads_out(surface, edit.faces[side[0]], side[1])}
+    return [face for face in walled if not {room_of[face.index, 1], room_of[face.index, -1]} & seen]
 
 
-def _is_covered(surface: BVHTree, face: bmesh.types.BMFace, side: int) -> bool:
-    """Whether other faces lie before the middle of the face on this side."""
+def _rooms(edit: bmesh.types.BMesh) -> dict[tuple[int, int], tuple[int, int]]:
+    """For each side (face, 1 or -1) one that stands for its room: the sides that meet around edges."""
+    parent = {(face.index, side): (face.index, side) for face in edit.faces for side in (1, -1)}
+
+    def root(side: tuple[int, int]) -> tuple[int, int]:
+        while parent[side] != side:
+            parent[side] = parent[parent[side]]
+            side = parent[side]
+        return side
+
+    for edge in edit.edges:
+        around = _around(edge)
+        for (face, ahead, _), (other, _, behind) in zip(around, around[1:] + around[:1], strict=True):
+            parent[root((face, ahead))] = root((other, behind))
+    return {side: root(side) for side in parent}
+
+
+def _around(edge: bmesh.types.BMEdge) -> list[tuple[int, int, int]]:
+    """Its faces by their angles around it, each with its side that looks to the next one, and that to the last one."""
+    axis = (edge.verts[1].co - edge.verts[0].co).normalized()
+    first = axis.orthogonal().normalized()
+    second, faces = axis.cross(first), []
+    for loop in edge.link_loops:
+        runs_along = axis if loop.vert == edge.verts[0] else -axis
+        inward = loop.face.normal.cross(runs_along)  # from the edge into the face
+        ahead = 1 if loop.face.normal.dot(axis.cross(inward)) > 0 else -1
+        faces.append((math.atan2(inward.dot(second), inward.dot(first)), (loop.face.index, ahead, -ahead)))
+    return [face for _, face in sorted(faces)]
+
+
+def _leads_out(surface: BVHTree, face: bmesh.types.BMFace, side: int) -> bool:
+    """Whether no face lies before the middle of the face on this side."""
     toward = side * face.normal
     begin = face.calc_center_median() + toward * 1e-4 * face.calc_perimeter()  # off the face itself
-    return surface.ray_cast(begin, toward)[0] is not None
+    return surface.ray_cast(begin, toward)[0] is None
 
 
 def _delete_faces(edit: bmesh.types.BMesh, _close: float, found: Found) -> None:

@@ -176,6 +176,12 @@ def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
     return count, list(dict.fromkeys(layer.name for layer in maps))
 
 
+def has_new_seams(mesh: bpy.types.Mesh) -> bool:
+    """Whether the user's own map has borders that are no seams yet. Of a mesh in Object Mode."""
+    layer = own_uv_map(mesh)
+    return layer is not None and bool((_borders(mesh, layer) & ~read_seams(mesh)).any())
+
+
 def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
     """The user's own map, or that of the flat pieces if there is no other."""
     found = own_uv_map(target.data) or target.data.uv_layers.active
@@ -185,17 +191,21 @@ def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
 
 
 def _mark_borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> int:
-    before = read_seams(mesh)
-    borders = island_borders(
+    before, borders = read_seams(mesh), _borders(mesh, layer)
+    add_seams(mesh, np.flatnonzero(borders))
+    mesh.update()
+    return int(np.count_nonzero(borders & ~before))
+
+
+def _borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
+    """(e,) bool"""
+    return island_borders(
         corner_edges(mesh),
         corner_vertices(mesh),
         next_loops(mesh),
         read_uv(layer),
         len(mesh.edges),
     )
-    add_seams(mesh, np.flatnonzero(borders))
-    mesh.update()
-    return int(np.count_nonzero(borders & ~before))
 
 
 WITH_MODIFIERS = (

@@ -3,10 +3,12 @@
 
 import bpy
 
+from ..blender.mesh import read_seams
 from ..blender.objects import likely_units, strange_size, unit_of_height, unit_text
 from ..core import Cloth, Kind, as_seen
 from ..flatten.auto_update import EDIT_LIMIT, is_left, waits_for_object_mode
 from ..issues import ObjectError
+from ..marks.mark import has_new_seams
 from ..marks.wire_list import shown_wires
 from ..solve.report import ObjectReport
 from ..state.changes import shows_modified
@@ -20,7 +22,17 @@ from ..suggest.panel import are_shown, draw_suggest
 from ..ui.layout import LEVEL_ICONS, SidebarPanel, draw_progress, draw_sentence
 from ..ui.settings import draw_settings, settings_sentence, shown_report, untrue_sentence
 from ..ui.window_run import FLATTEN
-from .next_step import CHECK, SHOW, NextStep, draw_first_steps, next_step, piece_to_cut, uv_step, wants_seams
+from .next_step import (
+    CHECK,
+    SHOW,
+    NextStep,
+    draw_first_steps,
+    next_step,
+    piece_to_cut,
+    untried_uv_step,
+    uv_step,
+    wants_seams,
+)
 
 OTHER_SHAPE = 1.5  # leather must stretch 11% in the fitted top, of which woven cotton must stretch 7.6%
 ICON = "MATCLOTH"
@@ -80,6 +92,8 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         _draw_size(context, layout, source)
         report = last_report(source)
         if report is None:
+            if _may_use_uv_seams(source):
+                _draw_step(context, layout, untried_uv_step())
             draw_first_steps(layout)
         else:
             _draw_state(context, layout, source, report)
@@ -147,6 +161,15 @@ def _draw_state(
     sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if sentence:
         draw_sentence(context, layout, sentence, "INFO")
+
+
+def _may_use_uv_seams(source: bpy.types.Object) -> bool:
+    """Whether nothing is marked yet and the model's own UV map has islands. In Edit Mode seams are being marked."""
+    mesh = source.data
+    if mesh.is_editmode or source.library or mesh.library:
+        return False
+    made_of = stamp(source), stamp(mesh)
+    return kept_drawing(source, "uv seams", made_of, lambda: not read_seams(mesh).any() and has_new_seams(mesh))
 
 
 def _draw_step(context: bpy.types.Context, layout: bpy.types.UILayout, step: NextStep) -> None:

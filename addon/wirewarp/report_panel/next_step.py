@@ -14,6 +14,7 @@ from ..blender.objects import meters_per_blender_unit
 from ..blender.views import show_objects, work_area
 from ..core import BEYOND_FABRIC, CLOSED_CODE, STRAINED, Issue, percent_text
 from ..solve.report import ObjectReport, UvSeams
+from ..state.reports import last_report
 from ..state.settings import FlattenSettings
 from ..words import counted
 
@@ -37,7 +38,7 @@ WIDTH = 480  # of the guide, in Blender's own pixels
 
 
 class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
-    """Add a sample model with its seams and wires to this file; to an empty one with its settings and units, too"""
+    """Add a sample model with its seams and wires to this file; to one without patterns with its settings, too"""
 
     bl_idname = "object.wirewarp_open_sample"
     bl_label = "Open Sample"
@@ -60,8 +61,10 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
             return {"CANCELLED"}
         (sample_scene,) = loaded.scenes
         (model,) = sample_scene.objects
-        if is_first:
+        if is_first or _is_new(scene):  # which may have Blender's cube in it
             _take_settings(scene, sample_scene)
+        if is_first:
+            _take_units(scene, sample_scene)
         else:
             model.scale /= meters_per_blender_unit(scene)  # samples are in meters
             model.location.x = _free_place(scene, model)
@@ -86,9 +89,19 @@ def _free_place(scene: bpy.types.Scene, model: bpy.types.Object) -> float:
     return right - min(edges) + (max(edges) - min(edges)) / 2
 
 
+def _is_new(scene: bpy.types.Scene) -> bool:
+    """Whether nothing was flattened in the scene, and no setting of Flatten was changed."""
+    settings = scene.wirewarp
+    changed = any(settings.is_property_set(name) for name in FlattenSettings.__annotations__)
+    return not changed and not any(last_report(each) for each in scene.objects if each.type == "MESH")
+
+
 def _take_settings(scene: bpy.types.Scene, sample: bpy.types.Scene) -> None:
     for name in FlattenSettings.__annotations__:
         setattr(scene.wirewarp, name, getattr(sample.wirewarp, name))
+
+
+def _take_units(scene: bpy.types.Scene, sample: bpy.types.Scene) -> None:
     for name in ("system", "scale_length", "length_unit"):
         setattr(scene.unit_settings, name, getattr(sample.unit_settings, name))
 
@@ -172,6 +185,11 @@ def uv_step(found: UvSeams) -> NextStep:
     became = f"{found.failed} of them fail" if found.failed else f"stretch {percent_text(found.stretch)}"
     sentence = f"The seams of the UV map make {counted(found.pieces, 'piece')}, {became}."
     return NextStep(sentence, "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
+
+
+def untried_uv_step() -> NextStep:
+    """Before the first run, for a model without seams."""
+    return NextStep("", "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
 
 
 def wants_seams(report: ObjectReport) -> bool:

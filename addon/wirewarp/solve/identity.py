@@ -22,22 +22,34 @@ SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
 HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # of two pieces on one side
 FACES_ONE_WAY = 0.3  # of 1, a flat piece; one that winds around (a sleeve) is named by its place
 BESIDE = 0.05  # of the model's size; one that winds around its middle (a ball) has no side
+ROUNDED = 3  # digits of offsets that are compared: models are seldom mirrored to the last bit
 NO_SIDE = "Around"
 
 
 def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
-    """ "Front", or "Front Left" beside "Front Right"; more pieces than two of one side are called the same.
+    """ "Front", or "Front Left" beside "Front Right"; several pieces may be called the same.
 
     normals (p,3): the mean normal of each piece, of length 1 if it is flat. offsets (p,3): from the middle of the
     model to that of the piece, as a share of the model's size.
     """
     names = [_side(normal, offset) for normal, offset in zip(normals, offsets, strict=True)]
     for side in dict.fromkeys(names):
-        pair = [index for index, name in enumerate(names) if name == side]
-        if len(pair) == 2:
-            halves = _halves(side, offsets[pair[1]] - offsets[pair[0]])
-            for index, half in zip(pair, halves, strict=True):
-                names[index] = f"{side} {half}".rstrip()
+        own = [index for index, name in enumerate(names) if name == side]
+        for index, half in zip(own, _halves(side, offsets[own]), strict=True):
+            names[index] = f"{side} {half}".rstrip()
+    return names
+
+
+def region_side_names(regions: Sequence[str | None], normals: np.ndarray, offsets: np.ndarray) -> list[str | None]:
+    """The names of regions; where pieces share one, with their sides: "Left Sleeve" beside "Right Sleeve"."""
+    names = list(regions)
+    for region in filter(None, dict.fromkeys(regions)):
+        own = [index for index, name in enumerate(regions) if name == region]
+        sides = _halves("", offsets[own])
+        if len(own) > 2:
+            sides = side_names(normals[own], offsets[own])
+        for index, side in zip(own, sides, strict=True):
+            names[index] = f"{side} {region}".lstrip()
     return names
 
 
@@ -49,13 +61,27 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
     return SIDES[axis][int(direction[axis] > 0)]
 
 
-def _halves(side: str, apart: np.ndarray) -> tuple[str, str]:
-    """How two pieces of one side differ, the second being this far from the first; "" if nothing."""
+def _halves(side: str, offsets: np.ndarray) -> list[str]:
+    """How the pieces of one side differ: two by where one lies of the other, more by left and right; "" if by nothing.
+
+    Of many pieces a mirrored pair so has one name but for its side.
+    """
+    if len(offsets) != 2:
+        if len(offsets) == 1 or side in SIDES[0]:
+            return [""] * len(offsets)
+        return ["" if abs(x) < BESIDE else HALVES[0][int(x > 0)] for x in offsets[:, 0]]
+    apart = offsets[1] - offsets[0]
     axis = int(np.argmax(np.abs(apart)))
     if np.abs(apart[axis]) < BESIDE or side in SIDES[axis]:  # one lies in or behind the other
-        return "", ""
+        return ["", ""]
     lower, upper = HALVES[axis]
-    return (lower, upper) if apart[axis] > 0 else (upper, lower)
+    return [lower, upper] if apart[axis] > 0 else [upper, lower]
+
+
+def from_top(offsets: np.ndarray) -> list[int]:
+    """The pieces from top to bottom and front to back: by this order those of a mirrored pair get the same number."""
+    x, y, z = offsets.T.round(ROUNDED)
+    return np.lexsort((x, np.abs(x), y, -z)).tolist()
 
 
 def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
@@ -144,9 +170,10 @@ def identify_pieces(
     if list(known.names.values()) == [known.model_name]:
         old = [""] * count  # what was the whole model may be a part now, and the model may have another name
     names = _first_of_each(old)
-    new = [index for index in range(count) if not names[index]]
-    regions = region_names(_by_face(piece_of_triangle, arrays), count, arrays.regions)
+    new = [index for index in from_top(shape.offsets) if not names[index]]
     outward = -shape.normals if faces_inward(arrays) else shape.normals
+    regions = region_names(_by_face(piece_of_triangle, arrays), count, arrays.regions)
+    regions = region_side_names(regions, outward, shape.offsets)
     sides = side_names(outward, shape.offsets) if count > 1 else [model_name]
     wanted = [old[index] or regions[index] or sides[index] for index in new]
     for index, name in zip(new, numbered(wanted, [name for name in names if name]), strict=True):

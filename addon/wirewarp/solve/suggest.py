@@ -2,6 +2,7 @@
 """Cuts that the core library proposes, as edges to mark, and in words. No Blender in here."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from types import ModuleType
 from typing import Any
@@ -73,6 +74,8 @@ def suggest_cuts(
 ) -> Steps[list[Cut]]:
     """The best first; with a target each with all before it. kind: DARTS or SEAMS; piece: None for any.
 
+    Sets of first cuts go from few pieces to little stretch.
+
     Raises ObjectError, also where there is nothing to gain.
     """
     try:
@@ -82,7 +85,10 @@ def suggest_cuts(
         arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": piece}
         job = _start(library, kind, target, arguments | {"no_seam": barred})
         proposals, new = (yield from result_of(job)), {tuple(pair) for pair in across.tolist()}
-        return _with_mirror_images(proposals, new) if target is None else _steps_of(proposals, new, piece)
+        if target is not None:
+            return _steps_of(proposals, new, piece)
+        cuts = _with_mirror_images(proposals, new)
+        return from_few_pieces(cuts) if cuts[0].is_first else cuts
     except library.FlattenError as error:
         issue = issue_of_error(error, arrays)
         if issue.code == "no_proposal" and (no_seam.faces.any() or no_seam.vertices.any()):
@@ -138,6 +144,20 @@ def _with_mirror_images(proposals: list[DartProposal], across: set[tuple[int, in
             both = [proposal, proposals[proposal.twin]]
             cuts.append(_cut(both, proposal.strain_with_twin, proposal.strain_before, across))
     return cuts
+
+
+def from_few_pieces(sets: Sequence[Cut]) -> list[Cut]:
+    """Sets of first cuts in the order of their pieces, without those that stretch as far with more pieces."""
+    kept: list[Cut] = []
+    for each in sorted(sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
+        if not kept or each.strain < kept[-1].strain:
+            kept.append(each)
+    return kept
+
+
+def set_for(sets: Sequence[Cut], limit: float) -> int:
+    """Which set of first cuts to show: the fewest pieces within the maximum stretch, else the least stretch."""
+    return next((index for index, each in enumerate(sets) if each.strain <= limit), len(sets) - 1)
 
 
 def _steps_of(plan: list[DartProposal], across: set[tuple[int, int]], piece: int | None) -> list[Cut]:

@@ -19,7 +19,7 @@ from ..blender.mesh import (
 from ..blender.objects import linear_part
 from ..core import Note
 from ..issues import note, object_error, warning
-from ..names import PIECE, SEAM, UV_LAYER
+from ..names import NO_SEAM, PIECE, SEAM, UV_LAYER
 from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
 from ..solve.chains import WireChain, chains_of_marks
 from ..words import counted
@@ -106,6 +106,7 @@ def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
 
 LARGEST = 1e18  # Blender units
 SAMPLE = 5_000  # faces that are looked at: Blender lists groups vertex by vertex only, which is slow on large meshes
+NO_REGIONS = {NO_SEAM, "sharp_face"}  # boolean attributes of faces that name no part of a model
 CARRIED = 0.5  # weight from which on a vertex is in its group
 
 
@@ -198,7 +199,8 @@ def face_regions(source: bpy.types.Object, mesh: bpy.types.Mesh) -> FaceRegions:
     """Of the mesh, which is the object's own or what its modifiers make of it."""
     count = len(mesh.polygons)
     sample = np.arange(0, count, max(1, -(-count // SAMPLE)))
-    return FaceRegions(sample, _groups(source, mesh, sample), _materials(source, mesh, sample))
+    groups = [*_face_attributes(mesh, sample), *_groups(source, mesh, sample)]
+    return FaceRegions(sample, groups, _materials(source, mesh, sample))
 
 
 def _slots(mesh: bpy.types.Mesh) -> np.ndarray:
@@ -224,6 +226,18 @@ def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) 
                 members[group].append(face)
     named = zip(source.vertex_groups, members, strict=True)
     return [Region(group.name, np.array(faces, dtype=np.int64)) for group, faces in named if faces]
+
+
+def _face_attributes(mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
+    """Boolean attributes of faces, which took the place of face maps; those with a dot are Blender's own."""
+    found = []
+    for attribute in mesh.attributes:
+        if (attribute.data_type, attribute.domain) != ("BOOLEAN", "FACE") or attribute.name in NO_REGIONS:
+            continue
+        if not attribute.name.startswith("."):
+            is_in = read_attribute(mesh, attribute.name, "BOOLEAN", "FACE")
+            found.append(Region(attribute.name, sample[is_in[sample]]))
+    return [region for region in found if len(region.faces)]
 
 
 def _materials(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:

@@ -14,9 +14,9 @@ from ..flatten.models import Model
 from ..flatten.read import active_target, find_source, is_current, nothing_to_flatten, read_models
 from ..issues import ObjectError, changed_error, object_error
 from ..properties import mend_settings
-from ..solve.flatten import FlattenChoices, used_choices
+from ..solve.flatten import FlattenChoices, maximum_stretch, used_choices
 from ..solve.steps import CanceledError, Steps
-from ..solve.suggest import Cut, NoSeam, Target, cut_text, found_words, shortfall, step_text, suggest_cuts
+from ..solve.suggest import Cut, NoSeam, Target, cut_text, found_words, set_for, shortfall, step_text, suggest_cuts
 from ..state.changes import has_changed
 from ..state.memory import read_anew
 from ..state.owners import model_or_self
@@ -31,6 +31,7 @@ from ..words import paragraph, quoted
 WITH_MODIFIERS = (
     "Suggested cuts are edges of the model itself: apply what changes its shape ({}), or flatten without Modifiers."
 )
+SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models are sewn
 
 
 @dataclass(frozen=True)
@@ -86,6 +87,17 @@ def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
     return [search.names.get(cut.piece, f"Piece {cut.piece + 1}") for cut in cuts]
 
 
+def _shown_first(search: Search, cuts: list[Cut]) -> int:
+    """All cuts for a target; of sets of first cuts that for the fabric; else the best cut."""
+    if search.target:
+        return len(cuts) - 1
+    if not cuts[0].is_first:
+        return 0
+    cloth = search.choices.cloth
+    known = [limit for limit in maximum_stretch(cloth) if limit is not None] if cloth else []
+    return set_for(cuts, max(known, default=SOFT))  # pieces are turned so that fabric stretches most where it must
+
+
 def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
     """For the panel and the overlay. Raises ObjectError if the model is no longer as it was read. In any mode."""
     model = search.model
@@ -100,7 +112,7 @@ def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
         wire_ids,
         model.state,
         search.no_seam,
-        chosen=len(cuts) - 1 if search.target else 0,
+        chosen=_shown_first(search, cuts),
     )
     source = find_source(model)
     if not (is_current(model) and are_current(source, found, read_anew)):
@@ -190,7 +202,7 @@ class SuggestCuts(WindowSteps):
             step = step_text(self.kind, cuts[-1], lengths)
             said = [f"Stretch of {piece} with {step}", shortfall(self.kind, cuts, found.target)]
         elif cuts[0].is_first:
-            said = [f"{found_words(self.kind, cuts)} suggested", f"The first: {cut_text(cuts[0], lengths)}"]
+            said = [f"{found_words(self.kind, cuts)} suggested", f"Chosen: {cut_text(cuts[found.chosen], lengths)}"]
         else:
             said = [f"{found_words(self.kind, cuts)} suggested; for {piece}: {cut_text(cuts[0], lengths)}"]
         self.report({"INFO"}, paragraph(each for each in said if each))

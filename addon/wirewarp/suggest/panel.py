@@ -19,6 +19,7 @@ from ..words import counted
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
 TARGET_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
+FROM_FEW = "Above: fewer pieces. Below: less stretch."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -59,6 +60,8 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
                 text = row_text(found.kind, cut, found.target, lengths)
                 button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
                 button.index = index
+        if len(found.cuts) > 1 and found.cuts[0].is_first:
+            draw_sentence(context, layout, FROM_FEW, "INFO")
         missed = shortfall(found.kind, found.cuts, found.target) if found.target else ""
         if missed:
             draw_sentence(context, layout, missed, "INFO")
