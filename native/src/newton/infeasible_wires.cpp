@@ -25,11 +25,11 @@ constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of proposed tolerances: 0.1
 constexpr double kLargest = 0.5;                  // a wire that needs more is freed
 constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
 constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); those of a coarser or a sewn chart count
-constexpr int kMostTrials = 30;             // of fewer wires, and again of smaller tolerances: project_to_lengths each
+constexpr double kMostTrials = 30;          // of fewer wires, and again of smaller tolerances: project_to_lengths each
 constexpr std::size_t kFewWires = 8;        // up to so many get individual tolerances; more share one, which is quicker
                                             // to find and to type
 /// More wires than this are freed or left alone: a trial with a tolerance on n wires solves dense problems of size n,
-/// n³ work each. Nets of 168 wires get one tolerance of 5%; by estimate, a trial on 569 wires takes ten seconds.
+/// n³ work each. Nets of 168 wires get one tolerance of 5%; trials on 569 wires cost as much as 23 on 200.
 constexpr std::size_t kMostElasticWires = 200;
 
 /// Tolerances that are tried, 0.1% to 50%: each a third larger than the one before to twice as large.
@@ -119,10 +119,10 @@ class ToleranceSearch {
 
   /// Of wires that work if they are free: as few as do, with tolerances as small as do.
   Tolerances on_few_wires(Tolerances tolerances) {
-    num_trials_ = 0;
+    trials_ = 0;
     drop_wires(tolerances);
     if (tolerances.size() > kFewWires) return tolerances;
-    num_trials_ = 0;
+    trials_ = 0;
     lower(tolerances, wires_of(tolerances));
     for (const int wire : wires_of(tolerances)) lower(tolerances, {wire});
     return tolerances;
@@ -162,12 +162,20 @@ class ToleranceSearch {
   }
 
   bool try_instead(Tolerances& tolerances, Tolerances others) {
-    if (num_trials_ >= kMostTrials) return false;
+    if (trials_ >= kMostTrials) return false;
     stop_.check();
-    ++num_trials_;
+    trials_ += cost_of(others);
     if (!work(others)) return false;
     tolerances = std::move(others);
     return true;
+  }
+
+  /// Of a trial, in trials on kMostElasticWires wires. The wires whose own tolerances stay count, too.
+  double cost_of(const Tolerances& tolerances) const {
+    const Chart looser = with_tolerances(chart_, tolerances);
+    const auto num_elastic = std::count_if(looser.wire_parts.begin(), looser.wire_parts.end(),
+                                           [](const WirePart& part) { return part.kind == WireKind::elastic; });
+    return std::max(1.0, std::pow(static_cast<double>(num_elastic) / kMostElasticWires, 3));
   }
 
   /// Half of the wires at once, then a quarter, ..., then one by one.
@@ -216,7 +224,7 @@ class ToleranceSearch {
   double fairness_;
   std::vector<Positions2> starts_;
   StopToken stop_;
-  int num_trials_ = 0;
+  double trials_ = 0;
 };
 
 /// The shape that breaks lengths at the least price; none if a factorization fails.

@@ -8,11 +8,10 @@ namespace wirewarp {
 
 Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen::MatrixXd& b,
                                           const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
-  const auto model = [&](const Eigen::VectorXd& d) { return g.dot(d) + d.dot(b * d) / 2; };
   constexpr int kMaxFactorizations = 50;
-  Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size());
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()), slope = g;
+  double value = 0;  // of the model
   for (int i = 0; i < kMaxFactorizations; ++i) {
-    const Eigen::VectorXd slope = g + b * d;
     std::vector<int> free;  // the others are at a bound that the model pushes against: the active set
     for (int k = 0; k < g.size(); ++k) {
       const bool is_active = (d[k] <= lower[k] && slope[k] > 0) || (d[k] >= upper[k] && slope[k] < 0);
@@ -23,17 +22,22 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
     Eigen::VectorXd newton = -slope(free).cwiseQuotient(b.diagonal()(free));
     if (factor.info() == Eigen::Success) newton = factor.solve(-slope(free));
     const double promised = -slope(free).dot(newton);
-    if (!(promised > 1e-16 * std::abs(model(d)))) break;
-    Eigen::VectorXd trial;
-    double t = 1;
-    for (; t > 1e-10; t /= 2) {
-      trial = d;
-      trial(free) += t * newton;
-      trial = trial.cwiseMax(lower).cwiseMin(upper);
-      if (model(trial) < model(d)) break;
+    if (!(promised > 1e-16 * std::abs(value))) break;
+    Eigen::VectorXd step;
+    double down = 0;  // along the step, which ends in the box
+    for (double t = 1; t > 1e-10 && !(down < 0); t /= 2) {
+      step = d;
+      step(free) += t * newton;
+      step = step.cwiseMax(lower).cwiseMin(upper) - d;
+      down = slope.dot(step);
     }
-    if (t <= 1e-10) break;
-    d = trial;
+    if (!(down < 0)) break;
+    const Eigen::VectorXd change_of_slope = b * step;
+    const double curvature = step.dot(change_of_slope);
+    const double share = curvature > -down ? -down / curvature : 1;  // to the least value along the step
+    d = (d + share * step).cwiseMax(lower).cwiseMin(upper);
+    slope += share * change_of_slope;
+    value += share * (down + share * curvature / 2);
   }
   return d;
 }

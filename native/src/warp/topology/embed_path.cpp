@@ -31,8 +31,7 @@ void pass_vertex(const HalfEdgeMesh& mesh, VertexHandle v, MeshPath& path) {
 /// reach_of: of a point on an edge, the part of the edge within which its ends are near; ends_at: called with each
 /// vertex that the path comes to.
 template <class ReachOf, class EndsAt>
-MeshPath snap_until(const HalfEdgeMesh& mesh, const MeshPath& path, const ReachOf& reach_of,
-                       const EndsAt& ends_at) {
+MeshPath snap_until(const HalfEdgeMesh& mesh, const MeshPath& path, const ReachOf& reach_of, const EndsAt& ends_at) {
   MeshPath snapped{path.front()};
   for (std::size_t i = 1; i < path.size(); ++i) {
     const PathPoint point = path[i].is_vertex() ? path[i] : snap(mesh, path[i], reach_of(path[i]));
@@ -58,8 +57,7 @@ std::optional<MeshPath> snap_to_wires(const HalfEdgeMesh& mesh, const WireMask& 
   const auto reach_of = [&](const PathPoint& point) {
     return wires.has(mesh.edge_handle(point.half_edge)) ? 0.5 : kNearVertex;
   };
-  const MeshPath snapped =
-      snap_until(mesh, path, reach_of, [&](VertexHandle v) { return v != start && wires.has(v); });
+  const MeshPath snapped = snap_until(mesh, path, reach_of, [&](VertexHandle v) { return v != start && wires.has(v); });
   const PathPoint& end = snapped.back();
   if (!end.is_vertex() || end.vertex == start || !wires.has(end.vertex)) return std::nullopt;
   if (snapped.size() == 2 && wires.has(mesh.edge_handle(mesh.find_halfedge(start, end.vertex)))) return std::nullopt;

@@ -38,7 +38,7 @@ bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, const MayTake& may
 
 template <class MayTake>
 MeshPath shortest_path(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path,
-                          const MayTake& may_take) {
+                       const MayTake& may_take) {
   Strip strip = strip_beside(mesh, edge_path);
   StripPath best = shortest_in_strip(mesh, wires, strip);
   while (improve(mesh, wires, may_take, strip, best)) {
@@ -69,7 +69,7 @@ MeshPath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::
 }
 
 MeshPath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
-                              const std::vector<VertexHandle>& edge_path) {
+                           const std::vector<VertexHandle>& edge_path) {
   std::vector<char> touches_path(mesh.n_faces(), 0);
   for (const VertexHandle v : edge_path) {
     for (const FaceHandle f : mesh.vf_range(v)) touches_path[f.idx()] = 1;

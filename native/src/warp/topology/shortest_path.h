@@ -19,8 +19,7 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
 MeshPath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
 /// The same, but the shortest among the triangles that touch the path.
-MeshPath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
-                              const std::vector<VertexHandle>& edge_path);
+MeshPath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
 /// Adds a helper wire along the straightened shortest path from any source to the nearest target, and returns it.
 /// Cuts edges for it where wires leave no room. Throws UnjoinedWires if no target lies in a region of a source, or

@@ -135,7 +135,7 @@ double total_angle(const HalfEdgeMesh& mesh, VertexHandle v) {
 }
 
 std::optional<MeshPath> trace_straightest(const HalfEdgeMesh& mesh, const WireMask& wires, HalfedgeHandle reference,
-                                             double angle) {
+                                          double angle) {
   return Tracer(mesh, wires).trace(reference, angle);
 }
 

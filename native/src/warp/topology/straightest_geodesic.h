@@ -18,6 +18,6 @@ double total_angle(const HalfEdgeMesh& mesh, VertexHandle v);
 /// triangle or vertex it has passed before, so that no path has more points than the mesh has faces and vertices.
 /// The start is inside the chart, or the angle within its faces.
 std::optional<MeshPath> trace_straightest(const HalfEdgeMesh& mesh, const WireMask& wires, HalfedgeHandle reference,
-                                             double angle);
+                                          double angle);
 
 }  // namespace wirewarp
