@@ -35,7 +35,7 @@ def test_a_row_is_marked_with_all_before_it_and_leaves_what_it_says(addon, setti
     assert first.strain_before == second.strain_before > first.strain > second.strain
     bpy.ops.object.wirewarp_choose_suggestion(index=row)
     chosen = (first, second)[row]
-    ends = addon.overlay.failures.suggested_lines(source)
+    ends = addon.overlay.failures.suggested_lines(source, bpy.context.evaluated_depsgraph_get())
     places = read(source.data.vertices, "co", np.float32, 3)[np.unique(chosen.edges)]
     assert {tuple(end) for end in ends.tolist()} == {tuple(place) for place in places.tolist()}
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}

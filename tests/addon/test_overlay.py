@@ -259,13 +259,20 @@ def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
     assert (~around).sum() <= len(issue.vertices)  # the issue's own places
 
 
-def test_a_closed_piece_that_failed_has_no_outline_but_is_in_the_legend(addon):
+def test_a_closed_model_has_not_failed_but_a_closed_piece_beside_a_good_one_is_in_the_legend(addon):
     bpy.ops.mesh.primitive_uv_sphere_add(segments=8, ring_count=4)
+    ball = bpy.context.active_object
     with pytest.raises(RuntimeError, match="closed"):
         bpy.ops.object.wirewarp_flatten()
-    found = addon.overlay.failures.failures(bpy.context.active_object)
-    assert set(found.lines) == {"proposed"}
-    assert found.kinds == {"proposed", "failed"}
+    found = addon.overlay.failures.failures(ball)
+    assert found.kinds == {"proposed"} and len(found.triangles) == 0
+    select_only(ball, grid("Bump", bump))
+    bpy.ops.object.join()
+    joined = bpy.context.active_object
+    with pytest.raises(RuntimeError, match="closed"):
+        bpy.ops.object.wirewarp_flatten()
+    found = addon.overlay.failures.failures(joined)
+    assert found.kinds == {"proposed", "failed"} and len(found.triangles) > 0
 
 
 def test_the_edges_of_a_bad_input_are_drawn(addon):
@@ -304,7 +311,7 @@ def test_a_model_without_marks_of_which_nothing_could_be_flattened_is_drawn(addo
         bpy.ops.object.wirewarp_flatten()
     (drawing,) = addon.overlay.shown.drawings(view_context())
     assert drawing.target == source
-    assert len(drawing.failures.triangles) == 3 * 4
+    assert len(drawing.failures.triangles) == 0  # it is closed, which is no failure
     proposed = addon.state.reports.last_report(source).issues[0].proposed_seams
     ends = [corners[vertex] for pair in proposed for vertex in sorted(pair)]
     assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)

@@ -96,6 +96,6 @@ def test_the_suggested_cut_is_in_the_map(addon, source):
     select_only(source)
     bpy.ops.object.wirewarp_suggest_darts(piece=0)
     (drawing,) = shown(addon)
-    on_pieces = addon.overlay.failures.suggested_lines(flat_of(source))
+    on_pieces = addon.overlay.failures.suggested_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
     in_map = lengths(drawing.failures.lines["proposed"]).sum() * source.data["wirewarp_uv_scale"]
     assert in_map == pytest.approx(2 * lengths(on_pieces).sum(), rel=1e-5)  # there is a face on each side

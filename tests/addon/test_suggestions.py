@@ -346,7 +346,9 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     for few, more in pairwise(cuts):  # each row has more pieces than the one above, and less stretch
         assert few.num_pieces <= more.num_pieces and few.strain > more.strain
     words = draw_panels(addon)
-    assert "Suggested Seams" in words and "→" not in words
+    assert f"Suggested Seams, {source.name}" in words and "→" not in words
+    row = addon.solve.suggest.row_text("SEAMS", chosen, None, addon.blender.objects.length_text(bpy.context.scene))
+    assert row in words and "stretch" not in row  # which the sentence below the list says
     (drawn,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == source)
     places = read(source.data.vertices, "co", np.float32, 3)[np.unique(chosen.edges)]
     proposed = {tuple(place) for place in drawn.failures.lines["proposed"].tolist()}
@@ -376,12 +378,38 @@ def test_where_all_is_painted_there_are_no_first_cuts(addon):
         SUGGEST["SEAMS"]()
 
 
-@pytest.mark.parametrize(("kind", "settings"), [("SUBSURF", {"levels": 1}), ("EDGE_SPLIT", {"split_angle": 0})])
-def test_with_modifiers_there_are_no_edges_to_mark(kind, settings):
+@pytest.mark.parametrize("take", ["SUGGESTION", "SMOOTH"])
+def test_a_cut_of_what_modifiers_make_applies_them_when_it_is_marked(addon, take):
     source = grid("Bump", bump)
-    modifier = source.modifiers.new("Other Edges", kind)
-    for name, value in settings.items():
-        setattr(modifier, name, value)
+    source.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.context.scene.wirewarp.use_modifiers = True
-    with pytest.raises(RuntimeError, match=r"apply what changes its shape \(modifiers\), or flatten without Modifiers"):
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    before = addon.state.reports.last_report(source).pieces[0].needed
+    assert SUGGEST["DARTS"]() == {"FINISHED"}
+    assert "applies the modifiers" in draw_panels(addon)
+    cut = found(addon, source).cuts[0]
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    for target in (source, flat_of(source)):  # drawn on both
+        assert len(addon.overlay.failures.suggested_lines(target, depsgraph)) == 2 * len(cut.edges)
+    assert bpy.ops.object.wirewarp_mend(what=take) == {"FINISHED"}
+    assert not source.modifiers and not bpy.context.scene.wirewarp.use_modifiers
+    if take == "SUGGESTION":
+        assert pairs(seams_of(source)) == pairs(cut.edges)
+    assert addon.state.reports.last_report(source).pieces[0].needed < before
+
+
+def test_faces_that_a_modifier_splits_apart_need_no_cut():
+    source = grid("Bump", bump)
+    source.modifiers.new("Apart", "EDGE_SPLIT").split_angle = 0
+    bpy.context.scene.wirewarp.use_modifiers = True
+    with pytest.raises(RuntimeError, match="The piece is flat enough"):
+        SUGGEST["DARTS"]()
+
+
+def test_modifiers_that_cannot_be_applied_are_named_before_the_search():
+    source = grid("Bump", bump)
+    source.shape_key_add(name="Basis")
+    source.modifiers.new("Finer", "SUBSURF").levels = 1
+    bpy.context.scene.wirewarp.use_modifiers = True
+    with pytest.raises(RuntimeError, match="has shape keys, so modifiers cannot be applied"):
         SUGGEST["DARTS"]()

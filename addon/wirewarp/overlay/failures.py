@@ -8,14 +8,15 @@ import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import corner_edges, edge_vertices, faces_of_corners, next_loops, vertex_places
+from ..core import CLOSED_CODE
 from ..issues import Issue
 from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..solve.chains import edge_keys
 from ..state.changes import has_changed
 from ..state.owners import model_of, model_or_self
 from ..state.reports import pieces_report
-from ..state.suggestions import chosen_cut
-from .gather import gather_triangles, uv_places
+from ..state.suggestions import current_suggestions
+from .gather import gather_triangles, shown_mesh, uv_places
 from .objects import current_report, is_modified
 
 
@@ -77,10 +78,13 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
         if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
         source = find_values(mesh, SOURCE_VERTEX)
-    faces = _failed_faces(mesh, report.issues)
+    # Of a model that is only closed nothing has failed.
+    closed = [issue for issue in report.issues if issue.code == CLOSED_CODE]
+    issues = [] if len(closed) == len(report.pieces) else report.issues
+    faces = _failed_faces(mesh, issues)
     pairs = np.sort(source[edge_vertices(mesh)], axis=1)
     masks = {
-        "failed": _failed_edges(mesh, pairs, report.issues, faces),
+        "failed": _failed_edges(mesh, pairs, issues, faces),
         "proposed": _named(pairs, [edge for issue in report.issues for edge in issue.proposed_seams]),
     }
     return _Elements({kind: mask for kind, mask in masks.items() if mask.any()}, faces)
@@ -124,17 +128,17 @@ def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
     return Failures(failed.lines | {"proposed": proposed}, failed.triangles)
 
 
-def suggested_lines(target: bpy.types.Object) -> np.ndarray:
+def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
     """(2k,3) on a model or on flat pieces; none where nothing is chosen. Of an object in Object Mode."""
     pairs = _pairs(target)
     if not pairs:
         return NO_LINES
-    mesh, source = target.data, np.arange(len(target.data.vertices))
-    if model_or_self(target) != target:
-        if not has_attributes(mesh, SOURCE_VERTEX):
-            return NO_LINES
-        source = find_values(mesh, SOURCE_VERTEX)
-    triangles = gather_triangles(mesh)
+    with shown_mesh(target, depsgraph) as mesh:
+        triangles, source = gather_triangles(mesh), np.arange(len(mesh.vertices))
+        if model_or_self(target) != target:
+            if not has_attributes(mesh, SOURCE_VERTEX):
+                return NO_LINES
+            source = find_values(mesh, SOURCE_VERTEX)
     sides = np.unique(np.sort(triangles.vertices[:, SIDES].reshape(-1, 2), axis=1), axis=0)
     return triangles.positions[sides[_are_among(source[sides], pairs)].ravel()]
 
@@ -142,7 +146,7 @@ def suggested_lines(target: bpy.types.Object) -> np.ndarray:
 def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
     """(2k,3) in the map of the pieces. Of an object in Object Mode."""
     pairs = _pairs(model)
-    if not pairs:
+    if not pairs or is_modified(model):  # which gets no map
         return NO_LINES
     triangles = gather_triangles(model.data)
     is_cut = _are_among(triangles.vertices[:, SIDES].reshape(-1, 2), pairs)
@@ -152,13 +156,16 @@ def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
 def _pairs(target: bpy.types.Object) -> list[tuple[int, int]]:
     """The vertices of the model; none where these are not to be seen, as on the cage of what modifiers shape."""
     source = model_or_self(target)
+    found = current_suggestions(source)
+    if found is None:
+        return []
     if source == target:
-        is_seen = not is_modified(source)
+        is_seen = is_modified(source) == found.with_modifiers
     else:
         report = pieces_report(source)
-        is_seen = report is not None and not report.with_modifiers and not has_changed(source, report.model_state)
-    cut = chosen_cut(source) if is_seen else None
-    return cut.edges if cut else []
+        is_same = report is not None and report.with_modifiers == found.with_modifiers
+        is_seen = is_same and not has_changed(source, report.model_state)
+    return found.cuts[found.chosen].edges if is_seen else []
 
 
 def _are_among(sides: np.ndarray, pairs: list[tuple[int, int]]) -> np.ndarray:

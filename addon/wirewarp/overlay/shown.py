@@ -123,7 +123,7 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
                 target,
                 "failures",
                 (*made_of, *of_model),
-                lambda: with_cut(failures(target), suggested_lines(target)),
+                lambda: with_cut(failures(target), suggested_lines(target, depsgraph)),
             )
     if context.scene.wirewarp.show_pages and target != source and not target.data.is_editmode:
         pages, without = shown_pages(context, source, target), lines

@@ -18,7 +18,7 @@ from ..state.memory import read_anew
 from ..state.owners import check_not_edited, model_or_self
 from ..state.read_model import apply_modifiers, outline_change, subdivide
 from ..state.reports import last_report
-from ..state.suggestions import chosen_cut
+from ..state.suggestions import current_suggestions, suggestions_of
 from ..suggest.smooth import cut_across_faces, cut_smooth_lines
 from ..ui import window_run
 from ..ui.editing import reporting_refusals
@@ -261,6 +261,9 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
             return 1
         if self.what in {"SUGGESTION", "SMOOTH"}:
+            found = suggestions_of(source)
+            if found and found.with_modifiers:
+                self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
             return _take_suggestion(source, is_smooth=self.what == "SMOOTH")
         report = last_report(source)
         if report is None:
@@ -275,10 +278,13 @@ def _take_suggestion(source: bpy.types.Object, *, is_smooth: bool) -> int:
     """Returns how many edges were marked. Raises ObjectError."""
     check_local(source, source.data)
     check_not_edited(source)
-    cut = chosen_cut(source, read_anew)
-    if cut is None:
+    found = current_suggestions(source, read_anew)
+    if found is None:
         sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'
         raise object_error("no_suggestion", sentence)
+    cut = found.cuts[found.chosen]
+    if found.with_modifiers:
+        apply_modifiers(source)
     if is_smooth:
         return len(cut_smooth_lines(source, cut.edges))
     if cut.diagonals:

@@ -194,7 +194,7 @@ def untried_uv_step() -> NextStep:
 
 def wants_seams(report: ObjectReport) -> bool:
     """Whether Suggest Seams is a way out."""
-    return not report.with_modifiers and any(issue.proposed_seams for issue in report.issues)
+    return any(issue.proposed_seams for issue in report.issues)
 
 
 def piece_to_cut(report: ObjectReport, step: NextStep | None) -> int | None:

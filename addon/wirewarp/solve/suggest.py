@@ -200,7 +200,9 @@ def step_text(kind: str, cut: Cut, text: LengthText) -> str:
 
 
 def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> str:
-    """In the list."""
+    """In the list: a button in a narrow sidebar."""
+    if target is None and cut.is_first:
+        return f"{counted(cut.num_pieces, 'piece')}, {_shares(cut)}, {text.rough(cut.lengths[0])}"
     if target is None:
         return cut_text(cut, text)
     step = step_text(kind, cut, text)
@@ -222,7 +224,7 @@ def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
 
 
 def cut_text(cut: Cut, text: LengthText) -> str:
-    """ "stretch 12 → 6.0%, 140 mm", of mirror images "2×140 mm": it fits a button in a narrow sidebar.
+    """ "stretch 12 → 6.0%, 140 mm", of mirror images "2×140 mm".
 
     Of first cuts "3 pieces, stretch 6.0%, seams 1.40 m".
     """

@@ -83,11 +83,16 @@ def _outline_length(mesh: bpy.types.Mesh) -> float:
     return float(np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).sum())
 
 
-def apply_modifiers(source: bpy.types.Object) -> None:
-    """All that are shown. In Object Mode. Raises ObjectError, with nothing changed, where Blender cannot apply them."""
+def check_modifiers(source: bpy.types.Object) -> None:
+    """Raises ObjectError where Blender cannot apply them."""
     if source.data.shape_keys or source.data.users > 1:
         why = "has shape keys" if source.data.shape_keys else "shares its mesh with other objects"
         raise object_error("modifiers", f'"{source.name}" {why}, so modifiers cannot be applied.')
+
+
+def apply_modifiers(source: bpy.types.Object) -> None:
+    """All that are shown. In Object Mode. Raises ObjectError, with nothing changed, where Blender cannot apply them."""
+    check_modifiers(source)
     with bpy.context.temp_override(object=source, active_object=source):
         for name in [modifier.name for modifier in source.modifiers if modifier.show_viewport]:
             bpy.ops.object.modifier_apply(modifier=name)

@@ -24,7 +24,12 @@ LEAST_WEIGHT = 0.5  # of a vertex in the group: painted with half the strength, 
 
 def read_no_seam(source: bpy.types.Object) -> NoSeam:
     """Of an object in Object Mode. Raises ObjectError if the attribute is of another type or domain."""
-    mesh, group = source.data, source.vertex_groups.get(NO_SEAM)
+    return no_seam_of(source, source.data)
+
+
+def no_seam_of(source: bpy.types.Object, mesh: bpy.types.Mesh) -> NoSeam:
+    """mesh: the object's own, or what its modifiers make of it. Raises ObjectError as above."""
+    group = source.vertex_groups.get(NO_SEAM)
     found = (read_attribute(mesh, NO_SEAM, kind, "FACE") for kind in NUMBERS)
     values = next((each for each in found if each is not None), None)
     if values is None:
@@ -50,8 +55,9 @@ class Suggestions:
     grain_wire: int  # the id that the mesh had for it; 0: none
     wire_ids: set[int]  # of the wires that there were
     state: dict  # of the model, see model_state
-    no_seam: NoSeam  # along which none runs
+    no_seam: NoSeam  # where the user wants none, on the model's own mesh
     chosen: int  # of the cuts
+    with_modifiers: bool = False  # the cuts are edges of what modifiers make, which are applied when one is marked
 
 
 def keep(source: bpy.types.Object, suggestions: Suggestions) -> None:
@@ -68,12 +74,6 @@ def choose(source: bpy.types.Object, index: int) -> None:
 
 def drop(source: bpy.types.Object) -> None:
     state_of(source).suggestions = None
-
-
-def chosen_cut(source: bpy.types.Object, take: Take = kept) -> Cut | None:
-    """None where there are no current suggestions."""
-    found = current_suggestions(source, take)
-    return found.cuts[found.chosen] if found else None
 
 
 def suggestions_of(source: bpy.types.Object) -> Suggestions | None:

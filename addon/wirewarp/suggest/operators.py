@@ -7,6 +7,7 @@ import bpy
 from bpy.props import IntProperty
 
 from .. import core
+from ..blender.mesh import evaluated_mesh
 from ..blender.objects import check_local, length_text, meters_per_blender_unit
 from ..blender.selection import WORKING_MODES, in_object_mode
 from ..blender.views import redraw_views
@@ -20,17 +21,14 @@ from ..solve.suggest import Cut, NoSeam, Target, cut_text, found_words, set_for,
 from ..state.changes import has_changed
 from ..state.memory import read_anew
 from ..state.owners import model_or_self
-from ..state.read_model import shaped_by
-from ..state.reports import pieces_report
+from ..state.read_model import check_modifiers, shaped_by
+from ..state.reports import last_report, pieces_report
 from ..state.settings import choices_of, target_of
-from ..state.suggestions import Suggestions, are_current, choose, drop, keep, read_no_seam
+from ..state.suggestions import Suggestions, are_current, choose, drop, keep, no_seam_of, read_no_seam
 from ..ui import window_run
 from ..ui.window_run import WindowSteps, fault_sentence
 from ..words import paragraph, quoted
 
-WITH_MODIFIERS = (
-    "Suggested cuts are edges of the model itself: apply what changes its shape ({}), or flatten without Modifiers."
-)
 SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models are sewn
 
 
@@ -43,7 +41,8 @@ class Search:
     target: Target | None
     model: Model
     choices: FlattenChoices
-    no_seam: NoSeam
+    no_seam: NoSeam  # of the model's own mesh
+    with_modifiers: bool  # which make a mesh of their own
     steps: Steps[list[Cut]]
     names: dict[int, str]  # of pieces, where they are known
 
@@ -60,11 +59,11 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     (model,) = read_models(context, [source], settings)
     if model.issue:
         raise ObjectError(model.issue)
-    makers = shaped_by(source, context.evaluated_depsgraph_get()) if settings.use_modifiers else []
-    if not makers and len(model.arrays.vertices) != len(source.data.vertices):
-        makers = ["modifiers"]  # that split edges and leave the shape as it is
-    if makers:
-        raise object_error("with_modifiers", WITH_MODIFIERS.format(" and ".join(makers)))
+    depsgraph = context.evaluated_depsgraph_get()
+    is_shaped = settings.use_modifiers and bool(shaped_by(source, depsgraph))
+    is_split = len(model.arrays.vertices) != len(source.data.vertices)  # by modifiers that leave the shape as it is
+    if is_shaped or is_split:
+        check_modifiers(source)
     report = pieces_report(source)
     is_true = (
         report is not None
@@ -73,11 +72,17 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     )
     if piece is not None and not is_true:
         raise changed_error(source.name)
-    names = {piece.index: piece.name for piece in report.pieces} if is_true else {}
+    known = report if is_true else last_report(source)  # of a closed model, which has no flat pieces yet
+    is_known = known is not None and (is_true or not has_changed(source, known.model_state))
+    names = {piece.index: piece.name for piece in known.pieces} if is_known else {}
     choices = choices_of(settings, meters_per_blender_unit(context.scene))
-    no_seam, target = read_no_seam(source), target_of(settings)
+    own = no_seam = read_no_seam(source)
+    if is_shaped or is_split:
+        with evaluated_mesh(source, depsgraph) as mesh:
+            no_seam = no_seam_of(source, mesh)
+    target, used = target_of(settings), used_choices(choices, model.arrays)
     steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, no_seam, target)
-    return Search(kind, piece, target, model, used_choices(choices, model.arrays), no_seam, steps, names)
+    return Search(kind, piece, target, model, used, own, is_shaped or is_split, steps, names)
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
@@ -113,6 +118,7 @@ def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
         model.state,
         search.no_seam,
         chosen=_shown_first(search, cuts),
+        with_modifiers=search.with_modifiers,
     )
     source = find_source(model)
     if not (is_current(model) and are_current(source, found, read_anew)):

@@ -19,7 +19,7 @@ from ..words import counted
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
 TARGET_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
-FROM_FEW = "Above: fewer pieces. Below: less stretch."
+FROM_FEW = "Pieces, stretch, length of seams. Above: fewer pieces. Below: less stretch."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -71,6 +71,8 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         new = len(found.cuts[found.chosen].diagonals)
         if new:
             draw_sentence(context, layout, f"Marking it adds {counted(new, 'edge')} across faces of the model.", "INFO")
+        if found.with_modifiers:
+            draw_sentence(context, layout, "Marking it applies the modifiers of the model.", "INFO")
         take = layout.column(align=True)
         take.scale_y = 1.2
         take.operator("object.wirewarp_mend", text="Mark and Flatten", icon="EDGESEL").what = "SUGGESTION"
