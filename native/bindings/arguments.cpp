@@ -31,9 +31,7 @@ std::vector<Item> read_list(py::handle value, const std::string& argument, const
 
 }  // namespace
 
-std::vector<SurfacePath> read_paths(py::handle value) {
-  return read_list<SurfacePath>(value, "paths", "SurfacePath");
-}
+std::vector<SurfacePath> read_paths(py::handle value) { return read_list<SurfacePath>(value, "paths", "SurfacePath"); }
 
 Options read_options(py::handle value) {
   if (value.is_none()) return {};

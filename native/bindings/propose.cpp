@@ -35,6 +35,10 @@ count: proposals at most, the mirror images of one another counted once.
 strain: what may stay: pieces with no more (DartProposal.strain) are left as they are; None for 0.005.
 longest: no cut is longer on the surface, scene units; None for any length.
 no_seam: (k, 2) vertex pairs, edges along which no cut is to run.
+smooth: True for darts that run across triangles in smooth lines without elbows, straight unless a bend gains clearly
+    more. Such a dart has no edges: vertices, faces, edges, sources = cut_mesh(vertices, faces, proposal.paths) makes
+    them, and flatten(vertices, faces, seams=[*seams, *edges]) has the figures. Darts are then sorted by the strain of
+    the piece, or of the surroundings of their tip if that is more.
 progress: called as progress("cuts", fraction); returning False cancels, which raises FlattenError.
 The other arguments are those of flatten().
 
@@ -131,6 +135,26 @@ auto search_of(Search search, const py::object& vertices, const py::object& face
   };
 }
 
+std::vector<DartProposal> run_darts(const py::object& vertices, const py::object& faces, const py::object& seams,
+                                    const py::object& wires, const py::object& options, const py::object& eases,
+                                    std::optional<int> piece, int count, std::optional<double> strain,
+                                    std::optional<double> longest, const py::object& no_seam, bool smooth,
+                                    const py::object& progress) {
+  CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
+  cut_options.is_smooth = smooth;
+  return find_now(search_of(propose_darts, vertices, faces, seams, wires, options, eases, cut_options), progress);
+}
+
+std::unique_ptr<Job> start_darts(const py::object& vertices, const py::object& faces, const py::object& seams,
+                                 const py::object& wires, const py::object& options, const py::object& eases,
+                                 std::optional<int> piece, int count, std::optional<double> strain,
+                                 std::optional<double> longest, const py::object& no_seam, bool smooth) {
+  CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
+  cut_options.is_smooth = smooth;
+  return std::make_unique<Job>(
+      work_that(search_of(propose_darts, vertices, faces, seams, wires, options, eases, cut_options)));
+}
+
 template <Propose propose>
 std::vector<DartProposal> run(const py::object& vertices, const py::object& faces, const py::object& seams,
                               const py::object& wires, const py::object& options, const py::object& eases,
@@ -198,6 +222,7 @@ void bind_propose(py::module_& module) {
   Record<DartProposal>(module, "DartProposal")
       .field("piece", &DartProposal::piece)
       .field("edges", &DartProposal::edges)
+      .field("paths", &DartProposal::paths)
       .field("length", &DartProposal::length)
       .field("num_pieces", &DartProposal::num_pieces)
       .field("energy", &DartProposal::energy)
@@ -209,11 +234,11 @@ void bind_propose(py::module_& module) {
       .field("strain_with_twin", &DartProposal::strain_with_twin)
       .field("strain_left", &DartProposal::strain_left)
       .picklable();
-  const py::arg_v progress = py::arg("progress") = py::none();
-  define_proposals(module, "propose_darts", &run<propose_darts>, kDartsDoc, progress);
+  const py::arg_v progress = py::arg("progress") = py::none(), smooth = py::arg("smooth") = false;
+  define_proposals(module, "propose_darts", &run_darts, kDartsDoc, smooth, progress);
   define_proposals(module, "propose_seams", &run<propose_seams>, kSeamsDoc, progress);
   define_plan(module, "plan_cuts", &run_plan, kPlanDoc, progress);
-  define_proposals(module, "start_darts", &start<propose_darts>, kStartDartsDoc);
+  define_proposals(module, "start_darts", &start_darts, kStartDartsDoc, smooth);
   define_proposals(module, "start_seams", &start<propose_seams>, kStartSeamsDoc);
   define_plan(module, "start_plan", &start_plan, kStartPlanDoc);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cuts/propose/best_cuts.h"
+#include "cuts/propose/line_evaluation.h"
 
 namespace wirewarp {
 namespace {
@@ -12,7 +13,11 @@ std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options&
     const ExactEvaluation exact(to_cut, options, cut_progress.token());
     const FlatPieces pieces = exact.uncut();
     check_cut_options(cut_options, input, pieces.size());
-    return best_cuts(pieces, kind, cut_options, exact, cut_progress);
+    std::vector<DartProposal> proposals = best_cuts(pieces, kind, cut_options, exact, cut_progress);
+    for (DartProposal& proposal : proposals) {
+      if (proposal.paths.empty()) proposal.paths = paths_along(input.faces, proposal.edges);
+    }
+    return proposals;
   } catch (const Stopped&) {
     throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
   }

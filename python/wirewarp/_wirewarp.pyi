@@ -303,6 +303,8 @@ class DartProposal:
     @property
     def edges(self) -> npt.NDArray[np.int32]: ...
     @property
+    def paths(self) -> list[SurfacePath]: ...
+    @property
     def length(self) -> float: ...
     @property
     def num_pieces(self) -> int: ...
@@ -382,6 +384,7 @@ def propose_darts(
     strain: float | None = None,
     longest: float | None = None,
     no_seam: npt.ArrayLike | None = None,
+    smooth: bool = False,
     progress: Callable[[str, float], bool | None] | None = None,
 ) -> list[DartProposal]: ...
 def propose_seams(
@@ -430,6 +433,7 @@ def start_darts(
     strain: float | None = None,
     longest: float | None = None,
     no_seam: npt.ArrayLike | None = None,
+    smooth: bool = False,
 ) -> Job[list[DartProposal]]: ...
 def start_seams(
     vertices: npt.ArrayLike,

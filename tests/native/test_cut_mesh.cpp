@@ -71,8 +71,8 @@ SurfacePath scribble(const FlattenInput& mesh, std::mt19937& random, int steps) 
   return path_of(faces, points);
 }
 
-/// The line of a mesh in a plane, from the outline of the mesh on as far as it goes: signed distances from the plane, per
-/// vertex.
+/// The line of a mesh in a plane, from the outline of the mesh on as far as it goes: signed distances from the plane,
+/// per vertex.
 SurfacePath line_in_plane(const FlattenInput& mesh, const Eigen::VectorXd& distance) {
   const EdgeTable edges(mesh.faces, static_cast<int>(mesh.vertices.rows()));
   const auto share = [&](int side) {
@@ -197,7 +197,8 @@ TEST(CutMesh, CrossingLinesShareAVertexWhereTheyCross) {
   triangle.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
   triangle.faces.resize(1, 3);
   triangle.faces << 0, 1, 2;
-  const SurfacePath first = path_of({0, 0}, {{0.5, 0.5, 0}, {0, 0, 1}}), second = path_of({0, 0}, {{0.5, 0, 0.5}, {0, 1, 0}});
+  const SurfacePath first = path_of({0, 0}, {{0.5, 0.5, 0}, {0, 0, 1}}),
+                    second = path_of({0, 0}, {{0.5, 0, 0.5}, {0, 1, 0}});
   const CutMesh cut = cut_mesh(triangle.vertices, triangle.faces, {first, second});
   expect_same_surface(triangle, cut);
   // Medians meet in the center.
@@ -258,7 +259,8 @@ TEST(CutMesh, ScribblesKeepTheSurface) {
       for (const std::size_t at : {std::size_t{0}, paths[p].faces.size() - 1}) {
         double nearest = 1;
         for (const VertexPair& edge : cut.edges) {
-          for (const int v : edge) nearest = std::min(nearest, (cut.vertices.row(v) - point_at(mesh, paths[p], at)).norm());
+          for (const int v : edge)
+            nearest = std::min(nearest, (cut.vertices.row(v) - point_at(mesh, paths[p], at)).norm());
         }
         EXPECT_LT(nearest, reach);
       }
@@ -312,11 +314,13 @@ TEST(CutMesh, WhatIsNoLineOnTheMeshIsRefused) {
             "The option path is a line in face -1: it must use faces from 0 on.");
   EXPECT_EQ(message_of({path_of({0, 0}, {{1, 0, 0}, {0.5, 0.7, -0.2}})}),
             "The option path is at point 1 at 0.5, 0.7, -0.2: it must have coordinates of 0 or more with the sum 1.");
-  EXPECT_EQ(message_of({path_of({0, 2}, {{0.3, 0.3, 0.4}, {0.3, 0.4, 0.3}})}),
-            "The option paths[0] is a line whose points 0 and 1 are in no common face: it must have a point on each edge "
-            "that it crosses.");
-  EXPECT_EQ(message_of({path_of({0, 0}, {{1, 0, 0}, {0.98, 0.01, 0.01}})}),
-            "The option paths[0] is a line that ends where it begins, but for snap: it must be longer than what snap moves.");
+  EXPECT_EQ(
+      message_of({path_of({0, 2}, {{0.3, 0.3, 0.4}, {0.3, 0.4, 0.3}})}),
+      "The option paths[0] is a line whose points 0 and 1 are in no common face: it must have a point on each edge "
+      "that it crosses.");
+  EXPECT_EQ(
+      message_of({path_of({0, 0}, {{1, 0, 0}, {0.98, 0.01, 0.01}})}),
+      "The option paths[0] is a line that ends where it begins, but for snap: it must be longer than what snap moves.");
   EXPECT_EQ(message_of({}, 0.3), "The option snap is 0.3: it must be from 0.0001 to 0.25.");
   EXPECT_EQ(message_of({path_of({0, 0}, {{1, 0, 0}, {0, 0.5, 0.5}})}), "");
   FlattenInput square = test::flat_rectangle(1, 1, 1, 1);

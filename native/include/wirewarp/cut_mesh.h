@@ -12,11 +12,11 @@ using CornerWeights = Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor>;
 
 /// What the elements of a cut mesh are made of, so that attributes of any kind can be taken over.
 struct CutSources {
-  Triangles vertices;              // (n, 3) vertices of the input from which each vertex is mixed
-  Positions3 vertex_weights;       // (n, 3) their shares, with the sum 1
-  std::vector<int> faces;          // (m,) face of the input in which each face lies
-  CornerWeights corner_weights;    // (m, 3, 3) for each corner of a face, the shares of the corners of that input face
-  std::vector<int> edge_paths;     // (k,) the path to which each of the edges belongs
+  Triangles vertices;            // (n, 3) vertices of the input from which each vertex is mixed
+  Positions3 vertex_weights;     // (n, 3) their shares, with the sum 1
+  std::vector<int> faces;        // (m,) face of the input in which each face lies
+  CornerWeights corner_weights;  // (m, 3, 3) for each corner of a face, the shares of the corners of that input face
+  std::vector<int> edge_paths;   // (k,) the path to which each of the edges belongs
   std::vector<std::vector<int>> divided_edges;  // vertices along each edge of the input that was divided, ends included
 };
 
@@ -35,8 +35,8 @@ struct CutMesh {
 /// coordinate of its opposite corner is less, to a vertex if the share of the other end of their edge is less, and to
 /// another point whose coordinates all differ by less. A line that passes a site within half of that leads through it.
 /// snap is from 0.0001 to 0.25. With 0.05, where edges are 10 mm long, a line moves by 1 mm at most. The parts of a
-/// triangle that a straight line crosses are at least snap (1 - snap) times as high, and the line does not move if it is
-/// cut again. Lines that meet at small angles leave smaller parts.
+/// triangle that a straight line crosses are at least snap (1 - snap) times as high, and the line does not move if it
+/// is cut again. Lines that meet at small angles leave smaller parts.
 ///
 /// Throws empty_mesh, vertex_out_of_range, non_finite_coordinates, repeated_vertex_in_face, and invalid_option for a
 /// path that is not on the mesh, has two points in a row in no common triangle, or is all within reach of one point.

@@ -7,26 +7,28 @@
 #include <vector>
 
 #include "wirewarp/flatten.h"
+#include "wirewarp/surface_path.h"
 
 namespace wirewarp {
 
 /// A dart, a seam across a piece or a cut set, with its effect. Every figure comes from flatten() with its edges as
-/// seams, and the energy is that of all parts together.
+/// seams, or with the edges that cut_mesh() makes of its paths, and the energy is that of all parts together.
 ///
 /// Strain is the figure of reports and verdicts. Without a cloth, 99% of the area of a part has
 /// max(sigma_1, 1/sigma_2) - 1 below it, where intended eases do not count. With a cloth, the stretch of its threads
 /// takes the place of that.
 struct DartProposal {
-  int piece = -1;                 // the piece that it cuts, as flatten() numbers them without the cut
-  std::vector<VertexPair> edges;  // (k, 2) in order from the outline, to be added to the input's seams; for a cut
-                                  // set one line after the other
-  double length = 0;              // length on the surface, scene units
-  int num_pieces = 0;             // number of pieces into which the piece is divided; 1 for a dart
-  double energy = 0;              // of the piece with the cut: Eq. (4), or cloth energy, divided by its 3D area
-  double energy_before = 0;       // the same without the cut; infinite if there is no flat shape without it
-  double strain = 0;              // of the worst part with the cut: how far the fabric must stretch
-  double strain_before = 0;       // the same without the cut; infinite if there is no flat shape without it
-  std::optional<int> twin;        // index of its mirror image in the list; none if it has no mirror image
+  int piece = -1;                  // the piece that it cuts, as flatten() numbers them without the cut
+  std::vector<VertexPair> edges;   // (k, 2) in order from the outline, to be added to the input's seams; for a cut
+                                   // set one line after the other; empty if a path crosses triangles
+  std::vector<SurfacePath> paths;  // the same as lines, for cut_mesh(): one for a dart or seam, one or more for a set
+  double length = 0;               // length on the surface, scene units
+  int num_pieces = 0;              // number of pieces into which the piece is divided; 1 for a dart
+  double energy = 0;               // of the piece with the cut: Eq. (4), or cloth energy, divided by its 3D area
+  double energy_before = 0;        // the same without the cut; infinite if there is no flat shape without it
+  double strain = 0;               // of the worst part with the cut: how far the fabric must stretch
+  double strain_before = 0;        // the same without the cut; infinite if there is no flat shape without it
+  std::optional<int> twin;         // index of its mirror image in the list; none if it has no mirror image
   std::optional<double> energy_with_twin;  // of the piece with both cuts; none if it is not less, or if they meet
   std::optional<double> strain_with_twin;  // the strain with both cuts
   std::optional<double> strain_left;  // for a plan: largest strain of a flat part after this cut, its mirror image in
@@ -41,15 +43,18 @@ struct CutOptions {
                                  // none: 0.005, for cut sets 0.05
   double longest = std::numeric_limits<double>::infinity();  // length of a cut or set, on the surface, scene units; > 0
   VertexPairs no_seam = VertexPairs(0, 2);                   // (k, 2) edges along which no cut may run
+  bool is_smooth = false;  // darts are smooth lines across triangles instead of chains of edges; not for seams
 };
 
 /// Returns darts that lower the energy and the strain of a piece by at least 2%, to a strain below 1. They are sorted
 /// by the strain that they leave in the model, then by the strain that they remove from their piece. A dart that helps
 /// only together with its mirror image has less strain_with_twin. Darts lead from the outline to a point inside, along
-/// smooth chains of edges, and cross no wire. All lengths stay exact. The result does not depend on how the input is
-/// turned, mirrored or numbered, except for the order of equal darts. Throws the errors of flatten(), the error of the
-/// requested piece if it has no flat shape, no_proposal if a piece is flat already, has no room or gains nothing, and
-/// cancelled.
+/// smooth chains of edges, and cross no wire. With is_smooth, they lead along smooth lines across triangles without
+/// elbows, straight unless a bend gains clearly more; cut_mesh() makes edges of them, and the figures are those of
+/// flatten() with these edges as seams. The strain around the tip of a smooth dart counts if it is more than that of
+/// the piece. All lengths stay exact. The result does not depend on how the input is turned, mirrored or numbered,
+/// except for the order of equal darts. Throws the errors of flatten(), the error of the requested piece if it has no
+/// flat shape, no_proposal if a piece is flat already, has no room or gains nothing, and cancelled.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 

@@ -12,6 +12,7 @@
 #include "base/sentence.h"
 #include "cuts/propose/cut_sets.h"
 #include "cuts/propose/piece_search.h"
+#include "cuts/propose/smooth_darts.h"
 #include "surface/mesh/edge_table.h"
 #include "surface/mesh/geometry.h"
 
@@ -81,7 +82,10 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
     try {
       const int first = static_cast<int>(proposals.size());
       PieceSearch search(pieces, static_cast<std::size_t>(c), kind, Effort::thorough, cut_options, exact);
-      for (DartProposal& proposal : search.search()) {
+      const bool is_smooth = cut_options.is_smooth && kind == CutKind::dart;
+      for (DartProposal& proposal : is_smooth
+                                        ? smooth_darts(search, pieces, static_cast<std::size_t>(c), cut_options, exact)
+                                        : search.search()) {
         proposal.piece = c;
         if (proposal.twin) *proposal.twin += first;
         gains.push_back(gain_of(pieces, c, proposal.strain_with_twin.value_or(proposal.strain)));

@@ -24,7 +24,10 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
     flat.area = metrics.area_3d;
     flat.energy = (has_cloth ? metrics.cloth_energy : metrics.arap_energy) * metrics.area_3d;
   }
-  if (!flat.error) flat.strain = needed.of(piece);
+  if (!flat.error) {
+    flat.strain = needed.of(piece);
+    flat.face_strain = needed.of_faces(piece);
+  }
   return std::make_shared<FlatPiece>(std::move(flat));
 }
 

@@ -20,9 +20,10 @@ struct FlatPiece {
   Chart chart;    // its sources are the input's vertices and faces
   PartMap edges;  // of the chart
   std::optional<FlattenError> error;
-  double energy = 0;  // Eq. (4), or of the cloth, scene units squared
-  double area = 0;    // in 3D, scene units squared
-  double strain = 0;  // DartProposal::strain
+  double energy = 0;              // Eq. (4), or of the cloth, scene units squared
+  double area = 0;                // in 3D, scene units squared
+  double strain = 0;              // DartProposal::strain
+  Eigen::VectorXd face_strain{};  // the same of each face of the chart
 };
 
 /// All pieces of an input, as flatten() numbers them. Pieces that no further cut changes are shared.

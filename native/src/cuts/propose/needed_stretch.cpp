@@ -63,6 +63,15 @@ std::pair<double, double> NeededStretch::range_of_eases(const Piece& piece) cons
   return range;
 }
 
+Eigen::VectorXd NeededStretch::of_faces(const Piece& piece) const {
+  const auto [least, most] = range_of_eases(piece);
+  const double wanted_stretch = 1 / (1 + least), wanted_compression = 1 + most;
+  const Metrics& metrics = piece.metrics;
+  if (!has_cloth_) return worst_direction(metrics, wanted_stretch, wanted_compression);
+  const Eigen::ArrayXd weft = as_numbers(metrics.face_weft_strain), warp = as_numbers(metrics.face_warp_strain);
+  return ((1 + weft.max(warp)) / wanted_stretch - 1).max(0);
+}
+
 double NeededStretch::of(const Piece& piece) const {
   std::vector<double> areas;
   for (const int f : piece.source_face) areas.push_back(areas_[f]);

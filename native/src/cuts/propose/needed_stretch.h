@@ -21,6 +21,9 @@ class NeededStretch {
   /// Of a piece with a layout.
   double of(const Piece& piece) const;
 
+  /// Of each face of a piece with a layout: what 99% of the area stay below is that of the piece.
+  Eigen::VectorXd of_faces(const Piece& piece) const;
+
  private:
   std::pair<double, double> range_of_eases(const Piece& piece) const;
 

@@ -166,7 +166,6 @@ std::vector<VertexPair> PieceSearch::edges_of(const HalfEdgeChain& chain) const 
   return edges;
 }
 
-/// The mirror image; empty if there is none but the chain itself, or if it would cut a wire or a forbidden line.
 HalfEdgeChain PieceSearch::image_of(const HalfEdgeChain& chain) const {
   if (image_.empty()) return {};
   HalfEdgeChain image = mirrored(chart_, image_, chain);
@@ -245,7 +244,7 @@ bool PieceSearch::is_worth_sewing(const PieceFigures& after) const {
 
 /// Those that help by themselves or with their mirror images, the best first, none beside another.
 std::vector<PieceSearch::Helpful> PieceSearch::find_helpful() const {
-  const std::vector<HalfEdgeChain> chains = without_mirror_images(best_chains());
+  const std::vector<HalfEdgeChain> chains = candidates();
   const std::vector<std::optional<PieceFigures>> alone = evaluate(chains);
   std::vector<HalfEdgeChain> images(chains.size()), pairs(chains.size());
   for (std::size_t i = 0; i < chains.size() && effort_ == Effort::thorough; ++i) {
@@ -291,10 +290,14 @@ DartProposal PieceSearch::proposal_of(const HalfEdgeChain& chain, const PieceFig
   return proposal;
 }
 
-std::vector<DartProposal> PieceSearch::search() {
+void PieceSearch::check_strain() const {
   if (before_.energy <= RefineConstants::isometric) throw flat_already(input_chart_);
   const double may_stay = cut_options_.strain.value_or(kMayStay);
   if (before_.strain <= may_stay) throw flat_enough(input_chart_, before_.strain, may_stay);
+}
+
+std::vector<DartProposal> PieceSearch::search() {
+  check_strain();
   const std::vector<Helpful> best = find_helpful();
   std::vector<HalfEdgeChain> images;
   for (const Helpful& cut : best) images.push_back(cut.image);

@@ -29,6 +29,29 @@ class PieceSearch {
   /// The best first; without piece. Throws no_proposal.
   std::vector<DartProposal> search();
 
+  /// Throws no_proposal if the piece is flat enough.
+  void check_strain() const;
+
+  /// The best cuts of the coarse copy, on the chart; of mirror images one. Throws no_proposal if there is no room.
+  std::vector<HalfEdgeChain> candidates() const { return without_mirror_images(best_chains()); }
+
+  /// The mirror image; empty if there is none but the chain itself, or if it would cut a wire or a forbidden line.
+  HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
+
+  /// Whether both ends are near those of the other.
+  bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
+    return are_beside(chart_.mesh, size_, ends_of(a), ends_of(b));
+  }
+
+  /// Whether figures of a cut gain enough.
+  bool is_worth_sewing(const PieceFigures& after) const;
+
+  /// In canonical order.
+  const Chart& chart() const { return chart_; }
+  const Chart& input_chart() const { return input_chart_; }
+  const Forbidden& forbidden() const { return forbidden_; }
+  const PieceFigures& before() const { return before_; }
+
  private:
   struct Helpful {
     HalfEdgeChain chain;
@@ -43,13 +66,8 @@ class PieceSearch {
   std::vector<HalfEdgeChain> without_mirror_images(const std::vector<HalfEdgeChain>& chains) const;
   std::vector<std::optional<PieceFigures>> evaluate(const std::vector<HalfEdgeChain>& chains) const;
   std::vector<Helpful> find_helpful() const;
-  bool is_worth_sewing(const PieceFigures& after) const;
   DartProposal proposal_of(const HalfEdgeChain& chain, const PieceFigures& after) const;
-  HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
   std::vector<VertexPair> edges_of(const HalfEdgeChain& chain) const;
-  bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
-    return are_beside(chart_.mesh, size_, ends_of(a), ends_of(b));
-  }
   CutEnds ends_of(const HalfEdgeChain& chain) const {
     return {chart_.mesh.from_vertex_handle(chain.front()), chart_.mesh.to_vertex_handle(chain.back())};
   }

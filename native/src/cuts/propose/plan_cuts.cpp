@@ -10,6 +10,7 @@
 #include "base/arguments.h"
 #include "base/sentence.h"
 #include "cuts/propose/best_cuts.h"
+#include "cuts/propose/line_evaluation.h"
 #include "cuts/propose/piece_search.h"
 #include "surface/mesh/geometry.h"
 
@@ -172,7 +173,9 @@ std::vector<DartProposal> plan(const FlattenInput& input, const Options& options
     cut_options.longest = target.longest;
     cut_options.no_seam = target.no_seam;
     check_cut_options(cut_options, input, pieces.size());
-    return PlanOfCuts(pieces, kind, target, exact, cut_progress).make();
+    std::vector<DartProposal> cuts = PlanOfCuts(pieces, kind, target, exact, cut_progress).make();
+    for (DartProposal& cut : cuts) cut.paths = paths_along(input.faces, cut.edges);
+    return cuts;
   } catch (const Stopped&) {
     throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
   }

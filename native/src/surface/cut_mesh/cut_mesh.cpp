@@ -112,9 +112,10 @@ void MeshCut::draw(const SurfacePath& path, const std::string& name) {
     if (!line.empty()) {
       const int face = common_face(line.back(), site, path.faces[i]);
       if (face < 0) {
-        throw wrong_option(name, "a line whose points " + std::to_string(i - 1) + " and " + std::to_string(i) +
-                                     " are in no common face",
-                           "have a point on each edge that it crosses");
+        throw wrong_option(
+            name,
+            "a line whose points " + std::to_string(i - 1) + " and " + std::to_string(i) + " are in no common face",
+            "have a point on each edge that it crosses");
       }
       lines_.draw(face, line.back(), site);
     }
@@ -159,7 +160,8 @@ std::optional<std::vector<std::array<int, 3>>> MeshCut::parts_of(int face) const
     const Shares shares = sites_.shares_in(sites[i], face);
     parts.points.push_back(point_in(shares));
     parts.places.row(static_cast<Eigen::Index>(i)).setZero();
-    for (int k = 0; k < 3; ++k) parts.places.row(static_cast<Eigen::Index>(i)) += shares[k] * vertices_.row(faces_(face, k));
+    for (int k = 0; k < 3; ++k)
+      parts.places.row(static_cast<Eigen::Index>(i)) += shares[k] * vertices_.row(faces_(face, k));
   }
   const auto place_of = [&](int site) {
     return static_cast<int>(std::find(sites.begin(), sites.end(), site) - sites.begin());
@@ -227,9 +229,10 @@ void check_surface_path(const SurfacePath& path) {
   const auto count = static_cast<Eigen::Index>(path.faces.size());
   if (count < 2) throw wrong_option("path", "too short", "have two points or more");
   if (path.coordinates.rows() != count) {
-    throw wrong_option("path", "a line of " + std::to_string(count) + " faces and " +
-                                   std::to_string(path.coordinates.rows()) + " coordinates",
-                       "have as many of both");
+    throw wrong_option(
+        "path",
+        "a line of " + std::to_string(count) + " faces and " + std::to_string(path.coordinates.rows()) + " coordinates",
+        "have as many of both");
   }
   for (Eigen::Index i = 0; i < count; ++i) {
     const int face = path.faces[static_cast<std::size_t>(i)];

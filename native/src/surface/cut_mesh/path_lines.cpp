@@ -112,8 +112,7 @@ bool PathLines::divide_once(int face, const std::set<Line>& lines) {
     for (auto second = std::next(first); second != lines.end(); ++second) {
       const Line other = *second;
       const FacePoint c = point(face, other[0]), d = point(face, other[1]);
-      const bool have_common_end =
-          one[0] == other[0] || one[0] == other[1] || one[1] == other[0] || one[1] == other[1];
+      const bool have_common_end = one[0] == other[0] || one[0] == other[1] || one[1] == other[0] || one[1] == other[1];
       if (have_common_end || !do_cross(a, b, c, d)) continue;
       const int site = crossing_of(face, one, other);
       if (site != one[0] && site != one[1]) divide_at(face, one, site);

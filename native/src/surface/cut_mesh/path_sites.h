@@ -15,7 +15,7 @@ namespace wirewarp {
 using Shares = std::array<double, 3>;
 
 struct Site {
-  std::vector<int> vertices;  // of the mesh: one, the ends of an edge with the smaller first, or the corners of a face
+  std::vector<int> vertices;   // of the mesh: one, the ends of an edge with the smaller first, or the corners of a face
   std::vector<double> shares;  // of them
   int edge = -1;               // for two vertices
   int face = -1;               // for three vertices

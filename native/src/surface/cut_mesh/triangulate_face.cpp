@@ -165,8 +165,11 @@ bool flip_any(const FaceToDivide& face, std::vector<Triangle>& triangles) {
 }  // namespace
 
 bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const FacePoint& d) {
-  const auto are_apart = [](double first, double second) { return (first > kInLine && second < -kInLine) || (first < -kInLine && second > kInLine); };
-  return are_apart(doubled_area(a, b, c), doubled_area(a, b, d)) && are_apart(doubled_area(c, d, a), doubled_area(c, d, b));
+  const auto are_apart = [](double first, double second) {
+    return (first > kInLine && second < -kInLine) || (first < -kInLine && second > kInLine);
+  };
+  return are_apart(doubled_area(a, b, c), doubled_area(a, b, d)) &&
+         are_apart(doubled_area(c, d, a), doubled_area(c, d, b));
 }
 
 std::vector<std::array<int, 3>> triangulate(const FaceToDivide& face) {

@@ -8,17 +8,11 @@
 #include "base/arguments.h"
 #include "surface/charts/cut_into_charts.h"
 #include "surface/check_input/check_input.h"
-#include "warp/topology/embed_path.h"
-#include "warp/topology/shortest_path.h"
-#include "warp/topology/strip.h"
+#include "warp/topology/smooth_line.h"
 #include "wirewarp/straighten.h"
 
 namespace wirewarp {
 namespace {
-
-/// Of an edge: nearer to its end, a line passes through the end. What is cut off is no sliver then, and where edges are
-/// 10 mm long the line stays within 2 mm of the shortest one.
-constexpr double kReach = 0.05;
 
 /// Where edges of the input lie inside charts.
 class InnerEdges {
@@ -77,39 +71,6 @@ std::set<VertexPair> edges_of(const std::vector<Wire>& wires) {
     }
   }
   return edges;
-}
-
-/// Each stretch between two vertices, made straight in its strip of triangles.
-MeshPath straight_between_vertices(const HalfEdgeMesh& mesh, const WireMask& lines, const MeshPath& path) {
-  MeshPath straight{path.front()};
-  Strip strip{path.front().vertex, VertexHandle(), {}};
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    if (!path[i].is_vertex()) {
-      strip.crossings.push_back(path[i].half_edge);
-      continue;
-    }
-    strip.end = path[i].vertex;
-    const MeshPath stretch = shortest_in_strip(mesh, lines, strip).path;
-    straight.insert(straight.end(), stretch.begin() + 1, stretch.end());
-    strip = {strip.end, VertexHandle(), {}};
-  }
-  return straight;
-}
-
-std::ptrdiff_t num_vertices(const MeshPath& path) {
-  return std::count_if(path.begin(), path.end(), [](const PathPoint& point) { return point.is_vertex(); });
-}
-
-/// Among the triangles that touch the path, for a geodesic would leave a bend that the cut is there for. A crossing
-/// that moves to a vertex bends the line there. So what lies between is made straight again, until no further one
-/// moves.
-MeshPath smooth_line(const HalfEdgeMesh& mesh, const WireMask& lines, const std::vector<VertexHandle>& path) {
-  MeshPath line = snap_to_vertices(mesh, straighten_nearby(mesh, lines, path), kReach);
-  for (std::ptrdiff_t before = 0; num_vertices(line) > before;) {
-    before = num_vertices(line);
-    line = snap_to_vertices(mesh, straight_between_vertices(mesh, lines, line), kReach);
-  }
-  return line;
 }
 
 LinePoint in_input(const Chart& chart, const PathPoint& point) {
@@ -175,7 +136,8 @@ std::vector<LinePoint> straighten_path(const FlattenInput& input, const std::vec
       run.push_back(chart.mesh.to_vertex_handle(next.half_edge));
     }
     if (!line.empty()) line.pop_back();  // the end of one run is the start of the next
-    for (const PathPoint& point : smooth_line(chart.mesh, lines, run)) line.push_back(in_input(chart, point));
+    for (const PathPoint& point : smooth_line(chart.mesh, lines, run, Nearness::touching))
+      line.push_back(in_input(chart, point));
   }
   return line;
 }

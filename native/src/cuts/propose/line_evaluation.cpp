@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/line_evaluation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "cuts/propose/cut_faces.h"
+#include "surface/mesh/geometry.h"
+#include "wirewarp/cut_mesh.h"
+
+namespace wirewarp {
+namespace {
+
+/// Around a tip, over the root of the piece's area: about 10 mm of a front of 30 by 40 cm, where a puckered tip shows.
+constexpr double kAroundTip = 0.03;
+
+/// None if the piece does not have this vertex.
+std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double radius) {
+  const HalfEdgeMesh& mesh = piece.chart.mesh;
+  const std::vector<int>& sources = piece.chart.source_vertex;
+  const auto found = std::find(sources.begin(), sources.end(), tip);
+  if (found == sources.end()) return std::nullopt;
+  const VertexHandle v(static_cast<int>(found - sources.begin()));
+  double area = 0, strained = 0;
+  for (const FaceHandle f : mesh.faces()) {
+    HalfEdgeMesh::Point center(0, 0, 0);
+    bool has_tip = false;
+    for (const VertexHandle corner : mesh.fv_range(f)) {
+      center += mesh.point(corner) / 3.0;
+      has_tip = has_tip || corner == v;
+    }
+    if (!has_tip && (center - mesh.point(v)).norm() > radius) continue;
+    const double own = face_area(mesh, f);
+    area += own;
+    strained += own * piece.face_strain[f.idx()];
+  }
+  return strained / area;
+}
+
+/// The last vertices of its paths; none if paths meet.
+std::vector<int> tips_of(const CutMesh& cut) {
+  std::map<int, int> count;
+  for (const VertexPair& edge : cut.edges) {
+    for (const int v : edge) ++count[v];
+  }
+  std::vector<int> tips;
+  for (std::size_t i = 0; i < cut.edges.size(); ++i) {
+    const bool is_last = i + 1 == cut.edges.size() || cut.sources.edge_paths[i + 1] != cut.sources.edge_paths[i];
+    if (is_last) tips.push_back(cut.edges[i][1]);
+  }
+  const bool do_meet = std::any_of(count.begin(), count.end(), [](const auto& each) { return each.second > 2; }) ||
+                       std::any_of(tips.begin(), tips.end(), [&](int tip) { return count[tip] > 1; });
+  return do_meet ? std::vector<int>{} : tips;
+}
+
+FlattenInput with_mesh_of(const FlattenInput& input, const CutMesh& cut) {
+  return {cut.vertices, cut.faces, input.seams, input.wires, input.eases};
+}
+
+/// The piece on the cut mesh, before its cut: to be cut, not to be looked at.
+FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const CutMesh& cut, const StopToken& stop) {
+  const std::vector<int>& faces_before = piece.chart.source_face;
+  std::vector<int> faces;
+  for (std::size_t f = 0; f < cut.sources.faces.size(); ++f) {
+    if (std::binary_search(faces_before.begin(), faces_before.end(), cut.sources.faces[f])) {
+      faces.push_back(static_cast<int>(f));
+    }
+  }
+  std::vector<VertexPair> outline;
+  for (const EdgeHandle e : piece.chart.mesh.edges()) {
+    if (piece.chart.mesh.is_boundary(e))
+      outline.push_back(source_edge(piece.chart, piece.chart.mesh.halfedge_handle(e, 0)));
+  }
+  Chart chart = std::move(cut_faces(input, faces, outline, stop).charts.front());
+  PartMap edges(chart);
+  return {std::move(chart), std::move(edges), piece.error, piece.energy, piece.area, piece.strain, {}};
+}
+
+}  // namespace
+
+SurfacePath on_input(const FlattenInput& input, const Chart& chart, const MeshPath& path) {
+  SurfacePath line{{}, Positions3::Zero(static_cast<Eigen::Index>(path.size()), 3)};
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const PathPoint& point = path[i];
+    const FaceHandle face =
+        point.is_vertex() ? *chart.mesh.cvf_begin(point.vertex) : chart.mesh.face_handle(point.half_edge);
+    line.faces.push_back(chart.source_face[face.idx()]);
+    const auto put = [&](VertexHandle v, double share) {
+      for (int k = 0; k < 3; ++k) {
+        if (input.faces(line.faces.back(), k) != chart.source_vertex[v.idx()]) continue;
+        line.coordinates(static_cast<Eigen::Index>(i), k) = share;
+      }
+    };
+    if (point.is_vertex()) {
+      put(point.vertex, 1);
+    } else {
+      put(chart.mesh.from_vertex_handle(point.half_edge), 1 - point.t);
+      put(chart.mesh.to_vertex_handle(point.half_edge), point.t);
+    }
+  }
+  return line;
+}
+
+std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<VertexPair>& edges) {
+  std::map<int, std::pair<int, int>> corner_at;  // of vertices of the lines: a face and its corner
+  for (const VertexPair& edge : edges) {
+    for (const int v : edge) corner_at[v] = {-1, 0};
+  }
+  for (int f = 0; f < static_cast<int>(faces.rows()); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const auto found = corner_at.find(faces(f, k));
+      if (found != corner_at.end()) found->second = {f, k};
+    }
+  }
+  std::vector<std::vector<int>> lines;
+  for (const auto& [from, to] : edges) {
+    if (lines.empty() || lines.back().back() != from) lines.push_back({from});
+    lines.back().push_back(to);
+  }
+  std::vector<SurfacePath> paths;
+  for (const std::vector<int>& line : lines) {
+    SurfacePath& path = paths.emplace_back();
+    path.coordinates.setZero(static_cast<Eigen::Index>(line.size()), 3);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const auto [face, corner] = corner_at[line[i]];
+      path.faces.push_back(face);
+      path.coordinates(static_cast<Eigen::Index>(i), corner) = 1;
+    }
+  }
+  return paths;
+}
+
+LineEvaluation::LineEvaluation(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact)
+    : pieces_(pieces), piece_(piece), exact_(exact) {}
+
+std::optional<LineFigures> LineEvaluation::figures_along(const std::vector<SurfacePath>& lines) const {
+  const FlattenInput& given = exact_.surface().given();
+  const CutMesh cut = cut_mesh(given.vertices, given.faces, lines);
+  const std::vector<int> tips = tips_of(cut);
+  if (tips.size() != lines.size()) return std::nullopt;
+  const FlattenInput input = with_mesh_of(given, cut);
+  const SurfaceToCut surface(input, exact_.options());
+  const ExactEvaluation exact(surface, exact_.options(), exact_.stop());
+  FlatPieces before = pieces_;
+  before[piece_] = std::make_shared<FlatPiece>(on_cut_mesh(*pieces_[piece_], surface.middle(), cut, exact_.stop()));
+  const Chart& chart = before[piece_]->chart;
+  const FlatPieces after = exact.with_cut(before, cut.edges);
+  LineFigures result{figures_of(after, chart), 0, {}};
+  if (result.figures.error || spoils_others(before, after, chart)) return std::nullopt;
+  const double radius = kAroundTip * std::sqrt(result.figures.area);
+  for (const int tip : tips) {
+    for (const std::shared_ptr<const FlatPiece>& piece : after) {
+      const std::optional<double> strain = mean_strain_around(*piece, tip, radius);
+      if (strain) result.tip_strain = std::max(result.tip_strain, *strain);
+    }
+  }
+  if (cut.vertices.rows() == given.vertices.rows()) result.edges = cut.edges;
+  return result;
+}
+
+}  // namespace wirewarp
