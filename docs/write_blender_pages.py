@@ -47,6 +47,8 @@ def value_text(prop: bpy.types.Property) -> str:
     match prop.type:
         case "BOOLEAN":
             return "on" if prop.default else "off"
+        case "ENUM" if prop.is_enum_flag:
+            return ", ".join(each.name for each in prop.enum_items if each.identifier in prop.default_flag)
         case "ENUM":
             default = prop.enum_items.get(prop.default)
             return default.name if default else ""

@@ -145,7 +145,8 @@ def show_dist() -> None:
     for path in sorted(DIST.glob("wirewarp-*")):
         platform = zips.platform_of(path) if path.suffix == ".whl" else path.stem
         state = ", built, not run" if platform.endswith(cross.NOT_RUN) else ""
-        say(f"dist/{path.name}  {path.stat().st_size / 1e6:.2f} MB{state}")
+        place = ", for Blender's store" if path in zips.store_zips(DIST) else ""
+        say(f"dist/{path.name}  {path.stat().st_size / 1e6:.2f} MB{state}{place}")
 
 
 def missing_python_notice() -> str | None:

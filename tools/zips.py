@@ -38,6 +38,7 @@ PLATFORMS = {  # how the tag of a wheel looks: Blender's word for it
     r"macosx_\d+_\d+_arm64": "macos-arm64",
     r"macosx_\d+_\d+_x86_64": "macos-x64",
 }
+NOT_IN_STORE = "linux-arm64"  # extensions.blender.org refuses a zip for it
 
 
 Libraries = Callable[[str, str], list[Path]]  # the wheels of other packages, by platform and Python tag
@@ -87,6 +88,11 @@ def legacy_zip(folder: Path, platform: str) -> Path:
 def extension_zips(folder: Path) -> list[Path]:
     """Return the extension zips of all systems in the folder, by name."""
     return [path for path in map(partial(extension_zip, folder), sorted(PLATFORMS.values())) if path.is_file()]
+
+
+def store_zips(folder: Path) -> list[Path]:
+    """Return the extension zips in the folder that Blender's store accepts, by name."""
+    return [path for path in extension_zips(folder) if path != extension_zip(folder, NOT_IN_STORE)]
 
 
 def addon_files() -> dict[str, bytes]:

@@ -166,7 +166,7 @@ def loading_problem(error: Exception, folder: Path | None) -> str:
     if newer := _NEWER_GLIBC.search(str(error)):
         return (
             f"The WireWarp library needs the C library glibc {newer[1]} or newer, and this system has "
-            f"{platform.libc_ver()[1]}: use a newer Linux, or build WireWarp on this one (see its README)."
+            f"{platform.libc_ver()[1]}. Use a newer Linux, or build WireWarp on this one (see its README)."
         )
     return f"The WireWarp library does not load ({type(error).__name__}: {error}): it may be damaged. {_AGAIN}"
 

@@ -8,5 +8,5 @@ from importlib.util import find_spec
 if find_spec(f"{__package__}._wirewarp") is None:
     raise ImportError(
         f"this copy of wirewarp is made for another Python or system than this Python {sys.version_info.major}."
-        f"{sys.version_info.minor} on {sysconfig.get_platform()}; install the wheel for it with its own pip"
+        f"{sys.version_info.minor} on {sysconfig.get_platform()}. Install the wheel for it with its own pip"
     )

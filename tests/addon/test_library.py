@@ -131,7 +131,7 @@ def test_a_library_for_a_newer_system(addon, library_copy):
     content, count = re.subn(rb"GLIBC_2\.\d\d\0", b"GLIBC_2.99\0", module.read_bytes())
     assert count
     module.write_bytes(content)
-    check_sentence(addon, r"needs the C library glibc 2\.99 or newer, and this system has 2\.\d+: use a newer Linux")
+    check_sentence(addon, r"needs the C library glibc 2\.99 or newer, and this system has 2\.\d+\. Use a newer Linux")
 
 
 def test_a_library_for_another_mac(addon, library_copy):

@@ -28,9 +28,16 @@ OLD_WORDS = {  # with what to write instead
     "sew lines?": "stitching line",
     "barred": "forbidden",
     "settled": "fixed",
+    "wish(es|ed)?": "options",
+    "first cuts": "cut set",
+    "(is|are) no (wire|seam|edge|piece|hole|line|face|dart)s?": "is not a wire",
+    "that (is|are) none|be it|whoever|upon|amid|anyhow": "plain words",
+    ", for (it|they|there)": "because",
+    "serves?|seeks?|sought|hand(s|ed)? over|looks? to|gives? way|stands? (beside|still|for)": "a plain verb",
+    "so (many|much) (times|of|longer|more)": "the comparison in full",
     "likewise|shall|be they|for want of|in peace|to speak of|as many again": "plain words",
 }
-PATTERN = re.compile(rf"\b(?:{'|'.join(OLD_WORDS)})\b", re.IGNORECASE)
+PATTERN = re.compile(rf"(?:\b|(?=, ))(?:{'|'.join(OLD_WORDS)})\b", re.IGNORECASE)
 CODE_IN_MARKDOWN = re.compile(r"```.*?```|`[^`\n]*`", re.DOTALL)  # names of the API stay as they are
 CPP_TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
 LIST = Path(__file__).with_name("old_words.txt")

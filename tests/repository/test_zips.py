@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tools.environment import StepError
-from tools.zips import VERSION, write_zips
+from tools.zips import VERSION, extension_zips, store_zips, write_zips
 
 LINUX = ("cp311-cp311-manylinux_2_28_x86_64", "cp313-cp313-manylinux_2_28_x86_64")
 OTHERS = {
@@ -65,6 +65,14 @@ def test_an_extension_for_each_platform_with_its_wheels_alone(tmp_path, librarie
         assert set(manifest["wheels"]) == {*own, *clippers, "./wheels/writer-2-py3-none-any.whl"}
         assert len(manifest["wheels"]) == len(set(manifest["wheels"]))
         assert {name for name in names if name.endswith(".whl")} == {wheel[2:] for wheel in manifest["wheels"]}
+
+
+def test_the_store_gets_no_zip_that_it_refuses(tmp_path, libraries):
+    make_wheels(tmp_path, *LINUX, "cp311-cp311-manylinux_2_28_aarch64", *OTHERS)
+    write_zips(tmp_path, libraries)
+    arm = tmp_path / f"wirewarp-{VERSION}-linux-arm64.zip"
+    assert arm in extension_zips(tmp_path)  # our own repository offers it
+    assert store_zips(tmp_path) == [path for path in extension_zips(tmp_path) if path != arm]
 
 
 def test_without_a_wheel_for_python_3_13_newer_blenders_are_left_out(tmp_path, libraries):

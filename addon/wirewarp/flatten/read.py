@@ -102,7 +102,7 @@ def _check_users(target: bpy.types.Object) -> None:
         if shares and not np.allclose(metric(other), own, rtol=1e-5, atol=1e-5 * np.abs(own).max()):
             sentence = (
                 f'"{target.name}" and "{other.name}" share the mesh "{target.data.name}" but differ in scale, or one '
-                "is mirrored, and one UV map cannot be true for both: use Object > Relations > Make Single User > "
+                "is mirrored. One UV map cannot be true for both. Use Object > Relations > Make Single User > "
                 "Object & Data."
             )
             raise ObjectError(Issue("multi_user_scale", sentence))

@@ -209,8 +209,8 @@ def _borders(mesh: bpy.types.Mesh, layer: bpy.types.MeshUVLoopLayer) -> np.ndarr
 
 
 WITH_MODIFIERS = (
-    'The pieces of "{}" were made with Modifiers, and their sides are not on the model: mark both sides there, or '
-    "flatten it without Modifiers, mark one side on the pieces and flatten it with them again."
+    'The pieces of "{}" were made with Modifiers, and their sides are not on the model. Mark both sides there. '
+    "For one side, flatten without Modifiers, mark it on the pieces, and flatten with Modifiers again."
 )
 
 

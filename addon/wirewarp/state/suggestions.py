@@ -16,8 +16,8 @@ from .memory import Take, kept, note, state_of
 
 NUMBERS = ("BOOLEAN", "INT8", "INT", "FLOAT")
 OTHER_KIND = (
-    'The attribute "{}" of mesh "{}" is not of type BOOLEAN, INT8, INT or FLOAT on faces: '
-    "rename or delete it under Object Data > Attributes."
+    'The attribute "{}" of mesh "{}" is not of type BOOLEAN, INT8, INT or FLOAT on faces. '
+    "Rename or delete it under Object Data > Attributes."
 )
 LEAST_WEIGHT = 0.5  # of a vertex in the group: painted with half the strength, or more
 

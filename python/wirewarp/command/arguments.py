@@ -33,10 +33,10 @@ GRAINS: dict[str, Grain] = {
 }  # as in Pattern.nested
 ORIENTATIONS = get_args(Orientation)
 VERDICTS = (
-    "Prints one line of JSON for each model. The exit code is that of the worst: 0 if every length is exact and there "
-    "are fabrics to cut from (ready to cut, or needs stretch fabric), 1 if a piece failed or if no fabric, or not that "
-    "of --cloth, stretches as far as it must (not ready to cut), 2 if a model is refused, 3 if one was stopped: it "
-    "crashed or took more time or memory than it may."
+    "Prints one line of JSON for each model. The exit code is that of the worst model. 0: every length is exact and a "
+    "fabric can do it (ready to cut, or needs stretch fabric). 1: a piece failed, or the fabric does not stretch far "
+    "enough (not ready to cut). 2: the model is refused. 3: it was stopped because it crashed or exceeded its limit of "
+    "time or memory."
 )
 
 
@@ -82,10 +82,10 @@ def parsed(words: Sequence[str]) -> Arguments:
     propose = commands.add_parser(
         "propose",
         parents=[_shape_options(), _cut_options(), _running_options()],
-        help="say where darts or seams would take most distortion from a piece",
+        help="find the darts or seams that reduce the distortion of a piece most",
         description="Tries cuts on models (OBJ, PLY, STL, glTF), each by flattening with it, and prints for each model "
-        "one line of JSON with the best. The exit code is 0 if something is proposed for all, 1 if not, 2 if one is "
-        "refused, 3 if one was stopped: it crashed or took more time or memory than it may.",
+        "one line of JSON with the best. The exit code is that of the worst model. 0: cuts are proposed. 1: none are. "
+        "2: the model is refused. 3: it was stopped because it crashed or exceeded its limit of time or memory.",
     )
     propose.add_argument("models", nargs="+", metavar="MODEL", type=Path)
     propose.set_defaults(command=propose, jobs=1)

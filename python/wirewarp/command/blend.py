@@ -32,7 +32,7 @@ def flatten_blend(request: Request, folder: Path) -> tuple[Line, dict[str, Any]]
     options = ("--background", "--disable-autoexec", str(request.model.absolute()), "--python-exit-code", "1")
     with subprocess.Popen(
         [program, *options, "--python", str(SCRIPT), "--", json.dumps(job)],
-        # never written to: its end tells the script that this process has ended, and the script ends Blender
+        # never written to: its end shows the script that this process has ended, and the script ends Blender
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,

@@ -41,8 +41,8 @@ def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Seq
         length = own[0].along[-1] if own else 0.0
         if spacing and length > MOST * spacing:
             raise problem(
-                f"{name} is {length / 1000:,.0f} m long, too long for a notch every {spacing:g} mm: see whether the "
-                "unit of the model is right, or choose 0 for none."
+                f"{name} is {length / 1000:,.0f} m long, too long for a notch every {spacing:g} mm. Check the "
+                "unit of the model, or choose 0 for none."
             )
 
 
