@@ -24,7 +24,7 @@ _unregister: Callable[[], None] | None = None
 
 
 def register() -> None:
-    """The library first: without it, only a sentence and a Flatten that says it are there."""
+    """Register the library first: without it, there is only a sentence and a Flatten button that shows it."""
     global _unregister
     if hasattr(bpy.types, "OBJECT_OT_wirewarp_flatten"):
         raise RuntimeError("WireWarp is enabled already, as an extension or as an add-on: remove one of the two.")
@@ -33,7 +33,7 @@ def register() -> None:
     except core.LibraryError as error:
         _unregister = without_library.register(str(error))
         return
-    from . import registration  # not before: it needs numpy, as the library does
+    from . import registration  # not earlier, because it needs numpy, like the library
 
     _unregister = registration.register()
 

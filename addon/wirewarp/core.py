@@ -35,7 +35,7 @@ class LibraryError(Exception):
 
 
 def load(addon_version: str) -> None:
-    """Looks for the library, when the add-on registers. Raises LibraryError if it is none that can be used."""
+    """Find the library, when the add-on registers. Raises LibraryError if there is no usable one."""
     global _library
     _library = None
     inside = find_spec(f".{_INSIDE}", __package__)
@@ -46,7 +46,7 @@ def load(addon_version: str) -> None:
         if library_version == addon_version:
             for part in ("pattern", "report"):  # which import all that they need
                 importlib.import_module(f"{found.__name__}.{part}")
-    except Exception as error:  # what a damaged library or one for another numpy raises, is not ours to know
+    except Exception as error:  # errors of a damaged library, or of one for another numpy, are unknown
         traceback.print_exc()
         raise LibraryError(loading_problem(error, folder_of("wirewarp", places))) from error
     if library_version != addon_version:
@@ -55,7 +55,7 @@ def load(addon_version: str) -> None:
 
 
 def library() -> ModuleType:
-    """The package wirewarp. Without it nothing that asks for it is imported."""
+    """Return the package wirewarp. Modules that need it are not imported without it."""
     assert _library
     return _library
 
@@ -139,9 +139,9 @@ else:
 
 
 def folder_of(package: str, places: list[str] | None = None) -> Path | None:
-    """Where the package would be imported from, None if it is nowhere. Runs none of its code.
+    """Return the folder from which the package would be imported; None if there is none. Runs none of its code.
 
-    places: folders to look in; else in those of Python.
+    places: folders to search, instead of Python's.
     """
     spec = PathFinder.find_spec(package, places)
     return Path(spec.submodule_search_locations[0]) if spec and spec.submodule_search_locations else None

@@ -91,14 +91,14 @@ def check_attribute(mesh: bpy.types.Mesh, attribute: Attribute) -> None:
 
 
 def check_room(target: bpy.types.Object, attribute: Attribute, what: str) -> None:
-    """Raises ObjectError if the object's mesh can have no such attribute; what: that needs it."""
+    """Raises ObjectError if the object's mesh cannot have this attribute. what: the feature that needs it."""
     check_attribute(target.data, attribute)
     if attribute.name not in target.data.attributes:
         check_free(target, attribute.name, what)
 
 
 def check_free(target: bpy.types.Object, name: str, what: str) -> None:
-    """Raises ObjectError if something else has the name; what: that needs it, of which there is none yet."""
+    """Raises ObjectError if another item has the name of a missing attribute. what: the feature that needs it."""
     holders = {
         "Vertex Groups": target.vertex_groups,
         "Attributes": target.data.attributes,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is wrong with a mesh before it is flattened: found by kind, and repaired with Blender's own tools."""
+"""Faults of a mesh before it is flattened: found by kind, and repaired with Blender's own tools."""
 
 import math
 from collections import defaultdict
@@ -26,17 +26,17 @@ class Fault:
     many: str
     verb: str  # on a button
     done: str  # in the report
-    find: Callable[[bmesh.types.BMesh, float], Found]  # what is closer than the distance counts as one
+    find: Callable[[bmesh.types.BMesh, float], Found]  # elements closer than the distance count as one
     repair: Callable[[bmesh.types.BMesh, float, Found], object]
 
     def text(self, count: int) -> str:
-        """ "12 overlapping vertices"."""
+        """Return "12 overlapping vertices"."""
         return counted(count, self.one, self.many)
 
 
 @dataclass(frozen=True)
 class Elements:
-    """By index; edges are vertex pairs."""
+    """Elements by index; edges are vertex pairs."""
 
     vertices: list[int]
     edges: list[tuple[int, int]]
@@ -44,7 +44,7 @@ class Elements:
 
 
 def find_faults(mesh: bpy.types.Mesh) -> dict[str, Elements]:
-    """The elements of each kind of fault that there is. Of a mesh in Object Mode."""
+    """Return the elements of each kind of fault in a mesh in Object Mode."""
     edit = bmesh.new()
     try:
         edit.from_mesh(mesh)
@@ -80,7 +80,7 @@ def repair_faults(mesh: bpy.types.Mesh, kinds: Sequence[str]) -> dict[str, int]:
 
 
 def _found(fault: Fault, edit: bmesh.types.BMesh, close: float) -> Found:
-    """With indices that are right after earlier repairs."""
+    """Return the elements with indices that are valid after earlier repairs."""
     for elements in (edit.verts, edit.edges, edit.faces):
         elements.index_update()
         elements.ensure_lookup_table()
@@ -89,7 +89,7 @@ def _found(fault: Fault, edit: bmesh.types.BMesh, close: float) -> Found:
 
 
 def _close_distance(edit: bmesh.types.BMesh) -> float:
-    """By the size of the model, wherever it lies, but no less than the rounding of coordinates so large."""
+    """Return the distance by the size of the model, but no less than the rounding of its coordinates."""
     places = np.array([vertex.co for vertex in edit.verts]).reshape(-1, 3)
     if not len(places):
         return 0.0
@@ -113,7 +113,7 @@ def _merge(edit: bmesh.types.BMesh, close: float, _found: Found) -> None:
 
 
 def _faces_without_area(edit: bmesh.types.BMesh, close: float) -> Found:
-    """Those no higher than that above their longest edge."""
+    """Return faces that are at most this high above their longest edge."""
     lengths = ((face, max(edge.calc_length() for edge in face.edges)) for face in edit.faces)
     return [face for face, longest in lengths if 2 * face.calc_area() <= close * longest]
 
@@ -123,7 +123,7 @@ def _dissolve(edit: bmesh.types.BMesh, close: float, _found: Found) -> None:
 
 
 def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
-    """All but the first of those with the same vertices."""
+    """Return all but the first of the faces with the same vertices."""
     by_vertices: dict[frozenset[Any], Found] = defaultdict(list)
     for face in edit.faces:
         by_vertices[frozenset(face.verts)].append(face)
@@ -183,7 +183,7 @@ def _leads_out(surface: BVHTree, face: bmesh.types.BMFace, side: int) -> bool:
 
 
 def _delete_faces(edit: bmesh.types.BMesh, _close: float, found: Found) -> None:
-    """With the edges and vertices that only they have."""
+    """Delete the faces with the edges and vertices that only they use."""
     bmesh.ops.delete(edit, geom=found, context="FACES")
 
 
@@ -209,7 +209,7 @@ def _mark_seams(_edit: bmesh.types.BMesh, _close: float, found: Found) -> None:
 
 
 def _opposed_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
-    """Those that Recalculate Normals would flip, if any neighbors face opposite ways."""
+    """Return the faces that Recalculate Normals would flip, if any neighbors have opposite normals."""
     if all(edge.is_contiguous for edge in edit.edges if len(edge.link_faces) == 2 and not edge.seam):
         return []
     turned = edit.copy()

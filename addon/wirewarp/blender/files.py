@@ -9,7 +9,7 @@ from pathlib import Path
 
 import bpy
 
-# Options of a property that takes them; before 4.5 Blender asks for none.
+# Options of a property that may be a relative path; Blender before 4.5 needs none.
 OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4, 5, 0) else {"SKIP_SAVE"}
 LONGEST_NAME = 200  # bytes; most systems allow 255
 DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\.|$)", re.IGNORECASE)  # on Windows, whatever its ending is
@@ -17,25 +17,25 @@ NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # on one system or another
 
 
 def given_file(path: str) -> Path:
-    """With "//" for the folder of the Blender file. Raises OSError where there is none."""
+    """Return the path, with "//" as the folder of the Blender file. Raises OSError if there is no such folder."""
     if path.startswith("//") and not bpy.data.filepath:
         raise OSError('"//" is the folder of the Blender file; save that first')
     return Path(bpy.path.abspath(path))
 
 
 def file_name(name: str, ending: str) -> str:
-    """For the file of an object of this name, in whatever folder."""
+    """Return the file for the object of this name, without the folder."""
     plain = NOT_IN_NAMES.sub("_", f"_{name}" if DEVICE.match(name) else name).encode(errors="replace")
     return plain[: LONGEST_NAME - len(ending)].decode(errors="ignore") + ending
 
 
 def unwritten(path: str | Path, error: OSError) -> str:
-    """The sentence for a file that cannot be written."""
+    """Return the sentence for a file that cannot be written."""
     return f'Cannot write "{path}": {error.strerror or error}.'
 
 
 def check_file(path: Path) -> None:
-    """Raises OSError if no file of ours can be there. A model is never overwritten, whatever name was clicked on."""
+    """Raises OSError if our file cannot be there. A model is never overwritten, whatever name was clicked."""
     path = path.resolve()
     if not path.parent.is_dir():
         raise OSError(f'there is no folder "{path.parent}"')
@@ -46,13 +46,13 @@ def check_file(path: Path) -> None:
 
 
 def check_ending(path: Path, ending: str) -> None:
-    """Raises OSError if the ending of the name is that of another kind of file."""
+    """Raises OSError if the ending belongs to another kind of file."""
     if path.suffix.lower() != ending:
         raise OSError(f"its name must end in {ending}")
 
 
 def check_room(path: Path) -> None:
-    """As check_file; also raises OSError if the folder takes no new files."""
+    """Raises OSError like check_file, or if the folder accepts no new files."""
     path = path.resolve()
     check_file(path)
     with _unfinished(path).open("wb"):
@@ -62,11 +62,11 @@ def check_room(path: Path) -> None:
 
 @contextmanager
 def replaced_file(path: Path) -> Iterator[Path]:
-    """For `with`: a path beside this one to write to, which takes its place if nothing was raised.
+    """Yield a path beside this one, which replaces it at the end if nothing was raised.
 
-    So a full disk leaves the file that was there. Raises OSError as check_file does.
+    A full disk therefore does not damage the existing file. Raises OSError like check_file.
     """
-    path = path.resolve()  # what a link leads to is replaced, and the link stays
+    path = path.resolve()  # the target of a link is replaced, and the link stays
     check_file(path)
     unfinished = _unfinished(path)
     try:
@@ -77,5 +77,5 @@ def replaced_file(path: Path) -> Iterator[Path]:
 
 
 def _unfinished(path: Path) -> Path:
-    """Beside it, for what is being written."""
+    """Return the path beside it for the file being written."""
     return path.with_name(f".wirewarp-{os.getpid()}.part")

@@ -76,7 +76,7 @@ def face_sizes(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def triangle_corners(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(m,3) int32; as the next two, of a mesh whose triangles were calculated."""
+    """Return (m,3) int32. For this and the next two functions, the mesh must have calculated triangles."""
     return _indices(mesh.loop_triangles, "loops", 3)
 
 
@@ -106,12 +106,12 @@ def read_hidden_edges(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def selected_edges(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(k,) those that are selected and not hidden. Of a mesh that is not in Edit Mode."""
+    """Return the selected and visible edges (k,) of a mesh that is not in Edit Mode."""
     return np.flatnonzero(read_selected_edges(mesh) & ~read_hidden_edges(mesh))
 
 
 def _edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
-    """By the attribute, which is absent where no edge has the flag, or by the slower property of each edge."""
+    """Read the attribute, which is absent if no edge has the flag, or the slower property of each edge."""
     if not HAS_ATTRIBUTES:
         return read(mesh.edges, name, bool)
     flags = read_attribute(mesh, attribute, "BOOLEAN", "EDGE")
@@ -132,7 +132,7 @@ def write_uv(layer: bpy.types.MeshUVLoopLayer, places: np.ndarray) -> None:
 
 
 def write_edges(mesh: bpy.types.Mesh, vertices: np.ndarray) -> None:
-    """(e,2) int32; as all that follow, of a mesh in Object Mode."""
+    """Write (e,2) int32. This and all functions below need a mesh in Object Mode."""
     mesh.edges.foreach_set("vertices", vertices.ravel().view(np.uint32))
 
 
@@ -155,17 +155,17 @@ def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> 
 
 
 def add_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
-    """These edges (k,) become seams; others stay what they are."""
+    """Make these edges (k,) seams; others do not change."""
     _set_edge_flags(mesh, SEAM, "use_seam", edges, flag=True)
 
 
 def remove_seams(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
-    """(k,), as add_seams."""
+    """Remove the seams of edges (k,); others do not change."""
     _set_edge_flags(mesh, SEAM, "use_seam", edges, flag=False)
 
 
 def add_sharp_edges(mesh: bpy.types.Mesh, edges: np.ndarray) -> None:
-    """(k,), as add_seams."""
+    """Make these edges (k,) sharp; others do not change."""
     _set_edge_flags(mesh, "sharp_edge", "use_edge_sharp", edges, flag=True)
 
 
@@ -196,7 +196,7 @@ def faces_of_corners(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def faces_at_edges(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,) how many faces each edge has."""
+    """Return how many faces each edge (e,) has."""
     return np.bincount(corner_edges(mesh), minlength=len(mesh.edges))
 
 
@@ -209,15 +209,15 @@ def next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
-    """By which a report sees that its mesh has changed since."""
+    """Return the counts by which a report detects that its mesh has changed."""
     return {"vertices": len(mesh.vertices), "edges": len(mesh.edges), "faces": len(mesh.polygons)}
 
 
 @contextmanager
 def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
-    """The object's own mesh as it is now, for reading. In Edit Mode a copy, for the mesh itself has no attributes then.
+    """Return the object's own present mesh for reading: in Edit Mode a copy, because the mesh has no attributes then.
 
-    Shape keys are brought up to date with it, as Blender does before each undo step.
+    Shape keys are updated from it, as Blender does before each undo step.
     """
     mesh = target.data
     if not mesh.is_editmode:
@@ -233,7 +233,7 @@ def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
 
 @contextmanager
 def evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
-    """As modifiers leave it. Not within another of the same object: the end of one frees the mesh of both."""
+    """Yield the mesh as modifiers leave it. Do not nest this for one object: the first end frees the mesh of both."""
     evaluated = source.evaluated_get(depsgraph)
     try:
         yield evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)

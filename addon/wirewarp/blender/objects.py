@@ -10,11 +10,11 @@ from mathutils import Vector
 from ..issues import object_error
 from ..words import LengthText
 
-LONGEST = 255 if bpy.app.version >= (5, 0, 0) else 63  # bytes; Blender cuts what is longer
+LONGEST = 255 if bpy.app.version >= (5, 0, 0) else 63  # bytes; Blender cuts longer names
 
 
 def remove_object(target: bpy.types.Object) -> None:
-    """With its data, unless other objects, which may be the user's copies, use that too."""
+    """Remove it with its data, unless other objects, such as the user's copies, use that too."""
     data = target.data
     bpy.data.objects.remove(target)
     if data.users == 0:
@@ -22,7 +22,7 @@ def remove_object(target: bpy.types.Object) -> None:
 
 
 def name_with(name: str, ending: str) -> str:
-    """The name, cut so that the ending fits behind it: by that users and scripts know what it is."""
+    """Return the name, cut so that the ending fits: users and scripts recognize the object by it."""
     room = LONGEST - len(ending.encode())
     return name.encode()[:room].decode(errors="ignore") + ending
 
@@ -32,7 +32,7 @@ def show_where_shown(source: bpy.types.Object, target: bpy.types.Object) -> None
     for window in bpy.context.window_manager.windows:
         present = window.view_layer.objects.values()
         for view in _local_views(window) if source in present and target in present else ():
-            # Not local_view_get, which is always False in Blender 3.4.
+            # local_view_get is always False in Blender 3.4.
             if source.visible_get(view_layer=window.view_layer, viewport=view):
                 target.local_view_set(view, True)
 
@@ -44,7 +44,7 @@ def _local_views(window: bpy.types.Window) -> Iterator[bpy.types.SpaceView3D]:
 
 
 def check_local(target: bpy.types.Object, written: bpy.types.Object | bpy.types.Mesh) -> None:
-    """Raises ObjectError if the object, or its mesh, whichever is to be written, belongs to another file."""
+    """Raises ObjectError if the object or mesh to be written belongs to another file."""
     remedy = "make it local with Object > Relations > Make Local > Selected Objects and Data."
     if written.library is not None:
         raise object_error(
@@ -100,7 +100,7 @@ def length_text(scene: bpy.types.Scene) -> LengthText:
 
 
 def meters_per_blender_unit(scene: bpy.types.Scene) -> float:
-    """What the JSON report states metres by; with no unit system one Blender unit is one metre."""
+    """Return the meters of one Blender unit, 1 without a unit system. The JSON report uses it."""
     return scene.unit_settings.scale_length if scene.unit_settings.system != "NONE" else 1.0
 
 
@@ -110,11 +110,11 @@ SMALLEST, LARGEST = 0.02, 5.0  # meters: from a doll's glove to a sofa's cover
 # A decimeter is that of MakeHuman.
 UNITS = {1.0: "Meters", 0.1: "Decimeters", 0.01: "Centimeters", 0.001: "Millimeters", 0.0254: "Inches"}
 UNITS |= {10.0: "10 m", 100.0: "100 m", 1000.0: "1000 m"}
-SHOWN = 3  # of the units that would do
+SHOWN = 3  # number of possible units shown
 
 
 def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
-    """A sentence on a model that is very large or very small; "" for others."""
+    """Return a sentence on a very large or very small model; "" for others."""
     largest = max(target.dimensions) * meters_per_blender_unit(scene)
     if largest == 0 or SMALLEST <= largest <= LARGEST:
         return ""
@@ -123,18 +123,18 @@ def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
 
 
 def likely_units(target: bpy.types.Object) -> Sequence[float]:
-    """Meters in a Blender unit with which the model has a size to sew, the likeliest first."""
+    """Return meters per Blender unit for which the model has a sewable size, the likeliest first."""
     largest = max(target.dimensions)
     return [unit for unit in UNITS if SMALLEST <= largest * unit <= LARGEST][:SHOWN]
 
 
 def unit_of_height(target: bpy.types.Object, height: float) -> float | None:
-    """Meters in a Blender unit with which the model is so many meters high as it stands; None if it is flat."""
+    """Return meters per Blender unit for which the model has this height in meters; None if it is flat."""
     heights = [(target.matrix_world @ Vector(corner)).z for corner in target.bound_box]
     own = max(heights) - min(heights)
     return height / own if own > 0 else None
 
 
 def unit_text(target: bpy.types.Object, unit: float) -> str:
-    """The unit, and how large the model is then."""
+    """Return the unit, and the model's size with it."""
     return f"{UNITS[unit]}: {LengthText('cm', 100.0).rough(max(target.dimensions) * unit)}"

@@ -13,7 +13,7 @@ from .mesh import corner_edges, current_mesh, edge_vertices, face_sizes, read
 from .objects import check_local
 from .views import show_place, work_area
 
-WORKING_MODES = {"OBJECT", "EDIT_MESH"}  # in which models are read and results written; in_object_mode leads there
+WORKING_MODES = {"OBJECT", "EDIT_MESH"}  # in which models are read and results written; in_object_mode switches to one
 
 
 @contextmanager
@@ -61,11 +61,11 @@ def select_elements(
     edges: Pairs = (),
     faces: Indices = (),
 ) -> None:
-    """Makes `target` the active object and enters its Edit Mode with these elements selected, and no others.
+    """Make `target` active and enter its Edit Mode with only these elements selected.
 
-    edges are vertex pairs; a pair that is no edge of the mesh (the diagonal of a quad) selects its two vertices. The
-    selection mode is the coarsest that can show everything, and the view goes there. Raises ObjectError, with nothing
-    changed, if the object cannot be shown or edited, or has no such elements.
+    edges are vertex pairs; a pair without an edge (the diagonal of a quad) selects its two vertices. The selection mode
+    is the coarsest that can show everything, and the view moves there. Raises ObjectError, with nothing changed, if the
+    object cannot be shown or edited, or has no such elements.
     """
     check_local(target, target.data)
     with current_mesh(target) as current:
@@ -99,7 +99,7 @@ def select_elements(
 
 
 def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np.ndarray) -> None:
-    """Moves the 3D view that the button is in, or the largest there is; without a window there is none."""
+    """Move the 3D view with the button, or the largest one; without a window there is none."""
     area = work_area(context)
     if area is None or bpy.app.background:  # where the views of the file are not drawn, and cannot be turned
         return
@@ -108,14 +108,14 @@ def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np
     places = read(target.data.vertices, "co", np.float32, 3)[vertex_mask] @ linear.T + matrix[:3, 3]
     normals = read(target.data.vertices, "normal", np.float32, 3)[vertex_mask]
     if not target.dimensions.z:
-        normals = np.abs(normals)  # flat pieces, mirrored or not, are looked at from above
+        normals = np.abs(normals)  # flat pieces are viewed from above, mirrored or not
     normals = normals @ np.linalg.pinv(linear)
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(np.float32).tiny)
     show_place(context, area, places, normals, LEAST_SHARE * max(target.dimensions))
 
 
 def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
-    """Only what can be seen can be active and edited."""
+    """Show the object: only visible objects can be active and edited."""
     if target not in context.view_layer.objects.values():
         raise object_error(
             "not_in_view_layer",
@@ -133,7 +133,7 @@ def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
 
 
 def _find_edges(mesh: bpy.types.Mesh, pairs: Pairs) -> tuple[np.ndarray, list[int]]:
-    """A mask of the mesh's edges, and the vertices of the pairs that are none."""
+    """Return a mask of the mesh's edges, and the vertices of the pairs without an edge."""
     mask = np.zeros(len(mesh.edges), dtype=bool)
     if not len(pairs):
         return mask, []
@@ -145,13 +145,13 @@ def _find_edges(mesh: bpy.types.Mesh, pairs: Pairs) -> tuple[np.ndarray, list[in
 
 
 def _loop_faces(mesh: bpy.types.Mesh) -> np.ndarray:
-    """The polygon of each loop."""
+    """Return the polygon of each loop."""
     sizes = face_sizes(mesh)
     return np.repeat(np.arange(len(sizes)), sizes)
 
 
 def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, indices: Indices) -> np.ndarray:
-    """Raises ObjectError if there are no such ones among the elements of the object's mesh."""
+    """Return a mask. Raises ObjectError if the object's mesh has no such elements."""
     wanted, mask = np.asarray(indices, dtype=np.int64), np.zeros(len(elements), dtype=bool)
     if np.any((wanted < 0) | (wanted >= len(elements))):
         raise changed_error(target.name)

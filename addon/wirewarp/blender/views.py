@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What 3D views show: redrawn, and moved so that given points are in sight."""
+"""3D views: redraws them, and moves them so that given points are visible."""
 
 import math
 from collections.abc import Sequence
@@ -10,14 +10,14 @@ import numpy as np
 from mathutils import Quaternion, Vector
 
 LEGEND_WIDTH = 150  # in Blender's own pixels, with the names of lines that it mostly has
-MARGIN = 1.15  # so much more is seen than the points
+MARGIN = 1.15  # factor of the visible area over the points
 ONE_SIDE = 0.3  # length of the mean normal of what has one side that can be looked at; a ring around a body has none
 SEEN = 0.3  # cosine of the angle between that normal and the way to the eye, from which on it can be seen well
-LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # of the eye above what lies flat
+LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # elevation of the eye above flat pieces
 
 
 def redraw_views() -> None:
-    """All 3D views and UV editors with their sidebars."""
+    """Redraw all 3D views and UV editors with their sidebars."""
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             if area.type in {"VIEW_3D", "IMAGE_EDITOR"}:
@@ -25,7 +25,7 @@ def redraw_views() -> None:
 
 
 def redraw_sidebars() -> None:
-    """Of all 3D views, without what is beside them."""
+    """Redraw the sidebars of all 3D views, without the views."""
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
             for region in area.regions if area.type == "VIEW_3D" else ():
@@ -45,7 +45,7 @@ def is_over_sidebar(event: bpy.types.Event) -> bool:
 
 @dataclass(frozen=True)
 class Projection:
-    """Of a view, as its projection matrix has it."""
+    """Projection of a view, from its projection matrix."""
 
     axes: np.ndarray  # (3,3) in columns: right, up, toward the eye
     across: float  # cotangent of half the angle of view from left to right; orthographic: one over half the width
@@ -55,21 +55,21 @@ class Projection:
 
 
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
-    """The point to look at (3,), and the distance to it; orthographic: the factor by which to see more than now.
+    """Return the point to look at (3,), and the distance to it; orthographic: the zoom factor.
 
-    points (n,3): all of them are in sight then, and left of what is covered.
+    points (n,3): all are visible then, and to the left of the covered part.
     """
     seen = points @ view.axes
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     (x, y), z = np.abs(seen - middle)[:, :2].T, (seen - middle)[:, 2]
     needed = MARGIN * np.maximum(view.across / (1 - view.covered) * x, view.upward * y)
     distance = float((needed + z).max() if view.is_perspective else needed.max())
-    middle[0] += view.covered * distance / view.across  # the points are left of the middle, to have the sidebar beside
+    middle[0] += view.covered * distance / view.across  # the points are left of the middle, beside the sidebar
     return view.axes @ middle, distance
 
 
 def show_objects(context: bpy.types.Context, area: bpy.types.Area, objects: Sequence[bpy.types.Object]) -> None:
-    """Moves this 3D view so that all of the objects are in sight, and what lies flat is no line."""
+    """Move this 3D view so that all objects are visible and flat ones are not seen edge-on."""
     view = _free_view(area)
     _rise(view)
     corners = [target.matrix_world @ Vector(corner) for target in objects for corner in target.bound_box]
@@ -79,9 +79,9 @@ def show_objects(context: bpy.types.Context, area: bpy.types.Area, objects: Sequ
 def show_place(
     context: bpy.types.Context, area: bpy.types.Area, points: np.ndarray, normals: np.ndarray, least: float
 ) -> None:
-    """Moves this 3D view so that the points (n,3) of a surface are in sight, and turns it if they were on the back.
+    """Move this 3D view so that the points (n,3) of a surface are visible, from the front.
 
-    normals (n,3): of the surface there; least: how much is seen in any case, so that one knows where it is.
+    normals (n,3): of the surface there; least: smallest visible extent, which shows the surroundings.
     """
     view = _free_view(area)
     normal = Vector(normals.mean(axis=0))
@@ -135,7 +135,7 @@ def _covered(context: bpy.types.Context, area: bpy.types.Area) -> float:
 
 
 def work_area(context: bpy.types.Context) -> bpy.types.Area | None:
-    """The 3D view that the user has just clicked in, or the largest of the window; without a window there is none."""
+    """Return the 3D view that the user has just clicked in, or the largest; None without a window."""
     areas = [area for area in context.window.screen.areas if area.type == "VIEW_3D"] if context.window else []
     return (
         context.area if context.area in areas else max(areas, key=lambda each: each.width * each.height, default=None)

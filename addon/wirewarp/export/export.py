@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From what was read of flat pieces to a file. No Blender in here."""
+"""From the data of flat pieces to a file. No Blender in here."""
 
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -18,7 +18,7 @@ Stages = Generator[tuple[str, float], None, T]  # steps of the library: the stag
 class PatternChoices:
     """Lengths are in millimeters."""
 
-    allowance: float  # where none is marked
+    allowance: float  # default where none is marked
     notch_spacing: float  # along seams, 0 for none
     darts: str  # "close", "cut" or "slit", as the library has it
     pairs: bool = False  # draw one piece of each mirrored pair
@@ -66,7 +66,7 @@ class PatternParts:
 
     @property
     def refusal(self) -> str:
-        """Why the pieces should not be cut; empty where they may be."""
+        """Return why the pieces should not be cut; empty if they may be."""
         if not self.failed:
             return ""
         return (
@@ -75,14 +75,14 @@ class PatternParts:
         )
 
     def cut_lines(self, allowance: float, darts: str, pairs: bool = False, on_fold: bool = False) -> pattern.Pattern:
-        """Only the lines, where they lie. Raises ObjectError as making() does."""
+        """Return only the lines in their places. Raises ObjectError like making()."""
         with _errors_of_library():
             return pattern.Pattern.of_cut_lines(
                 self.pieces, allowance=allowance, darts=darts, pairs=pairs, on_fold=on_fold, **self._marked
             )
 
     def making(self, choices: PatternChoices) -> Stages[pattern.Pattern]:
-        """Raises ObjectError where they make none."""
+        """Make the pattern in steps. Raises ObjectError if the pieces make none."""
         with _errors_of_library():
             steps = pattern.Pattern.making(
                 self.pieces,
@@ -108,7 +108,7 @@ class PatternParts:
 
 @contextmanager
 def _errors_of_library() -> Iterator[None]:
-    """The library's errors as ours."""
+    """Convert the library's errors to ours."""
     try:
         yield
     except FlattenError as error:
@@ -116,7 +116,7 @@ def _errors_of_library() -> Iterator[None]:
 
 
 def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -> pattern.Pattern | None:
-    """None where the marker is of other cloth or of other pieces."""
+    """Return the stored layout; None if its marker is of another cloth or other pieces."""
     if kept is None or kept.cloth != cloth:
         return None
     try:
@@ -125,7 +125,7 @@ def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -
         return None
 
 
-SEARCH = 0.9  # of the whole, where a marker is sought, which takes seconds; what else there is comes before and after
+SEARCH = 0.9  # of the whole: share of the search for a marker, which takes seconds
 
 
 @dataclass(frozen=True)
@@ -147,7 +147,7 @@ class Exported:
 
 
 def made_pattern(parts: PatternParts, choices: ExportChoices) -> pattern.Pattern:
-    """As it will be written. Raises ObjectError and FlattenError."""
+    """Return the pattern as it will be written. Raises ObjectError and FlattenError."""
     return in_one_go(in_slices(_making(parts, choices)))
 
 
@@ -180,7 +180,7 @@ def _making(parts: PatternParts, choices: ExportChoices) -> Stages[pattern.Patte
 
 
 def _share(stage: str, fraction: float, has_search: bool) -> float:
-    """How much of the whole is done."""
+    """Return the completed share of the whole."""
     stages = pattern.STAGES
     if stage == "nesting":
         return stages["writing"] * (1 - SEARCH) + fraction * SEARCH

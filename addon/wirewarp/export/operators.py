@@ -187,7 +187,7 @@ class OBJECT_OT_wirewarp_export_svg(PatternExport, bpy.types.Operator):
         self.layout.prop(self, "failed_pieces")
 
     def choices(self) -> ExportChoices:
-        """Allowances only where they are marked, and darts as they are."""
+        """Return choices with allowances only where they are marked, and darts as they are."""
         return ExportChoices(PatternChoices(0.0, self.notch_spacing, "cut"), ALL_KINDS, in_rows=False)
 
     def size_sentences(self, made: pattern.Pattern) -> list[str]:

@@ -30,13 +30,13 @@ def keep_marker(source: bpy.types.Object, kept: KeptMarker) -> None:
 
 
 def marker_text(source: bpy.types.Object) -> str:
-    """As it is stored; empty where there is none."""
+    """Return the text to store; empty without a marker."""
     stored = source.get(MARKER)
     return stored if isinstance(stored, str) else ""
 
 
 def kept_marker(text: str) -> KeptMarker | None:
-    """Of a text of marker_text; None where that was not written by keep_marker of this version."""
+    """Return the marker of a text of marker_text; None if another version wrote it."""
     stored = unsealed(text)
     if stored is None:
         return None
@@ -50,9 +50,9 @@ EDITED = "The flat pieces were edited by hand, and a seam of the model is missin
 
 
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternParts:
-    """What the pattern of a model is made of, in Object Mode.
+    """Return the pattern data of a model in Object Mode.
 
-    Raises ObjectError where there are no pieces, or none that are true.
+    Raises ObjectError if there are no pieces, or none that are up to date.
     """
     report, flat = current_pieces(source)
     return _parts(scene, source, report, flat, bpy.context.evaluated_depsgraph_get())
@@ -139,7 +139,7 @@ def _inner_wires(
 def _allowances(
     source: bpy.types.Object, report: ObjectReport, millimeters: float, depsgraph: bpy.types.Depsgraph
 ) -> Allowances:
-    """What is marked on the mesh that was flattened. Marks inside of pieces do nothing."""
+    """Return the marks of the flattened mesh. Marks inside pieces have no effect."""
     flattened = evaluated_mesh(source, depsgraph) if report.with_modifiers else current_mesh(source)
     with flattened as mesh:
         marked = read_allowances(mesh)
@@ -163,7 +163,7 @@ def _allowances(
 
 
 def pieces_over_others(pieces: Sequence[pattern.PatternPiece]) -> list[str]:
-    """The names of the pieces that would be cut into one another, as they were put by hand."""
+    """Return the names of pieces that the user has placed over others."""
     lines = [[line.points for line in piece.of_role("cut", "inner_cut")] for piece in pieces]
     low, high = np.array([piece.bounds for piece in pieces]).transpose(1, 0, 2)
     meet = np.triu(np.all((low[:, None] < high) & (low < high[:, None]), axis=2), 1)

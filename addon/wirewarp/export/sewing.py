@@ -22,7 +22,10 @@ OURS = (*MARKS, *OF_ELEMENTS, SEAM, FLAT_LENGTH)
 
 
 def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
-    """A new object, where the flat pieces are, of a model in Object Mode. Raises ObjectError as current_pieces does."""
+    """Add an object in the place of the flat pieces, for a model in Object Mode.
+
+    Raises ObjectError like current_pieces.
+    """
     report, flat = current_pieces(source)
     pieces = read_flat_pieces(flat.data)
     is_flat = [piece.has_layout for piece in report.pieces]  # of the others there is nothing to sew
@@ -48,9 +51,9 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
 
 
 def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
-    """(k,2) pairs of vertices of the pieces that are one on the model; seams: edges as vertex pairs of the model.
+    """Return pairs (k,2) of vertices of the pieces that are one on the model. seams: vertex pairs of the model.
 
-    Where several sides meet, each is joined to the next. Raises ObjectError if a seam is not found on the pieces.
+    If several sides meet, each is joined to the next. Raises ObjectError if a seam is not found on the pieces.
     """
     outline = outline_of(pieces)
     sides: dict[tuple[int, int], list[tuple[int, int]]] = {}

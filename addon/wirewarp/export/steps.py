@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What exporting operators have in common: a dialog that says the sizes beforehand, and a run that writes the file."""
+"""The common part of exporting operators: a dialog that shows sizes beforehand, and a run that writes the file."""
 
 import json
 from dataclasses import replace
@@ -39,7 +39,7 @@ INCH = 25.4
 
 
 def crossing_sentence(made: pattern.Pattern) -> str:
-    """Empty if no pieces overlap."""
+    """Return a sentence; empty if no pieces overlap."""
     names = pieces_over_others(made.pieces)
     if not names:
         return ""
@@ -49,7 +49,7 @@ def crossing_sentence(made: pattern.Pattern) -> str:
 
 
 def copies_sentences(made: pattern.Pattern) -> list[str]:
-    """The pieces that are drawn once for their mirror images."""
+    """Return sentences on pieces that are drawn once for their mirror images."""
     pairs = [f"{piece.name} and {piece.mirrored_name}" for piece in made.pieces if piece.mirrored_name]
     folds = [piece.name for piece in made.pieces if piece.on_fold]
     return [f"{what}: {', '.join(names)}" for what, names in (("Cut 1 pair", pairs), ("On the fold", folds)) if names]
@@ -60,13 +60,13 @@ def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:
 
 
 def largest_sentence(made: pattern.Pattern) -> str:
-    """By the area of its box: what a sheet must have room for."""
+    """Return a sentence on the piece with the largest box, for which a sheet must have room."""
     largest = max(made.pieces, key=lambda piece: float(piece.size.prod()))
     return f"Largest piece: {largest.name}, {_size_text(made, *largest.size)}."
 
 
 def _size_text(made: pattern.Pattern, width: float, height: float) -> str:
-    """Of millimeters, in inches too for those who measure in them."""
+    """Return millimeters, also in inches for scenes that use them."""
     inches = f" ({width / INCH:.1f} × {height / INCH:.1f} in)" if made.units.name == "imperial" else ""
     return f"{width:.0f} × {height:.0f} mm{inches}"
 
@@ -148,7 +148,7 @@ class PatternExport(WindowSteps, ExportHelper):
             self._beforehand = _Beforehand(key, self.beforehand(self._parts))
 
     def beforehand(self, parts: PatternParts) -> list[tuple[str, str]]:
-        """How large it gets with the present settings, and what is wrong with them: sentences with their icons."""
+        """Return the size with the present settings and their faults: sentences with their icons."""
         try:
             choices = self.choices()
             made = made_pattern(parts, replace(choices, seconds=0.0))
@@ -175,7 +175,7 @@ class PatternExport(WindowSteps, ExportHelper):
                 column.label(text=f"That is {getattr(self, name) / INCH:.2f} in")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """Reads anew, for behind the dialog the user may have gone on. In a script it waits for the end."""
+        """Read again, because the user may have changed the model behind the dialog. A script waits for the end."""
         if window_run.is_running():
             self.report({"ERROR"}, window_run.busy_sentence())
             return {"CANCELLED"}
@@ -256,6 +256,6 @@ def _source(context: bpy.types.Context) -> bpy.types.Object:
 
 
 def _has_others(context: bpy.types.Context) -> bool:
-    """Whether pieces of other models are selected, too: each has a file of its own."""
+    """Return whether pieces of other models are selected, too; each has its own file."""
     sources = {model_or_self(each) for each in context.selected_objects} - {_source(context)}
     return any(map(has_flat_object, sources))

@@ -37,9 +37,9 @@ def forget_change(scene: bpy.types.Scene) -> None:
 
 
 def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """The models that differ from their flat pieces, each once for each of its states; nothing is due after that.
+    """Return the models that differ from their flat pieces, each once for each of its states.
 
-    After undo none does: what was taken back must not be made again behind the user's back.
+    After undo there are none: an update would restore what the user has undone.
     """
     undone = state_of(context.scene).is_undone
     forget_change(context.scene)
@@ -65,13 +65,13 @@ def put_back(sources: list[bpy.types.Object], scene: bpy.types.Scene) -> None:
 
 
 def is_left(source: bpy.types.Object) -> bool:
-    """Whether Auto leaves the pieces of the model as they are until it changes again."""
+    """Return whether Auto ignores the model until it changes again."""
     tried = state_of(source).tried
     return tried is not None and not has_changed(source, tried)
 
 
 def _flattened(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """The models of this view layer that have flat pieces."""
+    """Return the models of this view layer that have flat pieces."""
     present = set(context.view_layer.objects)
     sources = dict.fromkeys(filter(None, map(model_of, context.scene.objects)))
     return [source for source in sources if source in present and source.library is None]
@@ -91,7 +91,7 @@ def _has_changed(source: bpy.types.Object) -> bool:
 
 
 def _is_regrained(source: bpy.types.Object, report: ObjectReport | None) -> bool:
-    """Whether another wire is to stand upright than in the last run."""
+    """Return whether the grain wire differs from that of the last run."""
     options = report.options if report else None
     return options is not None and options.get("grain_wire") != source.data.wirewarp_grain
 

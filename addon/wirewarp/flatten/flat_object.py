@@ -148,7 +148,7 @@ def _new_object(
 
 @contextmanager
 def _restored_on_failure(target: bpy.types.Object) -> Iterator[None]:
-    """The mesh of the object, whatever was raised while it was written."""
+    """Restore the mesh of the object if an error occurs while it is written."""
     earlier = target.data.copy()
     try:
         yield
@@ -162,13 +162,13 @@ def _restored_on_failure(target: bpy.types.Object) -> Iterator[None]:
 
 
 def _is_shared(flat: bpy.types.Object) -> bool:
-    """Whether its mesh must stay as it is: it is another object's too, the model's for one."""
+    """Return whether its mesh must not change because another object, such as the model, uses it."""
     model, users = model_of(flat), (each for each in bpy.data.objects if each.data == flat.data)
     return flat.data.library is not None or any(model_of(user) != model for user in users)
 
 
 def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[Note]:
-    """Opens the eye in the Outliner. Returns as notes why the object is still not shown in its actual size."""
+    """Open the eye in the Outliner. Return notes on why the object is still not shown in actual size."""
     notes = []
     if target in view_layer.objects.values():
         target.hide_set(False)
@@ -184,7 +184,7 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
 def _write_mesh(
     target: bpy.types.Object, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays, record: FlatRecord
 ) -> None:
-    """And nothing else: shape keys and groups of the former vertices go."""
+    """Write the mesh alone: shape keys and groups of the former vertices are removed."""
     mesh = target.data
     target.shape_key_clear()
     target.vertex_groups.clear()
@@ -201,7 +201,7 @@ def _write_mesh(
 
 
 def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
-    """And nothing else: what there was goes."""
+    """Write the faces alone: earlier ones are removed."""
     mesh.clear_geometry()
     coordinates = np.zeros((len(flat.vertices), 3), dtype=np.float32)
     coordinates[:, :2] = flat.vertices
@@ -267,7 +267,7 @@ def _new_material() -> bpy.types.Material:
 
 
 def follow_name(source: bpy.types.Object, earlier: str) -> None:
-    """earlier: what the model was called then. What the user has named otherwise stays."""
+    """Rename the pieces with the model. earlier: its former name. Names that the user chose stay."""
     flat = find_flat_object(source)
     for each in (flat, flat.data) if flat and earlier != source.name else ():  # the mesh has the object's name
         if each.name == flat_name(earlier) and each.library is None:

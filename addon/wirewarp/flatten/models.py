@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From models as read to results as they will be written. No Blender in here."""
+"""From models as read to results to be written. No Blender in here."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
@@ -46,7 +46,7 @@ class Model:
 
 @dataclass
 class Outcome:
-    """What became of one model; without a result it could not be flattened at all."""
+    """The result of one model; without one it could not be flattened at all."""
 
     model: Model
     report: ObjectReport

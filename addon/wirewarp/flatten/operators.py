@@ -33,7 +33,7 @@ HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
 
 
 def write_json(path: Path, report: dict) -> None:
-    """Raises OSError, and leaves the file as it was, if it cannot be written."""
+    """Write the file. Raises OSError, and does not change an existing file, if it cannot be written."""
     with replaced_file(path) as unfinished:
         unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
@@ -45,11 +45,11 @@ class FlattenSteps(WindowSteps, FlattenSettings):
 
     @property
     def report_file(self) -> Path | None:
-        """Where the report goes as JSON."""
+        """Return the path of the JSON report."""
         return None
 
     def begin_run(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
-        """Reads now and solves while modal() waits for it."""
+        """Read now, and solve while modal() waits."""
         with in_object_mode(context):
             self._models = read_models(context, sources, self)
         self._scene, self._view_layer = _place(context)
@@ -57,7 +57,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         return self.begin(context, window_run.FLATTEN, what, self._solving(context, self._models))
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """All else would be lost or make the result untrue."""
+        """Return whether the event passes; others would be lost or invalidate the result."""
         if event.type == "LEFTMOUSE":
             return is_over_sidebar(event)  # where Cancel is
         return event.type in HARMLESS or event.type.startswith(HARMLESS_KINDS)
@@ -71,7 +71,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         return self._tell(context, outcomes)
 
     def message(self, level: str, text: str) -> None:
-        """What became of it, to the user; level: INFO, WARNING or ERROR."""
+        """Show the result to the user. level: INFO, WARNING or ERROR."""
         self.report({level}, text)
 
     def _solving(self, context: bpy.types.Context, models: list[Model]) -> Steps[list[Outcome]]:
@@ -105,7 +105,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         return self._tell(context, outcomes, "WARNING")  # the window of an error would cover Flatten and its sentence
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
-        """Brings into view what the user has not seen yet, or not there."""
+        """Bring results into view that the user cannot see yet."""
         sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
         area = work_area(context)
         # In Edit Mode the user is at work on the edges in this view.
@@ -113,7 +113,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
             show_objects(context, area, [each for source in sources for each in (source, find_flat_object(source))])
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
-        """Ends a run of which nothing is written but the report file."""
+        """End a run that writes nothing but the report file."""
         redraw_views()
         self._write_report(context, [failed_report(model, Issue(code, sentence)) for model in self._models])
         self.message(level, sentence)

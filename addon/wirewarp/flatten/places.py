@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where flat pieces lie: at first beside their model, later where the user has put them."""
+"""Places of flat pieces: at first beside their model, later where the user moves them."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -51,12 +51,12 @@ def free_place(
 
 
 def _rises(box: Box, floor: float, gap: float) -> bool:
-    """Whether it stands on the floor or cuts through it."""
+    """Return whether it stands on the floor or cuts through it."""
     return bool(box[0, 2] <= floor + gap and box[1, 2] > floor)
 
 
 def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap: float) -> np.ndarray:
-    """The place (3,), or the next to the right of it where seen from above no obstacle is."""
+    """Return the place (3,), or the next one to its right without an obstacle below or above."""
     for low, high in sorted(obstacles, key=lambda box: box[0, 0]):
         if np.all((low[:2] < place[:2] + size) & (high[:2] > place[:2])):
             place = np.array([high[0] + gap, *place[1:]])
@@ -86,7 +86,7 @@ def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: f
 
 
 def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
-    """Whether a run with these options lays out otherwise than the one that made the flat object `earlier`."""
+    """Return whether a run with these options lays out differently from the one that made the flat object `earlier`."""
     record = read_record(earlier.data)
     return record is None or record.layout != layout_of(options)
 
@@ -114,7 +114,7 @@ def up_when_laid_out(flat: bpy.types.Object, now: np.ndarray) -> np.ndarray:
 
 
 def is_turned(up: np.ndarray, then: np.ndarray, options: dict) -> bool:
-    """Whether pieces that stand as the model stood then would stand otherwise if they were laid out anew."""
+    """Return whether pieces that are upright as the model was would change if they were laid out again."""
     return options["orientation"] == "up" and not float(up @ then) > TURNED
 
 
@@ -125,7 +125,7 @@ def crowded_text(names: list[str]) -> str:
 
 
 def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:
-    """None where the user has left nothing to go by."""
+    """Return the pieces; None without any that the user has kept."""
     if not len(mesh.polygons) or not has_attributes(mesh, SOURCE_VERTEX, PIECE):
         return None
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects in Object Mode to models that can be solved without Blender; and whether they are still the same."""
+"""Reads objects in Object Mode into models that need no Blender, and checks whether they are still the same."""
 
 from dataclasses import replace
 from typing import Protocol
@@ -36,7 +36,7 @@ def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def active_target(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """The active object alone, or its model, if it can be seen."""
+    """Return the active object, or its model, if it is visible."""
     active = context.view_layer.objects.active
     model = _model(context, active) if active and active.visible_get() else None
     return [model] if model else []
@@ -109,14 +109,14 @@ def _check_users(target: bpy.types.Object) -> None:
 
 
 class RunSettings(Protocol):
-    """What of the panel's or the operator's settings reading and writing ask for."""
+    """Settings of the panel or operator that reading and writing need."""
 
     use_modifiers: bool
     keep_places: bool
 
 
 def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], settings: RunSettings) -> list[Model]:
-    """What cannot be flattened becomes a model with an issue."""
+    """Return the models; an object that cannot be flattened becomes a model with an issue."""
     context.view_layer.update()
     depsgraph, units = context.evaluated_depsgraph_get(), length_text(context.scene)
     allowance = context.scene.wirewarp.allowance / (1000 * meters_per_blender_unit(context.scene))
@@ -124,12 +124,12 @@ def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], set
 
 
 def find_source(model: Model) -> bpy.types.Object | None:
-    """The object that the model was read from; None if it is gone or has another name."""
+    """Return the object that the model was read from; None if it is gone or renamed."""
     return next((candidate for candidate in bpy.data.objects if candidate.name_full == model.name), None)
 
 
 def is_current(model: Model) -> bool:
-    """Whether its object is still there, a mesh, and as it was read. In any mode."""
+    """Return whether its object is still the mesh that was read. Works in any mode."""
     source = find_source(model)
     return source is not None and source.type == "MESH" and not has_changed(source, model.state, read_anew)
 
