@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What went wrong with an object, and notes on it, in the form of the library's report."""
+"""Faults of an object, and notes on it, in the form of the library's report."""
 
 from .core import Hint as Hint
 from .core import Issue as Issue

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every name under which something of ours is stored in a Blender file, but for the properties of properties.py.
+"""Every name under which we store something in a Blender file, except the properties of properties.py.
 
-Scripts and earlier files rely on these; what it is for stands beside it, and in the table of addon/README.md.
+Scripts and earlier files rely on these names; the table in addon/README.md describes them.
 """
 
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Attribute:
-    """An attribute of a mesh: one number for each of its elements, 0 on elements that nobody wrote on."""
+    """An attribute of a mesh: one number for each element, 0 where none was written."""
 
     name: str
     data_type: str  # "INT" or "FLOAT"
@@ -18,18 +18,18 @@ class Attribute:
 
 @dataclass(frozen=True)
 class Mark(Attribute):
-    """An attribute of the model's mesh that the user marks: on edges, or for one side of an edge."""
+    """An attribute of the model's mesh that the user marks: on edges, or on one side of an edge."""
 
-    is_length: bool = False  # in Blender units: Set Unit scales it, so that it stays as long as it is
+    is_length: bool = False  # in Blender units: Set Unit scales it to keep its actual length
     is_drawn: bool = False  # the overlay draws it on the model
 
 
-# On the model's mesh, the truth.
+# Marks on the model's mesh, from which all else follows.
 WIRE = Mark("wirewarp_wire", "INT", "EDGE", is_drawn=True)  # random 31-bit id of the wire, 0 none
 TOLERANCE = Mark("wirewarp_tolerance", "FLOAT", "EDGE")  # 0 rigid, finite elastic, inf super-elastic
 EASE = Mark("wirewarp_ease", "FLOAT", "EDGE")  # how much longer the wire becomes, as a fraction: 0.05 is 5%
 SIDE_EASE = Mark("wirewarp_side_ease", "FLOAT", "CORNER", is_drawn=True)  # as EASE; of the edge that begins there
-SIDE_RATIO = Mark("wirewarp_side_ratio", "FLOAT", "EDGE", is_drawn=True)  # as EASE; of one side, see state.sides
+SIDE_RATIO = Mark("wirewarp_side_ratio", "FLOAT", "EDGE", is_drawn=True)  # like EASE, for one side, see state.sides
 EASED_SIDE = Mark("wirewarp_eased_side", "INT", "EDGE")  # the number of the face on that side, 0 none
 ALLOWANCE = Mark("wirewarp_allowance", "FLOAT", "EDGE", is_length=True)  # see state.allowances
 SIDE_ALLOWANCE = Mark("wirewarp_side_allowance", "FLOAT", "CORNER", is_length=True)  # of the edge that begins there
@@ -62,13 +62,13 @@ REPORT = "wirewarp_report"  # of the run that made the flat pieces, JSON
 REPORT_SEAL = "wirewarp_report_seal"  # digest of that text
 MARKER = "wirewarp_marker"  # of the last export that made one, JSON after its digest
 
-# On the flat mesh: which elements of the model its elements are.
+# On the flat mesh: the elements of the model from which its elements were made.
 SOURCE_VERTEX = Attribute("source_vertex", "INT", "POINT")
 SOURCE_CORNER = Attribute("source_corner", "INT", "CORNER")
 SOURCE_FACE = Attribute("source_face", "INT", "FACE")
 PIECE_INDEX = Attribute("piece", "INT", "FACE")  # index of the piece in the report
 
-# On the flat mesh: how it was laid out, and by what it is seen that it was changed by hand.
+# On the flat mesh: its layout, and data by which changes by hand are detected.
 FLAT_LENGTH = Attribute("flat_length", "FLOAT", "EDGE")  # as laid out
 FLAT_RECORD = "wirewarp_flat"  # custom property: how the pieces were laid out, see state.record
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings kept with the scene, names of wires with the mesh, of pieces with the object, and how objects are linked."""
+"""Settings of the scene, names of wires on the mesh, names of pieces on the object, and links between objects."""
 
 from collections.abc import Callable
 
@@ -29,7 +29,7 @@ LEAST_EASE = -0.99  # a line needs some length
 
 
 class EaseAmount:
-    """By how much lines are to be longer: shared by the scene's settings and the operator."""
+    """How much longer lines become: shared by the scene's settings and the operator."""
 
     ease_unit: EnumProperty(
         name="Unit",
@@ -63,7 +63,7 @@ class EaseAmount:
 
 
 class PatternSettings:
-    """What Export asks for and the preview of pages shows: shared by the scene's settings and the operator."""
+    """Settings of Export and of the preview of pages: shared by the scene's settings and the operator."""
 
     allowance: FloatProperty(
         name="Allowance",
@@ -168,9 +168,9 @@ class PatternSettings:
 
 
 def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
-    """What the caller left out is taken from the scene's settings; kind: FlattenSettings or PatternSettings.
+    """Take settings that the caller left out from the scene; kind: FlattenSettings or PatternSettings.
 
-    Of the scene's, only those that this version knows: see mend_settings.
+    Only values that this version knows are used: see mend_settings.
     """
     mend_settings(settings, kind)
     for name in kind.__annotations__:
@@ -179,7 +179,7 @@ def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings"
 
 
 def mend_settings(settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
-    """A choice that this version does not know, as of a file of another version, goes back to its default."""
+    """Reset an enum value that this version does not know, from a file of another version, to its default."""
     for name in kind.__annotations__:
         if getattr(settings, name) == "":
             settings.property_unset(name)

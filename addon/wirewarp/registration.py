@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All that the add-on hooks into Blender, in one place: classes, properties, menus, drawing, handlers."""
+"""Everything that the add-on registers in Blender: classes, properties, menus, drawing, handlers."""
 
 from collections.abc import Callable
 from contextlib import ExitStack
@@ -39,7 +39,10 @@ FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])  # what is in memory go
 
 
 def register() -> Callable[[], None]:
-    """Returns what takes everything back, each thing even if another fails; as is done when registering fails."""
+    """Return a function that removes everything, each item even if another fails.
+
+    A failed registration uses it, too.
+    """
     with ExitStack() as undo:
         for cls in CLASSES:
             bpy.utils.register_class(cls)

@@ -36,7 +36,7 @@ from ..state.marked_mesh import check_attributes, read_marks, write_marks
 
 
 def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
-    """The wire that this edge of the mesh belongs to. Raises ObjectError if it is none's."""
+    """Return the wire of this edge of the mesh. Raises ObjectError if the edge has none."""
     for wire in find_wires(target):
         if edge in wire.edges:
             return wire
@@ -45,7 +45,7 @@ def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
 
 
 def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float, ease: float | None) -> None:
-    """Changes the wire of this edge; name "", ease None: it keeps its own. Raises ObjectError as wire_at does."""
+    """Change the wire of this edge; name "" and ease None keep its own. Raises ObjectError like wire_at."""
     mesh = target.data
     rows = np.array(wire_at(target, edge).edges)
     marks = read_marks(mesh)
@@ -59,7 +59,7 @@ def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float
 
 
 def change_grain(target: bpy.types.Object, edge: int) -> None:
-    """Makes the wire that this edge belongs to the grain wire, or none if it is. Raises ObjectError as wire_at does."""
+    """Make the wire of this edge the grain wire, or none if it is already. Raises ObjectError like wire_at."""
     mesh = target.data
     wire_at(target, edge)
     wire_id = int(repair_marks(target).wire_ids[edge])
@@ -67,7 +67,7 @@ def change_grain(target: bpy.types.Object, edge: int) -> None:
 
 
 def repair_marks(target: bpy.types.Object) -> EdgeMarks:
-    """Gives each wire an id of its own; returns the marks as they are then."""
+    """Give each wire its own id. Return the resulting marks."""
     marks = read_marks(target.data)
     for row, wire_id in repair_names(target).items():
         marks.wire_ids[row] = wire_id
@@ -76,7 +76,7 @@ def repair_marks(target: bpy.types.Object) -> EdgeMarks:
 
 
 def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
-    """Marks edges, given as vertex pairs, as seams. Returns how many were none before."""
+    """Mark edges, given as vertex pairs, as seams. Return how many are new."""
     before = read_seams(mesh)
     wanted = _mask(mesh, edges)
     add_seams(mesh, np.flatnonzero(wanted))
@@ -85,13 +85,13 @@ def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
 
 
 def clear_seams(mesh: bpy.types.Mesh, edges: list) -> None:
-    """Edges, given as vertex pairs, are no seams any more."""
+    """Clear the seams of edges, given as vertex pairs."""
     remove_seams(mesh, np.flatnonzero(_mask(mesh, edges)))
     mesh.update()
 
 
 def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,) bool: those with any mark, of both sides or of one."""
+    """Return (e,) bool: edges with any mark, on one or both sides."""
     marked = np.zeros(len(mesh.edges), dtype=bool)
     for mark in MARKS:
         if mark.domain == "EDGE":
@@ -102,11 +102,11 @@ def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def loosen_wires(mesh: bpy.types.Mesh, wires: list[LooserWire]) -> int:
-    """Gives the edges of each proposed wire its tolerance, unless theirs is wider. Returns how many edges changed."""
+    """Give the edges of each proposed wire its tolerance, unless theirs is wider. Return how many edges changed."""
     marks = read_marks(mesh)
     before, tolerances = marks.tolerances.copy(), marks.tolerances
     for wire in wires:
-        rows = _mask(mesh, wire.edges) & marks.are_wires  # what is no wire any more stays so
+        rows = _mask(mesh, wire.edges) & marks.are_wires  # removed wires stay removed
         tolerances[rows] = np.maximum(tolerances[rows], np.float32(wire.tolerance))
     write_marks(mesh, marks)
     return int(np.count_nonzero(tolerances != before))
@@ -126,7 +126,7 @@ class Change:
     """Of one line; an ease that was cleared is 0."""
 
     ratio: float
-    length: float  # by how much it is longer, in Blender units
+    length: float  # how much longer the line is, in Blender units
 
 
 @dataclass(frozen=True)
@@ -145,9 +145,9 @@ def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
 
 
 def plan_lines(target: bpy.types.Object, rows: np.ndarray, amount: Amount) -> Planned:
-    """Lines of these edges are to be longer by this, all their sides alike; what is no wire becomes a rigid one.
+    """Plan the same longer length on all sides of the lines of these edges; other edges become rigid wires.
 
-    Raises ObjectError where a line would have no length left.
+    Raises ObjectError if a line would have no length left.
     """
     mesh = target.data
     used = rows[faces_at_edges(mesh)[rows] > 0]
@@ -173,7 +173,7 @@ def _write_lines(target: bpy.types.Object, lines: list[np.ndarray], changes: lis
         marks.eases[line] = change.ratio
     write_marks(mesh, marks)
     wire_id = int(repair_marks(target).wire_ids[min(map(min, lines))])
-    mesh.wirewarp_active_wire = list_places(mesh)[wire_id]  # what was marked last is chosen in the list
+    mesh.wirewarp_active_wire = list_places(mesh)[wire_id]  # the last marked wire is chosen in the list
 
 
 def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side: int) -> Planned:
@@ -191,9 +191,9 @@ def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side:
 
 
 def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amount) -> Planned:
-    """The edges that begin at these corners are to be longer by this, on the side of their faces alone.
+    """Plan a longer length of the edges that begin at these corners, on the side of their faces only.
 
-    Raises ObjectError as plan_sides does, and where both sides of an edge are among them.
+    Raises ObjectError like plan_sides, and if both sides of an edge are among them.
     """
     mesh, chosen = target.data, set(corners)
     rows = np.unique(corner_edges(mesh)[list(chosen)])
@@ -209,9 +209,9 @@ def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
 
 
 def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
-    """None of these edges, which may be named twice, has an ease any more.
+    """Clear the eases of these edges, which may be named twice, on all sides.
 
-    On any side. Returns a change for each line that had one.
+    Return a change for each line that had one.
     """
     mesh, rows = target.data, np.unique(edges)
     marks = read_marks(mesh)
@@ -226,7 +226,7 @@ def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
 
 
 def _plan(target: bpy.types.Object, lines: list[list[int]], amount: Amount, selected: int) -> Planned:
-    """lines: corners at which their edges begin; selected: how many edges were to be eased."""
+    """Plan the changes. lines: corners at which their edges begin; selected: number of selected edges."""
     mesh = target.data
     loop_edges, lengths = corner_edges(mesh), _lengths(target) * (1 + read_values(mesh, EASE))
     found = [line for line in lines if line]
@@ -241,10 +241,10 @@ def _plan(target: bpy.types.Object, lines: list[list[int]], amount: Amount, sele
 
 
 def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) -> list[tuple[list[int], list[int]]]:
-    """The corners at which the edges of each line begin, on its one and on its other side.
+    """Return the corners at which the edges of each line begin, on both sides.
 
-    rows: of edges on seams and outlines; places (n,3): of the vertices as they are seen, where lines go straight on. An
-    edge that has no face on a side, or several, has no corner there.
+    rows: of edges on seams and outlines; places (n,3): of the vertices as displayed, by which lines continue straight.
+    An edge without a single face on a side has no corner there.
     """
     edges, starts, loop_edges = edge_vertices(mesh), corner_vertices(mesh), corner_edges(mesh)
     corners_of: dict[tuple[int, int], list[int]] = {}
@@ -262,15 +262,15 @@ def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) 
 
 
 def _is_larger(areas: np.ndarray, one: list[int], other: list[int]) -> bool:
-    """Whether the piece on the first side of a line is larger; of equal ones, and on outlines, none is.
+    """Return whether the piece on the first side of a line is larger; False for equal ones and outlines.
 
-    areas: as of _piece_areas(); one, other: corners.
+    areas: from _piece_areas(); one, other: corners.
     """
     return bool(one and other) and areas[one[0]] > (1 + SAME_AREA) * areas[other[0]]
 
 
 def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(l,) for each corner the area of the piece that it lies in, in the units of the mesh."""
+    """Return the area of the piece (l,) at each corner, in the units of the mesh."""
     faces, inside = faces_of_corners(mesh), ~read_seams(mesh)
     first_at = np.full(len(mesh.edges), -1)
     first_at[corner_edges(mesh)] = faces  # one face of each edge
@@ -291,7 +291,7 @@ def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _outline_rows(mesh: bpy.types.Mesh, rows: np.ndarray) -> np.ndarray:
-    """Those of the edges that lie on a seam or outline, where sides are."""
+    """Return the edges that are on a seam or outline, which have sides."""
     counts = np.bincount(corner_edges(mesh), minlength=len(mesh.edges))[rows]
     return rows[(counts == 1) | (read_seams(mesh)[rows] & (counts > 0))]
 

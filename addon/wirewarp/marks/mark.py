@@ -40,13 +40,13 @@ from ..words import counted
 @dataclass(frozen=True)
 class Marked:
     wires: int
-    lost_eases: int  # of these wires: their edges had several eases, and have none now
+    lost_eases: int  # number of wires whose edges had several eases, which are removed
 
 
 def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> Marked:
-    """The selected edges become wires, one a chain; along seams and outlines, too.
+    """Make the selected edges wires, one per chain, also along seams and outlines.
 
-    Raises ObjectError, with nothing marked on any, on an edge without a face, and on attributes that are not ours.
+    Raises ObjectError, with no mark on any object, for an edge without a face and for attributes that are not ours.
     """
     for target in targets:
         check_attributes(target.data)
@@ -79,13 +79,13 @@ def _mark_object(target: bpy.types.Object, tolerance: float) -> Marked:
             selected[row][wire_layer] = wire_id
             selected[row][tolerance_layer] = tolerance
     _finish(target, edit, wire_layer)
-    # What was marked last is chosen in the list, so that the buttons below that act on it.
+    # The last marked wire is chosen in the list, so that the buttons below the list apply to it.
     target.data.wirewarp_active_wire = list_places(target.data)[wire_id]
     return Marked(len(planned), lost_eases)
 
 
 def clear_selected(targets: Sequence[bpy.types.Object]) -> int:
-    """Selected edges stop being wires. Returns how many did. Raises ObjectError on attributes that are not ours."""
+    """Remove the selected edges from wires. Return how many. Raises ObjectError for attributes that are not ours."""
     for target in targets:
         check_attributes(target.data)
     return sum(map(_clear_object, targets))
@@ -127,7 +127,7 @@ def _pairs(edges: list[bmesh.types.BMEdge]) -> list[tuple[int, int]]:
 
 
 def _positions(target: bpy.types.Object, edit: bmesh.types.BMesh) -> np.ndarray:
-    """As seen in the viewport, so that unapplied scale does not change what is straight."""
+    """Return the positions as displayed, so that unapplied scale does not change which lines are straight."""
     return np.array([vertex.co[:] for vertex in edit.verts]) @ np.array(target.matrix_world)[:3, :3].T
 
 
@@ -145,7 +145,7 @@ def _repair(target: bpy.types.Object, edit: bmesh.types.BMesh, wire_layer: bmesh
 @dataclass(frozen=True)
 class PlannedWire:
     rows: list[int]  # rows of the selected edges
-    kept_id: int  # the id of the wire that is marked again as a whole, 0: a new wire
+    kept_id: int  # id of the wire that is marked again as a whole; 0: a new wire
 
 
 def plan_wires(
@@ -166,10 +166,10 @@ def plan_wires(
 
 
 def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
-    """Marks the borders of the islands of each object's map; seams that are there stay.
+    """Mark the borders of the islands of each object's map; existing seams stay.
 
-    Returns the number of new ones, and the names of the maps. Raises ObjectError, with nothing marked, if one has no UV
-    map.
+    Return the number of new ones, and the names of the maps. Raises ObjectError, with nothing marked, if an object has
+    no UV map.
     """
     maps = [_find_map(target) for target in targets]
     count = sum(_mark_borders(target.data, layer) for target, layer in zip(targets, maps, strict=True))
@@ -183,7 +183,7 @@ def has_new_seams(mesh: bpy.types.Mesh) -> bool:
 
 
 def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
-    """The user's own map, or that of the flat pieces if there is no other."""
+    """Return the user's own map, or that of the flat pieces if there is no other."""
     found = own_uv_map(target.data) or target.data.uv_layers.active
     if found is None:
         raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')
@@ -221,18 +221,21 @@ class SelectedSides:
     model: bpy.types.Object
     edges: np.ndarray  # (k,)
     faces: np.ndarray  # (k,)
-    left_out: int  # selected edges inside of pieces
+    left_out: int  # number of selected edges inside pieces
 
     @property
     def corners(self) -> np.ndarray:
-        """(k,) of these faces, at which these edges begin, in the order of the mesh."""
+        """Return corners (k,) of these faces at which these edges begin, in the order of the mesh."""
         mesh = self.model.data
         count, loop_edges = len(mesh.polygons), corner_edges(mesh).astype(np.int64)
         return np.flatnonzero(np.isin(loop_edges * count + faces_of_corners(mesh), self.edges * count + self.faces))
 
 
 def selected_sides(flat: bpy.types.Object) -> SelectedSides:
-    """Of the selected outline edges of flat pieces in Object Mode. Raises ObjectError if these are not true."""
+    """Return the sides of the selected outline edges of flat pieces in Object Mode.
+
+    Raises ObjectError for outdated pieces.
+    """
     source = model_of(flat)
     if is_earlier(flat):
         raise object_error("earlier_pieces", earlier_sentence(flat))

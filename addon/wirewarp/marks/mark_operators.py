@@ -60,7 +60,7 @@ class WireKind:
     )
 
     def chosen_tolerance(self) -> float:
-        """As the edges carry it. Raises ObjectError if an elastic wire has none."""
+        """Return the tolerance to store on the edges. Raises ObjectError if an elastic wire has none."""
         if self.kind == "ELASTIC" and not self.tolerance > 0:  # nor is it a number in every script
             sentence = "An elastic wire needs a tolerance above 0: set one, or make the wire rigid."
             raise object_error("no_tolerance", sentence)
@@ -183,7 +183,7 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
 
 
 def _plan_allowance(target: bpy.types.Object, width: float) -> Callable[[], tuple[int, int]]:
-    """On a model all sides, on flat pieces theirs; what writes returns the numbers of edges marked and left out."""
+    """Plan all sides on a model, one side on flat pieces; the plan returns the numbers of marked and ignored edges."""
     sides = selected_sides(target) if model_of(target) else None
     mesh = sides.model.data if sides else target.data
     check_allowances(mesh)
@@ -289,7 +289,7 @@ class MESH_OT_wirewarp_mark_seam(OnModel, bpy.types.Operator):
         return self.execute(context)
 
     def draw(self, _context: bpy.types.Context) -> None:
-        """The question, in the dialog alone."""
+        """Draw the question, only in the dialog."""
         if self._asks:
             self.layout.label(text="Every edge is selected. Cut the fabric along all of them?", icon="QUESTION")
 

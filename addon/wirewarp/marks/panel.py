@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking, and what the overlay shows."""
+"""Marking, and the switches of the overlay."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,7 @@ from ..ui.layout import SidebarPanel, draw_sentence
 from ..ui.settings import draw_ease
 
 SIDES = (("ALL", "All Sides"), ("NONE", "Clear Ease"), ("ONE", "One Side"), ("OTHER", "Other Side"))
-OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # where a side is what is selected
+OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # labels if the selection is a side
 
 
 class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):

@@ -159,12 +159,12 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
         return [row for rows in found for row in rows]
 
 
-ROWS = 5  # of the list, however many wires there are: what stands below stays where it is
+ROWS = 5  # rows of the list, however many wires there are, so that the buttons below do not move
 SHOWN_UNLISTED = 3
 
 
 def shown_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
-    """As listed_wires; of a large mesh that is being edited not anew at every redraw, for that would be felt."""
+    """Return listed_wires, but do not read a large mesh in Edit Mode at every redraw, which would be slow."""
     names = [(entry.wire_id, entry.name) for entry in target.data.wirewarp_names]
     made_of = stamp(target.data), target.data.is_editmode, names
     return kept_drawing(target, "wires", made_of, lambda: listed_wires(target))
@@ -198,7 +198,7 @@ class WIREWARP_UL_wires(bpy.types.UIList):
     def filter_items(
         self, context: bpy.types.Context, mesh: bpy.types.Mesh, entries_name: str
     ) -> tuple[list[int], list[int]]:
-        """Wires that are gone are not shown."""
+        """Hide removed wires."""
         entries, helper = getattr(mesh, entries_name), bpy.types.UI_UL_list
         there = [self.bitflag_filter_item * (_wire_of(context.active_object, entry) is not None) for entry in entries]
         if self.filter_name:
@@ -208,7 +208,7 @@ class WIREWARP_UL_wires(bpy.types.UIList):
 
 
 def _wire_of(target: bpy.types.Object, entry: bpy.types.PropertyGroup) -> WireSummary | None:
-    """The wire that has this entry; None if it is gone."""
+    """Return the wire of this entry; None if it was removed."""
     try:
         wires = shown_wires(target)
     except ObjectError:
@@ -225,7 +225,7 @@ def _length(context: bpy.types.Context, wire: WireSummary) -> str:
 
 
 def _rough_length(context: bpy.types.Context, wire: WireSummary) -> str:
-    """To leave the name room."""
+    """Return a short length, which leaves room for the name."""
     return length_text(context.scene).rough(_true_length(context, wire))
 
 
@@ -278,7 +278,7 @@ def _draw_buttons(layout: bpy.types.UILayout, mesh: bpy.types.Mesh, wire: WireSu
 def _draw_unlisted(
     context: bpy.types.Context, layout: bpy.types.UILayout, wires: list[tuple[str, WireSummary]]
 ) -> None:
-    """Wires that were copied, cut in two or joined have no entry before Mark or Flatten: a click changes them."""
+    """Draw wires without an entry, such as copied, cut or joined ones; a click on one adds it."""
     column = layout.column(align=True)
     for name, wire in wires[:SHOWN_UNLISTED]:
         button = column.operator("mesh.wirewarp_change_wire", text=f"{name}  {_figures(context, wire)}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arrays to what the GPU draws, sent there only when they change. In the matrix that is set."""
+"""Sends arrays to the GPU when they change, and draws them in the current matrix."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -21,7 +21,7 @@ LINES, TRIANGLES, COLORED = "POLYLINE_UNIFORM_COLOR", "UNIFORM_COLOR", "SMOOTH_C
 
 
 class Layer(Enum):
-    """From the lowest to the highest: what is wider lies below."""
+    """Layers from the lowest to the highest: wider lines are below."""
 
     RIMS = auto()
     LINES = auto()

@@ -27,7 +27,7 @@ class Failures:
 
     @property
     def kinds(self) -> set[str]:
-        """For the legend. A piece that is closed has no line around it, but its faces are tinted."""
+        """Return the kinds for the legend. A closed piece has no line around it, but its faces are tinted."""
         return {*self.lines, "failed"} if len(self.triangles) else set(self.lines)
 
 
@@ -40,7 +40,7 @@ class _Elements:
 
 
 def failures(target: bpy.types.Object) -> Failures | None:
-    """On the model, or on its flat pieces. Of an object in Object Mode."""
+    """Return the failures on a model or its flat pieces, for an object in Object Mode."""
     found = _elements(target)
     if found is None:
         return None
@@ -69,7 +69,7 @@ def uv_failures(model: bpy.types.Object) -> Failures | None:
 
 
 def _elements(target: bpy.types.Object) -> _Elements | None:
-    """None if there are none, or if the report's are not those of this mesh."""
+    """Return None without elements, or if the report's are not those of this mesh."""
     report = current_report(target)
     if report is None or report.with_modifiers or not report.issues:
         return None
@@ -97,9 +97,9 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
-    """A mask of the edges that are named, of those at vertices that are, and of those around the faces.
+    """Return a mask of the named edges, of those at named vertices, and of those around named faces.
 
-    Not of those within: the faces have a color of their own, below which wires and proposed seams are to be seen.
+    Edges inside are left out, because the color of the faces shows wires and proposed seams.
     """
     failed = _named(pairs, [edge for issue in issues for edge in issue.edges])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue.vertices]).any(axis=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the overlay shows of an object, as arrays: read from its mesh as it is seen, or in the plane of its map."""
+"""Reads what the overlay shows of an object into arrays, from the displayed mesh or from its map."""
 
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
@@ -81,7 +81,7 @@ def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
 
 
 def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> AbstractContextManager[bpy.types.Mesh]:
-    """As modifiers and shape keys leave it; in Edit Mode, be it by another object of the same mesh, as it is edited."""
+    """Return the mesh with modifiers and shape keys, or as edited, even through another object of the same mesh."""
     is_modified = not target.data.is_editmode and (target.modifiers or target.data.shape_keys)
     return evaluated_mesh(target, depsgraph) if is_modified else current_mesh(target)
 

@@ -10,7 +10,7 @@ from ..core import pattern
 from ..solve.chains import EdgeMarks, chains_of_marks
 from ..words import ease_text, wire_text
 
-ALONG = (0.25, 0.5, 0.75)  # of the edges of a line, nearest to its middle first: where else its name may stand
+ALONG = (0.25, 0.5, 0.75)  # of the edges of a line, nearest to its middle first: other places for its name
 HEAD = 0.25  # of half an arrow's length: its head
 _TURNS = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in np.radians(range(0, 90, 15))]
 VIEW_SIZE = 800  # pixels that an object is wide or high in a usual view: in it dashes have the length of their style
@@ -42,7 +42,7 @@ def _hex(text: str) -> tuple[float, float, float]:
 
 THIN = 1.0  # pixels
 RIM, RIM_ALPHA = 1.5, 0.6  # of the rim: pixels wider than the line
-# In the order in which they are drawn: a wire on a seam or in what failed is seen on top of it.
+# In drawing order: a wire is visible on a seam or a failed area.
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
     "proposed": LineStyle("Suggested cut", _hex("#890089"), 6.0),
@@ -63,7 +63,7 @@ CORES = {"selected"}  # drawn on one of the others, which is seen on both sides
 
 @dataclass(frozen=True)
 class WireRun:
-    """One wire, wherever it is drawn: an edge on a seam of flat pieces has a row on either side."""
+    """One wire wherever it is drawn: an edge on a seam of flat pieces has a row on each side."""
 
     wire_id: int
     tolerance: float
@@ -188,7 +188,7 @@ Rooms = Mapping[int, float]  # by piece, the root of its area; empty on models
 
 
 def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[str], rooms: Rooms) -> list[Name]:
-    """Of each wire in each piece, in the middle of it; elastic ones with their tolerance. names: one for each run."""
+    """Return the names in the middle of each wire in each piece, with tolerances. names: one for each run."""
     named = []
     for run, name in zip(runs, names, strict=True):
         has_text = 0 < run.tolerance < np.inf or run.ease != 0
@@ -212,7 +212,7 @@ def seam_line_names(
 
 
 def piece_rooms(lines: LineEdges) -> Rooms:
-    """Of pieces in a plane, by the smallest box around each, level or turned."""
+    """Return the rooms of pieces in a plane, by the smallest box around each, level or turned."""
     rooms = {}
     for piece in np.unique(lines.pieces).tolist():
         points = lines.ends[lines.pieces == piece].reshape(-1, 3)[:, :2]
@@ -242,7 +242,7 @@ def arrow(lines: LineEdges, piece: int, middle: np.ndarray, direction: np.ndarra
 
 
 def _reach(point: np.ndarray, way: np.ndarray, a: np.ndarray, b: np.ndarray) -> float:
-    """How far from a point (2,) along the unit vector `way` the first of the segments from a (k,2) to b lies."""
+    """Return the distance from a point (2,) along the unit vector `way` to the first segment from a (k,2) to b."""
     distances = pattern.geometry.crossings(point, way, a, b)
     return float(distances[distances > 0].min(initial=np.inf))
 

@@ -107,14 +107,14 @@ def is_modified(source: bpy.types.Object) -> bool:
 
 
 def _seams_of_report(edges: LineEdges, report: ObjectReport) -> np.ndarray:
-    """(k,) numbers of the seams from 1; 0 for edges of none."""
+    """Return the numbers (k,) of the seams from 1; 0 for edges without a seam."""
     numbers = {(min(edge), max(edge)): seam.index + 1 for seam in report.seams for edge in seam.edges}
     pairs = np.sort(edges.vertices, axis=1).tolist()
     return np.array([numbers.get((a, b), 0) for a, b in pairs], dtype=np.int32)
 
 
 def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) -> tuple[str, ...]:
-    """With what it joins: on a flat piece, to what that is joined. number: from 1."""
+    """Return the texts with the joined pieces; on a flat piece, with the other piece. number: from 1."""
     seam = report.seams[number - 1]
     joined = joined_pieces(report, [each for each in seam.pieces if not on_flat or each != piece])
     return (f"{seam.name}: {joined}", seam.name) if joined and len(set(seam.pieces)) > 1 else (seam.name,)

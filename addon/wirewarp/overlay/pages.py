@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where flat pieces are cut, and the pages that they will be printed on: arrays, no GPU."""
+"""Cut lines of flat pieces, and the pages for printing them: arrays, no GPU."""
 
 from dataclasses import dataclass, field
 
@@ -20,7 +20,7 @@ INSET = np.array([0.06, 0.05])  # of a page: where its name stands
 
 @dataclass(frozen=True)
 class CutLines:
-    """Of the pieces as they lie, in millimeters."""
+    """Cut lines of the pieces in their places, in millimeters."""
 
     made: pattern.Pattern | None  # None where they make no pattern: Export says why
     has_allowance: bool
@@ -39,7 +39,7 @@ class PagePreview:
 def outlines(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> PatternParts | None:
-    """Of flat pieces outside Edit Mode, with allowances; None where they make no pattern."""
+    """Return the outlines of flat pieces outside Edit Mode, with allowances; None if they make no pattern."""
     try:
         return read_outlines(scene, source, flat, depsgraph)
     except ObjectError:
@@ -74,9 +74,9 @@ class PageChoices:
 
 
 def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:
-    """The pages over the pieces as they lie; where they will lie otherwise, these pages below them.
+    """Return the pages over the pieces; if they will be arranged differently, these pages below the pieces.
 
-    Laid out by the library as for a PDF. drawn: what the file shows of the pieces; millimeters: in a Blender unit.
+    The library lays them out as for a PDF. drawn: parts of the pieces in the file; millimeters: in a Blender unit.
     """
     made, paper = drawn.made, choices.paper
     if made is None or cut.made is None:

@@ -54,7 +54,7 @@ def lay_out(
     unit: float,
     text_width: Callable[[str], float],
 ) -> Legend:
-    """The legend with its lower right corner at `corner`; unit: pixels in a pixel at interface scale 1.
+    """Lay out the legend with its lower right corner at `corner`. unit: pixels in a pixel at interface scale 1.
 
     From top to bottom: a sample of each line, the notes, the scale of colors.
     """
@@ -84,7 +84,7 @@ def lay_out(
 
 
 def _title(color_map: ColorMap, extremes: Extremes | None) -> str:
-    """With the true extremes: the scale may end before them."""
+    """Return the title with the true extremes, because the scale may end before them."""
     if extremes is None:
         return color_map.label
     low, high = (color_map.number(value, digits=3) for value in extremes)
@@ -179,9 +179,9 @@ def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHER
 
 
 def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE) -> list[Text]:
-    """As many as fit: none much longer than what it names, none over another, and none that hides its piece.
+    """Place as many names as fit: none much longer than its line, on another name, or hiding its piece.
 
-    span: from left to right, where nothing lies over the view; what is named there has its name there, too.
+    span: from left to right, where nothing covers the view; names of points in it stay in it.
     """
     wanted = list(names)
     boxes = [name.box.ravel() for name in wanted if name.box is not None]
@@ -204,7 +204,7 @@ def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: S
 
 
 def _that_fit(name: PlacedName, covered: float, size_of: Callable[[str], Size]) -> Iterator[str]:
-    """The texts that may be written on what they name. covered: of the piece, in square pixels."""
+    """Return the texts that fit on their pieces. covered: share of the piece, in square pixels."""
     for text in name.texts:
         size = size_of(text)
         is_last = text == name.texts[-1]
@@ -257,7 +257,7 @@ def _free_span(context: bpy.types.Context) -> Span:
 
 
 def _label(text: Text, size: tuple[float, float]) -> Box:
-    """Dark ground, on which a name can be read whatever is below."""
+    """Draw a dark background, on which a name is readable over anything."""
     (width, height), aside = size, LABEL_MARGIN * size[1]
     return Box(text.left - aside, text.base - aside, text.left + width + aside, text.base + height + aside, LABEL)
 
@@ -282,7 +282,7 @@ def _write(texts: list[Text], color: tuple[float, float, float]) -> None:
 
 
 class Taken:
-    """Where texts stand already."""
+    """Places that texts occupy."""
 
     def __init__(self, pieces: np.ndarray, span: Span = EVERYWHERE) -> None:
         """pieces (p,4): boxes around flat pieces, which names beside others leave free: left, bottom, right, top."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which objects are drawn, in 3D views and in UV editors."""
+"""The objects that are drawn, in 3D views and in UV editors."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -46,7 +46,7 @@ def shown_map(context: bpy.types.Context) -> ColorMap | None:
 
 
 def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Why the map that is wanted is not on all of them, as sentences."""
+    """Return sentences on why the chosen map is missing on some of them."""
     without = [each.target for each in shown if each.surface is None and not each.target.data.is_editmode]
     reports = [last_report(model_or_self(target)) for target in without]
     whys = {"Not flattened: no map": any(report is None or report.flat_object is None for report in reports)}
@@ -60,7 +60,7 @@ def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
 
 
 def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Why the map is not everywhere, and below a map of stretch the figure of the verdict."""
+    """Return why the map is missing somewhere, and below a map of stretch the figure of the verdict."""
     notes = missing_maps(shown, color_map)
     reports = [last_report(model_or_self(each.target)) for each in shown if each.surface is not None]
     pieces = [piece for report in reports if report for piece in report.pieces if piece.ok]
@@ -76,7 +76,7 @@ def _has_cloth(report: ObjectReport) -> bool:
 
 
 def extremes(shown: Sequence[Drawing]) -> Extremes | None:
-    """The smallest and the largest value of the map on all of them."""
+    """Return the smallest and the largest value of the map on all of them."""
     found = [each.surface.extremes for each in shown if each.surface and each.surface.extremes]
     return (min(low for low, _ in found), max(high for _, high in found)) if found else None
 

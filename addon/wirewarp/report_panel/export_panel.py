@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Export, with the allowance and the pages that it will have."""
+"""Export, with its allowance and pages."""
 
 import bpy
 
@@ -38,7 +38,7 @@ class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
 
 
 def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
-    """What the pages drawn over the pieces are of, and how many they are."""
+    """Draw what the preview of pages shows, and their number."""
     settings, column = context.scene.wirewarp, layout.column(align=True)
     column.prop(settings, "arrangement", text="")
     if settings.arrangement == "MARKER":

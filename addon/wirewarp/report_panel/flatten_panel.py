@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flatten, what became of it, and what to do next: together, at the top of the sidebar."""
+"""Flatten, its result, and the next steps: together, at the top of the sidebar."""
 
 import bpy
 
@@ -106,7 +106,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
 
 
 def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
-    """A model that nobody could sew has mostly lost its unit on the way through a file."""
+    """Warn about a model of impossible size, which has usually lost its unit in a file."""
     sentence = strange_size(source, context.scene)
     if not sentence:
         return
@@ -183,7 +183,7 @@ def _draw_step(context: bpy.types.Context, layout: bpy.types.UILayout, step: Nex
 
 
 def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> int | None:
-    """The piece for which the panel has Suggest Darts and Suggest Seams."""
+    """Return the piece for which the panel has Suggest Darts and Suggest Seams."""
     if untrue_sentence(context.active_object, source, report):
         return None
     left_out = _left_out(context, source, report)

@@ -198,7 +198,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         return {"FINISHED"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        """What was fixed stays, and can be undone, whatever becomes of the run."""
+        """Keep the fix, which can be undone, whatever the run returns."""
         result = super().modal(context, event)
         return {"FINISHED"} if result == {"CANCELLED"} else result
 
@@ -206,7 +206,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         return model_or_self(context.active_object)
 
     def _mend(self, context: bpy.types.Context) -> bool:
-        """Whether it was; says why not."""
+        """Return whether it was fixed; otherwise report why not."""
         refusal = nothing_to_flatten(context, active_target(context))
         if refusal:
             self.report({"ERROR"}, refusal)

@@ -154,7 +154,7 @@ class NextStep(NamedTuple):
 
 
 def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: bool = False) -> NextStep | None:
-    """None if the pieces may be cut, or if suggestions, whose buttons are below, are the next step.
+    """Return the step; None if the pieces can be cut, or if suggestions, whose buttons are below, are the next step.
 
     left_out: see as_seen, of the model as it is now.
     """
@@ -181,7 +181,7 @@ def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: boo
 
 
 def uv_step(found: UvSeams) -> NextStep:
-    """To mark the seams of the UV map, with what became of trying them."""
+    """Return the step that marks the seams of the UV map, with the result of trying them."""
     became = f"{found.failed} of them fail" if found.failed else f"stretch {percent_text(found.stretch)}"
     sentence = f"The seams of the UV map make {counted(found.pieces, 'piece')}, {became}."
     return NextStep(sentence, "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
@@ -193,7 +193,7 @@ def untried_uv_step() -> NextStep:
 
 
 def wants_seams(report: ObjectReport) -> bool:
-    """Whether Suggest Seams is a way out."""
+    """Return whether Suggest Seams can help."""
     return any(issue.proposed_seams for issue in report.issues)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons beside the report: select and show what it names, take what it proposes, copy it; and the view of all."""
+"""The buttons beside the report: select and show its elements, apply its proposals, copy it, and view all."""
 
 import bpy
 from bpy.props import EnumProperty, IntProperty

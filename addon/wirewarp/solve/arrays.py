@@ -89,7 +89,7 @@ def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
 
 
 def faces_inward(arrays: MeshArrays) -> bool:
-    """Of a model that has faces all around, like a bodice, a sleeve or a ball: whether they point to its middle."""
+    """Return whether faces that surround the model, like a bodice, a sleeve or a ball, point to its middle."""
     vectors = area_vectors(arrays.vertices, arrays.triangles)
     areas = np.linalg.norm(vectors, axis=0)
     if len(areas) == 0 or np.linalg.norm(vectors.sum(axis=1)) > ALL_ROUND * areas.sum():

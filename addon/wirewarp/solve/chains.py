@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-# Where an odd number of edges meets, only lines that turn less than this go on.
+# If an odd number of edges meets, only lines with a smaller turn continue.
 STRAIGHT_COSINE = np.cos(np.radians(45.0))
 
 
@@ -26,7 +26,7 @@ class Chain:
 
 @dataclass(frozen=True)
 class EdgeMarks:
-    """Which edges are wires, and of what length: one entry an edge, of a whole mesh or of some of its edges."""
+    """Wires and their lengths: one entry per edge, of a whole mesh or of some of its edges."""
 
     wire_ids: np.ndarray  # (e,) int32, 0 none
     tolerances: np.ndarray  # (e,) float32: 0 rigid, finite elastic, inf super-elastic
@@ -67,10 +67,10 @@ class WireChain:
 
 
 def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
-    """Edges (k,2) of vertices positions (n,3) to chains.
+    """Return chains of edges (k,2) of vertices positions (n,3).
 
-    At a vertex of two edges a chain goes on. Where four or more meet, chains go straight on, so that crossing lines
-    stay whole. Where an odd number meets, one edge ends there, and so do lines that are not straight.
+    At a vertex of two edges a chain continues. Where four or more meet, chains continue straight, so that crossing
+    lines stay whole. At an odd number, one edge ends, and so do lines that are not straight.
     """
     following, vertex_of_side = _pair_sides(edges, positions).tolist(), edges.ravel().tolist()
     used = [False] * len(edges)
@@ -96,7 +96,7 @@ def chains_of_marks(edges: np.ndarray, marks: EdgeMarks, positions: np.ndarray) 
 
 
 def shortest_double(value: np.float32) -> float:
-    """The float32 0.03 as the double 0.03, not 0.029999999329: what the user wrote."""
+    """Return the float32 0.03 as the double 0.03, not 0.029999999329, because the user entered 0.03."""
     number = float(str(np.float32(value)))
     return math.nan if math.isnan(number) else number  # one and the same object, or no two edges are of one wire
 

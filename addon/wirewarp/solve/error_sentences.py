@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The library's errors as sentences for Blender's users: in faces, display units, wire names and Blender's commands.
+"""The library's errors as sentences for Blender's users: faces, display units, wire names and Blender's commands.
 
-Elements are counted, because a button selects them, and a piece has no name here, because it is put in front.
+Elements are counted, because a button selects them. A piece is not named here, because its name is put in front.
 """
 
 import math
@@ -19,7 +19,7 @@ FREE = "or remove a wire nearby or set a tolerance"
 
 @dataclass(frozen=True)
 class ErrorFacts:
-    """An error, and what of it only the add-on knows."""
+    """An error, and facts that only the add-on knows."""
 
     error: FlattenError
     faces: int  # number of the mesh's faces that error.faces are part of
@@ -64,7 +64,7 @@ def percent(fraction: float) -> str:
 
 
 def error_sentence(facts: ErrorFacts) -> str:
-    """Fault, place, remedy. An error that only scripts can cause keeps the library's own sentence."""
+    """Return fault, place, remedy. An error that only scripts can cause keeps the library's sentence."""
     sentence = SENTENCES.get(str(facts.error.code))
     return sentence(facts) if sentence else facts.error.message
 

@@ -20,7 +20,7 @@ from .steps import Steps
 
 EASE_AGAIN = "Mark the ease again: anything above -100%, 0 for none."
 Result = TypeVar("Result")
-_ending: list[Job] = []  # cancelled jobs: whoever drops one waits for it
+_ending: list[Job] = []  # canceled jobs, because dropping one waits for it
 
 
 @dataclass(frozen=True)
@@ -67,9 +67,9 @@ def flatten_arrays(
     choices: FlattenChoices,
     solved: Cache | None = None,
 ) -> Steps[FlattenResult]:
-    """The library's FlattenResult; solved: a Cache with pieces that need not be solved again.
+    """Return the library's FlattenResult. solved: a Cache with pieces that need no new solution.
 
-    Raises ObjectError if the mesh as a whole is refused. The library works while nobody asks for the next step.
+    Raises ObjectError if the mesh as a whole is refused. The library continues to work between steps.
     """
     try:
         arguments = library_arguments(library, arrays, choices)

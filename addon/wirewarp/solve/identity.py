@@ -146,7 +146,7 @@ class PieceIdentity:
 
 @dataclass(frozen=True)
 class _Shape:
-    """Of the pieces, one row each, and of their triangles."""
+    """Shapes of the pieces, one row each, and of their triangles."""
 
     triangle_areas: np.ndarray  # (m,)
     normals: np.ndarray  # (p,3), the mean over the area

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Measures to colors that differ without hue: by lightness, or by warm and cold."""
+"""Colors for values, which differ by lightness, or by warm and cold, but not by hue."""
 
 import math
 from dataclasses import dataclass

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Failed pieces that are alike, as two sleeves are: what is proposed for one is proposed for both, as mirror images."""
+"""Failed mirrored pieces, such as two sleeves: a proposal for one is made for both, as mirror images."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace

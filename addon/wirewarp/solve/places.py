@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces stay where the user has put them when they are flattened again."""
+"""Keeps pieces where the user has placed them when they are flattened again."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -157,7 +157,7 @@ def _only_once(sources: np.ndarray) -> np.ndarray:
 
 
 def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
-    """Pieces that lie over another and did not before; of two, the one that has grown more."""
+    """Return pieces that overlap another and did not before; of two, the one that has grown more."""
     overlap = pattern.geometry.overlap
     close = _close(kept, now)
     growth = {piece_id: now.area(piece_id) / max(then.area(piece_id), 1e-300) for piece_id in close}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report of one object: the library's, with what the add-on knows about the object; and the message of a run."""
+"""The report of one object: the library's, with the add-on's facts about the object; and the message of a run."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field

@@ -44,9 +44,9 @@ class Target:
 
 @dataclass(frozen=True)
 class Cut:
-    """A dart or a seam, or two that are mirror images of each other, or a set of first cuts; and what marking does.
+    """A dart, a seam, a mirrored pair of them, or a cut set; and the effect of marking it.
 
-    For a target it is all of these from the first to one of them.
+    For a target, it includes all cuts from the first to one of them.
     """
 
     edges: Pairs
@@ -113,7 +113,7 @@ def diagonals(arrays: MeshArrays) -> np.ndarray:
 
 
 def _barred_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
-    """(k,2) with both ends painted, or all faces: what runs around painted faces is not meant."""
+    """Return edges (k,2) with both ends painted, or all faces: edges around painted faces are allowed."""
     counts = np.bincount(arrays.loop_edges, minlength=len(arrays.edges))
     painted = painted_at_edges(arrays, no_seam)
     return arrays.edges[((counts > 0) & (painted == counts)) | no_seam.vertices[arrays.edges].all(axis=1)]

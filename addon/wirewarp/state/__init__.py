@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is stored of models and flat pieces, and kept in memory: read, compared with what was, and named.
+"""Data stored on models and flat pieces and in memory: read, compared with earlier data, and named.
 
 May import: solve, blender, core, issues, names, words.
 """

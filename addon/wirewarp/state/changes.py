@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All of a model that its flat pieces depend on, in short: by it a report sees that the model has changed since."""
+"""A summary of everything that the flat pieces of a model depend on, by which a report detects changes."""
 
 import hashlib
 
@@ -34,9 +34,9 @@ def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: 
 
 
 def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept) -> bool:
-    """Whether geometry, seams, wires or scale are other than in a report's model_state; take: kept, or read_anew.
+    """Return whether geometry, seams, wires or scale differ from a report's model_state. take: kept, or read_anew.
 
-    Of a report with modifiers, also whether these make another mesh; not where that cannot be seen: see shows_modified.
+    For a report with modifiers, also whether these make another mesh, unless that cannot be seen: see shows_modified.
     """
     return state is not None and bool(_changes(source, state, take))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is drawn, kept until what it was made of changes, so that a redraw costs nothing."""
+"""Keeps drawings until their data change, so that a redraw is free."""
 
 import time
 from collections.abc import Callable

@@ -140,7 +140,7 @@ def _has_changed(source: bpy.types.Object, report: ObjectReport) -> bool:
 
 
 def _is_edited(mesh: bpy.types.Mesh, report: ObjectReport) -> bool:
-    """Whether anything but the place of whole pieces is other than it was laid out."""
+    """Return whether anything but the places of whole pieces differs from the layout."""
     if not has_attributes(mesh, PIECE_INDEX, SOURCE_VERTEX):
         return True
     pieces = find_values(mesh, PIECE_INDEX)

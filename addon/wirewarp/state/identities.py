@@ -123,7 +123,7 @@ class WireSummary:
     ease: float
     edges: list[int]  # of the mesh, in order along the wire
     edge_vectors: np.ndarray  # (k,3) in the mesh's own space
-    shares_id: bool  # with an earlier one: a wire that was copied or cut in two
+    shares_id: bool  # shared with an earlier wire: this one was copied or cut in two
 
     def length(self, linear: np.ndarray) -> float:
         """In Blender units, for an object with this linear part."""

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All that is kept in memory of objects, meshes and scenes, in one place: it goes with each of them, and with the file.
+"""Everything that is kept in memory of objects, meshes and scenes: it is dropped with each of them, and with the file.
 
-What was gathered from geometry to be shown is kept until that changes, so that drawing need not read it again. Which
-objects concern us is asked again only for those that Blender has updated: a file may have thousands of others.
+Data gathered from geometry is kept until that changes, so that drawing need not read it again. Only objects that
+Blender has updated are checked again: a file may have thousands of others.
 """
 
 from collections.abc import Callable, Iterator
@@ -53,7 +53,7 @@ def state_of(owner: bpy.types.ID) -> ObjectState:
     state = _memory.states.get(key)
     if state is None:
         state = _memory.states[key] = ObjectState(name)
-    elif state.name != name:  # before Blender 4.1 it may be another one at the same address
+    elif state.name != name:  # before Blender 4.1, another data-block may have the same address
         state.name = name
         state.gathered.clear()
         state.drawings.clear()

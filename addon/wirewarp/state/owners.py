@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which object is whose: models and their flat pieces.
+"""Finds the model of flat pieces and the flat pieces of a model.
 
 Scripts and users may have changed the pointer, and converted or exchanged the objects.
 """

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The reports of each object: that of its flat pieces, and that of a run since then that wrote nothing.
+"""The reports of each object: that of its flat pieces, and that of a later run that wrote nothing.
 
-A run that wrote something leaves its report on the object, so that it is saved with it. A run that wrote nothing leaves
-the file alone: its report is kept here, until the next run or file. A report that was changed by anything else is not
-shown: what it says need not be true, nor can it be read safely.
+A run that wrote pieces stores its report on the object, so that the file keeps it. A run that wrote nothing does not
+change the file: its report stays in memory until the next run or file. A report that anything else changed is not
+shown, because it may be wrong or unsafe to read.
 """
 
 import hashlib

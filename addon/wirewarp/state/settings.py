@@ -55,7 +55,7 @@ def _fabrics() -> list[tuple[str, str, str, int]]:
 
 
 class FlattenSettings:
-    """What Flatten asks for: shared by the scene's settings and the operator."""
+    """Settings of Flatten: shared by the scene's settings and the operator."""
 
     method: EnumProperty(
         name="Method",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cuts that were suggested for each object, until it changes, and where no cut is wanted."""
+"""Suggested cuts of each object, kept until it changes, and areas without cuts."""
 
 from dataclasses import dataclass, replace
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What operators that change models have in common: they refuse flat pieces, report what is refused, and plan first."""
+"""The common part of operators that change models: they refuse flat pieces, report refusals, and plan first."""
 
 from collections.abc import Callable
 from functools import wraps

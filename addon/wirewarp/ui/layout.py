@@ -86,7 +86,7 @@ def _lines(text: str, width: float, size: float) -> list[str]:
 def draw_sentence(
     context: bpy.types.Context, layout: bpy.types.UILayout, text: str, icon: str = "NONE", reserved: int = 0
 ) -> None:
-    """Blender cuts long labels off, so the sentence is broken into lines that fit the region less the reserved pixels.
+    """Draw a sentence in lines that fit the region minus the reserved pixels, because Blender cuts long labels off.
 
     icon is a name of Blender's, or one of MARKS.
     """

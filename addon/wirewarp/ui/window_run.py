@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one piece of work that may be going on in the window: its steps, its timer, and how far it is.
+"""The one task that may run in the window: its steps, its timer, and its progress.
 
-However a run ends, be it done, cancelled, by another file or because the add-on goes, it ends in stop().
+However a run ends - finished, canceled, by another file or because the add-on is disabled - it ends in stop().
 """
 
 import math
