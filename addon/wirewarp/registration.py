@@ -35,7 +35,7 @@ HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
     "load_pre": (window_run.stop, drop_jobs),
     "load_post": (drawings.forget, memory.forget),
 }
-FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])  # what is in memory goes with the add-on as with the file
+FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])  # memory is cleared with the add-on as with the file
 
 
 def register() -> Callable[[], None]:

@@ -132,7 +132,7 @@ class UpdateSteps(FlattenSteps):
     bl_options = {"INTERNAL", "UNDO_GROUPED"}
     tries_uv_seams = False
 
-    # As it was begun, it ends with a movement of the mouse that no tool has taken: see auto_update.
+    # It starts with a movement of the mouse that no tool has used, and ends the same way: see auto_update.
     ends_on = "MOUSEMOVE"
 
     @classmethod
@@ -150,17 +150,17 @@ class UpdateSteps(FlattenSteps):
         return True
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
-        """Nothing: the user is at work in this view."""
+        """Show nothing: the user is working in this view."""
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
-        """A model that changed meanwhile is due again already; what only could not be written is due as it is."""
+        """Do nothing for a changed model, which is due again already; one that could not be written becomes due."""
         if code == "elsewhere":
             sources = filter(None, map(find_source, self._models))
             put_back(list(sources), bpy.data.scenes.get(self._scene, context.scene))
         return {"CANCELLED"} if code in {"changed", "elsewhere"} else super().give_up(context, code, sentence, level)
 
     def message(self, level: str, text: str) -> None:
-        """Without the window that an error opens: the report has it, and the user is still at work."""
+        """Report without the window that an error opens: the user is still working."""
         self.report({"WARNING" if level == "ERROR" else level}, text)
 
 
@@ -180,7 +180,7 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """A change in another mode, or during a run, waits for its end."""
+        """Wait for the end of another mode or run after a change."""
         return is_due(context.scene) and OBJECT_OT_wirewarp_update.poll(context)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
@@ -213,7 +213,7 @@ def updating_in(group: str) -> Callable:
 
 
 def _joining() -> list[type[bpy.types.Operator]]:
-    """The operators of updating_in that there are."""
+    """Return the existing operators of updating_in."""
     return list(takewhile(bool, (getattr(bpy.types, JOINING.format(number), None) for number in range(MOST))))
 
 

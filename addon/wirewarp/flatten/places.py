@@ -24,7 +24,7 @@ GAP = 0.1  # of the model's largest dimension
 LARGE = 5.0  # times that: a room or a landscape, in which the pieces may lie
 SOLID = {"MESH", "CURVE", "SURFACE", "META"}
 Box = np.ndarray  # (2,3), the lowest and the highest corner
-TURNED = 0.999  # cosine of the angle, 2.5 degrees, from which on another direction is up
+TURNED = 0.999  # cosine of 2.5 degrees: a larger change counts as another direction up
 TURNED_TEXT = (
     "The model was turned after its pieces were laid out, and Keep Places left them as they were. To set them upright "
     "again, select the model and press Lay Out Again in the Pieces panel."

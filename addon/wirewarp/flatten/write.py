@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writing what was solved, in Object Mode, once all of it is there."""
+"""Writes the results in Object Mode, once all of them exist."""
 
 import bpy
 import numpy as np
@@ -51,9 +51,9 @@ def _write_pieces(
     settings: RunSettings,
     models: list[bpy.types.Object],
 ) -> None:
-    """The flat object comes first, for it takes the most: should that fail, all is still as it was.
+    """Write the flat object first, because it is the most likely to fail: nothing else has changed then.
 
-    models: of this run, all of them.
+    models: all of this run.
     """
     arrays = outcome.arrays
     is_new, failed = not has_flat_object(source), [issue.piece for issue in outcome.report.issues]
@@ -69,7 +69,7 @@ def _write_pieces(
     write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
     write_seams(source, arrays, outcome.seams, not settings.use_modifiers)
     with_names(source, outcome.report)
-    if is_new or failed:  # else the user's choice stays
+    if is_new or failed:  # otherwise the user's choice stays
         source.wirewarp_active_piece = outcome.report.tables.pieces[0].index
     if not settings.use_modifiers:
         uv_scale = write_uv(source.data, outcome.pieces, len(arrays.loop_vertices))
@@ -87,7 +87,7 @@ def _notes_on_others(source: bpy.types.Object) -> list[Note]:
 
 
 def _kept_object(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> bpy.types.Object | None:
-    """The flat object in which the pieces stay where they lie; None where all are laid out anew."""
+    """Return the flat object whose pieces keep their places; None if all are laid out again."""
     earlier = find_flat_object(source)
     is_kept = keep_places and earlier and not wants_new_layout(outcome.report.options, earlier)
     return earlier if is_kept else None

@@ -22,7 +22,7 @@ from .objects import current_report, is_modified
 
 @dataclass(frozen=True)
 class Failures:
-    lines: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line: what failed, and what would fix it
+    lines: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line: failed elements and their fixes
     triangles: np.ndarray  # (3m,3) float32
 
     @property
@@ -35,7 +35,7 @@ class Failures:
 class _Elements:
     """Of the object's own mesh."""
 
-    edges: dict[str, np.ndarray]  # (e,) bool for each kind of line that there is
+    edges: dict[str, np.ndarray]  # (e,) bool for each kind of line
     faces: np.ndarray  # (f,) polygons
 
 
@@ -109,7 +109,7 @@ def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], 
 
 
 def _named(pairs: np.ndarray, edges: list) -> np.ndarray:
-    """A mask of those pairs of the model's vertices (e,2) that are among the edges."""
+    """Return a mask of those pairs of the model's vertices (e,2) that are among the edges."""
     wanted = np.array(edges, dtype=np.int64).reshape(-1, 2)
     count = max(int(pairs.max(initial=0)), int(wanted.max(initial=0))) + 1
     return np.isin(edge_keys(pairs, count), edge_keys(wanted, count))
@@ -129,7 +129,7 @@ def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
 
 
 def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
-    """(2k,3) on a model or on flat pieces; none where nothing is chosen. Of an object in Object Mode."""
+    """Return (2k,3) on a model or flat pieces in Object Mode; none if nothing is chosen."""
     pairs = _pairs(target)
     if not pairs:
         return NO_LINES
@@ -144,7 +144,7 @@ def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) ->
 
 
 def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
-    """(2k,3) in the map of the pieces. Of an object in Object Mode."""
+    """Return (2k,3) in the map of the pieces, for an object in Object Mode."""
     pairs = _pairs(model)
     if not pairs or is_modified(model):  # which gets no map
         return NO_LINES

@@ -38,7 +38,7 @@ Extremes = tuple[float, float]  # the smallest and the largest value of a map, w
 
 @dataclass(frozen=True)
 class Triangles:
-    """Of a whole mesh."""
+    """Triangles of a whole mesh."""
 
     positions: np.ndarray  # (n,3) float32
     vertices: np.ndarray  # (m,3) int32
@@ -60,9 +60,9 @@ def colored(triangles: Triangles, corner_colors: np.ndarray, extremes: Extremes 
 
 
 def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> np.ndarray:
-    """The colors (count,4) at the model's corners, from those at the flat pieces' corners."""
+    """Return the colors (count,4) at the model's corners, from those at the flat pieces' corners."""
     colors = np.tile(NO_LAYOUT, (count, 1))
-    inside = (source_corner >= 0) & (source_corner < count)  # corners made by hand are of no place on the model
+    inside = (source_corner >= 0) & (source_corner < count)  # corners made by hand have no place on the model
     colors[source_corner[inside]] = flat_colors[inside]
     return colors
 
@@ -87,7 +87,7 @@ def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Abst
 
 
 def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
-    """is_edited: it is seen in Edit Mode, which shows what is selected and hides what is hidden."""
+    """Return the lines. is_edited: in Edit Mode, which shows the selection and hides hidden elements."""
     marks, seams = read_marks(mesh), read_seams(mesh)
     outlines = faces_at_edges(mesh) == 1
     is_shown = ~read_hidden_edges(mesh) if is_edited else True
@@ -111,7 +111,7 @@ def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
 
 
 def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> SideEases | None:
-    """None where there are none."""
+    """Return None if there are none."""
     with shown_mesh(target, depsgraph) as mesh:
         ratios = SIDE_EASES.read(mesh)
         corners = np.flatnonzero(ratios)
@@ -157,7 +157,10 @@ def shows_our_map(mesh: bpy.types.Mesh) -> bool:
 
 
 def gather_uv_lines(target: bpy.types.Object) -> LineEdges:
-    """Marked edges as each of their faces has them in the map. Raises ObjectError if an attribute is not ours."""
+    """Return marked edges at the places of each of their faces in the map.
+
+    Raises ObjectError for foreign attributes.
+    """
     with current_mesh(target) as mesh:
         return _uv_lines(mesh, target.data.is_editmode)
 

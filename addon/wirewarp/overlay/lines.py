@@ -11,9 +11,9 @@ from ..solve.chains import EdgeMarks, chains_of_marks
 from ..words import ease_text, wire_text
 
 ALONG = (0.25, 0.5, 0.75)  # of the edges of a line, nearest to its middle first: other places for its name
-HEAD = 0.25  # of half an arrow's length: its head
+HEAD = 0.25  # share of half an arrow's length
 _TURNS = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in np.radians(range(0, 90, 15))]
-VIEW_SIZE = 800  # pixels that an object is wide or high in a usual view: in it dashes have the length of their style
+VIEW_SIZE = 800  # usual width or height of an object in pixels: dashes have the length of their style at this size
 
 
 @dataclass(frozen=True)
@@ -21,7 +21,7 @@ class LineStyle:
     label: str
     color: tuple[float, float, float]  # as the screen shows it, sRGB
     width: float  # pixels at interface scale 1
-    dash: tuple[float, float] | None = None  # lengths of dash and gap in pixels; in the gaps the line is thin
+    dash: tuple[float, float] | None = None  # lengths of dash and gap in pixels; the gaps show a thin line
 
     @property
     def line_width(self) -> float:
@@ -30,7 +30,7 @@ class LineStyle:
 
     @property
     def rim(self) -> tuple[float, float, float]:
-        """Of a line below it that is a little wider: light around dark colors and dark around light ones."""
+        """Return the color of a slightly wider line below it: light around dark colors and dark around light ones."""
         red, green, blue = self.color
         return (1.0, 1.0, 1.0) if 0.2126 * red + 0.7152 * green + 0.0722 * blue < 0.4 else (0.0, 0.0, 0.0)
 
@@ -58,7 +58,7 @@ STYLES = {
     "rigid": LineStyle("Rigid wire", _hex("#0048e8"), 2.5),
     "selected": LineStyle("Selected", _hex("#ffffff"), 1.2),
 }
-CORES = {"selected"}  # drawn on one of the others, which is seen on both sides
+CORES = {"selected"}  # drawn on another line, which is visible on both sides
 
 
 @dataclass(frozen=True)
@@ -69,12 +69,12 @@ class WireRun:
     tolerance: float
     ease: float
     rows: np.ndarray  # (k,) of the marked edges
-    ends: np.ndarray  # (k,2,3) of these rows, turned to go along the wire
+    ends: np.ndarray  # (k,2,3) of these rows, in the direction of the wire
     offsets: np.ndarray  # (k,) length of wire before each row
 
 
 def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[WireRun]:
-    """vertices (k,2) and ends (k,2,3) of marked edges, those what is no wire left out."""
+    """Return the runs of vertices (k,2) and ends (k,2,3) of marked edges, without removed wires."""
     marked = marks.rows
     if not len(marked):
         return []
@@ -102,7 +102,7 @@ def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[
 
 
 def cut_into_dashes(ends: np.ndarray, offsets: np.ndarray, dash: float, gap: float) -> np.ndarray:
-    """The ends (2m,3) of the dashes on lines (k,2,3) that begin at these offsets (k,) from the first dash."""
+    """Return the ends (2m,3) of the dashes on lines (k,2,3) that begin at these offsets (k,) from the first dash."""
     period = dash + gap
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     first = np.floor(offsets / period).astype(np.int64)
@@ -126,7 +126,7 @@ class LineEdges:
     vertices: np.ndarray  # (k,2) int32, of the model
     pieces: np.ndarray  # (k,) int32, on the flat pieces; 0 on the model
     seams: np.ndarray  # (k,) bool
-    seam_ids: np.ndarray  # (k,) int32, of the seams that edges were in when last flattened; 0 none
+    seam_ids: np.ndarray  # (k,) int32, of the seams of the edges in the last run; 0 none
     outlines: np.ndarray  # (k,) bool, has one face only
     marks: EdgeMarks  # (k,)
     selected: np.ndarray  # (k,) bool, in Edit Mode
@@ -136,25 +136,23 @@ class LineEdges:
 class Name:
     """A text at a point of the surface."""
 
-    texts: tuple[str, ...]  # of which one is written: the first that fits
-    places: np.ndarray  # (c,3) where it may stand, the best first
+    texts: tuple[str, ...]  # one is written: the first that fits
+    places: np.ndarray  # (c,3) possible places, the best first
     normals: np.ndarray  # (c,3)
-    reach: float  # distance from the best place to the farthest end of what it names
-    piece: int = 0  # whose room it takes
+    reach: float  # distance from the best place to the farthest end of the named line
+    piece: int = 0  # piece whose room it needs
     room: float = np.inf  # the root of the area of that piece; on models, any
-    around: np.ndarray | None = (
-        None  # (4,3) corners around the piece, beside which it stands if it does not fit into it
-    )
-    is_selected: bool = False  # then it is written in any case
+    around: np.ndarray | None = None  # (4,3) corners around the piece; the name is beside it if it does not fit inside
+    is_selected: bool = False  # a selected one is always written
 
 
 def lines_by_kind(lines: LineEdges) -> dict[str, np.ndarray]:
-    """The ends (2k,3) of the edges of each kind that there is, two rows an edge."""
+    """Return the ends (2k,3) of the edges of each kind, two rows per edge."""
     return {kind: lines.ends[mask].reshape(-1, 3) for kind, mask in _members(lines).items() if mask.any()}
 
 
 def dashes_by_kind(lines: LineEdges, runs: Sequence[WireRun]) -> dict[str, np.ndarray]:
-    """The ends (2m,3) of the dashes of each kind that is drawn with dashes."""
+    """Return the ends (2m,3) of the dashes of each kind with dashes."""
     if not len(lines.ends):
         return {}
     pixel = np.ptp(lines.ends.reshape(-1, 3), axis=0).max() / VIEW_SIZE
@@ -201,7 +199,7 @@ def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[s
 def seam_line_names(
     lines: LineEdges, numbers: np.ndarray, texts: Callable[[int, int], tuple[str, ...]], rooms: Rooms
 ) -> list[Name]:
-    """Of each seam, in all its pieces. numbers (k,): of the seams, 0 for edges without a name.
+    """Return the names of each seam, in all its pieces. numbers (k,): of the seams, 0 for edges without a name.
 
     texts: of the seam with this number in a piece, see Name.
     """
@@ -267,14 +265,14 @@ def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, ro
     )
 
 
-SHARE = 0.25  # of the line that is eased, an arrow's length
+SHARE = 0.25  # length of an arrow as a share of the eased line
 LONGEST = 0.12  # of the object's size
-BEYOND = 2.2  # arrow's lengths from the edge to the middle of the text, which hides no arrow there
+BEYOND = 2.2  # arrow's lengths from the edge to the middle of the text, which then hides no arrow
 
 
 @dataclass(frozen=True)
 class SideEases:
-    """Edges, each as the face on the eased side runs along it."""
+    """Edges, each in the direction of the face on the eased side."""
 
     vertices: np.ndarray  # (k,2) int32
     ends: np.ndarray  # (k,2,3)
@@ -286,7 +284,7 @@ class SideEases:
 
 
 def ease_arrows(eases: SideEases) -> tuple[np.ndarray, list[Name]]:
-    """The ends (2k,3) of the strokes of an arrow in the middle of each line, and its ease at the tip."""
+    """Return the ends (2k,3) of the strokes of an arrow in the middle of each line, and its ease at the tip."""
     strokes, names = [np.empty((0, 3), dtype=np.float32)], []
     for rows in _lines(eases):
         lengths = np.linalg.norm(eases.ends[rows, 1] - eases.ends[rows, 0], axis=1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is drawn of one object: arrays, no GPU."""
+"""The drawings of one object: arrays, no GPU."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -42,7 +42,7 @@ from .lines import (
     wire_runs,
 )
 
-ARROW = 0.4  # length of a grain arrow by the size of its piece
+ARROW = 0.4  # length of a grain arrow as a share of the size of its piece
 
 
 @dataclass(frozen=True)
@@ -68,14 +68,14 @@ def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
 
 
 def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Lines:
-    """The marked edges of this object, wherever they are drawn; in_plane: as flat pieces."""
+    """Return the marked edges of this object in every view; in_plane: as flat pieces."""
     rooms = piece_rooms(edges) if in_plane else {}
     runs, report = wire_runs(edges.vertices, edges.ends, edges.marks), current_report(target)
     names = wire_line_names(edges, runs, _wire_names(target, [run.wire_id for run in runs], report), rooms)
     if report and report.pieces:
         texts = partial(_seam_texts, report, model_of(target) is not None)
         names += seam_line_names(edges, _seams_of_report(edges, report), texts, rooms)
-    else:  # the model has changed or was refused: what a seam joins is not known, but it keeps its name
+    else:  # the model has changed or was refused: the joined pieces are unknown, but the seam keeps its name
         given = seam_names(model_or_self(target))
         numbers = np.where(edges.seams & np.isin(edges.seam_ids, list(given)), edges.seam_ids, 0)
         names += seam_line_names(edges, numbers, lambda seam_id, _: (given[seam_id],), rooms)
@@ -84,14 +84,14 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
 
 
 def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: ObjectReport | None) -> list[str]:
-    """On flat pieces as in the report, for there copies of wires have ids of their own."""
+    """Return the names; on flat pieces those of the report, because copies of wires have their own ids there."""
     names = chain_names(model_or_self(target).data, wire_ids)
     given = {wire.wire_id: wire.name for wire in report.wires} if report and model_of(target) else {}
     return [given.get(wire_id, name) for wire_id, name in zip(wire_ids, names, strict=True)]
 
 
 def current_report(target: bpy.types.Object) -> ObjectReport | None:
-    """The last report, if its elements are still those of the object as it is shown."""
+    """Return the last report, if its elements are still those of the displayed object."""
     source = model_or_self(target)
     if source != target:
         return pieces_report(source)
@@ -122,7 +122,7 @@ def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) ->
 
 @dataclass(frozen=True)
 class _Middle:
-    """Of a flat piece."""
+    """The middle of a flat piece."""
 
     piece_id: int
     place: np.ndarray  # (3,) the face nearest to its middle
@@ -150,7 +150,7 @@ def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
 
 
 def _piece_names(flat: bpy.types.Object, middles: Mapping[int, _Middle], rooms: Mapping[int, float]) -> list[Name]:
-    """In the middle of each piece, or beside it."""
+    """Return names in the middle of each piece, or beside it."""
     text_of, up = piece_names(model_of(flat)), np.array([[0.0, 0.0, 1.0]])
     return [
         Name(
@@ -167,7 +167,7 @@ def _piece_names(flat: bpy.types.Object, middles: Mapping[int, _Middle], rooms: 
 
 
 def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int, _Middle]) -> dict[str, np.ndarray]:
-    """The ends (2k,3) of the arrows, by kind of line: lighter where no grain was chosen."""
+    """Return the ends (2k,3) of the arrows, by kind of line: lighter if no grain was chosen."""
     report, rooms = pieces_report(model_of(flat)), piece_rooms(edges)
     directions = grains(flat.data, vertex_places(flat.data)[:, :2])
     arrows: dict[str, list[np.ndarray]] = {}
@@ -182,7 +182,7 @@ def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int
 
 
 def _has_grain_wire(report: ObjectReport, piece: int) -> bool:
-    """Whether the user has chosen the grain of this piece: the grain wire runs through it."""
+    """Return whether the grain wire crosses this piece."""
     options = report.options or {}
     ids = {wire.wire: wire.wire_id for wire in report.wires}
     own = {ids[part.wire] for part in report.pieces[piece].wires}
@@ -192,7 +192,7 @@ def _has_grain_wire(report: ObjectReport, piece: int) -> bool:
 def colored_surface(
     target: bpy.types.Object, depsgraph: bpy.types.Depsgraph, color_map: ColorMap
 ) -> ColoredTriangles | None:
-    """The map on flat pieces, or on a model that has them; None where there is no map to this shape."""
+    """Return the map on flat pieces, or on a model that has them; None if there is no map for this shape."""
     flat = target if model_of(target) else find_flat_object(target)
     if flat is None or flat.data.is_editmode:
         return None

@@ -14,7 +14,7 @@ from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
 from ..words import counted
 from .lines import Name
 
-BELOW = 50.0  # millimeters from the pieces to pages on which they will lie otherwise
+BELOW = 50.0  # millimeters from the pieces to pages for another arrangement
 INSET = np.array([0.06, 0.05])  # of a page: where its name stands
 
 
@@ -22,7 +22,7 @@ INSET = np.array([0.06, 0.05])  # of a page: where its name stands
 class CutLines:
     """Cut lines of the pieces in their places, in millimeters."""
 
-    made: pattern.Pattern | None  # None where they make no pattern: Export says why
+    made: pattern.Pattern | None  # None if the pieces make no pattern: Export reports why
     has_allowance: bool
 
 
@@ -30,7 +30,7 @@ class CutLines:
 class PagePreview:
     """places and names in Blender units, in the space of the flat pieces."""
 
-    sentence: str  # how many pages, or why none
+    sentence: str  # number of pages, or why there are none
     is_good: bool
     places: dict[str, np.ndarray] = field(default_factory=dict)  # (2k,3) float32 by kind of line
     names: list[Name] = field(default_factory=list)
@@ -60,7 +60,7 @@ def cut_lines(
 
 
 def cut_places(cut: CutLines, millimeters: float) -> np.ndarray:
-    """(2k,3) float32 in Blender units; millimeters: in one. Empty where nothing is added to the pieces."""
+    """Return (2k,3) float32 in Blender units. millimeters: per unit. Empty if nothing is added to the pieces."""
     return _in_space(_outlines(cut.made) if cut.made and cut.has_allowance else [], np.zeros(2), millimeters)
 
 
@@ -69,8 +69,8 @@ class PageChoices:
     paper: str  # a key of PAPERS
     roll_width: float  # of "ROLL", in millimeters
     arrangement: str  # "IN_ROWS", "AS_LAID_OUT" or "MARKER"
-    cloth: Cloth  # of a marker
-    marker: str  # that is kept, see export.markers
+    cloth: Cloth  # the cloth of a marker
+    marker: str  # the stored marker, see export.markers
 
 
 def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the overlay shows is chosen in the sidebars of 3D views and UV editors."""
+"""Switches of the overlay in the sidebars of 3D views and UV editors."""
 
 import bpy
 

@@ -117,7 +117,7 @@ def _add_scale(
         legend.boxes.append(Box(begin, bar, end, bar + SCALE_HEIGHT * unit, tuple(color)))
     for share in np.linspace(0, 1, TICKS):
         number = color_map.number(color_map.low + share * (color_map.high - color_map.low))
-        beyond = "≥ " if share == 1 else "≤ " if share == 0 and color_map.low < 0 else ""  # what is off the scale
+        beyond = "≥ " if share == 1 else "≤ " if share == 0 and color_map.low < 0 else ""  # a value beyond the scale
         text = beyond + number
         legend.texts.append(Text(text, left + share * width - text_width(text) / 2, base + 3 * unit))
     return bar + (SCALE_HEIGHT + 4) * unit + ROW * unit
@@ -125,9 +125,9 @@ def _add_scale(
 
 FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
-NAME_TO_LINE = 1.3  # a name is at most so many times as long as its line
-COVERED = 0.25  # of the area of a piece, the most that its labels may hide
-LONG_COVERED = 0.03  # of that area, the most that one label may hide to say more than its short text
+NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of its line
+COVERED = 0.25  # of the area of a piece: most that its labels may hide
+LONG_COVERED = 0.03  # of that area: most that one label may hide to show more than its short text
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
 TEXT_MARGIN = LABEL_MARGIN = 0.3  # around each text, in its heights
 ABOVE, BELOW = 0.5, -1.5  # its lower edge from the point where it stands, in its heights
@@ -140,13 +140,13 @@ EVERYWHERE = (-np.inf, np.inf)
 class PlacedName(NamedTuple):
     """In pixels of the region."""
 
-    texts: tuple[str, ...]  # of which one is written: the first that fits
-    points: np.ndarray  # (c,2) where it may stand, the best first
-    reach: float  # of the line that is named
-    owner: tuple[str, int]  # object and piece, whose room it takes
+    texts: tuple[str, ...]  # one is written: the first that fits
+    points: np.ndarray  # (c,2) possible places, the best first
+    reach: float  # of the named line
+    owner: tuple[str, int]  # object and piece whose room it needs
     room: float  # root of the area of that piece
-    box: np.ndarray | None  # (2,2) around the piece, beside which it stands if it does not fit into it
-    is_selected: bool  # then it is written in any case
+    box: np.ndarray | None  # (2,2) around the piece; the name is beside it if it does not fit inside
+    is_selected: bool  # a selected one is always written
 
 
 def write_over(
@@ -157,7 +157,7 @@ def write_over(
     color_map: ColorMap | None = None,
     extremes: Extremes | None = None,
 ) -> None:
-    """Names and legend of what is drawn in a view."""
+    """Draw names and legend of the objects in a view."""
     unit = context.preferences.system.ui_scale
     if context.scene.wirewarp.show_names:
         write_names(names, unit, _free_span(context))
@@ -217,7 +217,7 @@ def _that_fit(name: PlacedName, covered: float, size_of: Callable[[str], Size]) 
 
 
 def _area(size: Size) -> float:
-    """Of a label."""
+    """Return the area of a label."""
     return (size[0] + 2 * LABEL_MARGIN * size[1]) * (1 + 2 * LABEL_MARGIN) * size[1]
 
 
@@ -229,7 +229,7 @@ def write_legend(
     color_map: ColorMap | None,
     extremes: Extremes | None,
 ) -> None:
-    """Of these kinds of line, in the lower right corner."""
+    """Draw the legend of these kinds of line in the lower right corner."""
     blf.size(FONT, FONT_SIZE * unit)
     legend = lay_out(
         [style for kind, style in reversed(STYLES.items()) if kind in kinds],
@@ -249,7 +249,7 @@ def _corner(context: bpy.types.Context, unit: float) -> tuple[float, float]:
 
 
 def _free_span(context: bpy.types.Context) -> Span:
-    """From the toolbar to the sidebar, where these lie over the view."""
+    """Return the span between the toolbar and the sidebar, if these cover the view."""
     covered = {"TOOLS": 0, "UI": 0}
     if context.preferences.system.use_region_overlap:
         covered |= {region.type: region.width for region in context.area.regions if region.width > 1}
@@ -285,13 +285,13 @@ class Taken:
     """Places that texts occupy."""
 
     def __init__(self, pieces: np.ndarray, span: Span = EVERYWHERE) -> None:
-        """pieces (p,4): boxes around flat pieces, which names beside others leave free: left, bottom, right, top."""
+        """pieces (p,4): boxes around flat pieces, left, bottom, right, top, which names of others must not cover."""
         self._pieces, self._texts, self._span = pieces, np.empty((0, 4)), span
 
     def place(self, points: np.ndarray, size: Size) -> Corner | None:
-        """The lower left corner of a text, and from now on its place is taken; None where there is no room for it.
+        """Return the lower left corner of a text and reserve its place; None if there is no room.
 
-        points (c,2): above or below the middle of which it may stand, the best first.
+        points (c,2): the text goes above or below one of these, the best first.
         """
         width, height = size
         left, bottom = (
@@ -308,7 +308,7 @@ class Taken:
         return np.where((middles >= low) & (middles <= high), pushed, middles - width / 2)
 
     def place_beside(self, box: np.ndarray, size: Size) -> Corner | None:
-        """Below, above, right or left of the box (2,2) around a piece, and over no other piece."""
+        """Return a place below, above, right or left of the box (2,2) around a piece, and on no other piece."""
         (width, height), room = size, TEXT_MARGIN * size[1]
         low, high = box
         middle = (low + high) / 2 - (width / 2, height / 2)
@@ -321,7 +321,7 @@ class Taken:
         return self._take(np.array(corners), size, np.concatenate([self._texts, self._pieces]))
 
     def _take(self, corners: np.ndarray, size: Size, others: np.ndarray) -> Corner | None:
-        """The first of the lower left corners (c,2) where the text is clear of the others (k,4)."""
+        """Return the first of the lower left corners (c,2) at which the text does not meet the others (k,4)."""
         room = TEXT_MARGIN * size[1] * (1 - 1e-9)  # so that what stands right beside a piece is clear of it
         boxes = np.column_stack([corners - room, corners + size + room])
         overlap = (boxes[:, None, :2] < others[:, 2:]) & (others[:, :2] < boxes[:, None, 2:])

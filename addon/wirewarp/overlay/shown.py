@@ -82,7 +82,7 @@ def extremes(shown: Sequence[Drawing]) -> Extremes | None:
 
 
 def drawings(context: bpy.types.Context) -> Iterator[Drawing]:
-    """Of all models and flat pieces in the view."""
+    """Return the drawings of all models and flat pieces in the view."""
     settings, color_map = context.scene.wirewarp, shown_map(context)
     if not context.space_data.overlay.show_overlays or not (settings.show_lines or settings.show_pages or color_map):
         return
@@ -141,7 +141,7 @@ def _lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
     try:
         return marked_lines(target, depsgraph)
     except ObjectError:
-        return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so
+        return Lines({}, {}, [])  # an attribute of our name is foreign; the list of wires reports it
 
 
 def _cut_lines(
@@ -170,14 +170,14 @@ def _cut_lines(
 
 
 def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
-    """Which pieces are drawn once for their mirror images, as sentences; the flat object is not in Edit Mode."""
+    """Return sentences on pieces that are drawn once for their mirror images; the flat object is not in Edit Mode."""
     settings = context.scene.wirewarp
     made = _cut_lines(context, source, flat, settings.pairs, settings.on_fold).made
     return copies_sentences(made) if made else []
 
 
 def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> PagePreview:
-    """What the flat object, which is not in Edit Mode, will be printed on."""
+    """Return the pages of the flat object, which is not in Edit Mode."""
     settings, millimeters = context.scene.wirewarp, 1000 * meters_per_blender_unit(context.scene)
     cut = _cut_lines(context, source, flat)
     drawn = _cut_lines(context, source, flat, settings.pairs, settings.on_fold)
@@ -209,7 +209,7 @@ class UvDrawing:
 
 
 def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
-    """Of the models in Edit Mode, in Object Mode of those that are selected or whose flat pieces are."""
+    """Return the models in Edit Mode; in Object Mode those that are selected or whose flat pieces are."""
     space = context.space_data
     if space.mode != "UV" or not space.overlay.show_overlays or not context.scene.wirewarp.show_lines:
         return

@@ -14,7 +14,7 @@ from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
 from .screen import MAX_NAMES, PlacedName, write_over
 from .shown import Drawing, UvDrawing, drawings, extremes, map_notes, shown_map, uv_drawings
 
-# How much nearer to the eye, of its distance, what lies on a surface is drawn, so that it is not half hidden in it.
+# How much nearer to the eye, as a share of its distance, lines on a surface are drawn, so that it does not hide them.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
 # What differs less, of the distance, is at one depth: twice the step of a buffer of 24 bits where the view begins at
@@ -25,7 +25,7 @@ MOST_APART = 8.0  # times the usual: lines on the back of a cushion must not shi
 
 
 def draw_space() -> None:
-    """The handler for POST_VIEW."""
+    """Draw in the space of the view: the handler for POST_VIEW."""
     context = bpy.context
     shown = list(drawings(context))
     if not shown:
@@ -44,7 +44,7 @@ def draw_space() -> None:
 
 @contextmanager
 def _hidden_by_what_is_in_front() -> Iterator[None]:
-    """Leaves the state as it was."""
+    """Leave the state as it was."""
     before = gpu.state.depth_test_get()
     gpu.state.depth_test_set("LESS_EQUAL")
     try:
@@ -54,9 +54,9 @@ def _hidden_by_what_is_in_front() -> Iterator[None]:
 
 
 def _apart(context: bpy.types.Context) -> float:
-    """How many times farther apart than usual the layers are drawn, where the view is too far away to distinguish them.
+    """Return how many times farther apart than usual the layers are drawn, so that a distant view can distinguish them.
 
-    As with models whose unit is a centimeter or a millimeter.
+    Models whose unit is a centimeter or a millimeter need this.
     """
     if not context.region_data.is_perspective:
         return 1.0
@@ -94,7 +94,7 @@ def draw_screen() -> None:
 
 
 def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:
-    """Texts with those of their places that are in the region, on the side of the surface that is seen."""
+    """Return texts with their places in the region, on the visible side of the surface."""
     if not drawing.lines or not drawing.lines.names:
         return
     chosen = _chosen_piece(drawing.target)
@@ -128,7 +128,7 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
 
 
 def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bool:
-    """Whether the model can hide parts of itself; unknown in Edit Mode, which has no evaluated surface."""
+    """Return whether the model can hide parts of itself; unknown in Edit Mode, which has no evaluated surface."""
     shading = context.space_data.shading
     is_solid = shading.type != "WIREFRAME" and not shading.show_xray
     return is_solid and target.mode == "OBJECT" and model_of(target) is None
@@ -156,7 +156,7 @@ def _are_behind(
 
 
 def _chosen_piece(target: bpy.types.Object) -> int | None:
-    """Of flat pieces, the one that is chosen in the list, of which all names are written however small it is."""
+    """Return the chosen flat piece of the list, of which all names are written however small it is."""
     model = model_of(target)
     return model.wirewarp_active_piece if model else None
 
@@ -196,7 +196,7 @@ def draw_map_names() -> None:
 
 
 def _names_in_region(context: bpy.types.Context, drawing: UvDrawing) -> Iterator[PlacedName]:
-    """Texts with those of their places that are in the region."""
+    """Return texts with those of their places that are in the region."""
     region, to_region = context.region, context.region.view2d.view_to_region
     origin = np.array(to_region(0, 0, clip=False))
     pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000  # it rounds

@@ -40,9 +40,9 @@ NONE_CAN = "No fabric in the list surely stretches far enough"
 
 
 def fabrics_that_can(report: ObjectReport) -> list[str]:
-    """The presets that stretch far enough for all pieces, whatever their grain; the least stretching first.
+    """Return the presets that stretch far enough for all pieces, whatever their grain; the least stretching first.
 
-    Each fabric makes other shapes: what is needed after a flatten for one is no more than a measure for others.
+    Each fabric makes other shapes, so a result for one fabric is only an estimate for others.
     """
     needed = max((piece.needed * (OTHER_SHAPE if piece.threads else 1) for piece in report.pieces), default=0.0)
     limits = {name: min(Cloth.preset(name).limits) for name in Cloth.presets()}

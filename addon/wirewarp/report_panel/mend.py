@@ -26,7 +26,7 @@ from ..ui.settings import draw_settings
 from .operators import PROPOSALS, take_proposals
 
 KINDS = [(fault.kind, fault.many.capitalize(), f"All {fault.many} of the model") for fault in FAULTS]
-NOT_UNASKED = "INTERIOR"  # walls inside may be wanted, and some look like faces of the shell
+NOT_UNASKED = "INTERIOR"  # interior walls may be intended, and some look like faces of the shell
 WIDTH = 340  # of the dialog, in Blender's own pixels
 
 
@@ -86,11 +86,11 @@ class OBJECT_OT_wirewarp_check(OnFaultyModel, Repairs, bpy.types.Operator):
             self.report({"INFO"}, f"{'; '.join(done)}. Flatten again.")
         else:
             self.report({"INFO"}, f'Nothing was repaired in the mesh of "{source.name}"')
-        # With faults left, the kinds can be chosen anew in Adjust Last Operation.
+        # While faults remain, the kinds can be chosen again in Adjust Last Operation.
         return {"FINISHED"} if self._counts else {"CANCELLED"}
 
     def draw(self, _context: bpy.types.Context) -> None:
-        """What was found, in the dialog and in Adjust Last Operation."""
+        """Draw the faults, in the dialog and in Adjust Last Operation."""
         column = self.layout.column(align=True)
         for fault in FAULTS:
             if fault.kind not in self._counts:

@@ -146,7 +146,7 @@ OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_
 
 
 class NextStep(NamedTuple):
-    sentence: str  # why; "" where the verdict has said it
+    sentence: str  # reason; "" if the verdict has stated it
     text: str
     icon: str
     operator: str
@@ -198,7 +198,7 @@ def wants_seams(report: ObjectReport) -> bool:
 
 
 def piece_to_cut(report: ObjectReport, step: NextStep | None) -> int | None:
-    """The piece that darts or seams are suggested for beside the next step: where there is none, the worst."""
+    """Return the piece for which darts or seams are suggested beside the next step: the worst, if there is none."""
     if step:
         return report.hints[step.settings["index"]].piece if step.settings.get("what") == "HINT" else None
     strained = [piece for piece in report.pieces if piece.is_strained]
@@ -211,7 +211,7 @@ def _show(what: str, text: str, places: list[int]) -> NextStep | None:
 
 
 def _shown(report: ObjectReport, entries: Sequence[Issue]) -> list[int]:
-    """Those that have a place, in their order: the worst first."""
+    """Return those that have a place, in their order: the worst first."""
     return [index for index, entry in enumerate(entries) if is_shown(report, entry)]
 
 

@@ -25,7 +25,7 @@ PROPOSALS = [
 
 
 def check_indices(target: bpy.types.Object, report: ObjectReport) -> None:
-    """Raises ObjectError if the report's elements are not, or no longer, those of the object's own mesh."""
+    """Raises ObjectError if the report's elements are no longer those of the object's own mesh."""
     check_local(target, target.data)
     if report.with_modifiers:
         raise object_error(
@@ -157,7 +157,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         return {"FINISHED"}
 
     def _lies_flat(self, report: ObjectReport, elements: Elements) -> bool:
-        """What failed may be about a piece, or a whole model, that has no flat shape."""
+        """Return whether the model has a flat piece; a fault may concern a piece, or a whole model, without one."""
         if self.what != "ISSUE":
             return True
         return elements.piece is not None and report.pieces[elements.piece].has_layout
@@ -168,9 +168,9 @@ def _select(context: bpy.types.Context, target: bpy.types.Object, elements: Elem
 
 
 def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, issues: slice = slice(None)) -> int:
-    """Writes what these issues of the report propose, SEAMS or TOLERANCES. Returns how many edges were changed.
+    """Apply the proposals of these issues, SEAMS or TOLERANCES. Return how many edges changed.
 
-    Raises ObjectError. Of a model in Object Mode.
+    The model is in Object Mode. Raises ObjectError.
     """
     chosen = report.issues[issues]
     seams = [edge for issue in chosen for edge in issue.proposed_seams] if what == "SEAMS" else []
@@ -231,7 +231,7 @@ class VIEW3D_OT_wirewarp_frame(bpy.types.Operator):
 
 
 def _objects(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """The active model and its flat pieces, as far as they are there."""
+    """Return the active model and its flat pieces, if they exist."""
     active = context.active_object
     if active is None:
         return []

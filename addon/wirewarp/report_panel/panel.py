@@ -42,7 +42,7 @@ def draw_table(
     rows: list[ReportRow],
     names: Mapping[int, bpy.types.PropertyGroup],
 ) -> None:
-    """names: what has the name of each seam, by its id; there it can be changed."""
+    """Draw the table. names: list with the name of each seam, by its id, where it can be changed."""
     text, meters = length_text(context.scene), meters_per_blender_unit(context.scene)
     column = layout.column(align=True)
     wide = is_wide(context)
@@ -76,7 +76,7 @@ def draw_more(context: bpy.types.Context, layout: bpy.types.UILayout, count: int
 def draw_heading(
     context: bpy.types.Context, layout: bpy.types.UILayout, name: str, mark: dict, what: str | None, index: int
 ) -> None:
-    """A name with its mark (see mark_of) and, where there is something to select, the button for it."""
+    """Draw a name with its mark (see mark_of) and the button that selects it, if there is one."""
     row = layout.row(align=True)
     text = row.column(align=True)
     lines = broken(context, name, reserved=22 if what else 0)
@@ -172,7 +172,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
 
 
 def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: ObjectReport) -> None:
-    """Under the advice, the places where it would help."""
+    """Draw the places below the advice that concerns them."""
     is_there = not report.with_modifiers or report.flat_object is not None
     for code, advice in ADVICE.items():
         hints = [(index, hint) for index, hint in enumerate(report.hints) if hint.code == code]
@@ -193,7 +193,7 @@ def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: O
 def _draw_entry(
     context: bpy.types.Context, layout: bpy.types.UILayout, text: str, what: str, index: int, placed: bool
 ) -> None:
-    """The text, and if it has a place the button that selects what it is about."""
+    """Draw the text, and the button that selects its place, if it has one."""
     row = layout.row(align=True)
     reserved = (6 if what == "ISSUE" else 0) + (22 if placed else 0)
     draw_sentence(context, row, text, "ERROR" if what == "ISSUE" else "DOT", reserved)
@@ -245,7 +245,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
 
 
 class ReportSection(SidebarPanel):
-    """A sub-panel with one table, of which the header says the worst. Subclasses say which rows."""
+    """A sub-panel with one table, whose header shows the worst row. Subclasses choose the rows."""
 
     bl_parent_id = "VIEW3D_PT_wirewarp_report"
     bl_options = {"DEFAULT_CLOSED"}
@@ -270,7 +270,7 @@ class ReportSection(SidebarPanel):
         return mark_of(all(each.ok for each in rows))
 
     def summary(self, context: bpy.types.Context, rows: list) -> str:
-        """The largest difference; the number of rows where there is room."""
+        """Return the largest difference, and the number of rows if there is room."""
         largest = largest_difference(rows)
         text = "" if largest is None else length_text(context.scene)(largest)
         return f"{len(rows)}, largest difference {text}" if text and is_wide(context) else f"±{text}" if text else ""

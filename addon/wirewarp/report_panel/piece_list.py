@@ -46,7 +46,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
     def filter_items(
         self, context: bpy.types.Context, source: bpy.types.Object, entries_name: str
     ) -> tuple[list[int], list[int]]:
-        """Which entries are shown (empty: all), and the place of each."""
+        """Return which entries are shown (empty: all), and the place of each."""
         entries, helper = getattr(source, entries_name), bpy.types.UI_UL_list
         shown = []
         if self.filter_name:
@@ -60,7 +60,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
 
 
 def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
-    """The report of the pieces there are, whatever has failed since."""
+    """Return the report of the existing pieces, whatever has failed since."""
     source = shown_source(context)
     return pieces_report(source) if source else None
 
