@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How much of the add-on its tests in Debian's Blender run, with and without the window."""
+"""Measures how much of the add-on its tests in Debian's Blender run, with and without the window."""
 
 import ast
 import json
@@ -13,15 +13,15 @@ ADDON = ROOT / "addon" / "wirewarp"
 FOLDER = BUILD / "coverage"
 COVERAGE_APT = ("python3-coverage",)
 KINDS = ("headless", "window")
-NEEDS_WINDOW = {  # what Blender runs in a window only; all others are tested without one, too
+NEEDS_WINDOW = {  # modules that run in a window only; all others are tested without one, too
     "addon/wirewarp/overlay/view3d.py": "draws in a view and in a UV editor",
     "addon/wirewarp/overlay/screen.py": "draws text",
 }
-REGISTERING = {"attach", "detach", "register", "unregister"}  # run of every module, whatever it does
+REGISTERING = {"attach", "detach", "register", "unregister"}  # run for every module, so they do not count
 
 
 def begin(kind: str) -> dict[str, str]:
-    """Forgets what was measured before of this kind; returns environment variables for the tests."""
+    """Delete earlier measurements of this kind. Return environment variables for the tests."""
     require_apt(*COVERAGE_APT)
     FOLDER.mkdir(parents=True, exist_ok=True)
     for old in FOLDER.glob(f"{kind}.*"):
@@ -51,12 +51,13 @@ def show(kind: str) -> None:
 
 
 def _report(*kinds: str) -> dict:
-    """What coverage.py says of these kinds together."""
+    """Return coverage.py's report on these kinds together."""
     measured = [file for kind in kinds for file in FOLDER.glob(f"{kind}.*")]
     report = FOLDER / "report.json"
     commands: list[list[str | Path]] = [
         ["combine", "--keep", "--quiet", *measured],
-        ["json", "--quiet", "--ignore-errors", "-o", report],  # a file that the other kind ran may be gone since
+        # a file that the other kind ran may have been removed since
+        ["json", "--quiet", "--ignore-errors", "-o", report],
     ]
     for command in commands:
         whole = {"COVERAGE_FILE": str(FOLDER / "all")}
@@ -65,13 +66,13 @@ def _report(*kinds: str) -> dict:
 
 
 def _is_run(module: Path, file: dict | None) -> bool:
-    """Whether the body of some function was run; true of a module without functions."""
+    """Return whether the body of a function was run; True for a module without functions."""
     bodies = list(_bodies(module))
     return not bodies or (file is not None and any(not body.isdisjoint(file["executed_lines"]) for body in bodies))
 
 
 def _bodies(module: Path) -> Iterator[set[int]]:
-    """The lines of each function that does more than register, without its head."""
+    """Return the lines of each function that does more than register, without its head."""
     for node in ast.walk(ast.parse(module.read_text())):
         if isinstance(node, ast.FunctionDef) and node.name not in REGISTERING:
             yield set(range(node.body[0].lineno, (node.end_lineno or 0) + 1))

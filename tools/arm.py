@@ -27,8 +27,8 @@ from tools.package import BUILD_APT, build_wheel, cross_wheel
 QEMU_APT = ("qemu-user",)
 PYTHON_APT = (f"python{DEBIAN_VERSION}-minimal", f"libpython{DEBIAN_VERSION}-stdlib", "libstdc++6")
 FOLDER = BUILD / "arm"
-PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's words; a package has a wheel for one of them
-# QEMU is slow, and what a test starts would be this machine's program: lengths, errors and files of patterns.
+PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's names; each package has a wheel for one of them
+# QEMU is slow, and a test would start this machine's programs: test only lengths, errors and pattern files.
 TESTS = (
     "test_readme",
     "test_errors",
@@ -58,7 +58,7 @@ def arm_tests() -> None:
 
 
 def arm_python() -> Path:
-    """A root with Debian's Python for ARM; fetched once."""
+    """Return a root with Debian's Python for ARM; fetched once."""
     root = FOLDER / "root"
     key = fingerprint([], *PYTHON_APT)
     if not (root.is_dir() and is_current("arm-python", key)):
@@ -67,11 +67,11 @@ def arm_python() -> Path:
         lists, archives, status = FOLDER / "apt" / "lists", FOLDER / "apt" / "archives", FOLDER / "apt" / "status"
         for folder in (lists, archives):
             (folder / "partial").mkdir(parents=True, exist_ok=True)
-        status.touch()  # nothing is installed, so that apt fetches all that is needed
+        status.touch()  # nothing is installed, so apt fetches everything
         settings = {
             "APT::Architecture": "arm64",
             "APT::Architectures": "arm64",
-            "APT::Sandbox::User": "",  # the folders are the caller's
+            "APT::Sandbox::User": "",  # the folders belong to the caller
             "Dir::State::Lists": lists,
             "Dir::State::status": status,
             "Dir::Cache::archives": archives,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./dev bench: what the core, Blender and other flatteners take and give, and the page that says so."""
+"""./dev bench: time and memory of the core, Blender and other flatteners, and the page about them."""
 
 import os
 from pathlib import Path
@@ -38,7 +38,7 @@ def measure_peers(python: Path, is_full: bool) -> Path:
 
 
 def measure_real_meshes(python: Path) -> list[str | Path]:
-    """Options for write_page.py; none where WIREWARP_MESHES names no folder."""
+    """Return options for write_page.py; none if WIREWARP_MESHES names no folder."""
     folder = os.environ.get("WIREWARP_MESHES")
     if not folder:
         say("real meshes are NOT MEASURED: WIREWARP_MESHES names no folder")
@@ -49,7 +49,7 @@ def measure_real_meshes(python: Path) -> list[str | Path]:
 
 
 def run_bench(is_full: bool) -> None:
-    """Only the full run replaces the page of record."""
+    """Run the benchmarks. Only the full run replaces the page in docs/."""
     require_apt(*APT)
     build_native("bench")
     python = venv_with_core("bench", DEBIAN_VERSION, *PACKAGES)

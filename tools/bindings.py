@@ -16,9 +16,10 @@ READERS = (
     "python-bidi==0.6.12",
     "resvg-py==0.5.0",
     "shapely==2.2.0",
-)  # of its files, and of lines in both directions, in tests alone
-OPTIONAL = ("spyrrow==0.9.0", "fonttools[woff]==4.68.0", "hyperqueue==0.27.0")  # tests run with and without them
-MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  # what python -m wirewarp needs
+)  # readers of its files, and of lines in both directions; only tests use them
+# packages that are optional: tests run with and without them
+OPTIONAL = ("spyrrow==0.9.0", "fonttools[woff]==4.68.0", "hyperqueue==0.27.0")
+MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  # packages that python -m wirewarp needs
 
 
 def bindings_python(version: str) -> Path:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on's tests in every Blender there is to be had, on the zips that users install.
+"""Runs the add-on's tests in every available Blender, on the zips that users install.
 
 Debian's Blender is the whole program, 3.4 in Debian 12 and 4.3 in Debian 13; the others are the module `bpy` in a
-Python of their own, which runs the same extension system without a window.
+Python of their own.
 """
 
 import shutil
@@ -25,17 +25,17 @@ from tools.package import BUILD_APT, LEGACY_PYTHON, extension_zip, package, pack
 from tools.zips import EXTENSION_MODULE, LEGACY_MODULE
 
 PYTEST = "pytest==9.2.0"
-BLENDER_APT = ("blender", "libegl1", "python3-numpy", "python3-pytest")  # it draws without a window by EGL
+BLENDER_APT = ("blender", "libegl1", "python3-numpy", "python3-pytest")  # EGL draws without a window
 BPY_APT = ("libgl1", "libice6", "libsm6", "libxfixes3", "libxi6", "libxkbcommon0", "libxrender1")
-NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: those of Blender up to 5.0 and from 5.1 on
-DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")  # check_system() refuses all others
+NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: Blender up to 5.0, and from 5.1 on
+DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")  # check_system() refuses all other systems
 ADDON_MODULE = LEGACY_MODULE if DEBIAN_VERSION == LEGACY_PYTHON else EXTENSION_MODULE  # in Debian's Blender
 BPY = {"bpy==4.2.23": "3.11", "bpy==4.5.15": "3.11", "bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
-EXTENSION_PROGRAM = "addons_core/bl_pkg/cli/blender_ext.py"  # what `blender --command extension` runs
+EXTENSION_PROGRAM = "addons_core/bl_pkg/cli/blender_ext.py"  # the program behind `blender --command extension`
 
 
 def blender_folder(name: str) -> dict[str, str]:
-    """A fresh private place for add-ons and settings, so that neither the user's nor the last run's are met."""
+    """Return an empty private folder for add-ons and settings, so that no earlier ones are used."""
     folder = BUILD / "blender" / name
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -50,7 +50,7 @@ def blender(*arguments: str | Path) -> list[str | Path]:
 
 
 def debian_blender_zip() -> Path:
-    """What users of Debian's Blender install: in 3.4 the legacy zip, in later ones, which know extensions, those."""
+    """Return the zip for Debian's Blender: the legacy zip in 3.4, the extension in later ones."""
     if DEBIAN_VERSION == LEGACY_PYTHON:
         return package_legacy()
     package()
@@ -58,7 +58,7 @@ def debian_blender_zip() -> Path:
 
 
 def install_privately(name: str) -> dict[str, str]:
-    """Settings of its own for Debian's Blender, with the add-on of this tree."""
+    """Prepare separate settings for Debian's Blender, with the add-on of this tree."""
     require_apt(*BUILD_APT, *BLENDER_APT)
     settings = blender_folder(name)
     file = str(debian_blender_zip())
@@ -72,7 +72,7 @@ def install_privately(name: str) -> dict[str, str]:
 
 
 def run_with_addon(name: str, script: Path, *arguments: str | Path) -> None:
-    """Runs a script in Debian's Blender with the add-on, which is installed in a folder of this name."""
+    """Run a script in Debian's Blender with the add-on, which is installed in a folder of this name."""
     settings = install_privately(name)
     run(blender("--addons", ADDON_MODULE, "--python", script, "--", *arguments), **settings)
 
@@ -106,7 +106,7 @@ def blender_script(python: Path, name: str) -> Path:
 
 
 def bpy_tests(requirement: str) -> None:
-    """All tests in the newest Blender; in those before it the ones that depend on Blender's interface."""
+    """Run all tests in the newest Blender; in earlier ones those that depend on Blender's interface."""
     require_apt(*BPY_APT)
     package()
     python = bpy_python(requirement)

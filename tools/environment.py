@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What every command of `dev` stands on: a clean environment, apt packages, Pythons, venvs and stamps.
+"""The basis of every command of `dev`: a clean environment, apt packages, Pythons, venvs and stamps.
 
-Nothing here depends on the caller's PATH or HOME, and everything made lies under build/.
+Nothing here depends on the caller's PATH or HOME, and everything made is inside build/.
 """
 
 import hashlib
@@ -20,17 +20,17 @@ BUILD = ROOT / "build"
 DEBIAN_PYTHON = Path("/usr/bin/python3").resolve()  # as "/usr/bin/python3.11"; Debian's Blender runs on it
 DEBIAN_VERSION = DEBIAN_PYTHON.name.removeprefix("python")
 CORES = len(os.sched_getaffinity(0))
-TIME_STAMP = "315532800"  # of files in archives: 1980, the first a zip can hold
+TIME_STAMP = "315532800"  # time of files in archives: 1980, the first that a zip can store
 SYSTEM_PATH = "/usr/local/sbin:/usr/sbin:/sbin:/usr/bin:/bin"  # dpkg needs the sbin folders
 CALLERS_PATH = os.environ.get("PATH", "")
 
 
 class StepError(Exception):
-    """A step could not be done; the message is one sentence for the user."""
+    """A step could not be done. The message is one sentence for the user."""
 
 
 class NotTestedError(Exception):
-    """A step needs what this machine lacks; the message says what, in a clause."""
+    """A step needs something that this machine lacks, which the message names in a clause."""
 
 
 def say(text: str) -> None:
@@ -47,17 +47,18 @@ def clean_environment(**more: str) -> dict[str, str]:
         "PIP_ROOT_USER_ACTION": "ignore",
         "PYTHONNOUSERSITE": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
-        "CXX": "/usr/bin/g++",  # one name for all builds, so that ccache knows them as the same
+        "CXX": "/usr/bin/g++",  # one name for all builds, so that ccache treats them alike
         "CCACHE_DIR": str(BUILD / "ccache"),
-        "CCACHE_BASEDIR": str(BUILD),  # so that builds in build/NAME share objects of what CMake writes there
-        "CCACHE_SLOPPINESS": "pch_defines,time_macros",  # or it keeps nothing that precompiled headers are in
+        "CCACHE_BASEDIR": str(BUILD),  # builds in build/NAME share objects of files that CMake writes there
+        # otherwise, ccache stores nothing that uses precompiled headers
+        "CCACHE_SLOPPINESS": "pch_defines,time_macros",
         "CMAKE_CXX_COMPILER_LAUNCHER": "ccache",
     }
     return kept | settings | more
 
 
 def check_system() -> None:
-    """Raises StepError but on the systems that all this was tried on."""
+    """Raises StepError on untested systems."""
     if DEBIAN_VERSION in ("3.11", "3.13") and shutil.which("dpkg-query", path=SYSTEM_PATH):
         return
     name = platform.freedesktop_os_release()["PRETTY_NAME"]
@@ -75,7 +76,7 @@ def run(command: Sequence[str | Path], **more: str) -> None:
 
 
 def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
-    """Runs a command, says what it does in a line, and shows its output only if it fails."""
+    """Run a command, print one line about it, and show its output only if it fails."""
     begin = time.monotonic()
     say(what)
     done = subprocess.run(
@@ -94,7 +95,7 @@ def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
 
 
 def output_of(command: Sequence[str | Path], **more: str) -> str:
-    """What a command prints, run without a word; only the end of it is shown, and only if it fails."""
+    """Return what a command prints; its end is shown only if it fails."""
     words = [str(c) for c in command]
     done = subprocess.run(words, cwd=ROOT, env=clean_environment(**more), capture_output=True, text=True)
     if done.returncode:
@@ -132,7 +133,7 @@ def set_current(stamp: str, key: str) -> None:
 
 
 def require_apt(*names: str) -> None:
-    """Installs the missing ones of these Debian packages; without the right to, prints the command and stops."""
+    """Install the missing Debian packages; without the rights, print the command and stop."""
     query = ["dpkg-query", "-W", "-f", "${Package} ${db:Status-Status}\n", *names]
     listed = subprocess.run(query, capture_output=True, text=True, env=clean_environment()).stdout.splitlines()
     installed = {line.split()[0] for line in listed if line.endswith(" installed")}
@@ -148,7 +149,7 @@ def require_apt(*names: str) -> None:
 
 
 def may_use_sudo() -> bool:
-    """True where sudo asks for no password, or somebody is there to type it."""
+    """Return whether sudo asks for no password, or somebody can type it."""
     if not shutil.which("sudo", path=SYSTEM_PATH):
         return False
     return sys.stdin.isatty() or subprocess.run(["sudo", "-n", "true"], capture_output=True).returncode == 0
@@ -177,7 +178,7 @@ def require_python(version: str) -> Path:
 
 
 def is_python(candidate: Path, version: str) -> bool:
-    """Asks the program itself: a pyenv shim of the name may lead nowhere, and headers may be missing."""
+    """Run the program to check it: a pyenv shim may be empty, and headers may be missing."""
     question = (
         "import pathlib, sys, sysconfig; print('%d.%d' % sys.version_info[:2], sys.implementation.name,"
         " pathlib.Path(sysconfig.get_path('include'), 'Python.h').exists())"
@@ -187,7 +188,7 @@ def is_python(candidate: Path, version: str) -> bool:
 
 
 def venv(name: str, python: Path, *requirements: str) -> Path:
-    """The Python of the venv build/venvs/NAME with these packages, made anew when they change."""
+    """Return the Python of the venv build/venvs/NAME with these packages, recreated if they change."""
     folder = (BUILD / "venvs" / name).resolve()  # worktrees may share them by a link
     interpreter = folder / "bin" / "python"
     key = fingerprint([], str(python), str(folder), *requirements)

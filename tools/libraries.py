@@ -6,8 +6,8 @@ from pathlib import Path
 
 from tools.environment import BUILD, DEBIAN_PYTHON, fingerprint, is_current, run_quietly, set_current, venv
 
-PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0", "uharfbuzz==0.57.0")  # none needs another package
-PIP_PLATFORMS = {  # pip's word for the oldest system that Blender runs on, by Blender's word
+PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0", "uharfbuzz==0.57.0")  # none of them needs another package
+PIP_PLATFORMS = {  # pip's name for the oldest system that Blender supports, by Blender's name
     "linux-x64": "manylinux2014_x86_64",
     "linux-arm64": "manylinux_2_28_aarch64",
     "windows-x64": "win_amd64",
@@ -36,7 +36,7 @@ def library_wheels(platform: str, tag: str) -> list[Path]:
 def install_for(platforms: tuple[str, ...], version: str, folder: Path, *arguments: str | Path) -> None:
     """Packages for another system, by pip's words for it, and a Python of this version, into a folder."""
     systems = [f"--platform={each}" for each in platforms]
-    # Of the Python that a package requires, pip's install takes its own for ours.
+    # pip would evaluate the required Python of a package for ours.
     options = ("--implementation=cp", f"--python-version={version}", "--only-binary=:all:", "--ignore-requires-python")
     pip = ["pip", "install", "--quiet", "--target", str(folder), *systems, *options]
     what = f"pip install for {platforms[0]}: " + " ".join(str(a) for a in arguments if not str(a).startswith("-"))

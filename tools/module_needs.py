@@ -30,9 +30,9 @@ MACOS = r"/usr/lib/libSystem\.B\.dylib"
 
 
 def faults(platform: str, module: Path, oldest: tuple[int, ...], system: Path) -> list[str]:
-    """A sentence each. oldest: the version of glibc or macOS that must do; of Windows none is in the file.
+    """Return one sentence per fault. oldest: required version of glibc or macOS; Windows files have none.
 
-    system: the names that macOS' libSystem offers, as compilers for it have them (.tbd).
+    system: names in macOS' libSystem, from compilers for it (.tbd).
     """
     import lief  # only the Python that runs this as a program has it
 
@@ -65,7 +65,7 @@ def elf_faults(binary: "lief.ELF.Binary", oldest: tuple[int, ...]) -> list[str]:
             name, _, number = version.name.partition("_")
             if name == "GLIBC" and tuple(map(int, number.split("."))) > oldest:
                 found.append(f"needs {version.name} of {library.name}")
-    for symbol in list(binary.dynamic_symbols)[1:]:  # the first is none
+    for symbol in list(binary.dynamic_symbols)[1:]:  # the first symbol is empty
         has_version = symbol.has_version and symbol.symbol_version.has_auxiliary_version
         is_defined = symbol.shndx != 0
         if not (is_defined or has_version or symbol.binding.name == "WEAK" or is_pythons(symbol.name)):

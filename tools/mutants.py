@@ -18,8 +18,8 @@ from tools.bindings import bindings_python
 from tools.environment import BUILD, CORES, DEBIAN_VERSION, ROOT, StepError, clean_environment, say
 from tools.native import build_native
 
-SAMPLE = 60  # mutants: a share is then known to about 5%
-SECONDS = 900.0  # that the tests may take with a mutant: one that makes them hang is caught
+SAMPLE = 60  # number of mutants, which gives the share within about 5%
+SECONDS = 900.0  # limit of the tests for a mutant: one that makes them hang counts as caught
 SWAPPED = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+"}
 CPP_SWAPPED = SWAPPED | {"&&": "||", "||": "&&"}
 PYTHON_SWAPPED = SWAPPED | {"and": "or", "or": "and"}
@@ -47,7 +47,8 @@ class Mutant:
         return text[: self.start] + self.other + text[self.start + len(self.operator) :]
 
 
-Judge = Callable[[Mutant | None], bool | None]  # whether tests fail, with None the source as it is; None: not compiled
+# whether tests fail, for None on the original source; None: not compiled
+Judge = Callable[[Mutant | None], bool | None]
 
 
 def mutants(words: list[str]) -> None:
@@ -91,7 +92,7 @@ def _mutants_of(source: Path) -> Iterator[Mutant]:
 
 
 def _in_python(tests: list[str]) -> Judge:
-    """Runs the tests on a copy of the package."""
+    """Run the tests on a copy of the package."""
     python = bindings_python(DEBIAN_VERSION)
     (compiled,) = python.parent.parent.glob("lib/*/site-packages/wirewarp/_wirewarp*.so")
     shutil.rmtree(COPY, ignore_errors=True)
@@ -114,7 +115,7 @@ def _in_python(tests: list[str]) -> Judge:
 
 
 def _in_cpp(tests: list[str]) -> Judge:
-    """Changes the source itself, and changes it back."""
+    """Change the source itself, and restore it."""
     program = BUILD / "release" / "wirewarp_tests"
     command: list[str | Path] = [program, f"--gtest_filter={':'.join(tests)}", "--gtest_fail_fast", "--gtest_brief=1"]
 

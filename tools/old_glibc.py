@@ -1,10 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the wheels are made to run on systems older than this one.
-
-They are compiled as everything else is, but linked against the libraries of an older glibc: the package `ziglang` can
-write those of any version, with their symbols and without code. The C++ library goes into the module, and so does
-OpenMesh, from the C++ source in the source package of `openmesh`, its Python bindings.
-"""
+"""Makes the wheels run on systems older than this one."""
 
 import re
 import shutil
@@ -25,7 +20,7 @@ from tools.environment import (
 from tools.zig import ZIG, cache_variables, zig
 
 OPENMESH = "openmesh==1.2.1"  # its C++ source is that of OpenMesh 9.1
-GLIBC = "2.28"  # that of the systems blender.org builds for
+GLIBC = "2.28"  # version of the systems that blender.org builds for
 POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
 # What libstdc++ asks newer glibcs for. The variable: 0 says that there may be several threads, which is always safe.
 # The functions, in the place of strtol and its like with Debian 13's headers, know binary numbers besides.
@@ -43,7 +38,7 @@ SECTIONS = "-Wl,--gc-sections -Wl,--exclude-libs,ALL"
 
 
 def openmesh_source() -> Path:
-    """The folder with OpenMesh's CMakeLists.txt."""
+    """Return the folder with OpenMesh's CMakeLists.txt."""
     folder = BUILD / "openmesh"
     source = folder / OPENMESH.replace("==", "-") / "OpenMesh"
     if not (source.is_dir() and is_current("openmesh", OPENMESH)):
@@ -58,7 +53,7 @@ def openmesh_source() -> Path:
 
 
 def cmake_definitions() -> dict[str, str]:
-    """What CMake must know to link as above."""
+    """Return CMake's definitions for linking as above."""
     folder = BUILD / "wheels" / f"glibc-{GLIBC}"
     newer = folder / "newer_glibc.o"
     if not (newer.is_file() and is_current("old-glibc", f"{ZIG} {GLIBC} {NEWER_GLIBC}")):
@@ -89,7 +84,7 @@ def write_stubs(folder: Path) -> None:
 
 
 def check_symbols(wheel: Path) -> None:
-    """Raises StepError if the module asks for what the old glibc lacks: such symbols were linked without a version."""
+    """Raises StepError if the module needs a symbol that the old glibc lacks, linked without a version."""
     with zipfile.ZipFile(wheel) as archive:
         (name,) = (name for name in archive.namelist() if name.endswith(".so"))
         module = Path(archive.extract(name, wheel.parent))

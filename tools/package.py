@@ -37,10 +37,11 @@ from tools.zig import ZIG
 from tools.zips import LEGACY_TAG, VERSION
 
 DIST = ROOT / "dist"
-BLENDERS = {"3.11": "Blender 3.4 to 5.0", "3.13": "Blender 5.1 and later"}  # by their Python; Debian's 4.3 has 3.13
+# Blenders by their Python; Debian's 4.3 has 3.13
+BLENDERS = {"3.11": "Blender 3.4 to 5.0", "3.13": "Blender 5.1 and later"}
 PYTHONS = tuple(BLENDERS)
 LEGACY_PYTHON = "3.11"
-PLATFORM = "linux-x64"  # Blender's word for what is built here
+PLATFORM = "linux-x64"  # Blender's name for the system of this build
 BUILD_APT = (
     "build-essential",
     "ccache",
@@ -69,7 +70,7 @@ CORE_SOURCES = (
 
 
 def package() -> dict[str, Path]:
-    """Builds what this system runs; returns the wheel of each Python version there is."""
+    """Build everything that this system runs. Return the wheel of each available Python."""
     wheels = build_wheels()
     keep_in_dist(wheels.values())
     return wheels
@@ -96,9 +97,9 @@ def extension_for(system: System) -> Path:
 
 
 def cross_wheel(system: System, version: str, wheel: Path) -> Path:
-    """The wheel for another system, in a folder of that system; from the last build if nothing it is made of changed.
+    """Return the wheel for another system, from the last build if its sources have not changed.
 
-    Not in dist/, from where other steps remove what is not theirs.
+    It is in a folder of that system, because other steps clean dist/.
     """
     folder = BUILD / "cross" / system.platform / "wheels"
     folder.mkdir(parents=True, exist_ok=True)
@@ -113,7 +114,7 @@ def cross_wheel(system: System, version: str, wheel: Path) -> Path:
 
 
 def keep_in_dist(wheels: Collection[Path]) -> None:
-    """Writes the zips of these wheels, and removes all others."""
+    """Write the zips of these wheels, and remove all others."""
     for old in set(DIST.glob("wirewarp-*.whl")) - set(wheels):
         old.unlink()
     for old in set(DIST.glob("wirewarp-*.zip")) - set(zips.write_zips(DIST)):
@@ -129,7 +130,7 @@ def package_legacy() -> Path:
 
 def venv_with_core(name: str, version: str, *requirements: str) -> Path:
     """The Python of the venv build/venvs/NAME with these packages and with the wheel of this tree."""
-    require_apt(*BUILD_APT)  # Debian's Python counts only with its headers
+    require_apt(*BUILD_APT)  # Debian's Python needs its headers to count
     python = require_python(version)
     wheel = build_wheel(version, python)
     interpreter = venv(name, python, *requirements)
@@ -150,7 +151,7 @@ def show_dist() -> None:
 
 
 def missing_python_notice() -> str | None:
-    """What users of this build must know: which Pythons are missing and what is therefore not inside."""
+    """Return a notice about missing Pythons and the files that are missing because of them."""
     missing = [version for version in PYTHONS if not find_python(version)]
     if not missing:
         return None
@@ -161,7 +162,7 @@ def missing_python_notice() -> str | None:
 
 
 def build_wheel(version: str, python: Path) -> Path:
-    """The repaired wheel for one Python; from the last build if nothing it is made of has changed."""
+    """Return the repaired wheel for one Python, from the last build if its sources have not changed."""
     BUILD.mkdir(exist_ok=True)
     with (BUILD / "wheels.lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)  # steps that run side by side build into the same folders
@@ -175,7 +176,7 @@ def venv_for_wheels(version: str, python: Path) -> Path:
 def build_wheel_alone(version: str, python: Path) -> Path:
     tag = "cp" + version.replace(".", "")
     key = fingerprint([ROOT / source for source in CORE_SOURCES], str(python), *WHEEL_TOOLS)
-    name = f"wirewarp-{VERSION}-{tag}-*{old_glibc.POLICY}.whl"  # not those of other systems, which lie beside it
+    name = f"wirewarp-{VERSION}-{tag}-*{old_glibc.POLICY}.whl"  # without those of other systems in the same folder
     found = list(DIST.glob(name))
     if len(found) == 1 and is_current(f"wheel-{tag}", key):
         return found[0]
@@ -190,7 +191,8 @@ def build_wheel_alone(version: str, python: Path) -> Path:
         "PATH": f"{interpreter.parent}:{clean_environment()['PATH']}",
     }
     options = {"build-dir": str(BUILD / f"wheel-{tag}")}  # beside build/release, which has the same core
-    options["cmake.define.CMAKE_COMPILE_WARNING_AS_ERROR"] = "ON"  # not where users build, with compilers to come
+    # not in users' builds, which may have newer compilers
+    options["cmake.define.CMAKE_COMPILE_WARNING_AS_ERROR"] = "ON"
     options |= {f"cmake.define.{name}": value for name, value in old_glibc.cmake_definitions().items()}
     build = ("pip", "wheel", "--quiet", "--no-build-isolation", "--no-deps", "-w", raw)
     defines = (f"--config-settings={name}={value}" for name, value in options.items())

