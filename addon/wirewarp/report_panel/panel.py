@@ -123,7 +123,7 @@ def _flat_lines(row: ReportRow, text: LengthText) -> list[tuple[str, tuple[str, 
 
 
 def _flat_numbers(side: Side, text: LengthText) -> tuple[str, str, str]:
-    """Flat length, difference and percent; no percent without a layout."""
+    """Return flat length, difference and percent; no percent without a layout."""
     if side.length_2d is None:
         return "not laid flat", "", ""
     percent = f"{abs(side.percent):.3f}" if abs(side.percent) < 5e-4 else f"{side.percent:+.3f}"

@@ -66,7 +66,7 @@ def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
 
 
 def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
-    """None where the report is of other pieces than the list."""
+    """Return the row; None if the report is of other pieces than the list."""
     return next((row for row in shown_pieces(context).tables.pieces if row.index == index), None)
 
 
@@ -94,7 +94,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
             button.keep_places, button.only_active = False, True
 
     def _is_offered(self, context: bpy.types.Context, piece: int) -> bool:
-        """Whether the panel of Flatten has the buttons for this piece."""
+        """Return whether the panel of Flatten has the buttons for this piece."""
         report = shown_report(context)
         return report is not None and offered_piece(context, shown_source(context), report) == piece
 

@@ -8,7 +8,8 @@ import numpy as np
 from ..words import LengthText
 from .chains import WireChain
 
-ALL_ROUND = 0.3  # of the area: if one side outweighs the others by more, in and out cannot be distinguished
+# share of the area: if one side outweighs the others by more, inside and outside cannot be distinguished
+ALL_ROUND = 0.3
 INWARD = (
     "Normals point inward, so pieces show their inside. In Edit Mode use Mesh > Normals > Recalculate Outside, then "
     "flatten again."
@@ -37,7 +38,10 @@ class NamedWire:
 
 @dataclass(frozen=True)
 class MeshArrays:
-    """Indices are Blender's. Triangles are wound so that the surface is seen from outside, mirrored objects' too."""
+    """Indices are Blender's.
+
+    Triangles are wound so that the surface is seen from outside, also for mirrored objects.
+    """
 
     vertices: np.ndarray  # (n,3) float64, Blender units, the object's rotation, scale and shear applied
     triangles: np.ndarray  # (m,3) int32, as Blender shows the faces
@@ -61,14 +65,14 @@ class MeshArrays:
     uv_maps: dict[str, np.ndarray]  # (l,2) float32 each, the model's own maps by name
     own_map: str  # the one of these that seams can be taken from; "": none
     allowance: float  # the widest that the cutting lines have anywhere, in Blender units
-    loose_marks: int  # edges without a face that are marked as wires: they are left out
-    loose_eases: int  # edges with the ease of a wire that are none: it does nothing
+    loose_marks: int  # edges without a face that are marked as wires: they are ignored
+    loose_eases: int  # edges with the ease of a wire that are not wires: it has no effect
     mirrored: bool
     lengths: LengthText = LengthText("", 1.0)  # how sentences write lengths; without a unit unless the scene is known
 
 
 def area_vectors(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """(3,m): along each triangle's normal and as long as its area. vertices (n,3), triangles (m,3)."""
+    """Return (3,m): along each triangle's normal, with its area as length. vertices (n,3), triangles (m,3)."""
     x, y, z = (np.ascontiguousarray(column)[triangles] for column in vertices.T)  # (m,3), one per corner
     ux, uy, uz = (each[:, 1] - each[:, 0] for each in (x, y, z))
     vx, vy, vz = (each[:, 2] - each[:, 0] for each in (x, y, z))

@@ -12,7 +12,7 @@ STRAIGHT_COSINE = np.cos(np.radians(45.0))
 
 
 def edge_keys(pairs: ArrayLike, count: int) -> np.ndarray:
-    """One number for each pair of vertices, whichever comes first; count: of all vertices."""
+    """Return one number for each pair of vertices in any order. count: of all vertices."""
     return np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1) @ np.array([count, 1])
 
 
@@ -43,15 +43,15 @@ class EdgeMarks:
 
     @property
     def rows(self) -> np.ndarray:
-        """(k,) the edges that are wires."""
+        """Return the edges (k,) that are wires."""
         return np.flatnonzero(self.wire_ids)
 
     def take(self, rows: np.ndarray) -> "EdgeMarks":
-        """Of these edges, by their numbers or by a mask."""
+        """Return the marks of these edges, by their numbers or by a mask."""
         return EdgeMarks(self.wire_ids[rows], self.tolerances[rows], self.eases[rows])
 
     def without(self, mask: np.ndarray) -> "EdgeMarks":
-        """As many edges, those of the mask being no wires."""
+        """Return the marks of all edges, without the wires of the mask."""
         return EdgeMarks(np.where(mask, 0, self.wire_ids), self.tolerances, self.eases)
 
 
@@ -75,7 +75,7 @@ def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
     following, vertex_of_side = _pair_sides(edges, positions).tolist(), edges.ravel().tolist()
     used = [False] * len(edges)
     open_ends = [side for side, next_side in enumerate(following) if next_side < 0]
-    first_sides = range(0, 2 * len(edges), 2)  # what no open end leads to is closed: start anywhere
+    first_sides = range(0, 2 * len(edges), 2)  # closed chains, which no open end reaches: start anywhere
     return [
         _walk(start, vertex_of_side, following, used) for start in [*open_ends, *first_sides] if not used[start // 2]
     ]
@@ -98,11 +98,11 @@ def chains_of_marks(edges: np.ndarray, marks: EdgeMarks, positions: np.ndarray) 
 def shortest_double(value: np.float32) -> float:
     """Return the float32 0.03 as the double 0.03, not 0.029999999329, because the user entered 0.03."""
     number = float(str(np.float32(value)))
-    return math.nan if math.isnan(number) else number  # one and the same object, or no two edges are of one wire
+    return math.nan if math.isnan(number) else number  # the same object, so that equal edges belong to one wire
 
 
 def _shortest_doubles(values: np.ndarray) -> list[float]:
-    """Equal ones are one and the same object, NaN too, or no two edges are of one wire."""
+    """Return equal numbers as the same object, NaN too, so that equal edges belong to one wire."""
     kinds, kind_of_value = np.unique(values, return_inverse=True)
     doubles = [shortest_double(kind) for kind in kinds]
     return [doubles[kind] for kind in kind_of_value.ravel().tolist()]
@@ -125,7 +125,7 @@ def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
 
 
 def _straightest_pairs(sides: np.ndarray, edges: np.ndarray, positions: np.ndarray) -> list[tuple[int, int]]:
-    """Pairs of edge sides at one vertex, the straightest first; an odd one is left over."""
+    """Return pairs of edge sides at one vertex, the straightest first; an odd one remains."""
     here, there = edges.ravel()[sides], edges.ravel()[sides ^ 1]
     directions = positions[there] - positions[here]
     directions = directions / np.maximum(np.linalg.norm(directions, axis=1), np.finfo(float).tiny)[:, None]
@@ -143,7 +143,7 @@ def _straightest_pairs(sides: np.ndarray, edges: np.ndarray, positions: np.ndarr
 
 
 def _walk(start: int, vertex_of_side: list[int], following: list[int], used: list[bool]) -> Chain:
-    """From the side `start` until the chain ends or closes."""
+    """Follow the chain from the side `start` until it ends or closes."""
     chain = Chain([], [vertex_of_side[start]])
     side = start
     while side >= 0 and not used[side // 2]:

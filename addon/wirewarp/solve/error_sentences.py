@@ -12,7 +12,7 @@ from typing import Any
 from ..core import FlattenError
 from ..words import LengthText, counted
 
-MOST_LENGTHS = 5  # longer lists are not read
+MOST_LENGTHS = 5  # nobody reads longer lists
 SPLIT = "In Edit Mode, select the faces on one side there and use Mesh > Split > Selection."
 FREE = "or remove a wire nearby or set a tolerance"
 
@@ -23,7 +23,7 @@ class ErrorFacts:
 
     error: FlattenError
     faces: int  # number of the mesh's faces that error.faces are part of
-    flipped: int  # number of such faces of the piece
+    flipped: int  # number of flipped faces of the piece
     overlapping: int
     wires: list[str]  # names of all wires, in the library's order
     lengths: LengthText
@@ -32,7 +32,7 @@ class ErrorFacts:
         return self.error.arguments[name]
 
     def get(self, name: str) -> Any:  # noqa: ANN401
-        """None if the error has no such argument."""
+        """Return the argument; None if the error has none of this name."""
         return self.error.arguments.get(name)
 
     @property
@@ -49,11 +49,11 @@ class ErrorFacts:
 
     @property
     def proposed(self) -> str:
-        """ ", such as the suggested one"; nothing without a proposal."""
+        """Return ", such as the suggested one"; nothing without a proposal."""
         return ", such as the suggested one" if self.error.proposed_seams else ""
 
     def wire_text(self, indices: list[int]) -> str:
-        """'wire "Hip"', 'wires "Hip" and "Bust"'."""
+        """Return 'wire "Hip"', 'wires "Hip" and "Bust"'."""
         names = [f'"{self.wires[index]}"' for index in indices]
         return f"wire {names[0]}" if len(names) == 1 else f"wires {', '.join(names[:-1])} and {names[-1]}"
 
@@ -166,7 +166,7 @@ def _infeasible_lengths(facts: ErrorFacts) -> str:
 
 
 def _looser(facts: ErrorFacts) -> str:
-    """'a tolerance of 0.3% to 1.2% on wires "Hip" and "Bust" and with wire "Arm" free'."""
+    """Return 'a tolerance of 0.3% to 1.2% on wires "Hip" and "Bust" and with wire "Arm" free'."""
     proposed = facts.error.proposed_tolerances
     elastic = {wire: tolerance for wire, tolerance in proposed if not math.isinf(tolerance)}
     free = [wire for wire, tolerance in proposed if math.isinf(tolerance)]
@@ -213,7 +213,7 @@ def _wrong_option(facts: ErrorFacts) -> str:
 
 
 def _also(flipped: int, overlapping: int) -> str:
-    """ ", has 3 flipped faces and overlaps itself at 1 face"."""
+    """Return ", has 3 flipped faces and overlaps itself at 1 face"."""
     faults = [f"has {counted(flipped, 'flipped face')}"] if flipped else []
     faults += [f"overlaps itself at {counted(overlapping, 'face')}"] if overlapping else []
     return f", {' and '.join(faults)}" if len(faults) > 1 else f", and {faults[0]}" if faults else ""

@@ -70,7 +70,7 @@ def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenCh
 
 
 def _of_triangles(result: FlattenResult, name: str, count: int) -> np.ndarray:
-    """(m,) a measure of all pieces."""
+    """Return a measure (m,) of all pieces."""
     values = np.full(count, np.nan)
     for piece in result.pieces:
         values[piece.source_face] = getattr(piece.metrics, name)
@@ -88,7 +88,7 @@ def _edges_at(pairs: ArrayLike, arrays: MeshArrays) -> np.ndarray:
 
 @dataclass(frozen=True)
 class FlatMesh:
-    """Only what has a layout."""
+    """Pieces with a layout, as one mesh."""
 
     vertices: np.ndarray  # (p,2) float64, Blender units
     source_vertex: np.ndarray  # (p,) int32
@@ -103,30 +103,30 @@ class FlatMesh:
     side_eases: np.ndarray  # (l,) float32, as MeshArrays has them
     source_face: np.ndarray  # (f,) int32, face of the source
     face_piece: np.ndarray  # (f,) int32, index of the piece
-    piece_id: np.ndarray  # (f,) int32, by which the piece is known again in the next run
+    piece_id: np.ndarray  # (f,) int32, by which the next run recognizes the piece
     failed: np.ndarray  # (f,) bool, the piece failed
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
     aspect_ratio: np.ndarray  # (f,) float32
-    stretch: np.ndarray  # (f,) float32: 0.1 is cloth that the model stretches by 10%, in the mean of all directions
-    length_variation: np.ndarray  # (e,) float32: 0.1 is an edge that is 10% off the length asked for
+    stretch: np.ndarray  # (f,) float32: 0.1 is fabric that the model stretches by 10%, in the mean of all directions
+    length_variation: np.ndarray  # (e,) float32: 0.1 is an edge that is 10% off its target length
     threads: "Threads | None"  # with a cloth
-    piece_areas: np.ndarray  # (n,) by index of the piece; below 0 where it lies upside down
+    piece_areas: np.ndarray  # (n,) by index of the piece; below 0 for one upside down
 
 
 @dataclass(frozen=True)
 class Threads:
-    """(f,) float32 each, of the triangle of the face where it is most."""
+    """(f,) float32 each, of the worst triangle of the face."""
 
     weft_strain: np.ndarray  # 0.1: the threads across the grain are stretched by 10%
     warp_strain: np.ndarray
-    shear_angle: np.ndarray  # radians, by which they leave the right angle; without its sign
+    shear_angle: np.ndarray  # radians by which they differ from a right angle; without sign
 
 
 def flat_mesh(
     result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity], choices: FlattenChoices
 ) -> FlatMesh:
-    """The pieces of a FlattenResult side by side, as packed."""
+    """Return the pieces of a FlattenResult side by side, as packed."""
     vertices, source_vertex, vertex_piece, flat_triangles, piece_of_triangle, energy, ratio = _join_pieces(
         result, arrays
     )
@@ -198,7 +198,7 @@ def _threads(result: FlattenResult, first_triangle: np.ndarray, kept: np.ndarray
 
 
 def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, ...]:
-    """All pieces' vertices in one numbering, and per input triangle: its corners, piece, energy and aspect ratio."""
+    """Return all pieces' vertices in one numbering, and per input triangle: corners, piece, energy and aspect ratio."""
     count = len(arrays.triangles)
     flat_triangles = np.full((count, 3), -1, dtype=np.int32)
     piece_of_triangle = np.zeros(count, dtype=np.int32)
@@ -243,7 +243,7 @@ def _model_areas(result: FlattenResult, arrays: MeshArrays) -> np.ndarray:
 
 
 def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
-    """The loops of the kept polygons, one polygon after the other; backwards where the object is mirrored."""
+    """Return the loops of the kept polygons, one polygon after the other; backwards for mirrored objects."""
     sizes = arrays.polygon_sizes[kept]
     starts = np.repeat(arrays.polygon_starts[kept], sizes)
     step = np.arange(sizes.sum()) - np.repeat(np.cumsum(sizes) - sizes, sizes)
@@ -278,7 +278,7 @@ def _edges(
     ends = loop_vertices, loop_vertices[following]
     low, high = np.minimum(*ends), np.maximum(*ends)
     first = np.empty(len(arrays.edges), dtype=np.int64)
-    first[source_edge] = np.arange(len(source_edge))  # any one corner of each
+    first[source_edge] = np.arange(len(source_edge))  # any corner of each
     first = first[source_edge]
     other = np.flatnonzero((low != low[first]) | (high != high[first]))  # along seams
     _, rows, inverse = np.unique(
@@ -299,7 +299,7 @@ def _signed_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class FlatMarks:
-    """Of the flat edges, by the edges of the model they come from."""
+    """Marks of the flat edges, from the edges of the model."""
 
     seams: np.ndarray  # (e,) bool
     seam_ids: np.ndarray  # (e,) int32, 0 none

@@ -25,12 +25,12 @@ _ending: list[Job] = []  # canceled jobs, because dropping one waits for it
 
 @dataclass(frozen=True)
 class ClothChoice:
-    """A cloth of the library by its name, or one's own."""
+    """A cloth of the library by its name, or a custom one."""
 
     name: str  # "woven" and so on, or "custom"
-    gives_across: float  # as a fraction; 0: not known
+    gives_across: float  # as a fraction; 0: unknown
     gives_along: float
-    worn_across: float = 0.0  # by how much it is stretched when worn, as a fraction
+    worn_across: float = 0.0  # negative ease: stretch when worn, as a fraction
     worn_along: float = 0.0
     weft: float | None = None  # stiffness of a custom one
     warp: float | None = None
@@ -79,7 +79,7 @@ def flatten_arrays(
 
 
 def library_arguments(library: ModuleType, arrays: MeshArrays, choices: FlattenChoices) -> dict[str, Any]:
-    """What the library's calls share beside the triangles. Raises ObjectError and the library's FlattenError."""
+    """Return arguments that the library's calls share, except the triangles. Raises ObjectError and FlattenError."""
     return {
         "seams": arrays.seams,
         "options": _library_options(library, used_choices(choices, arrays), arrays),
@@ -88,7 +88,7 @@ def library_arguments(library: ModuleType, arrays: MeshArrays, choices: FlattenC
 
 
 def library_marks(library: ModuleType, arrays: MeshArrays) -> dict[str, Any]:
-    """The wires and eases. Raises ObjectError."""
+    """Return the wires and eases. Raises ObjectError."""
     return {
         "wires": [_library_wire(library, wire) for wire in arrays.wires],
         "eases": _library_eases(library, arrays),
@@ -96,7 +96,7 @@ def library_marks(library: ModuleType, arrays: MeshArrays) -> dict[str, Any]:
 
 
 def result_of(job: "Job[Result]") -> Steps[Result]:
-    """What the job finds; it is cancelled when the steps are closed. Raises the library's FlattenError."""
+    """Return the job's result. Closing the steps cancels it. Raises the library's FlattenError."""
     try:
         while not job.is_done():
             yield job.progress()[1]
@@ -106,13 +106,13 @@ def result_of(job: "Job[Result]") -> Steps[Result]:
 
 
 def _let_end(job: Job) -> None:
-    """Without waiting: with half a million faces that takes seconds."""
+    """Let the job end without waiting, which takes seconds for half a million faces."""
     job.cancel()
     _ending[:] = [each for each in (*_ending, job) if not each.is_done()]
 
 
 def drop_jobs(*_: object) -> None:
-    """Waits until nothing of ours runs any more."""
+    """Wait until none of our jobs runs."""
     _ending.clear()
 
 
@@ -127,14 +127,14 @@ def _library_options(library: ModuleType, choices: FlattenChoices, arrays: MeshA
 
 
 def library_cloth(cloth: ClothChoice) -> Cloth:
-    """Without its maximum stretch: what is beyond that, the report says."""
+    """Return the cloth without its maximum stretch, because the report checks that."""
     own = _without_stretch(cloth)
     worn = cloth.worn_across, cloth.worn_along
     return Cloth(own.weft, own.warp, own.shear, squeeze=own.squeeze, stretch=worn, locking=own.locking)
 
 
 def maximum_stretch(cloth: ClothChoice) -> tuple[float | None, float | None]:
-    """Across and along the grain: as given, or else that of the preset; None if it is not known."""
+    """Return the stretch across and along the grain, as given or from the preset; None if unknown."""
     across, along = _without_stretch(cloth).limits or (None, None)
     return cloth.gives_across or across, cloth.gives_along or along
 
@@ -144,24 +144,27 @@ def _without_stretch(cloth: ClothChoice) -> Cloth:
 
 
 def gap_between(arrays: MeshArrays, spacing: float) -> float:
-    """Between pieces, with `spacing` between their cutting lines; at most what the library allows."""
+    """Return the gap between pieces for `spacing` between their cutting lines; at most the library's limit."""
     return min(spacing + 2 * arrays.allowance, _side(arrays))
 
 
 def _side(arrays: MeshArrays) -> float:
-    """Of a square as large as all pieces."""
+    """Return the side of a square with the area of all pieces."""
     return math.sqrt(float(triangle_areas(arrays.vertices, arrays.triangles).sum()))
 
 
 def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:
-    """While no wire is the grain wire, pieces stand as on the model: the first wires are often waist and hip."""
+    """Return the choices.
+
+    Without a grain wire, pieces are upright as on the model: the first wires are often waist and hip.
+    """
     if choices.orientation == "wire" and _grain_index(arrays) == -1:
         return replace(choices, orientation="up")
     return choices
 
 
 def _grain_index(arrays: MeshArrays) -> int:
-    """Of the grain wire among the wires; -1: there is none, or none any more."""
+    """Return the index of the grain wire among the wires; -1 without one."""
     ids = [wire.chain.wire_id for wire in arrays.wires]
     return ids.index(arrays.grain_wire) if arrays.grain_wire in ids else -1
 
@@ -169,7 +172,7 @@ def _grain_index(arrays: MeshArrays) -> int:
 def _library_wire(library: ModuleType, wire: NamedWire) -> Wire:
     try:
         return library.Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name, ease=wire.chain.ease)
-    except library.FlattenError as error:  # knows neither the wire's name nor where it is
+    except library.FlattenError as error:  # it names neither the wire nor the place
         edges = list(pairwise(wire.chain.vertices))
         is_ease = str(error.code) == "invalid_ease"
         remedy = EASE_AGAIN if is_ease else "Click it in the list of wires and choose Rigid, Elastic or Free."
@@ -178,7 +181,7 @@ def _library_wire(library: ModuleType, wire: NamedWire) -> Wire:
 
 
 def _library_eases(library: ModuleType, arrays: MeshArrays) -> list[Ease]:
-    """One for each ratio there is."""
+    """Return one ease for each ratio."""
     half_edges, eases = eased_half_edges(arrays)
     ratios, number = np.unique(eases, return_inverse=True)
     return [_library_ease(library, half_edges[number == k], shortest_double(ratio)) for k, ratio in enumerate(ratios)]
@@ -202,7 +205,7 @@ def _library_ease(library: ModuleType, half_edges: np.ndarray, ratio: float) -> 
 
 
 def issue_of_piece(piece: Piece, index: int, arrays: MeshArrays) -> Issue:
-    """The error of a piece that has one, and every face of it that breaks a guarantee."""
+    """Return the error of a failed piece, and every face of it that breaks a guarantee."""
     flipped = polygons_of(arrays, piece.metrics.flipped_faces)
     overlapping = polygons_of(arrays, piece.metrics.overlapping_faces)
     issue = issue_of_error(piece.error, arrays, len(flipped), len(overlapping))
@@ -210,7 +213,7 @@ def issue_of_piece(piece: Piece, index: int, arrays: MeshArrays) -> Issue:
 
 
 def issue_of_error(error: FlattenError, arrays: MeshArrays, flipped: int = 0, overlapping: int = 0) -> Issue:
-    """The library's error in the words of the add-on. flipped, overlapping: numbers of faces of its piece."""
+    """Return the library's error in the words of the add-on. flipped, overlapping: numbers of faces of its piece."""
     faces = polygons_of(arrays, error.faces)
     names = [wire.name for wire in arrays.wires]
     return Issue(
@@ -230,11 +233,11 @@ def polygons_of(arrays: MeshArrays, triangles: Sequence[int] | np.ndarray) -> li
 
 def has_layout(corner_uv: np.ndarray) -> np.ndarray:
     """(m,) bool: triangles with coordinates."""
-    return np.isfinite(corner_uv.reshape(-1, 6) @ np.ones(6))  # a sum is finite where its terms are
+    return np.isfinite(corner_uv.reshape(-1, 6) @ np.ones(6))  # a sum is finite if its terms are
 
 
 def has_cloth(result: FlattenResult) -> bool:
-    """Whether it was made for a cloth, and a piece has a layout."""
+    """Return whether it was made for a cloth, and a piece has a layout."""
     return any(math.isfinite(piece.metrics.cloth_energy) for piece in result.pieces)
 
 
@@ -253,7 +256,7 @@ def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> l
 
 
 def polygons_across(diagonals: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """The polygon that each pair of vertices (k,2) is a diagonal of."""
+    """Return the polygon whose diagonal each pair of vertices (k,2) is."""
     count = len(arrays.vertices)
     sides = edge_keys(arrays.triangles[:, [0, 1, 1, 2, 2, 0]], count)
     order = np.argsort(sides)
@@ -262,7 +265,7 @@ def polygons_across(diagonals: np.ndarray, arrays: MeshArrays) -> np.ndarray:
 
 
 def _way_round(diagonal: np.ndarray, polygon: int, arrays: MeshArrays) -> list[int]:
-    """The vertices of a polygon from one end of its diagonal to the other."""
+    """Return the vertices of a polygon from one end of its diagonal to the other."""
     start = arrays.polygon_starts[polygon]
     corners = arrays.loop_vertices[start : start + arrays.polygon_sizes[polygon]].tolist()
     first, last = sorted(corners.index(vertex) for vertex in diagonal)
@@ -271,7 +274,7 @@ def _way_round(diagonal: np.ndarray, polygon: int, arrays: MeshArrays) -> list[i
 
 
 def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> list[LooserWire]:
-    """The proposed pairs of a wire's index and its tolerance."""
+    """Return the proposed pairs of a wire's index and its tolerance."""
     return [
         LooserWire(name=wire.name, tolerance=round_up(tolerance), edges=list(pairwise(wire.chain.vertices)))
         for wire, tolerance in ((arrays.wires[index], tolerance) for index, tolerance in proposed)
@@ -279,7 +282,7 @@ def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> l
 
 
 def round_up(tolerance: float) -> float:
-    """To three digits, as the panel shows tolerances: never less than what is needed. inf (free) stays."""
+    """Round up to three digits, as the panel shows tolerances, so that they suffice. inf (free) stays."""
     if math.isinf(tolerance):
         return tolerance
     step = 10.0 ** (math.floor(math.log10(tolerance)) - 2)

@@ -72,7 +72,7 @@ def _halves(side: str, offsets: np.ndarray) -> list[str]:
         return ["" if abs(x) < BESIDE else HALVES[0][int(x > 0)] for x in offsets[:, 0]]
     apart = offsets[1] - offsets[0]
     axis = int(np.argmax(np.abs(apart)))
-    if np.abs(apart[axis]) < BESIDE or side in SIDES[axis]:  # one lies in or behind the other
+    if np.abs(apart[axis]) < BESIDE or side in SIDES[axis]:  # one is inside or behind the other
         return ["", ""]
     lower, upper = HALVES[axis]
     return [lower, upper] if apart[axis] > 0 else [upper, lower]
@@ -85,7 +85,7 @@ def from_top(offsets: np.ndarray) -> list[int]:
 
 
 def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
-    """The names wanted, each with a number where several want it or where it is taken already."""
+    """Return the names, with a number if several pieces have one or it is in use."""
     used, asked = set(taken), Counter(wanted)
     following: dict[str, int] = {}
     names = []
@@ -115,13 +115,13 @@ def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegio
 def _names_by(
     regions: Sequence[Region], piece_of_face: np.ndarray, faces_in_piece: np.ndarray
 ) -> list[tuple[int, str]]:
-    """(piece, name); of several regions of one piece the one that the fewest other pieces are in."""
+    """Return (piece, name); of several regions of one piece, the one with the fewest other pieces."""
     if not regions:
         return []
     counts = np.array([np.bincount(piece_of_face[each.faces], minlength=len(faces_in_piece)) for each in regions])
     carried = 2 * counts > faces_in_piece  # (regions, pieces)
     pieces_in = carried.sum(axis=1)
-    carried[pieces_in == len(faces_in_piece)] = False  # what all pieces have distinguishes none
+    carried[pieces_in == len(faces_in_piece)] = False  # a region of all pieces distinguishes none
     best = np.argmin(np.where(carried, pieces_in[:, None], len(faces_in_piece) + 1), axis=0)
     return [(piece, regions[best[piece]].name) for piece in np.flatnonzero(carried.any(axis=0)).tolist()]
 
@@ -131,17 +131,17 @@ MAX_ID = 2**31 - 1  # of an INT attribute
 
 @dataclass(frozen=True)
 class KnownPieces:
-    """What is known before a run."""
+    """Ids and names from before a run."""
 
     ids: np.ndarray  # (f,) int32, one per face of the model; 0 on faces that were in no piece yet
     names: Mapping[int, str]  # of the pieces of the last run, by id
-    model_name: str  # what the model was called then
+    model_name: str  # former name of the model
 
 
 @dataclass(frozen=True)
 class PieceIdentity:
     piece_id: int  # random, 31 bits
-    name: str  # no other piece of the object has it
+    name: str  # unique among the pieces of the object
 
 
 @dataclass(frozen=True)
@@ -159,7 +159,7 @@ def identify_pieces(
     known: KnownPieces,
     model_name: str,
 ) -> list[PieceIdentity]:
-    """Of each piece of a FlattenResult, in their order. A piece that is the whole model is called as that is now."""
+    """Return the identity of each piece of a FlattenResult. A piece that is the whole model has the model's name."""
     count = len(result.pieces)
     piece_of_triangle = np.zeros(len(arrays.triangles), dtype=np.int64)
     for index, piece in enumerate(result.pieces):
@@ -212,7 +212,7 @@ def assign_ids(owners: np.ndarray, ids: np.ndarray, weights: np.ndarray, count: 
 
 
 def new_id(taken: Collection[int] = ()) -> int:
-    """Of a piece, a seam or a wire: random, so that joined and appended meshes keep theirs apart."""
+    """Return an id of a piece, a seam or a wire: random, so that joined and appended meshes keep theirs apart."""
     while True:
         number = random.randint(1, MAX_ID)
         if number not in taken:
@@ -241,7 +241,7 @@ def _by_face(piece_of_triangle: np.ndarray, arrays: MeshArrays) -> np.ndarray:
 
 
 def _first_of_each(names: list[str]) -> list[str]:
-    """The names with those emptied that stand before already: the user may have given one to two pieces."""
+    """Return the names, with repeated ones emptied: the user may have named two pieces alike."""
     first = {name: index for index, name in reversed(list(enumerate(names)))}
     return [name if first[name] == index else "" for index, name in enumerate(names)]
 

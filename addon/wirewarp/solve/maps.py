@@ -41,7 +41,7 @@ class ColorMap:
         return _colors(self.stops).take(np.fmin(np.fmax(steps, 0), STEPS).astype(np.intp), axis=0)
 
     def number(self, value: float, digits: int = 4) -> str:
-        """A value as the scale writes it; of a scale with two sides, with its sign."""
+        """Return a value as the scale writes it, with its sign if the scale has two sides."""
         sign = "+" if self.low < 0 < value else ""
         if self.is_angle:
             return f"{math.degrees(value):.{digits}g}°"
@@ -54,7 +54,7 @@ LENGTH_VARIATION = ColorMap("length_variation_color", "Change of length", 0.0, 0
 ARAP_ENERGY = ColorMap("arap_energy_color", "Distortion", 0.0, 0.1)
 WEFT = ColorMap("weft_strain_color", "Across the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
 WARP = ColorMap("warp_strain_color", "Along the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
-SHEAR = ColorMap("shear_angle_color", "Shear", 0.0, math.radians(45), is_angle=True)  # from there on wovens lock
+SHEAR = ColorMap("shear_angle_color", "Shear", 0.0, math.radians(45), is_angle=True)  # wovens lock from there on
 CLOTH_MAPS = (WEFT, WARP, SHEAR)
 COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY, *CLOTH_MAPS)
-NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # on none of the scales
+NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # not a color of the scales

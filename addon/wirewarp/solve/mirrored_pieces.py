@@ -43,7 +43,7 @@ def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: M
 
 
 def _measures(piece: Piece, arrays: MeshArrays) -> np.ndarray:
-    """The root of the area, and the lengths of the outline's stretches in their order."""
+    """Return the root of the area, and the lengths of the outline's sections in their order."""
     area = triangle_areas(arrays.vertices, arrays.triangles[piece.source_face]).sum()
     return np.array([np.sqrt(area), *sorted(chain.length_3d for chain in piece.boundaries)])
 
@@ -54,7 +54,7 @@ def _are_alike(issue: Issue, other: Issue, measures: np.ndarray, others: np.ndar
 
 
 def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> Issue | None:
-    """What the issue proposes, mirrored to the other piece; None if that has no such edges or wires."""
+    """Return the issue's proposal, mirrored to the other piece; None if that has no such edges or wires."""
     wanted = [*issue.proposed_seams, *(edge for wire in issue.proposed_tolerances for edge in wire.edges)]
     own = np.intersect1d(np.unique(piece.source_vertex), np.array(wanted).ravel())
     places, others = arrays.vertices[np.unique(piece.source_vertex)], np.unique(other.source_vertex)
@@ -100,7 +100,7 @@ def _are_edges(pairs: Pairs, arrays: MeshArrays) -> bool:
 
 
 def _mirrored_wire(wire: LooserWire, image_of: dict[int, int], arrays: MeshArrays) -> LooserWire | None:
-    """The wire along the mirror image of the part of `wire` that lies in the piece."""
+    """Return the wire along the mirror image of the part of `wire` in the piece."""
     image = _mirrored_edges([edge for edge in wire.edges if edge[0] in image_of and edge[1] in image_of], image_of)
     wanted = set(image or ())
     for each in arrays.wires:
@@ -115,7 +115,7 @@ def _joined(first: Pairs, second: Pairs) -> Pairs:
 
 
 def _widest(wires: Sequence[LooserWire]) -> list[LooserWire]:
-    """Each wire once."""
+    """Return each wire once, with its widest tolerance."""
     widest: dict[str, LooserWire] = {}
     for wire in wires:
         if wire.name not in widest or wire.tolerance > widest[wire.name].tolerance:

@@ -10,7 +10,7 @@ from .chains import EdgeMarks, edge_keys
 
 @dataclass(frozen=True)
 class FlatPieces:
-    """A flat mesh: as it was made, or as it was read back after whatever users did to it."""
+    """A flat mesh as it was made, or as read back after changes by users."""
 
     vertices: np.ndarray  # (n,2) float64
     source_vertex: np.ndarray  # (n,) int32, vertex of the model
@@ -70,12 +70,12 @@ def number_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarra
 
 
 def signed_areas(vertices: np.ndarray, outline: OutlineEdges) -> np.ndarray:
-    """(p,) of the pieces 0, 1, ...; below 0 of one that runs clockwise."""
+    """Return (p,) the areas of the pieces 0, 1, ...; below 0 for one that runs clockwise."""
     return _areas(vertices, outline.edges[:, 0], outline.edges[:, 1], outline.piece)
 
 
 def _face_sides(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The vertices (l,) at the start and (l,) at the end of each side of each face."""
+    """Return the vertices (l,) at the start and (l,) at the end of each side of each face."""
     starts = np.cumsum(face_sizes) - face_sizes
     following = np.arange(1, len(loop_vertices) + 1)
     following[starts + face_sizes - 1] = starts

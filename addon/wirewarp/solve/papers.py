@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is printed on, as makers call it and as the library does."""
+"""Papers, by the names of makers and of the library."""
 
 PAPERS = {
     "A4": ("a4", "A4"),

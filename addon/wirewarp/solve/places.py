@@ -11,15 +11,15 @@ from ..core import pattern
 from .flat_mesh import FlatMesh
 from .outlines import FlatPieces, OutlineEdges, number_edges, outline_edges, outline_loops, piece_of_vertices
 
-SAMPLE = 100  # points by which the place of a piece is remembered
+SAMPLE = 100  # points by which the place of a piece is stored
 # Points of pieces that have a place but no shape just now: (k,4) float64, piece id, source vertex and place.
 NONE_AWAY = np.empty((0, 4))
-LIKE = 0.7  # correlation of a piece with the earlier one; below it their vertices are not the same ones any more
+LIKE = 0.7  # correlation of a piece with the earlier one; below it, their vertices do not correspond
 
 
 @dataclass(frozen=True)
 class Motion:
-    """A turn about the origin and then a shift; points of the plane as complex numbers."""
+    """A turn about the origin and then a shift; points of the plane are complex numbers."""
 
     turn: complex = 1.0  # of length 1
     shift: complex = 0.0
@@ -30,7 +30,7 @@ class Motion:
         return np.column_stack([moved.real, moved.imag])
 
     def shifted(self, by: np.ndarray) -> "Motion":
-        """This motion and then a shift (2,)."""
+        """Return this motion followed by a shift (2,)."""
         return Motion(self.turn, self.shift + complex(*by))
 
 
@@ -38,7 +38,7 @@ STAY = Motion()
 
 
 def fit_motion(points: np.ndarray, places: np.ndarray) -> Motion:
-    """The motion that brings points (k,2) nearest to their places (k,2) in the sum of squares."""
+    """Return the motion that brings points (k,2) nearest to their places (k,2) in the sum of squares."""
     start, goal = points.mean(axis=0), places.mean(axis=0)
     (x, y), (u, v) = (points - start).T, (places - goal).T
     spin = complex(x @ u + y @ v, x @ v - y @ u)  # the sum of conj(x + iy) (u + iv)
@@ -49,7 +49,7 @@ def fit_motion(points: np.ndarray, places: np.ndarray) -> Motion:
 @dataclass(frozen=True)
 class Places:
     motions: dict[int, Motion]  # by piece id, from where the piece was laid out to where it goes
-    crowded: list[int]  # ids of pieces that could not stay, for they would lie over another
+    crowded: list[int]  # ids of pieces that had to move because they would overlap another
 
 
 class _Pieces:
@@ -72,7 +72,7 @@ class _Pieces:
         return piece_id in self._vertices or piece_id in self._away
 
     def is_away(self, piece_id: int) -> bool:
-        """Whether it has a place but no shape."""
+        """Return whether it has a place but no shape."""
         return piece_id not in self._vertices
 
     def points(self, piece_id: int) -> np.ndarray:
@@ -82,7 +82,7 @@ class _Pieces:
         return self._pieces.vertices[self._vertices[piece_id]]
 
     def sources(self, piece_id: int) -> np.ndarray:
-        """(k,) the vertex of the model of each point."""
+        """Return the vertex (k,) of the model of each point."""
         if self.is_away(piece_id):
             return self._away[piece_id][:, 1].astype(np.int64)
         return self._pieces.source_vertex[self._vertices[piece_id]]
@@ -138,7 +138,7 @@ def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing
 
 
 def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
-    """By the vertices that are in both pieces, once in each; None if these are too few or too far off."""
+    """Return the motion by the vertices that both pieces have once; None if these are too few or too far off."""
     rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
     here, there = (pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True))
     _, first, second = np.intersect1d(here, there, assume_unique=True, return_indices=True)
@@ -151,7 +151,7 @@ def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
 
 
 def _only_once(sources: np.ndarray) -> np.ndarray:
-    """Rows of vertices that no cut has doubled within the piece."""
+    """Return rows of vertices that no cut has doubled within the piece."""
     _, first, count = np.unique(sources, return_index=True, return_counts=True)
     return first[count == 1]
 
@@ -179,7 +179,7 @@ def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
 
 
 def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
-    """The pieces whose boxes overlap those of others, and these."""
+    """Return the pieces whose boxes overlap those of others, and these."""
     ids = list(kept)
     low, high = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()]).transpose(1, 0, 2)
     meet = np.all((low[:, None] < high) & (low < high[:, None]), axis=2) & ~np.eye(len(ids), dtype=bool)

@@ -30,7 +30,7 @@ SHOWN_SENTENCES = 4
 
 @dataclass(frozen=True, kw_only=True)
 class Facts:
-    """What is known about an object before it is flattened."""
+    """Facts about an object before it is flattened."""
 
     object: str
     mesh: str
@@ -72,7 +72,7 @@ class ObjectReport(Report):
 
     @property
     def left_out(self) -> list[str]:
-        """What was left out of the run, though it changes what is seen."""
+        """Return the modifiers and shape keys that the run ignored."""
         return [] if self.with_modifiers else self.shaped_by
 
     @property
@@ -136,12 +136,12 @@ def _library_report(result: FlattenResult, arrays: MeshArrays, meters: float, cl
 
 
 def failure_report(issue: Issue, facts: Facts | None = None) -> ObjectReport:
-    """The report of an object that could not be flattened at all."""
+    """Return the report of an object that could not be flattened at all."""
     return ObjectReport(issues=[issue], **(vars(facts) if facts else {}))
 
 
 def run_message(reports: Sequence[ObjectReport]) -> tuple[str, str]:
-    """How loudly Blender shows what became of the run (INFO, WARNING or ERROR), and the text."""
+    """Return the level (INFO, WARNING or ERROR) and the text of a run's message."""
     notes = [(note, note_text(report, note)) for report in reports for note in report.notes]
     makers = [maker for report in reports for maker in report.left_out]
     if not all(report.ok for report in reports):
@@ -156,7 +156,7 @@ def run_message(reports: Sequence[ObjectReport]) -> tuple[str, str]:
 
 
 def _failure_text(reports: Sequence[ObjectReport]) -> str:
-    """What failed, a sentence each."""
+    """Return one sentence for each failure."""
     lines = [f"{place_name(report, issue.piece)}: {issue.sentence}" for report in reports for issue in report.issues]
     hidden = len(lines) - SHOWN_SENTENCES
     more = [f"And {hidden} more: see the report in the sidebar."] if hidden > 0 else []
