@@ -40,7 +40,7 @@ from ..words import counted
 class SidedMark:
     """A value that one side of an edge may have. Its methods take meshes in Object Mode."""
 
-    what: str  # as sentences call it
+    what: str  # its name in sentences
     value: Mark  # FLOAT, on edges: of the side that is marked
     side: Mark  # INT, on edges: the number of the face on that side, 0 none
     corner: Mark  # FLOAT, on corners: of the edge that begins there, as scripts may write it for both sides
@@ -162,16 +162,16 @@ def _pairs(mesh: bpy.types.Mesh, rows: np.ndarray) -> list[tuple[int, int]]:
     return [tuple(pair) for pair in edge_vertices(mesh)[rows].tolist()]
 
 
-NONE = -1.0  # what stands on edges without allowance
+NONE = -1.0  # stored on edges without allowance
 
 
 @dataclass(frozen=True)
 class MarkedAllowances:
-    """Widths by vertex pairs, in Blender units; below 0 for none."""
+    """Widths by vertex pairs, in Blender units; below 0 for no allowance."""
 
     edges: np.ndarray  # (e,2)
     widths: np.ndarray  # (e,)
-    sides: np.ndarray  # (s,2) directed as in their face
+    sides: np.ndarray  # (s,2) in the direction of their face
     side_widths: np.ndarray  # (s,)
 
 
@@ -182,9 +182,9 @@ def check_allowances(mesh: bpy.types.Mesh) -> None:
 
 
 def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
-    """Gives this width to those of these edges that lie on seams and outlines: NONE for none, 0 for the default.
+    """Give this width to the edges that are on seams and outlines: NONE for none, 0 for the default.
 
-    Returns how many edges got it.
+    Return how many edges changed.
     """
     marked = rows[_on_outlines(mesh)[rows]]
     widths = read_values(mesh, ALLOWANCE)
@@ -195,9 +195,9 @@ def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
 
 
 def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
-    """Gives this width, as in mark_edges, to the sides of edges that begin at these corners.
+    """Give this width, as in mark_edges, to the sides of edges that begin at these corners.
 
-    Returns how many sides got it: if more than two faces meet, their sides have one width.
+    Return how many sides changed: if more than two faces meet, their sides have one width.
     """
     loop_edges = corner_edges(mesh)
     marked = corners[faces_at_edges(mesh)[loop_edges[corners]] <= 2]
@@ -210,7 +210,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
     first = beside[np.searchsorted(loop_edges[beside], rows)]
     last = beside[np.searchsorted(loop_edges[beside], rows, side="right") - 1]
     own, shared = np.where(widths[first] != 0, first, last), np.where(widths[first] != 0, last, first)
-    both[rows] = widths[shared]  # the default, which is 0, can only be what both share
+    both[rows] = widths[shared]  # only the default, which is 0, can be shared
     write_marked(mesh, ALLOWANCE, both)
     SIDE_ALLOWANCES.clear(mesh, rows)
     one_sided = own[widths[own] != widths[shared]]
@@ -227,7 +227,10 @@ def scale_lengths(mesh: bpy.types.Mesh, factor: float) -> None:
 
 
 def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
-    """Raises ObjectError if an attribute of our name is another's, or if a side is unknown or has two widths."""
+    """Return the allowances.
+
+    Raises ObjectError for a foreign attribute, or a side that is unknown or has two widths.
+    """
     check_attribute(mesh, ALLOWANCE)
     SIDE_ALLOWANCES.check(mesh)
     edges, starts = edge_vertices(mesh), corner_vertices(mesh)

@@ -13,12 +13,12 @@ from .memory import Take, kept, read_anew
 
 SHAPE, MARKS, SCALE = "shape", "marks", "metric"
 MODIFIED = "modified"  # of reports with modifiers
-BLOCKS = 64  # of vertices: one number for each of them and each axis
-ROUNDING = 1e-6  # of coordinates in single precision that went through matrices, by their size
+BLOCKS = 64  # number of blocks of vertices: one sum for each of them and each axis
+ROUNDING = 1e-6  # relative rounding of single-precision coordinates after transformations
 
 
 def model_state(source: bpy.types.Object, base: MarkedMesh, with_modifiers: bool) -> dict:
-    """For the report; base: the object's base mesh."""
+    """Return the state for the report. base: the object's base mesh."""
     return _state(source, _digests(base), with_modifiers, read_anew)
 
 
@@ -42,7 +42,7 @@ def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept)
 
 
 def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
-    """Whether geometry or scale are other than when the report was made, whatever its seams and wires are now.
+    """Return whether geometry or scale differ from the report, whatever its seams and wires are now.
 
     A report without a state counts as one of another model.
     """
@@ -55,7 +55,7 @@ def shows_modified(source: bpy.types.Object) -> bool:
 
 
 def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
-    """What is other than in the state `then`."""
+    """Return the differences from the state `then`."""
     if source.data.is_editmode and source.data.shape_keys:  # Edit Mode shows the active shape key, not the base mesh
         return {SCALE} if _is_scaled(source, then) else set()
     try:
@@ -100,7 +100,7 @@ def _modified_state(source: bpy.types.Object) -> dict:
 
 
 def _is_same(then: dict | None, now: dict) -> bool:
-    """But for rounding."""
+    """Return whether they are equal except for rounding."""
     return (
         then is not None
         and then["faces"] == now["faces"]
@@ -138,7 +138,10 @@ def place_sums(points: np.ndarray) -> list[float]:
 
 
 def rounding_of_sums(points: np.ndarray, distance: float) -> float:
-    """How far rounding of the points (n,3) may take their sums; distance: of the object from the world's origin."""
+    """Return how far rounding of the points (n,3) may move their sums.
+
+    distance: of the object from the world's origin.
+    """
     size = float(np.abs(_finite(points)).max(initial=0)) + distance
     return ROUNDING * size * float(np.sqrt(max(len(points) / BLOCKS, 1)))
 

@@ -22,7 +22,7 @@ REST = 0.2  # seconds without a change until it is built in Edit Mode, where the
 
 @dataclass(frozen=True)
 class Same:
-    """Equal only to what holds the very same object."""
+    """Equal only to an instance with the same object."""
 
     value: object
 
@@ -38,7 +38,7 @@ class _Entry:
     value: Any
     rests_until: float  # seconds of the monotonic clock
     is_slow: bool
-    awaited: tuple | None = None  # what it was to be made of when that was put off
+    awaited: tuple | None = None  # data of the postponed drawing
     since: float = 0.0  # when
 
 
@@ -65,14 +65,14 @@ def kept_drawing(
             return entry.value
     value = build()
     if entry:
-        value = reused(entry.value, value)  # nothing is made anew of what a selection in Edit Mode leaves as it is
+        value = reused(entry.value, value)  # unchanged parts are not built again after a selection in Edit Mode
     done = time.monotonic()
     drawings[what] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE), done - now > FELT)
     return value
 
 
 def reused(old: Any, new: Any) -> Any:  # noqa: ANN401
-    """new, but with all parts of old that are the same."""
+    """Return new, but with all parts of old that are the same."""
     if is_same(old, new):
         return old
     if isinstance(old, dict) and isinstance(new, dict):

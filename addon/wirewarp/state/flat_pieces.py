@@ -22,7 +22,7 @@ from .reports import pieces_report
 
 
 def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
-    """The same on the flat pieces; an edge along a seam is there once a side."""
+    """Return the elements on the flat pieces; an edge along a seam exists once per side."""
     in_piece = np.full(len(flat.face_piece), True) if elements.piece is None else flat.face_piece == elements.piece
     if elements.whole_piece:
         return Elements(faces=np.flatnonzero(in_piece))
@@ -43,13 +43,13 @@ def faces_of_piece(piece: int, flat: FlatPieces) -> np.ndarray:
     return flat.source_face[flat.face_piece == piece]
 
 
-OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # what a flat mesh always has
+OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # attributes that a flat mesh always has
 # Of lengths in single precision, relative to the length and to the largest coordinate: pieces may have been moved.
 LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
 
 
 def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
-    """Whether it holds flat pieces and nothing else, whatever became of their model. Of one not in Edit Mode."""
+    """Return whether it contains flat pieces and nothing else, whatever happened to their model. Not in Edit Mode."""
     if not len(mesh.polygons) or not has_attributes(mesh, *OF_ELEMENTS):
         return False
     return not vertex_places(mesh)[:, 2].any()
@@ -88,9 +88,9 @@ def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bp
 
 
 def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
-    """Whether no vertex, edge or face is gone or new, no edge longer or shorter, and no piece flipped.
+    """Return whether no vertex, edge or face is gone or new, no edge longer or shorter, and no piece flipped.
 
-    Of a mesh with the attributes of flat pieces.
+    The mesh has the attributes of flat pieces.
     """
     laid_out, record = find_values(mesh, FLAT_LENGTH), read_record(mesh)
     counts = [len(mesh.vertices), len(mesh.edges), len(mesh.polygons)]
@@ -106,7 +106,7 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
 
 
 def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Object]:
-    """The report and the flat object of a model in Object Mode. Raises ObjectError where they are not true any more."""
+    """Return the report and the flat object of a model in Object Mode. Raises ObjectError if they are outdated."""
     report, flat = pieces_report(source), find_flat_object(source)
     if report is None or not has_flat_object(source) or report.flat_object is None:
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
@@ -151,5 +151,5 @@ def _is_edited(mesh: bpy.types.Mesh, report: ObjectReport) -> bool:
 
 
 def is_true_size(flat: bpy.types.Object) -> bool:
-    """Whether the object is shown as its mesh is, neither scaled nor mirrored."""
+    """Return whether the object is shown as its mesh is, neither scaled nor mirrored."""
     return np.allclose(flat.matrix_world.to_scale(), 1, rtol=0, atol=1e-5)

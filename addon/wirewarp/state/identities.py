@@ -42,7 +42,7 @@ def names_of(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> dict[int, str]:
 
 
 def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
-    """The name of each wire; where several have one id or one name: Bust, Bust (2) and so on."""
+    """Return the name of each wire; several with one id or name become Bust, Bust (2) and so on."""
     names, taken = names_of(mesh, wire_ids), dict[str, None]()
     for wire_id in wire_ids:
         taken[_numbered(names[wire_id], taken)] = None
@@ -70,7 +70,7 @@ def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
 
 
 def write_names(mesh: bpy.types.Mesh, names: Mapping[int, str]) -> None:
-    """Makes the list say these names of these ids and nothing else; entries keep their places."""
+    """Make the list contain these names of these ids and nothing else; entries keep their places."""
     for index in reversed(range(len(mesh.wirewarp_names))):
         if mesh.wirewarp_names[index].wire_id not in names:
             mesh.wirewarp_names.remove(index)
@@ -126,17 +126,17 @@ class WireSummary:
     shares_id: bool  # shared with an earlier wire: this one was copied or cut in two
 
     def length(self, linear: np.ndarray) -> float:
-        """In Blender units, for an object with this linear part."""
+        """Return the length in Blender units, for an object with this linear part."""
         return float(np.linalg.norm(self.edge_vectors @ linear.T, axis=1).sum())
 
 
 def wires_of(target: bpy.types.Object) -> list[WireSummary]:
-    """In the order of the mesh. Raises ObjectError if an attribute is not ours."""
+    """Return the wires in the order of the mesh. Raises ObjectError for foreign attributes."""
     return kept(target.data, "wires", lambda _: find_wires(target, kept))
 
 
 def listed_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
-    """With their names, in the order of the list of names. Raises ObjectError as wires_of does."""
+    """Return the wires with their names, in the order of the list of names. Raises ObjectError like wires_of."""
     wires = wires_of(target)
     named = zip(chain_names(target.data, [wire.wire_id for wire in wires]), wires, strict=True)
     places = list_places(target.data)
@@ -149,7 +149,7 @@ def editable_name(mesh: bpy.types.Mesh, wire: WireSummary) -> bpy.types.Property
 
 
 def find_wires(target: bpy.types.Object, take: Take = read_anew) -> list[WireSummary]:
-    """As wires_of; take: read_anew, or kept."""
+    """Return the wires like wires_of. take: read_anew, or kept."""
     mesh, seen, wires = marked_mesh(target, take), set(), []
     places = mesh.places.astype(np.float64)
     for chain in chains_of_marks(mesh.edges, mesh.marks, places):
@@ -161,7 +161,7 @@ def find_wires(target: bpy.types.Object, take: Take = read_anew) -> list[WireSum
 
 
 def repair_names(target: bpy.types.Object) -> dict[int, int]:
-    """Writes the names, and returns the ids that are still to be written, by edge. In either mode."""
+    """Write the names, and return the ids still to be written, by edge. In either mode."""
     wires, mesh = find_wires(target), target.data
     ids = [wire.wire_id for wire in wires]
     own = own_ids(ids)
@@ -170,7 +170,7 @@ def repair_names(target: bpy.types.Object) -> dict[int, int]:
 
 
 def piece_names(source: bpy.types.Object) -> dict[int, str]:
-    """By id, in the order of the last report."""
+    """Return the names by id, in the order of the last report."""
     return {entry.piece_id: entry.name for entry in source.wirewarp_pieces}
 
 
@@ -198,7 +198,7 @@ def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
 def with_new_names(
     source: bpy.types.Object, known: KnownPieces, identities: Sequence[PieceIdentity]
 ) -> list[PieceIdentity]:
-    """What the user has renamed since `known` was read has the new name."""
+    """Return the names with those that the user has changed since `known` was read."""
     renamed = dict(piece_names(source).items() - known.names.items())
     return [replace(identity, name=renamed.get(identity.piece_id, identity.name)) for identity in identities]
 
@@ -220,7 +220,7 @@ def write_pieces(
 
 
 def seam_names(source: bpy.types.Object) -> dict[int, str]:
-    """By id, of all seams there ever were."""
+    """Return the names by id, of all seams there ever were."""
     return {entry.seam_id: entry.name for entry in source.wirewarp_seams}
 
 

@@ -34,7 +34,7 @@ def check_attributes(mesh: bpy.types.Mesh) -> None:
 
 
 def has_marks(mesh: bpy.types.Mesh) -> bool:
-    """Whether our attributes are there and are ours."""
+    """Return whether our attributes exist with our types."""
     present = [each for each in OF_WIRES if each.name in mesh.attributes]
     return WIRE in present and has_attributes(mesh, *present)
 
@@ -46,7 +46,7 @@ def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
 
 
 def write_marks(mesh: bpy.types.Mesh, marks: EdgeMarks) -> None:
-    """To a mesh that is not in Edit Mode."""
+    """Write the marks to a mesh that is not in Edit Mode."""
     write_values(mesh, WIRE, marks.wire_ids)
     write_values(mesh, TOLERANCE, marks.tolerances)
     write_marked(mesh, EASE, marks.eases)
@@ -54,7 +54,7 @@ def write_marks(mesh: bpy.types.Mesh, marks: EdgeMarks) -> None:
 
 
 def wires_on(mesh: bpy.types.Mesh) -> list[int]:
-    """The ids of a mesh that is not in Edit Mode, in its order."""
+    """Return the ids of a mesh that is not in Edit Mode, in its order."""
     marks = read_marks(mesh)
     return list(dict.fromkeys(marks.wire_ids[marks.rows].tolist()))
 
@@ -76,9 +76,9 @@ def edit_layers(mesh: bpy.types.Mesh) -> tuple:
 
 
 def own_ids(wire_ids: Sequence[int]) -> list[int]:
-    """An id for each wire, its own where it is the first with that: a wire that was copied or cut in two has several.
+    """Return an id for each wire: its own if it is the first with that, because copied or cut wires share one.
 
-    The others get the next number that is no wire's; the same ones each time.
+    The others get the next unused numbers, always the same ones.
     """
     taken, own = set(wire_ids), dict[int, None]()
     for wire_id in wire_ids:
@@ -114,7 +114,7 @@ class MarkedMesh:
 
 
 def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
-    """Of a mesh that is not in Edit Mode. Raises ObjectError if an attribute of our name is another's."""
+    """Read a mesh that is not in Edit Mode. Raises ObjectError if an attribute of our name is foreign."""
     return MarkedMesh(
         vertex_places(mesh),
         edge_vertices(mesh),

@@ -21,7 +21,7 @@ Place = tuple[str, str | None]  # name and library, by which bpy.data.objects fi
 
 @dataclass
 class ObjectState:
-    """What is kept of one object, mesh or scene."""
+    """Data about one object, mesh or scene."""
 
     name: str  # Blender's name_full at the last call of state_of
     gathered: dict[str, Any] = field(default_factory=dict)  # from its geometry, by what it is; see kept

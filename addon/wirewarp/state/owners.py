@@ -16,7 +16,7 @@ DELETED = (
 
 
 def model_of(target: bpy.types.Object) -> bpy.types.Object | None:
-    """The model that these flat pieces were made from; None of what is none."""
+    """Return the model of these flat pieces; None for other objects."""
     model = target.wirewarp_source
     are_meshes = target.type == "MESH" and model is not None and model.type == "MESH"
     return model if are_meshes and model != target else None
@@ -28,14 +28,14 @@ def model_or_self(target: bpy.types.Object) -> bpy.types.Object:
 
 
 def is_deleted(model: bpy.types.Object) -> bool:
-    """Whether the user has deleted this model of flat pieces; it stays in the file as long as they point to it."""
+    """Return whether the user has deleted this model of flat pieces; it stays in the file while they point to it."""
     return not model.users_scene
 
 
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
     """The object that remembers `source`: the one with our name first, should the user have copied it."""
     named = bpy.data.objects.get(flat_name(source.name))
-    if named and model_of(named) == source:  # found without asking all others, of which there may be thousands
+    if named and model_of(named) == source:  # found without checking all others, of which there may be thousands
         return named
     return next((candidate for candidate in bpy.data.objects if model_of(candidate) == source), None)
 
@@ -45,7 +45,7 @@ def flat_name(model_name: str) -> str:
 
 
 def has_flat_object(source: bpy.types.Object) -> bool:
-    """Whether there are flat pieces that the user has not deleted."""
+    """Return whether there are flat pieces that the user has not deleted."""
     flat = find_flat_object(source)
     return flat is not None and bool(flat.users_scene)
 
@@ -62,7 +62,7 @@ def earlier_sentence(target: bpy.types.Object) -> str:
 
 
 def check_not_edited(target: bpy.types.Object) -> None:
-    """Raises ObjectError where the model's or the results' mesh is in Edit Mode: Blender hides its attributes then.
+    """Raises ObjectError if the model's or the results' mesh is in Edit Mode: Blender hides its attributes then.
 
     in_object_mode leaves the Edit Mode of one view layer; other scenes and windows have theirs.
     """

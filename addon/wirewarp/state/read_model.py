@@ -27,9 +27,9 @@ from .allowances import SIDE_EASES, widest_allowance
 from .identities import chain_names
 from .marked_mesh import MarkedMesh, own_ids, read_ids, read_marked
 
-LEVELS = 2  # a turn of 60 degrees, the largest that a curve has, becomes four of 15
+LEVELS = 2  # a turn of 60 degrees, the largest of a curve, becomes four of 15
 MOST_LEVELS = 4  # each has four times the faces of the one before
-ROUNDING = 1e-5  # of the model's size: what matrices of single precision move a vertex that an armature at rest holds
+ROUNDING = 1e-5  # of the model's size: error of single-precision matrices for vertices that an armature at rest moves
 
 
 def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[Note]:
@@ -49,9 +49,9 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
 
 
 def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[str]:
-    """What makes the object look other than its base mesh: modifiers, shape keys. In Object Mode.
+    """Return what makes the object look different from its base mesh: modifiers, shape keys. In Object Mode.
 
-    By its shape as it is evaluated: an armature at rest changes nothing, nor does a modifier of normals.
+    The evaluated shape counts: an armature at rest changes nothing, nor does a modifier of normals.
     """
     makers = ["modifiers"] if any(modifier.show_viewport for modifier in source.modifiers) else []
     makers += ["shape keys"] if source.data.shape_keys else []
@@ -91,7 +91,10 @@ def check_modifiers(source: bpy.types.Object) -> None:
 
 
 def apply_modifiers(source: bpy.types.Object) -> None:
-    """All that are shown. In Object Mode. Raises ObjectError, with nothing changed, where Blender cannot apply them."""
+    """Apply all visible modifiers in Object Mode.
+
+    Raises ObjectError, with nothing changed, if Blender cannot apply them.
+    """
     check_modifiers(source)
     with bpy.context.temp_override(object=source, active_object=source):
         for name in [modifier.name for modifier in source.modifiers if modifier.show_viewport]:
@@ -99,7 +102,7 @@ def apply_modifiers(source: bpy.types.Object) -> None:
 
 
 def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
-    """Where a modifier splits edges, the same places are there several times."""
+    """Return whether the shapes are the same; a modifier that splits edges repeats places."""
     if len(base.polygons) != len(seen.polygons):
         return False
     places, seen_places = (vertex_places(mesh) for mesh in (base, seen))
@@ -110,9 +113,9 @@ def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
 
 
 LARGEST = 1e18  # Blender units
-SAMPLE = 5_000  # faces that are looked at: Blender lists groups vertex by vertex only, which is slow on large meshes
+SAMPLE = 5_000  # number of faces checked: Blender lists groups only vertex by vertex, which is slow on large meshes
 NO_REGIONS = {NO_SEAM, "sharp_face"}  # boolean attributes of faces that name no part of a model
-CARRIED = 0.5  # weight from which on a vertex is in its group
+CARRIED = 0.5  # weight from which a vertex is in its group
 
 
 def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:
@@ -125,7 +128,7 @@ def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.
 
 
 def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
-    """Areas must be numbers in single precision. What is no number at all the core names by its vertex."""
+    """Raises ObjectError unless areas are numbers in single precision. The core names vertices that are not numbers."""
     if LARGEST < np.abs(vertices).max(initial=0) < np.inf:
         raise object_error(
             "too_large",
@@ -192,7 +195,7 @@ def own_uv_map(mesh: bpy.types.Mesh) -> bpy.types.MeshUVLoopLayer | None:
 
 
 def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWire]:
-    """Each with a name and an id of its own."""
+    """Give each wire a name and an id of its own."""
     ids = [chain.wire_id for chain in chains]
     return [
         NamedWire(name, replace(chain, wire_id=own), chain.wire_id)
@@ -201,7 +204,7 @@ def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWir
 
 
 def face_regions(source: bpy.types.Object, mesh: bpy.types.Mesh) -> FaceRegions:
-    """Of the mesh, which is the object's own or what its modifiers make of it."""
+    """Return the regions of the mesh, which is the object's own or the result of its modifiers."""
     count = len(mesh.polygons)
     sample = np.arange(0, count, max(1, -(-count // SAMPLE)))
     groups = [*_face_attributes(mesh, sample), *_groups(source, mesh, sample)]
@@ -215,7 +218,7 @@ def _slots(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
-    """A face is in the groups that all its vertices are in."""
+    """Return the groups of faces: those that all their vertices are in."""
     if not source.vertex_groups:
         return []
     groups_of: dict[int, set[int]] = {}

@@ -20,7 +20,7 @@ VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "len
 
 
 def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
-    """On a mesh that has none of these attributes."""
+    """Write the maps on a mesh without these attributes."""
     for name, domain in VALUES.items():
         mesh.attributes.new(name, "FLOAT", domain).data.foreach_set("value", getattr(flat, name))
     measures = map_values(flat)
@@ -63,13 +63,13 @@ UPRIGHT = np.array([0.0, 1.0])
 
 @dataclass(frozen=True)
 class FlatRecord:
-    layout: dict[str, Any]  # the options that lay out otherwise when they change
-    up: list[float]  # (3,) the direction in the model's own space that was up
-    away: list[list[float]]  # places of pieces that have no shape just now, see solve.places.NONE_AWAY
+    layout: dict[str, Any]  # options that change the layout
+    up: list[float]  # (3,) direction in the model's own space that was up
+    away: list[list[float]]  # places of pieces without a shape, see solve.places.NONE_AWAY
     grain: list[list[float]]  # of each piece: its index, two vertices, and the grain seen from their line, see grains
     counts: list[int]  # numbers of vertices, edges and faces
     areas: list[float]  # signed area of each piece
-    source_faces: int  # faces of the mesh that was flattened
+    source_faces: int  # faces of the flattened mesh
     ranges: dict[str, list[float]]  # the smallest and the largest value of each map, by its attribute
 
 

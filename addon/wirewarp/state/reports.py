@@ -35,23 +35,23 @@ def remember(source: bpy.types.Object, report: ObjectReport) -> None:
 
 
 def last_report(source: bpy.types.Object) -> ObjectReport | None:
-    """The report of the last run, its pieces and wires by the names they have now. None if there was none."""
+    """Return the report of the last run, with the present names of its pieces and wires. None if there was none."""
     return with_names(source, _failure(source)) or pieces_report(source)
 
 
 def pieces_report(source: bpy.types.Object) -> ObjectReport | None:
-    """The report of the run that wrote the flat pieces, whatever has failed since. None if there was none."""
+    """Return the report of the run that wrote the flat pieces, whatever has failed since. None if there was none."""
     return with_names(source, _read(source))
 
 
 def flattened_name(source: bpy.types.Object) -> str:
-    """What the model was called when its flat pieces were made; its present name where there are none."""
+    """Return the model's name when its flat pieces were made; its present name without them."""
     report = _read(source)
     return report.object if report and report.object else source.name
 
 
 def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectReport | None:
-    """The report itself, its pieces, seams and wires called as in the lists of the model."""
+    """Return the report with the names of pieces, seams and wires in the lists of the model."""
     if report and report.pieces:
         names, named_seams = piece_names(source), seam_names(source)
         for seam in report.seams:
@@ -80,7 +80,7 @@ def _read(source: bpy.types.Object) -> ObjectReport | None:
 
 
 def _text(source: bpy.types.Object, name: str) -> str:
-    """Of a custom property; "" where it is no text."""
+    """Return the text of a custom property; "" for other types."""
     stored = source.get(name)
     return stored if isinstance(stored, str) else ""
 

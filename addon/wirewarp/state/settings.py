@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a run and a search ask for: the settings of the scene and of the operator, as the solver takes them."""
+"""Settings of a run and a search, from the scene or the operator, as the solver takes them."""
 
 import math
 from collections.abc import Callable
@@ -41,13 +41,13 @@ CUSTOM = 1000  # number that files store: behind all fabrics that the library's 
 
 
 def fabric_label(name: str) -> str:
-    """ "Jersey, 50 / 25%": with its maximum stretch across and along the grain."""
+    """Return "Jersey, 50 / 25%", with the maximum stretch across and along the grain."""
     limits = dict.fromkeys(f"{100 * limit:.0f}" for limit in Cloth.preset(name).limits)
     return f"{Cloth.about(name)['label']}, {' / '.join(limits)}%"
 
 
 def _fabrics() -> list[tuple[str, str, str, int]]:
-    """The library's table as items of an enum."""
+    """Return the library's table as items of an enum."""
     return [
         (name.upper(), fabric_label(name), f"{Cloth.about(name)['description']}. {MEASURE}", number)
         for number, name in enumerate(Cloth.presets(), start=1)
@@ -271,19 +271,20 @@ def _cloth_of(settings: FlattenSettings, _meters: float) -> ClothChoice | None:
 
 @dataclass(frozen=True)
 class Setting:
-    """What the add-on knows of a setting of Flatten beside its property."""
+    """Data of a setting of Flatten beside its property."""
 
     name: str  # of the property
-    choice: str = ""  # the field of FlattenChoices that it goes to; "": none
-    to_choice: Callable[[FlattenSettings, float], Any] | None = None  # from all settings and the meters in a unit
-    is_advanced: bool = False  # for few models
+    choice: str = ""  # its field of FlattenChoices; "": none
+    # its value, from all settings and the meters in a unit
+    to_choice: Callable[[FlattenSettings, float], Any] | None = None
+    is_advanced: bool = False  # rarely needed
     is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # above Flatten
     is_wide: bool = False  # its name does not fit half a narrow sidebar
     is_shown: Callable[[FlattenSettings], bool] = lambda _: True
-    is_used: Callable[[FlattenSettings], bool] = lambda _: True  # else it is gray
+    is_used: Callable[[FlattenSettings], bool] = lambda _: True  # otherwise it is gray
 
     def part(self, settings: FlattenSettings) -> str:
-        """In which of PARTS it is drawn."""
+        """Return in which of PARTS it is drawn."""
         return "FRONT" if self.is_in_front(settings) else "ADVANCED" if self.is_advanced else "MAIN"
 
     @property
@@ -340,7 +341,7 @@ SETTINGS = (  # in the order of the panel
 
 
 class TargetSettings:
-    """What Suggest Darts and Suggest Seams ask for: of the scene."""
+    """Settings of Suggest Darts and Suggest Seams."""
 
     suggest_together: BoolProperty(
         name="Up to a Target",
@@ -376,12 +377,12 @@ class TargetSettings:
 
 
 def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
-    """Of the scene's settings, or of an operator's. meters: in a Blender unit."""
+    """Return the choices from the scene's settings or an operator's. meters: in a Blender unit."""
     return FlattenChoices(**{each.choice: each.to_choice(settings, meters) for each in SETTINGS if each.choice})
 
 
 def target_of(settings: TargetSettings) -> Target | None:
-    """None where each cut is to be suggested by itself."""
+    """Return the target; None to suggest each cut by itself."""
     if not settings.suggest_together:
         return None
     return Target(settings.aim_stretch / 100, settings.aim_cuts, settings.aim_length or None)

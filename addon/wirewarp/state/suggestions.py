@@ -48,9 +48,9 @@ def no_seam_of(source: bpy.types.Object, mesh: bpy.types.Mesh) -> NoSeam:
 @dataclass(frozen=True)
 class Suggestions:
     kind: str  # DARTS or SEAMS
-    cuts: list[Cut]  # to choose one from; for a target each with all before it
+    cuts: list[Cut]  # to choose from; for a target, each includes all before it
     target: Target | None
-    names: list[str]  # of the piece that each of them cuts
+    names: list[str]  # name of the piece that each of them cuts
     choices: FlattenChoices  # with which they were measured
     grain_wire: int  # the id that the mesh had for it; 0: none
     wire_ids: set[int]  # of the wires that there were
@@ -66,7 +66,7 @@ def keep(source: bpy.types.Object, suggestions: Suggestions) -> None:
 
 
 def choose(source: bpy.types.Object, index: int) -> None:
-    """Which cut is drawn and may be taken. Without suggestions, or with fewer, nothing happens."""
+    """Choose which cut is drawn and can be marked. Without enough suggestions, nothing happens."""
     found = suggestions_of(source)
     if found and index < len(found.cuts):
         keep(source, replace(found, chosen=index))
@@ -77,12 +77,12 @@ def drop(source: bpy.types.Object) -> None:
 
 
 def suggestions_of(source: bpy.types.Object) -> Suggestions | None:
-    """The last ones, whatever has changed since."""
+    """Return the last suggestions, whatever has changed since."""
     return state_of(source).suggestions
 
 
 def current_suggestions(source: bpy.types.Object, take: Take = kept) -> Suggestions | None:
-    """The last ones, if the model is as it was; take: kept, or read_anew."""
+    """Return the last suggestions, if the model is unchanged. take: kept, or read_anew."""
     found = suggestions_of(source)
     return found if found and are_current(source, found, take) else None
 

@@ -34,10 +34,10 @@ SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models ar
 
 @dataclass(frozen=True)
 class Search:
-    """Under way for one model, as it was read."""
+    """A search under way for one model, as it was read."""
 
     kind: str  # DARTS or SEAMS
-    piece: int | None  # as asked for
+    piece: int | None  # requested piece
     target: Target | None
     model: Model
     choices: FlattenChoices
@@ -86,7 +86,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
-    """Of what each of them cuts."""
+    """Return the name of the piece that each of them cuts."""
     if search.is_of_model:
         return [search.model.facts.object] * len(cuts)
     return [search.names.get(cut.piece, f"Piece {cut.piece + 1}") for cut in cuts]
@@ -156,7 +156,7 @@ class SuggestCuts(WindowSteps):
         return self.begin(context, window_run.SUGGEST, self._search.model.facts.object, self._search.steps)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """In a script; Blender waits."""
+        """Search in a script, while Blender waits."""
         if not self._read(context):
             return {"CANCELLED"}
         try:
@@ -181,7 +181,7 @@ class SuggestCuts(WindowSteps):
             return {"CANCELLED"}
 
     def _read(self, context: bpy.types.Context) -> bool:
-        """Whether there is something to search; says why not."""
+        """Return whether there is something to search; otherwise report why not."""
         refusal = window_run.busy_sentence() or nothing_to_flatten(context, active_target(context))
         if refusal:
             self.report({"ERROR"}, refusal)

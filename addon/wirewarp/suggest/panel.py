@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons that suggest darts and seams, and the list of what they found: the chosen cut is drawn in the views."""
+"""The buttons that suggest darts and seams, and the list of results. The chosen cut is drawn in the views."""
 
 from collections.abc import Sequence
 
@@ -26,7 +26,7 @@ TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 def draw_suggest(
     layout: bpy.types.UILayout, settings: TargetSettings, piece: int, kinds: Sequence[str] = KINDS
 ) -> None:
-    """The buttons and the target, or how far a search is; piece: in the report, -1 for any."""
+    """Draw the buttons and the target, or the progress of a search. piece: in the report, -1 for any."""
     row = layout.row(align=True)
     if draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts"):
         return
@@ -81,7 +81,7 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
 
 
 def are_shown(context: bpy.types.Context) -> bool:
-    """Whether the panel below has cuts to mark."""
+    """Return whether the panel below has cuts to mark."""
     return _shown(context) is not None
 
 

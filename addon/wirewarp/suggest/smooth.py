@@ -61,7 +61,7 @@ def cut_line(mesh: bpy.types.Mesh, line: SmoothLine) -> Pairs:
 
 @contextmanager
 def unchanged_on_error(mesh: bpy.types.Mesh) -> Iterator[None]:
-    """Of several lines all are cut, or none."""
+    """Cut all of several lines, or none."""
     before = bmesh.new()
     try:
         before.from_mesh(mesh)
@@ -76,7 +76,7 @@ def unchanged_on_error(mesh: bpy.types.Mesh) -> Iterator[None]:
 
 @contextmanager
 def _edited(mesh: bpy.types.Mesh) -> Iterator[bmesh.types.BMesh]:
-    """Writes the mesh at the end, unless something is raised."""
+    """Write the mesh at the end, unless something is raised."""
     edited = bmesh.new()
     try:
         edited.from_mesh(mesh)
@@ -90,7 +90,7 @@ def _edited(mesh: bpy.types.Mesh) -> Iterator[bmesh.types.BMesh]:
 def _split(
     edited: bmesh.types.BMesh, face: bmesh.types.BMFace, first: bmesh.types.BMVert, second: bmesh.types.BMVert
 ) -> bmesh.types.BMFace:
-    """Returns the face that is new."""
+    """Return the new face."""
     new, corner = bmesh.utils.face_split(face, first, second)
     for loop in corner.edge.link_loops:  # they are copies of corners that begin other edges
         for side in _side_layers(edited):
@@ -99,7 +99,7 @@ def _split(
 
 
 def _vertex_at(edited: bmesh.types.BMesh, vertices: list[bmesh.types.BMVert], point: Point) -> bmesh.types.BMVert:
-    """A new one where the point is none."""
+    """Return the vertex at the point, a new one if there is none."""
     first, second, share = point
     if first == second:
         return vertices[first]
@@ -173,7 +173,7 @@ class MESH_OT_wirewarp_smooth_seam(OnModel, bpy.types.Operator):
 
 
 def _selected_seams(target: bpy.types.Object) -> Pairs:
-    """Those between two faces. Raises ObjectError where marks would be lost."""
+    """Return the selected seams between two faces. Raises ObjectError if marks would be lost."""
     mesh = target.data
     rows = read_selected_edges(mesh) & read_seams(mesh) & (faces_at_edges(mesh) == 2)
     pairs = edge_vertices(mesh)
@@ -188,7 +188,7 @@ def _selected_seams(target: bpy.types.Object) -> Pairs:
 
 
 def _select(mesh: bpy.types.Mesh, pairs: Pairs) -> None:
-    """These edges alone, in Edit Mode."""
+    """Select only these edges, in Edit Mode."""
     edit = bmesh.from_edit_mesh(mesh)
     for element in (*edit.verts, *edit.edges, *edit.faces):
         element.select_set(False)

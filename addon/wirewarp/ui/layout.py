@@ -41,12 +41,12 @@ class SidebarPanel:
 
 
 def is_wide(context: bpy.types.Context) -> bool:
-    """Whether a table of four columns fits the region."""
+    """Return whether a table of four columns fits the region."""
     return context.region.width / context.preferences.system.ui_scale >= WIDE
 
 
 def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_share: float) -> None:
-    """A line of a table: a label, and numbers in columns of equal width."""
+    """Draw a line of a table: a label, and numbers in columns of equal width."""
     row = layout.row()
     row.scale_y = 0.8
     split = row.split(factor=label_share)
@@ -138,7 +138,7 @@ def _pixels(strokes: list[Stroke], color: tuple[float, float, float]) -> np.ndar
 
 
 def _distance(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Of points (..., 2) from the line between a and b."""
+    """Return the distance of points (..., 2) from the line between a and b."""
     share = np.clip((points - a) @ (b - a) / ((b - a) @ (b - a)), 0, 1)
     return np.linalg.norm(points - a - share[..., None] * (b - a), axis=-1)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Our commands in Blender's menus, each under "WireWarp": F3 finds entries by the menus they are in, too."""
+"""Our commands in Blender's menus, each under "WireWarp", because F3 also finds entries by their menus."""
 
 from collections.abc import Callable
 

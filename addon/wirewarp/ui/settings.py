@@ -22,7 +22,7 @@ CHANGED = "The model has changed since. Flatten again."
 
 
 def shown_report(context: bpy.types.Context) -> ObjectReport | None:
-    """The report of the active object, or of the source of active flat pieces."""
+    """Return the report of the active object, or of the source of active flat pieces."""
     source = shown_source(context)
     return last_report(source) if source else None
 
@@ -35,7 +35,7 @@ def shown_source(context: bpy.types.Context) -> bpy.types.Object | None:
 
 
 def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: ObjectReport) -> str:
-    """Why the report says nothing of what is to be seen; "" if it does."""
+    """Return why the report does not match the display; "" if it does."""
     if has_changed_since(source, report):
         return CHANGED
     if report.flat_object is not None and not has_flat_object(source):
@@ -82,7 +82,7 @@ def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
 
 
 def settings_sentence(source: bpy.types.Object, report: ObjectReport, settings: WIREWARP_PG_settings) -> str:
-    """Empty where a run with the settings of the panel would make the same pieces."""
+    """Return a sentence; empty if a run with the settings of the panel would make the same pieces."""
     changed = _changed(source, report, settings)
     if not changed:
         return ""
@@ -91,7 +91,7 @@ def settings_sentence(source: bpy.types.Object, report: ObjectReport, settings: 
 
 
 def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIREWARP_PG_settings) -> str:
-    """Empty where a search with the settings of the panel would find the same cuts and figures."""
+    """Return a sentence; empty if a search with the settings of the panel would give the same cuts and figures."""
     choices = known_choices(settings)
     if choices is None:
         return ""

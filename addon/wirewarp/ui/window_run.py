@@ -36,12 +36,12 @@ _current: "WindowRun | None" = None
 
 
 def is_running(task: Task | None = None) -> bool:
-    """Whether a run goes on; task: of this kind."""
+    """Return whether a run is under way. task: of this kind."""
     return _current is not None and task in {None, _current.task}
 
 
 def busy_sentence() -> str:
-    """Why no other run can begin now; empty where one can."""
+    """Return why no other run can begin now; empty if one can."""
     return f"{_current.task.name} is still running. Wait, or press Esc." if _current else ""
 
 
@@ -51,7 +51,7 @@ def shown_progress(task: Task) -> float | None:
 
 
 def cancel() -> None:
-    """Ends the work of the current run, if there is one; its operator then ends the run."""
+    """End the work of the current run, if there is one; its operator then ends the run."""
     if _current:
         _current.cancel()
 
@@ -121,7 +121,7 @@ class WindowRun(Generic[T]):
         return self._result
 
     def stop(self) -> None:
-        """Whatever has become of it."""
+        """Stop, whatever happened."""
         global _current
         if _current is not self:
             return
@@ -155,11 +155,11 @@ class WindowSteps:
         return {"PASS_THROUGH" if self.lets_pass(event) else "RUNNING_MODAL"}
 
     def cancel(self, _context: bpy.types.Context) -> None:
-        """Blender ends the run: its window closes or another file is opened."""
+        """End the run when Blender closes its window or opens another file."""
         stop()
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Whether the user may do this during the run."""
+        """Return whether the user may do this during the run."""
         raise NotImplementedError
 
     def finish_run(self, context: bpy.types.Context) -> set[str]:
@@ -176,7 +176,7 @@ class WindowSteps:
 
 
 def fault_sentence(error: Exception, what: str) -> str:
-    """The sentence for what should not happen; what: failed, and the state of the file."""
+    """Return the sentence for an unexpected error. what: the failed work, and the state of the file."""
     traceback.print_exc()
     return (
         f"{what}: {str(error) or type(error).__name__}. This is a bug in WireWarp. Please report it, with the text in "
