@@ -26,8 +26,12 @@ class KeyWriter {
     for (const auto& item : list) write_item(item);
   }
 
-  void write_list(const std::vector<int>& list) {
-    write_list(list, [&](int item) { write(item); });
+  /// The same for numbers, in one piece: those of a mesh are most of a key.
+  template <class Number>
+  void write_numbers(const std::vector<Number>& numbers) {
+    static_assert(std::is_arithmetic_v<Number>, "other types may have padding between bytes");
+    write(numbers.size());
+    key_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
   }
 
   void write_chain(const HalfEdgeChain& chain) {
@@ -41,19 +45,22 @@ class KeyWriter {
 };
 
 void write_mesh(const HalfEdgeMesh& mesh, KeyWriter& key) {
-  key.write(mesh.n_vertices());
-  for (const VertexHandle v : mesh.vertices()) {
-    for (const double x : mesh.point(v)) key.write(x);
-    key.write(mesh.halfedge_handle(v).idx());
-  }
-  key.write(mesh.n_halfedges());
+  std::vector<int> numbers;
+  numbers.reserve(mesh.n_vertices() + 3 * mesh.n_halfedges() + mesh.n_faces());
+  for (const VertexHandle v : mesh.vertices()) numbers.push_back(mesh.halfedge_handle(v).idx());
   for (const HalfedgeHandle h : mesh.halfedges()) {
-    key.write(mesh.to_vertex_handle(h).idx());
-    key.write(mesh.next_halfedge_handle(h).idx());
-    key.write(mesh.face_handle(h).idx());
+    numbers.push_back(mesh.to_vertex_handle(h).idx());
+    numbers.push_back(mesh.next_halfedge_handle(h).idx());
+    numbers.push_back(mesh.face_handle(h).idx());
   }
-  key.write(mesh.n_faces());
-  for (const FaceHandle f : mesh.faces()) key.write(mesh.halfedge_handle(f).idx());
+  for (const FaceHandle f : mesh.faces()) numbers.push_back(mesh.halfedge_handle(f).idx());
+  std::vector<double> coordinates;
+  coordinates.reserve(3 * mesh.n_vertices());
+  for (const VertexHandle v : mesh.vertices()) {
+    for (const double x : mesh.point(v)) coordinates.push_back(x);
+  }
+  key.write_numbers(coordinates);
+  key.write_numbers(numbers);
 }
 
 /// A chart of a cloth is solved as it is turned. What is kept comes before the cloth's stretch.
@@ -89,13 +96,13 @@ void write_chart(const Chart& chart, SharedLengths& shared, KeyWriter& key) {
     if (is_elastic_boundary(part)) key.write(shared.number_of(part));
     key.write_chain(part.half_edges);
   });
-  key.write_list(chart.length_ratio, [&](double ratio) { key.write(ratio); });
+  key.write_numbers(chart.length_ratio);
   key.write_list(chart.boundary_loops, [&](const HalfEdgeChain& loop) { key.write_chain(loop); });
   key.write_list(chart.boundary_chains, [&](const BoundaryChain& chain) { key.write_chain(chain.half_edges); });
   key.write_list(find_slits(chart),
                  [&](const Slit& slit) {  // they depend on the input's vertices, which are not in the key
                    key.write_chain(slit.rims);
-                   key.write_list(slit.mate);
+                   key.write_numbers(slit.mate);
                  });
   write_mesh(chart.mesh, key);
 }
@@ -120,8 +127,8 @@ std::string solution_key(const std::vector<const Chart*>& group, const Options& 
 std::string name_key(const std::vector<const Chart*>& group, const std::vector<Wire>& wires) {
   KeyWriter key;
   key.write_list(group, [&](const Chart* chart) {
-    key.write_list(chart->source_vertex);
-    key.write_list(chart->source_face);
+    key.write_numbers(chart->source_vertex);
+    key.write_numbers(chart->source_face);
     key.write_list(chart->wire_parts, [&](const WirePart& part) {
       key.write(part.wire_index);
       key.write_list(wires[part.wire_index].name, [&](char letter) { key.write(letter); });

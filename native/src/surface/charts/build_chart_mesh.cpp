@@ -12,48 +12,46 @@ namespace wirewarp {
 namespace {
 
 /// One chart vertex per fan of corners, in the order of the input's vertices.
-std::vector<VertexHandle> add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart) {
-  struct Corner {
-    int vertex, fan, position;
+void add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart, ChartHandles& handles) {
+  struct Fan {
+    int vertex, fan;
   };
-  std::vector<Corner> corners;
-  corners.reserve(3 * chart.source_face.size());
-  for (int f : chart.source_face) {
+  std::vector<Fan> fans;
+  fans.reserve(chart.source_face.size() / 2 + 2);
+  for (const int f : chart.source_face) {
     for (int k = 0; k < 3; ++k) {
-      corners.push_back({input.faces(f, k), cut.fan_of_corner[3 * f + k], static_cast<int>(corners.size())});
+      const int fan = cut.fan_of_corner[3 * f + k];
+      VertexHandle& v = handles.vertex_of_fan[fan];
+      if (v.is_valid()) continue;
+      v = VertexHandle(0);  // met; its number follows
+      fans.push_back({input.faces(f, k), fan});
     }
   }
-  std::vector<VertexHandle> vertex_of_corner(corners.size());
-  std::sort(corners.begin(), corners.end(), [](const Corner& a, const Corner& b) {
-    return std::tie(a.vertex, a.fan, a.position) < std::tie(b.vertex, b.fan, b.position);
-  });
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    if (i == 0 || corners[i].fan != corners[i - 1].fan) {
-      const auto p = input.vertices.row(corners[i].vertex);
-      chart.mesh.add_vertex({p[0], p[1], p[2]});
-      chart.source_vertex.push_back(corners[i].vertex);
-    }
-    vertex_of_corner[corners[i].position] = VertexHandle(static_cast<int>(chart.source_vertex.size()) - 1);
+  std::sort(fans.begin(), fans.end(),
+            [](const Fan& a, const Fan& b) { return std::tie(a.vertex, a.fan) < std::tie(b.vertex, b.fan); });
+  for (const Fan& fan : fans) {
+    const auto p = input.vertices.row(fan.vertex);
+    handles.vertex_of_fan[fan.fan] = chart.mesh.add_vertex({p[0], p[1], p[2]});
+    chart.source_vertex.push_back(fan.vertex);
   }
-  return vertex_of_corner;
 }
 
 /// Edges and faces without add_face: the sides are matched already, so nothing depends on the order of the faces.
-void add_faces(const EdgeTable& edges, const SurfaceCut& cut, const std::vector<VertexHandle>& vertex_of_corner,
-               Chart& chart, std::vector<HalfedgeHandle>& half_edge_of_side) {
+void add_faces(const EdgeTable& edges, const SurfaceCut& cut, Chart& chart, ChartHandles& handles) {
   HalfEdgeMesh& mesh = chart.mesh;
-  for (std::size_t i = 0; i < chart.source_face.size(); ++i) {
+  const auto vertex_of_corner = [&](int corner) { return handles.vertex_of_fan[cut.fan_of_corner[corner]]; };
+  for (const int f : chart.source_face) {
     const FaceHandle face = mesh.new_face();
     std::array<HalfedgeHandle, 3> loop;
     for (int k = 0; k < 3; ++k) {
-      const int side = 3 * chart.source_face[i] + k;
-      HalfedgeHandle& h = half_edge_of_side[side];
+      const int side = 3 * f + k;
+      HalfedgeHandle& h = handles.half_edge_of_side[side];
       if (!h.is_valid()) {
-        h = mesh.new_edge(vertex_of_corner[3 * i + k], vertex_of_corner[3 * i + ((k + 1) % 3)]);
+        h = mesh.new_edge(vertex_of_corner(side), vertex_of_corner(3 * f + (k + 1) % 3));
         const int edge = edges.edge_of_side(side);
         if (!cut.is_outline(edges, edge)) {
           const int mate = edges.side(edge, edges.side(edge, 0) == side ? 1 : 0);
-          half_edge_of_side[mate] = mesh.opposite_halfedge_handle(h);
+          handles.half_edge_of_side[mate] = mesh.opposite_halfedge_handle(h);
         }
       }
       loop[k] = h;
@@ -137,11 +135,11 @@ std::vector<HalfEdgeChain> find_boundary_loops(const Chart& chart, const std::ve
 }  // namespace
 
 void build_chart_mesh(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut, Chart& chart,
-                      std::vector<HalfedgeHandle>& half_edge_of_side) {
+                      ChartHandles& handles) {
   const std::size_t num_faces = chart.source_face.size();
   chart.mesh.reserve(num_faces / 2 + 2, 3 * num_faces / 2 + 3, num_faces);
-  const std::vector<VertexHandle> vertex_of_corner = add_vertices(input, cut, chart);
-  add_faces(edges, cut, vertex_of_corner, chart, half_edge_of_side);
+  add_vertices(input, cut, chart, handles);
+  add_faces(edges, cut, chart, handles);
   chart.boundary_loops = find_boundary_loops(chart, link_boundary(chart.mesh));
 }
 

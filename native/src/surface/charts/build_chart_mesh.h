@@ -8,10 +8,15 @@
 
 namespace wirewarp {
 
-/// Fills mesh, source_vertex and boundary_loops from chart.source_face, and writes the half-edge of each of its sides
-/// into half_edge_of_side (#input sides). The chart must be an oriented manifold.
-/// Vertices and faces keep the input's order.
+/// Where fans and sides of the input are in the meshes of all charts; invalid until their chart has its mesh.
+struct ChartHandles {
+  std::vector<VertexHandle> vertex_of_fan;
+  std::vector<HalfedgeHandle> half_edge_of_side;
+};
+
+/// Fills mesh, source_vertex and boundary_loops from chart.source_face, and writes where its fans and sides
+/// are. The chart must be an oriented manifold. Vertices and faces keep the input's order.
 void build_chart_mesh(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut, Chart& chart,
-                      std::vector<HalfedgeHandle>& half_edge_of_side);
+                      ChartHandles& handles);
 
 }  // namespace wirewarp

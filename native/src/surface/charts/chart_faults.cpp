@@ -98,7 +98,9 @@ void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<F
 /// Charts may touch in a vertex; a chart that touches itself there would be held together by a point.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                         std::vector<Faults>& faults) {
-  const std::vector<int> fan = fans_of_uncut_surface(input.faces, edges);
+  const bool is_uncut = input.seams.rows() == 0;
+  const std::vector<int> fan_across_seams = is_uncut ? std::vector<int>() : fans_of_uncut_surface(input.faces, edges);
+  const std::vector<int>& fan = is_uncut ? cut.fan_of_corner : fan_across_seams;
   std::vector<int> first_fan(static_cast<std::size_t>(input.vertices.rows()), -1);
   std::vector<char> has_several(static_cast<std::size_t>(input.vertices.rows()), 0);
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {

@@ -30,21 +30,22 @@ Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges, const 
   Charts result;
   result.charts = charts_of(cut);
   WorkMeter work(stop);
-  std::vector<HalfedgeHandle> half_edge_of_side(3 * static_cast<std::size_t>(input.faces.rows()));
+  ChartHandles handles{std::vector<VertexHandle>(static_cast<std::size_t>(cut.num_fans)),
+                       std::vector<HalfedgeHandle>(3 * static_cast<std::size_t>(input.faces.rows()))};
   for (std::size_t c = 0; c < result.charts.size(); ++c) {
     Chart& chart = result.charts[c];
     work.did(chart.source_face.size());
     chart.error = std::move(faults[c]);
     if (chart.error) continue;
-    build_chart_mesh(input, edges, cut, chart, half_edge_of_side);
+    build_chart_mesh(input, edges, cut, chart, handles);
     chart.error = find_topology_fault(chart);
   }
   stop.check();
   const Outline outline = trace_outline(input.faces, edges, cut);
   result.seams = assign_boundary_chains(edges, cut, outline, result.charts);
   stop.check();
-  result.is_boundary_wire = assign_wire_parts(input, edges, cut, outline, half_edge_of_side, result.charts);
-  assign_eases(input.eases, edges, cut, half_edge_of_side, result.charts);
+  result.is_boundary_wire = assign_wire_parts(input, edges, cut, outline, handles.half_edge_of_side, result.charts);
+  assign_eases(input.eases, edges, cut, handles.half_edge_of_side, result.charts);
   return result;
 }
 
