@@ -36,7 +36,7 @@ std::vector<WrongEdge> find_wrong_edges(const Chart& chart, const WireNetwork& n
     if (std::abs(difference) <= kRelativeLengthError * length_3d + rounding) continue;
     wrong.push_back({source_edge(chart, h), part, difference / length_3d});
   }
-  // The worst first, so that a message that names a few names these.
+  // The worst is first, so that a message with a few names contains it.
   std::stable_sort(wrong.begin(), wrong.end(), [](const WrongEdge& a, const WrongEdge& b) {
     return std::abs(a.difference) > std::abs(b.difference);
   });
@@ -55,7 +55,7 @@ std::vector<int> parts_beyond_tolerance(const Chart& chart, const std::vector<do
   return parts;
 }
 
-/// The arguments that name the wire of a part: none for the outline.
+/// Returns the arguments that name the wire of a part: none for the outline.
 ErrorArguments arguments_of_part(const Chart& chart, const std::vector<Wire>& wires, int part) {
   return arguments_of_wires(wires, part < 0 ? std::vector<int>() : std::vector<int>{chart.wire_parts[part].wire_index});
 }

@@ -94,7 +94,7 @@ std::vector<int> source_vertices(const Chart& chart, const HalfEdgeChain& chain)
   return vertices;
 }
 
-/// What the pieces know of the edges of one wire.
+/// Data of the pieces about the edges of one wire.
 struct WireEdges {
   struct Edge {
     double length_2d;

@@ -60,7 +60,7 @@ void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Po
   }
 }
 
-/// θ − α at every node but tails, which have no angle of their own.
+/// Returns θ − α at every node except tails, which have no angle of their own.
 void measure_angles(const Chart& chart, const WireNetwork& network, const Positions2& uv, Metrics& metrics) {
   double sum_of_squares = 0;
   int count = 0;

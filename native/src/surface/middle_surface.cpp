@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-/// How far along the normals the middle lies.
+/// Returns the distance of the middle along the normals.
 double offset_of(const Options& options) {
   switch (options.surface) {
     case Surface::inside:
@@ -28,7 +28,7 @@ Eigen::Vector3d side(const Positions3& vertices, const Triangles& faces, Eigen::
   return vertices.row(faces(face, (corner + 1) % 3)) - vertices.row(faces(face, corner));
 }
 
-/// Twice its area long.
+/// Returns a normal with twice the area as length.
 Eigen::Vector3d normal_of(const Positions3& vertices, const Triangles& faces, Eigen::Index face) {
   return side(vertices, faces, face, 0).cross(-side(vertices, faces, face, 2));
 }

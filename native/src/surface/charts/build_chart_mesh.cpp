@@ -36,7 +36,8 @@ void add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart
   }
 }
 
-/// Edges and faces without add_face: the sides are matched already, so nothing depends on the order of the faces.
+/// Adds edges and faces without add_face: the sides are matched already, so the result does not depend on the order of
+/// faces.
 void add_faces(const EdgeTable& edges, const SurfaceCut& cut, Chart& chart, ChartHandles& handles) {
   HalfEdgeMesh& mesh = chart.mesh;
   const auto vertex_of_corner = [&](int corner) { return handles.vertex_of_fan[cut.fan_of_corner[corner]]; };
@@ -93,7 +94,7 @@ double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
 /// two ends of a tube) are distinguished by length. A slit, which may turn more on a rough surface, is the outer loop
 /// only where all loops are slits: in a surface that is closed without them.
 std::size_t find_outer_loop(const Chart& chart, const std::vector<HalfEdgeChain>& loops) {
-  constexpr double kSameTurning = 1e-6;  // radians: far above rounding, far below what a mesh means
+  constexpr double kSameTurning = 1e-6;  // radians: far above rounding, far below any intended turn
   std::size_t outer = 0;
   bool outer_is_slit = true;
   double outer_turning = -1e300;

@@ -26,10 +26,10 @@ struct WirePart {
   double ease = 0;
 };
 
-/// Solvers know lengths by their targets at h = ease: they have (1 + g) of that, |g| <= solver_tolerance().
+/// Solvers use the target lengths at h = ease: their lengths are (1 + g) times that, |g| <= solver_tolerance().
 inline double solver_tolerance(const WirePart& part) { return part.tolerance / (1 + part.ease); }
 
-/// h of a solver's g.
+/// Returns h for a solver's g.
 inline double variation_of(const WirePart& part, double g) {
   return std::clamp(part.ease + (1 + part.ease) * g, part.ease - part.tolerance, part.ease + part.tolerance);
 }
@@ -37,7 +37,7 @@ inline double variation_of(const WirePart& part, double g) {
 /// A run on the boundary whose length is elastic.
 inline bool is_elastic_boundary(const WirePart& part) { return part.kind == WireKind::boundary && part.tolerance > 0; }
 
-/// One stretch of the outline between junctions of seams and boundaries.
+/// One section of the outline between junctions of seams and boundaries.
 struct BoundaryChain {
   HalfEdgeChain half_edges;
   int seam = -1;  // index into the seams of the whole input, -1 none
@@ -52,37 +52,37 @@ struct Chart {
                                      // r)(1 + ease); those beyond the list, and all without one: 1
   std::vector<BoundaryChain> boundary_chains;
   std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer one, the others are holes; the chart on the left
-  std::optional<FlattenError> error;          // set: the chart cannot be flattened, and its parts and chains are empty
+  std::optional<FlattenError> error;  // set if the chart cannot be flattened; its parts and chains are then empty
 };
 
-/// The target length at h = ease over that in 3D.
+/// Returns the target length at h = ease over the 3D length.
 inline double length_ratio(const Chart& chart, HalfedgeHandle h) {
   const auto edge = static_cast<std::size_t>(chart.mesh.edge_handle(h).idx());
   return edge < chart.length_ratio.size() ? chart.length_ratio[edge] : 1;
 }
 
-/// Gives a chart made of faces of another one, its source faces, the targets of lengths there.
+/// Gives a chart made of another chart's faces the source faces and target lengths of that chart.
 void inherit_lengths(const Chart& parent, Chart& chart);
 
-/// The ends of a half-edge in the input.
+/// Returns the ends of a half-edge in the input.
 inline VertexPair source_ends(const Chart& chart, HalfedgeHandle h) {
   return {chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
           chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]};
 }
 
-/// The same of an edge, the smaller index first.
+/// Returns the ends of an edge in the input, the smaller index first.
 inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {
   const auto [from, to] = source_ends(chart, h);
   return {std::min(from, to), std::max(from, to)};
 }
 
-/// A wire runs through the chart, not only along its outline.
+/// Returns whether a wire runs through the chart, not only along its outline.
 inline bool has_wires(const Chart& chart) {
   return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(),
                      [](const WirePart& part) { return part.kind != WireKind::boundary; });
 }
 
-/// A chain of seam edges between junctions and what lies at its sides.
+/// A chain of seam edges between junctions, and its sides.
 struct Seam {
   std::vector<VertexPair> edges;  // input vertices
   struct Side {

@@ -57,7 +57,7 @@ void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const S
   for (int e = 0; e < edges.num_edges(); ++e) {
     const int num_sides = edges.num_sides(e);
     if (num_sides < 2) continue;
-    // Two faces on the same three vertices share three edges: look at the one between the two smallest only.
+    // Two faces on the same three vertices share three edges: check only the edge between the two smallest.
     for (int j = 1; j < num_sides; ++j) {
       const int third = opposite_vertex(input.faces, edges.side(e, j));
       if (third < edges.vertices(e)[1]) continue;
@@ -95,7 +95,7 @@ void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<F
   }
 }
 
-/// Charts may touch in a vertex; a chart that touches itself there would be held together by a point.
+/// Charts may touch in a vertex, but a single vertex does not hold a chart together.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                         std::vector<Faults>& faults) {
   const bool is_uncut = input.seams.rows() == 0;
@@ -137,7 +137,7 @@ std::optional<FlattenError> first_fault(const Faults& faults) {
                         {{}, faults.non_manifold, {}, faults.non_manifold});
   }
   if (!faults.turned.empty()) {
-    // Turning faces fixes a two-sided surface; only a seam fixes a one-sided one.
+    // Flipping faces fixes a two-sided surface; only a seam fixes a one-sided one.
     return FlattenError(ErrorCode::inconsistent_orientation, ErrorArguments{{"is_one_sided", faults.is_one_sided}},
                         {{}, faults.turned, {}, faults.is_one_sided ? faults.turned : std::vector<VertexPair>()});
   }

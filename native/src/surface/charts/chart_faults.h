@@ -10,15 +10,15 @@
 
 namespace wirewarp {
 
-/// For each chart the first fault that keeps it from being an oriented manifold with faces of positive area. Charts
-/// may touch in a vertex.
+/// Returns for each chart its first fault as an oriented manifold with faces of positive area. Charts may touch in a
+/// vertex.
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
                                                            const SurfaceCut& cut);
 
-/// Handles of a chart whose mesh and boundary loops are built: 1 for a torus.
+/// Returns the handles of a chart whose mesh and boundary loops are built: 1 for a torus.
 long count_handles(const Chart& chart);
 
-/// A fault of a chart whose mesh and boundary loops are built: closed_chart or handles.
+/// Returns a fault of a chart whose mesh and boundary loops are built: closed_chart or handles.
 std::optional<FlattenError> find_topology_fault(const Chart& chart);
 
 }  // namespace wirewarp

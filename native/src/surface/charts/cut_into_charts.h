@@ -11,7 +11,7 @@ namespace wirewarp {
 /// Stopped.
 Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges, const StopToken& stop = {});
 
-/// The same charts, of which nothing but the faces is found out: each carries the error.
+/// Returns the charts with their faces only; each carries the error.
 Charts list_charts(const FlattenInput& input, const EdgeTable& edges, const FlattenError& error);
 
 }  // namespace wirewarp

@@ -15,10 +15,10 @@ std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& c
 /// The chart with all elastic seams and outlines fixed at h = ease.
 Chart with_fixed_seams(Chart chart);
 
-/// The same at the given h, one per wire part.
+/// Returns the chart at the given h, one per wire part.
 Chart with_fixed_seams(Chart chart, const std::vector<double>& variation);
 
-/// Several charts as one that is not connected, for what treats all vertices alike.
+/// Joins several charts into one that is not connected, for code that treats all vertices alike.
 struct CombinedCharts {
   Chart chart;                    // without boundary chains; wire parts in order
   std::vector<int> first_vertex;  // per chart

@@ -5,7 +5,8 @@
 
 namespace wirewarp {
 
-/// What the boundary loops enclose in the layout uv, holes taken off; negative in a mirror image. Scene units squared.
+/// Returns the area that the boundary loops enclose in the layout uv, without holes, in scene units squared; negative
+/// in a mirror image.
 double enclosed_area(const Chart& chart, const Positions2& uv);
 
 }  // namespace wirewarp

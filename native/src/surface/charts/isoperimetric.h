@@ -7,10 +7,10 @@
 
 namespace wirewarp {
 
-/// The longest that eases and tolerances let a boundary loop be, scene units.
+/// Returns the greatest length that eases and tolerances allow for a boundary loop, scene units.
 double longest_length(const Chart& chart, const HalfEdgeChain& loop);
 
-/// p: the largest part of its area that a chart can have when flat, by the longest that a loop may be. Above 1: no
+/// Returns p, the largest part of its area that a flat chart can have with its longest possible loop. Above 1: no
 /// bound. 0: closed.
 double isoperimetric_ratio(const Chart& chart);
 
@@ -19,7 +19,7 @@ double isoperimetric_ratio(const Chart& chart);
 /// less (Jensen): as a function of p it is convex.
 double least_shape_error(double share);
 
-/// The chart could have far too small a part of its area when flat.
+/// Returns whether the flat chart may have far too little area.
 bool is_outline_too_short(const Chart& chart);
 
 }  // namespace wirewarp

@@ -34,7 +34,7 @@ OutlineVertices find_outline_vertices(const EdgeTable& edges, const SurfaceCut& 
   return outline;
 }
 
-/// Follows a chain from one end of an edge until it ends or comes back.
+/// Follows a chain from one end of an edge until it ends or closes.
 std::vector<VertexPair> trace_chain(const EdgeTable& edges, const OutlineVertices& vertices, int edge, int from,
                                     Outline& outline) {
   std::vector<VertexPair> chain;

@@ -13,7 +13,7 @@
 namespace wirewarp {
 namespace {
 
-/// None where an edge has no other rim in the loop.
+/// Returns none if an edge has no other rim in the loop.
 std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeChain& loop) {
   std::map<VertexPair, int> first;
   std::vector<int> mate(loop.size(), -1);
@@ -28,7 +28,7 @@ std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeCha
   return is_matched ? std::optional(mate) : std::nullopt;
 }
 
-/// Where the rims turn back: the place of the half-edge that leaves a tip. None where they never do.
+/// Returns the place of the half-edge that leaves a tip, where the rims turn back; none if they never do.
 std::optional<int> find_tip(const std::vector<int>& mate) {
   const int count = static_cast<int>(mate.size());
   for (int i = 0; i < count; ++i) {

@@ -10,17 +10,17 @@
 namespace wirewarp {
 
 struct Slit {
-  HalfEdgeChain rims;     // a boundary loop, the chart on the left, beginning where a rim leaves a tip
-  std::vector<int> mate;  // for each of its half-edges the place of the other one that is the same edge of the surface
+  HalfEdgeChain rims;     // a boundary loop with the chart on its left, beginning at a half-edge that leaves a tip
+  std::vector<int> mate;  // for each half-edge, the place of the other half-edge on the same edge of the surface
 };
 
-/// A boundary loop as a slit; none where an edge has no other rim in the loop, or the rims never turn back.
+/// Returns a boundary loop as a slit; none if an edge has no other rim in the loop, or the rims never turn back.
 std::optional<Slit> as_slit(const Chart& chart, const HalfEdgeChain& loop);
 
-/// Boundary loops, the outer one apart, that are slits with both rims at their 3D lengths.
+/// Returns the boundary loops except the outer one that are slits with both rims at their 3D lengths.
 std::vector<Slit> find_slits(const Chart& chart);
 
-/// A chart with slits sewn up.
+/// A chart with its slits sewn.
 struct SewnChart {
   Chart chart;
   std::vector<int> vertex;  // of the sewn chart, one per vertex of the open one

@@ -11,11 +11,11 @@ namespace wirewarp {
 struct SurfaceCut {
   std::vector<char> is_seam;       // per edge: marked, and with two sides or more
   std::vector<int> chart_of_face;  // charts numbered by their lowest face
-  std::vector<int> fan_of_corner;  // corner 3 f + k -> fan: the corners of one vertex that faces hold together
+  std::vector<int> fan_of_corner;  // corner 3 f + k -> fan: the corners of one vertex that faces connect
   int num_charts = 0;
   int num_fans = 0;
 
-  /// A seam, or the edge of the surface: part of the outline of a chart.
+  /// Returns whether the edge is on the outline of a chart: a seam, or the edge of the surface.
   bool is_outline(const EdgeTable& edges, int edge) const { return is_seam[edge] != 0 || edges.num_sides(edge) == 1; }
 };
 

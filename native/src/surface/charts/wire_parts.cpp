@@ -54,7 +54,7 @@ std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& ed
   return runs;
 }
 
-/// One chart's half-edges along a run, beginning at a side of the run's first edge.
+/// Returns one chart's half-edges along a run, beginning at a side of the run's first edge.
 HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int first_side, const EdgeTable& edges,
                          const SurfaceCut& cut, const std::vector<HalfedgeHandle>& half_edge_of_side,
                          const HalfEdgeMesh& mesh) {

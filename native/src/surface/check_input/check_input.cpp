@@ -34,7 +34,7 @@ void check_seams(const FlattenInput& input, const EdgeTable& edges) {
   throw FlattenError(ErrorCode::seam_not_an_edge, ErrorArguments{}, {{}, bad, {}});
 }
 
-/// A sentence with the name would break off there.
+/// A name with this character would cut the sentence off.
 void check_name(const Wire& wire) {
   if (wire.name.find('\0') == std::string::npos) return;
   throw FlattenError(ErrorCode::invalid_type, ErrorArguments{{"name", "The name of a wire"},
@@ -105,7 +105,7 @@ FlattenError wrong_ratio(double ratio, std::vector<VertexPair> half_edges) {
   return FlattenError(ErrorCode::invalid_ease, ErrorArguments{{"ease", ratio}}, {{}, std::move(half_edges), {}});
 }
 
-/// Each half-edge is one side of the outline, and no other ease has it.
+/// Checks that each half-edge is one side of the outline without another ease.
 void check_eases(const FlattenInput& input, const EdgeTable& edges) {
   if (input.eases.empty()) return;
   std::set<int> seams;
@@ -132,7 +132,7 @@ void check_eases(const FlattenInput& input, const EdgeTable& edges) {
 /// that lists each face alone has one part for every face, and its result would be useless and slow.
 constexpr int kManyParts = 1000;
 
-/// Parts with at most this many triangles on average are taken for single faces: hexagons at most.
+/// Parts with at most this many triangles on average count as single faces: hexagons at most.
 constexpr int kTrianglesOfFace = 4;
 
 }  // namespace

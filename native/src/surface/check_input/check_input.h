@@ -16,7 +16,7 @@ void check_options(const Options& options, std::size_t num_wires);
 /// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates (or too large ones).
 void check_mesh(const FlattenInput& input);
 
-/// Throws loose_faces where the faces are a soup, of which each would be a piece of its own.
+/// Throws loose_faces for a soup of faces, of which each would be a piece.
 void check_faces_share_edges(const FlattenInput& input, const EdgeTable& edges);
 
 /// Throws seam_not_an_edge, wire_too_short, wire_not_an_edge, edge_in_two_wires, invalid_tolerance, invalid_ease,

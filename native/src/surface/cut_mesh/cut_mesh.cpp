@@ -43,7 +43,7 @@ void check_faces(const FlattenInput& input) {
 }
 
 void check_paths(const std::vector<SurfacePath>& paths, int num_faces, double snap) {
-  constexpr double kLeast = 1e-4;  // faces are divided in coordinates with some twelve digits: see kInLine
+  constexpr double kLeast = 1e-4;  // faces are divided in coordinates with about twelve digits: see kInLine
   constexpr double kMost = 0.25;   // beyond that, points would move past the middle between two others
   if (!(snap >= kLeast && snap <= kMost)) throw wrong_option("snap", shortest(snap), "be from 0.0001 to 0.25");
   for (std::size_t p = 0; p < paths.size(); ++p) {
@@ -95,7 +95,7 @@ class MeshCut {
   std::vector<std::vector<int>> drawn_;  // sites of each path, no two in a row the same
 };
 
-/// A face with both sites inside or on its rim, -1 if there is none.
+/// Returns a face with both sites inside or on its rim, -1 if there is none.
 int MeshCut::common_face(int a, int b, int preferred) const {
   const std::vector<int> first = sites_.faces_at(a), second = sites_.faces_at(b);
   std::vector<int> common;
@@ -146,7 +146,7 @@ void MeshCut::take_vertices(CutMesh& result) const {
   }
 }
 
-/// Sites of the triangles into which a face is divided; none if it stays.
+/// Returns the sites of the triangles into which a face is divided; none if it is not divided.
 std::optional<std::vector<std::array<int, 3>>> MeshCut::parts_of(int face) const {
   const std::vector<int> sites = sites_.of_face(face);
   if (sites.size() == 3) return std::nullopt;

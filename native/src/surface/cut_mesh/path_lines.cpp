@@ -24,7 +24,7 @@ double distance(const FacePoint& a, const FacePoint& b) {
   return std::max({std::abs(x), std::abs(y), std::abs(x + y)});
 }
 
-/// The point of a segment next to another one; its place on the segment from 0 to 1.
+/// Returns the point of a segment next to another point, and its place on the segment from 0 to 1.
 double nearest_on(const FacePoint& a, const FacePoint& b, const FacePoint& other) {
   const double x = b[0] - a[0], y = b[1] - a[1];
   return ((other[0] - a[0]) * x + (other[1] - a[1]) * y) / (x * x + y * y);
@@ -55,7 +55,7 @@ void PathLines::divide_at(int face, Line line, int site) {
   draw(face, site, line[1]);
 }
 
-/// Parts that are shorter than the line: so dividing comes to an end.
+/// Returns only parts shorter than the line, so that dividing ends.
 bool PathLines::is_between(int face, int site, const Line& line) const {
   const FacePoint a = point(face, line[0]), b = point(face, line[1]), c = point(face, site);
   const auto length = [](const FacePoint& from, const FacePoint& to) {
@@ -64,7 +64,7 @@ bool PathLines::is_between(int face, int site, const Line& line) const {
   return std::max(length(a, c), length(c, b)) < length(a, b);
 }
 
-/// A site inside a face or on its rim that a line passes; -1 if there is none.
+/// Returns a site inside a face or on its rim that a line passes; -1 if there is none.
 int PathLines::site_close_by(int face, const Line& line) const {
   const FacePoint a = point(face, line[0]), b = point(face, line[1]);
   for (const int site : sites_.of_face(face)) {
@@ -77,7 +77,7 @@ int PathLines::site_close_by(int face, const Line& line) const {
   return -1;
 }
 
-/// Where two lines cross: the nearest site, if one is near; else a new one.
+/// Returns the crossing of two lines: the nearest site if one is near, otherwise a new one.
 int PathLines::crossing_of(int face, const Line& one, const Line& other) {
   const FacePoint a = point(face, one[0]), b = point(face, one[1]);
   const FacePoint c = point(face, other[0]), d = point(face, other[1]);
@@ -98,7 +98,7 @@ int PathLines::crossing_of(int face, const Line& one, const Line& other) {
   return sites_.add_inside(face, {1 - crossing[0] - crossing[1], crossing[0], crossing[1]});
 }
 
-/// False if there was nothing to divide.
+/// Returns false if there was nothing to divide.
 bool PathLines::divide_once(int face, const std::set<Line>& lines) {
   for (const Line& line : lines) {
     const int site = site_close_by(face, line);

@@ -25,7 +25,8 @@ class PathLines {
   /// Divides the lines of all faces, until none crosses another. Throws invalid_option if that takes too long.
   void divide();
 
-  /// Sites from one end of a line to the other, without the first: where it was divided, and others on its edge.
+  /// Returns the sites from one end of a line to the other, without the first: where it was divided, and others on its
+  /// edge.
   void append_sites(int from, int to, std::vector<int>& line) const;
 
   /// Lines within a face, which cross no other; the smaller site first.
@@ -43,7 +44,7 @@ class PathLines {
 
   PathSites& sites_;
   std::map<int, std::set<Line>> lines_;  // by face
-  std::map<Line, int> divided_;          // the site between the ends of lines that are no more
+  std::map<Line, int> divided_;          // the site between the ends of removed lines
 };
 
 }  // namespace wirewarp

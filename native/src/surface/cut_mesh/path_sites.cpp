@@ -7,7 +7,7 @@
 namespace wirewarp {
 namespace {
 
-/// A site at exactly the reach is out of it, even if its coordinates were rounded: paths that were snapped before stay.
+/// A site at exactly the reach is outside it, even with rounded coordinates: snapped paths do not move again.
 constexpr double kRoundedReach = 1 - 1e-9;
 
 const std::vector<int> kNoSites;
@@ -58,7 +58,7 @@ int PathSites::add_on_edge(int edge, double share) {
   return size() - 1;
 }
 
-/// The site within reach of a point; -1 if there is none.
+/// Returns the site within reach of a point; -1 if there is none.
 int PathSites::find_inside(int face, const Shares& shares) const {
   for (const int site : in_face(face)) {
     double apart = 0;

@@ -26,19 +26,19 @@ class PathSites {
   /// Sites 0 to num_vertices - 1 are the vertices. All are kept by reference.
   PathSites(const Triangles& faces, const EdgeTable& edges, int num_vertices, double snap);
 
-  /// The site at a point, moved to an edge, a vertex or another site within reach.
+  /// Returns the site at a point, moved to an edge, a vertex or another site within reach.
   int add(int face, const Shares& shares);
 
-  /// A new site strictly inside a face, wherever others are.
+  /// Returns a new site strictly inside a face, wherever others are.
   int add_inside(int face, const Shares& shares);
 
   int size() const { return static_cast<int>(sites_.size()); }
   const Site& operator[](int site) const { return sites_[site]; }
 
-  /// Sites on an edge between its ends, from the smaller one.
+  /// Returns the sites on an edge between its ends, from the smaller one.
   const std::vector<int>& on_edge(int edge) const;
 
-  /// Sites strictly inside a face.
+  /// Returns the sites strictly inside a face.
   const std::vector<int>& in_face(int face) const;
 
   /// Sites around a face from its first corner on, then those inside.
@@ -47,19 +47,19 @@ class PathSites {
   /// Of a site on a face or its rim.
   Shares shares_in(int site, int face) const;
 
-  /// Faces that have a site inside or on their rim, ascending.
+  /// Returns the faces with a site inside or on their rim, ascending.
   std::vector<int> faces_at(int site) const;
 
-  /// The edge that has both sites on it or at its ends, -1 if there is none.
+  /// Returns the edge with both sites on it or at its ends, -1 if there is none.
   int common_edge(int a, int b) const;
 
-  /// Edges that have sites between their ends, ascending.
+  /// Returns the edges with sites between their ends, ascending.
   std::vector<int> divided_edges() const;
 
-  /// The vertices or sites along an edge, ends included, from the smaller end.
+  /// Returns the vertices or sites along an edge, including its ends, from the smaller end.
   std::vector<int> along(int edge) const;
 
-  /// The same along a side of a face, from the corner with the side's number.
+  /// Returns the same along a side of a face, from the corner with the side's number.
   std::vector<int> along_side(int face, int side) const;
 
   double snap() const { return snap_; }

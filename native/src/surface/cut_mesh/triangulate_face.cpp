@@ -123,7 +123,7 @@ double least_height(const FaceToDivide& face, const Triangle& triangle) {
   return a.cross(b).norm() / longest;
 }
 
-/// The corner after which the edge to the next one is that from a to b; -1 if there is none.
+/// Returns the corner before the edge from a to b; -1 if there is none.
 int corner_before(const Triangle& triangle, int a, int b) {
   for (int k = 0; k < 3; ++k) {
     if (triangle[k] == a && triangle[(k + 1) % 3] == b) return k;
@@ -131,9 +131,9 @@ int corner_before(const Triangle& triangle, int a, int b) {
   return -1;
 }
 
-/// Replaces the edge between two triangles if the lower one of the new two is higher. False if it stays.
+/// Replaces the edge between two triangles if the lower one of the new two is higher. Returns false if it stays.
 bool flip(const FaceToDivide& face, Triangle& first, Triangle& second) {
-  constexpr double kHigher = 1 + 1e-9;  // far above rounding, so that no edge is flipped to and fro
+  constexpr double kHigher = 1 + 1e-9;  // far above rounding, so that no edge flips back and forth
   for (int k = 0; k < 3; ++k) {
     const int a = first[k], b = first[(k + 1) % 3], c = first[(k + 2) % 3];
     const int there = corner_before(second, b, a);
@@ -174,7 +174,7 @@ bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const 
 
 std::vector<std::array<int, 3>> triangulate(const FaceToDivide& face) {
   std::vector<Triangle> triangles = Triangulation(face).triangles();
-  while (flip_any(face, triangles)) {  // each raises a low triangle and lowers none below that: it ends
+  while (flip_any(face, triangles)) {  // each flip raises a low triangle and lowers none below that, so the loop ends
   }
   return triangles;
 }

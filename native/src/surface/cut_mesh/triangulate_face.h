@@ -22,7 +22,7 @@ inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoi
 /// that callers allow, span 1e-8 or are in line but for rounding.
 inline constexpr double kInLine = 1e-12;
 
-/// Whether two segments cross in their insides; not if an end of one is in line with the other.
+/// Returns whether two segments cross in their insides; false if an end of one is in line with the other.
 bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const FacePoint& d);
 
 struct FaceToDivide {

@@ -17,14 +17,14 @@ class EdgeTable {
   int num_edges() const { return static_cast<int>(vertices_.size()); }
   int num_sides(int edge) const { return side_begin_[edge + 1] - side_begin_[edge]; }
 
-  /// The j-th side of an edge, by ascending face.
+  /// Returns the j-th side of an edge, by ascending face.
   int side(int edge, int j) const { return sides_[side_begin_[edge] + j]; }
   int edge_of_side(int side) const { return edge_of_side_[side]; }
 
-  /// The two ends, the smaller index first.
+  /// Returns the two ends, the smaller index first.
   const VertexPair& vertices(int edge) const { return vertices_[edge]; }
 
-  /// The edge between two vertices, -1 if there is none.
+  /// Returns the edge between two vertices, -1 if there is none.
   int find(int a, int b) const;
 
   /// Where a side starts and ends.

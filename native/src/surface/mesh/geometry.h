@@ -19,14 +19,14 @@ inline double planar_length(const HalfEdgeMesh& mesh, HalfedgeHandle h, const Po
   return (uv.row(mesh.to_vertex_handle(h).idx()) - uv.row(mesh.from_vertex_handle(h).idx())).norm();
 }
 
-/// Of a chain or loop of edges, scene units.
+/// Returns the length of a chain or loop of edges, scene units.
 inline double length_of(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& chain) {
   double length = 0;
   for (const HalfedgeHandle h : chain) length += edge_length(mesh, h);
   return length;
 }
 
-/// Angle of h's face at the vertex h leaves, radians in (0, pi).
+/// Returns the angle of h's face at the vertex that h leaves, radians in (0, pi).
 inline double corner_angle(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   const auto origin = mesh.point(mesh.from_vertex_handle(h));
   const auto along = mesh.point(mesh.to_vertex_handle(h)) - origin;

@@ -35,7 +35,7 @@ Box2 inner_box(const Corners& t, double depth) {
   return Box2(low + inset, high - inset);
 }
 
-/// True if b reaches more than depth behind every edge of a. Both counter-clockwise.
+/// Returns true if b reaches more than depth behind every edge of a. Both are counter-clockwise.
 bool reaches_behind_every_edge(const Corners& a, const Corners& b, double depth) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Eigen::Vector2d edge = a[(i + 1) % 3] - a[i];
@@ -89,7 +89,7 @@ bool any_not_positive(const Triangles& faces, const Positions2& uv) {
   return false;
 }
 
-/// True if a face is not several times as high as overlaps are deep: no other face penetrates it.
+/// Returns true if a face is not several times as high as the depth of overlaps: no other face penetrates it.
 bool any_too_thin(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv, double depth) {
   return std::any_of(candidates.begin(), candidates.end(), [&](int face) {
     const Corners t = corners_of(faces, uv, face);

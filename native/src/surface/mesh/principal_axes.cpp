@@ -7,7 +7,7 @@
 namespace wirewarp {
 namespace {
 
-/// Of the spread: far above rounding, and it turns the axes of what spreads differently by less than its own mesh does.
+/// Relative to the spread: far above rounding, and below the effect of the mesh on axes that differ.
 constexpr double kDecides = 1e-7;
 
 }  // namespace

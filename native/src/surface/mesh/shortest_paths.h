@@ -13,10 +13,10 @@ namespace wirewarp {
 struct ShortestPaths {
   std::vector<double> distance;         // per vertex, scene units; infinite where no path leads
   std::vector<HalfedgeHandle> arrival;  // per vertex: the last half-edge of its path; not valid at a source
-  VertexHandle end;                     // where the search ended; not valid if it went everywhere
+  VertexHandle end;                     // where the search ended; not valid if it reached all vertices
 };
 
-/// Where paths may lead; what is left out bars nothing.
+/// The region of the paths; a missing part restricts nothing.
 struct PathRules {
   std::function<bool(HalfedgeHandle)> may_follow;
   std::function<bool(VertexHandle)> ends_at;  // the search stops at the nearest such vertex; farther paths are not done
@@ -26,10 +26,10 @@ struct PathRules {
 ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& sources,
                              const PathRules& rules = {});
 
-/// The half-edges from a source to a vertex, the last one first.
+/// Returns the half-edges from a source to a vertex, the last one first.
 std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPaths& paths, VertexHandle v);
 
-/// Of those that paths lead to; the first of several.
+/// Returns one of the vertices that paths reach; the first of several.
 VertexHandle farthest_vertex(const ShortestPaths& paths);
 
 std::vector<VertexHandle> boundary_vertices(const HalfEdgeMesh& mesh);

@@ -7,7 +7,7 @@
 namespace wirewarp {
 
 double widespread(const std::vector<double>& areas, const Eigen::VectorXd& of_faces) {
-  // Less by what rounding makes of sums of areas: of equal triangles the same one is taken however they are numbered.
+  // Subtracts the rounding error of sums of areas: among equal triangles, the choice does not depend on the numbering.
   constexpr double kShare = 0.99 * (1 - 1e-9);
   std::vector<int> order(areas.size());
   std::iota(order.begin(), order.end(), 0);

@@ -6,7 +6,8 @@
 
 namespace wirewarp {
 
-/// What 99 % of the area stay below: single slivers say nothing about a piece. Both arguments: one per face.
+/// Returns the value that 99% of the area stays below, because single slivers do not matter. Both arguments: one per
+/// face.
 double widespread(const std::vector<double>& areas, const Eigen::VectorXd& of_faces);
 
 }  // namespace wirewarp

@@ -5,7 +5,7 @@
 
 namespace wirewarp {
 
-/// g that a layout gives each wire part: its length over the one asked for at h = ease, less 1. uv: one row per chart
+/// Returns g of each wire part in a layout: its length over its target at h = ease, minus 1. uv: one row per chart
 /// vertex.
 Eigen::VectorXd length_variation(const Chart& chart, const Positions2& uv);
 

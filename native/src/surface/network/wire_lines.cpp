@@ -4,7 +4,7 @@
 namespace wirewarp {
 namespace {
 
-/// For each half-edge of the network the one with which its line goes on, edge -1: the line ends there.
+/// Returns for each half-edge of the network the next one on its line; edge -1: the line ends there.
 std::vector<WireHalfEdge> follow_lines(const Chart& chart, const WireNetwork& network) {
   const HalfEdgeMesh& mesh = chart.mesh;
   std::vector<WireHalfEdge> onward(2 * network.edges.size());

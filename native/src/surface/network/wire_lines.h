@@ -8,7 +8,7 @@
 
 namespace wirewarp {
 
-/// One side of a line at a vertex where it goes on.
+/// One side of a line at a vertex where it continues.
 struct LineBend {
   WireNode node;        // α over all sectors on this side, ℓ their mean
   int num_sectors = 1;  // more than one where others cross or meet the line on this side

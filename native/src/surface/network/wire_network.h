@@ -70,7 +70,7 @@ inline HalfedgeHandle half_edge(const Chart& chart, const WireNetwork& network, 
   return chart.mesh.halfedge_handle(network.edges[h.edge].edge, h.reversed ? 1 : 0);
 }
 
-/// edge -1: h is not in the network.
+/// Returns edge -1 if h is not in the network.
 inline WireHalfEdge wire_half_edge(const HalfEdgeMesh& mesh, const WireNetwork& network, HalfedgeHandle h) {
   const EdgeHandle edge = mesh.edge_handle(h);
   return {network.wire_edge_of_edge[edge.idx()], h != mesh.halfedge_handle(edge, 0)};

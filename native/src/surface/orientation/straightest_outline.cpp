@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kStraight = 5 * kPi / 180;
 
-// Lengths closer than this are the same: rounding must not choose between the sides of a symmetric piece.
+// Closer lengths count as equal: rounding must not choose between the sides of a symmetric piece.
 constexpr double kSameLength = 1e-6;
 
 double turning(const Eigen::Vector2d& before, const Eigen::Vector2d& after) {

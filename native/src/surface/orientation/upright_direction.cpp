@@ -15,11 +15,11 @@
 namespace wirewarp {
 namespace {
 
-// Sizes and heights closer than this are the same: rounding and the numbering of the mesh must not choose between the
-// two sides of a symmetric piece.
+// Closer sizes and heights count as equal: rounding and the numbering must not choose between the sides of a symmetric
+// piece.
 constexpr double kSameSize = 1e-6;
 
-// A chord below this fraction of its chain's length says nothing about where the chain leads.
+// A chord below this fraction of its chain's length does not show the chain's direction.
 constexpr double kShortChord = 0.1;
 
 /// Corners of the convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
@@ -77,9 +77,9 @@ std::vector<Eigen::Vector2d> points_along(const Chart& chart, const HalfEdgeChai
   return points;
 }
 
-/// The points of a chain say where it leads.
+/// The points of a chain define its direction.
 bool is_open(const std::vector<Eigen::Vector2d>& points) {
-  double length = 0;  // in the plane: free wires have another one there
+  double length = 0;  // free wires have another length in the plane
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
   return (points.back() - points.front()).norm() >= kShortChord * length;
 }
@@ -106,7 +106,7 @@ const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
   return *best;
 }
 
-/// The chain that stands upright in Orientation::wire.
+/// Returns the chain that is upright for Orientation::wire.
 const HalfEdgeChain& grain_of(const Chart& chart, int grain) {
   if (chart.wire_parts.empty()) return longest_boundary_chain(chart);
   const auto chosen = std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
