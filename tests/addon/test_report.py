@@ -155,7 +155,7 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
     assert (last.ok, last.notes) == (True, [])
     stopped = next(report for report in map(report_of_run, itertools.count()) if report.ok)
     assert stopped.pieces[0].termination == "cancelled"
-    text = "Top: Cancelled: the lengths are exact, but the shape could be less distorted."
+    text = "Top: Canceled: the lengths are exact, but the shape could be less distorted."
     assert [(addon.core.note_text(stopped, note), note.is_warning) for note in stopped.notes] == [(text, True)]
 
 

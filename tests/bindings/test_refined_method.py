@@ -127,7 +127,7 @@ def test_cancelled_at_any_moment_a_piece_has_exact_lengths_or_says_so(wires):
         (piece,) = result.pieces
         assert piece.report.termination == "cancelled"
         if piece.error is None:
-            assert any(warning.startswith("Cancelled") for warning in piece.report.warnings)
+            assert any(warning.startswith("Canceled") for warning in piece.report.warnings)
             assert max(boundary.max_edge_error for boundary in piece.boundaries) < LENGTH
         else:
             assert piece.error.code is wirewarp.ErrorCode.cancelled

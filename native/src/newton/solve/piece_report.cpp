@@ -53,7 +53,7 @@ void report_fixed_seams(PieceReport& report) {
 }
 
 void report_cancelled(PieceReport& report) {
-  report.warnings.push_back("Cancelled: the lengths are exact, but the shape could be less distorted.");
+  report.warnings.push_back("Canceled: the lengths are exact, but the shape could be less distorted.");
   report.termination = Termination::cancelled;
 }
 
