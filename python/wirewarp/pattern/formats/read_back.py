@@ -19,12 +19,14 @@ INCH = 25.4
 NUMBER = r"-?[\d.]+"
 WORST = 0.02  # millimeters: half a unit of HPGL is 0.0125 in each direction; all other formats are finer
 
+QUARTER_TURNS = [np.linalg.matrix_power(np.array([[0.0, 1.0], [-1.0, 0.0]]), count) for count in range(4)]
+
 
 def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[float]:
     """Return the distance in millimeters of the worst point in the file from the outlines (k,2).
 
-    The places of outlines on the sheet are not compared. Raises RuntimeError if the file has other outlines or a larger
-    distance.
+    Places and quarter turns of outlines on the sheet are not compared: sheets are packed so. Raises RuntimeError if the
+    file has other outlines or a larger distance.
     """
     waiting = [_normalized(outline) for outline in outlines]
     worst, count = 0.0, 0
@@ -45,7 +47,7 @@ def _nearest(found: np.ndarray, waiting: Sequence[np.ndarray]) -> tuple[float, i
     best, place = math.inf, -1
     for number, outline in enumerate(waiting):
         if len(outline) == len(found):
-            off = float(np.linalg.norm(found - outline, axis=1).max())
+            off = min(float(np.linalg.norm(found - outline @ turn, axis=1).max()) for turn in QUARTER_TURNS)
             if off < best:
                 best, place = off, number
             if off <= WORST:

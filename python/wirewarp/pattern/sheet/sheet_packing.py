@@ -2,7 +2,7 @@
 """Packs pieces on sheets to tape together, so that they need the fewest sheets.
 
 The sheets are divided into cells. Each piece goes where it needs the fewest sheets that no earlier piece needs; a piece
-that ends in the overlap of two sheets needs one of them. Nothing is turned.
+that ends in the overlap of two sheets needs one of them. Pieces may be turned: each takes its grain line with it.
 """
 
 from collections.abc import Iterable, Sequence
@@ -14,7 +14,7 @@ import numpy as np
 from ..geometry import are_inside, sampled
 from ..pattern_data import OVERLAP
 
-MOST_WORK = 1_000_000  # cells times pieces, over all arrangements on one kind of sheet: takes well below a second
+MOST_WORK = 3_000_000  # cells times pieces and turns, over all arrangements on one kind of sheet: takes half a second
 CELL = OVERLAP  # millimeters, about: the overlap of two sheets is one cell
 
 
@@ -30,59 +30,72 @@ class Placed(NamedTuple):
     sheets: int  # number of needed sheets
     columns: int
     corners: np.ndarray  # (p,2) lower left corners of the pieces, from that of the lowest, leftmost sheet
+    turns: list[int]  # of the pieces: which of their outlines is placed
 
 
 def placed_on_sheets(
-    outlines: Sequence[Sequence[np.ndarray]], step: np.ndarray, inset: float, columns: Iterable[int], fewest: int
+    outlines: Sequence[Sequence[Sequence[np.ndarray]]],
+    step: np.ndarray,
+    inset: float,
+    columns: Iterable[int],
+    fewest: int,
 ) -> Placed | None:
     """Return the best arrangement on this many columns of sheets; None if none needs fewer sheets than the best so far.
 
-    outlines: of each piece, with its lower left corner at 0, 0. step (2,): from a sheet to the next one. inset:
-    millimeters from the edge of the printed area to the nearest piece, and half of the distance between pieces.
+    outlines: of each piece in each of its turns, with the lower left corner at 0, 0. step (2,): from a sheet to the
+    next one. inset: millimeters from the edge of the printed area to the nearest piece, and half of the distance
+    between pieces.
     """
     per_sheet = np.maximum(np.rint(step / CELL), 2).astype(int)
     cell = step / per_sheet
-    shapes = [_shape(own, cell, per_sheet, inset) for own in outlines]
-    sizes = [shape.cells.shape for shape in shapes]
+    shapes = [[_shape(own, cell, per_sheet, inset) for own in turned] for turned in outlines]
+    sizes = [turned[0].cells.shape for turned in shapes]
     orders = [
         sorted(range(len(shapes)), key=lambda k: -sizes[k][0] * sizes[k][1]),
         sorted(range(len(shapes)), key=lambda k: -sizes[k][1]),
     ]
     best, work = None, 0
     for count in columns:
-        if max(width for width, _ in sizes) > count * per_sheet[0] + 1:  # the last sheet shows its overlap, too
+        narrowest = [min(shape.cells.shape[0] for shape in turned) for turned in shapes]
+        if max(narrowest) > count * per_sheet[0] + 1:  # the last sheet shows its overlap, too
             continue
         for order in orders:
             # Each piece is tried over about all cells that are used in the end.
-            work += len(shapes) * sum(width * height for width, height in sizes)
+            work += sum(len(turned) for turned in shapes) * sum(width * height for width, height in sizes)
             if work > MOST_WORK:
                 return best
             cells = _placed([shapes[k] for k in order], count, per_sheet, best.sheets if best else fewest)
             if cells:
-                corners = np.zeros((len(shapes), 2))
+                corners, turns = np.zeros((len(shapes), 2)), [0] * len(shapes)
                 corners[order] = cells[1] * cell + inset
-                best = Placed(cells[0], count, corners)
+                for piece, turn in zip(order, cells[2], strict=True):
+                    turns[piece] = turn
+                best = Placed(cells[0], count, corners, turns)
     return best
 
 
-def _placed(shapes: Sequence[Shape], columns: int, per_sheet: np.ndarray, fewest: int) -> tuple[int, np.ndarray] | None:
-    """Return the number of sheets, and the start cells (p,2) of the pieces; None if it is not below the fewest."""
+def _placed(
+    shapes: Sequence[Sequence[Shape]], columns: int, per_sheet: np.ndarray, fewest: int
+) -> tuple[int, np.ndarray, list[int]] | None:
+    """Return the number of sheets, the start cells (p,2) of the pieces and their turns. None: not fewer."""
     width = columns * per_sheet[0] + 1
     taken = np.zeros((width, 0), dtype=bool)  # cells of placed pieces
     used = np.zeros((columns, 0), dtype=bool)  # sheets
-    corners = []
-    for shape in shapes:
-        more = -(-shape.cells.shape[1] // per_sheet[1]) + 1  # rows of sheets for this piece above all others
+    corners, turns = [], []
+    for turned in shapes:
+        tallest = max(shape.cells.shape[1] for shape in turned)
+        more = -(-tallest // per_sheet[1]) + 1  # rows of sheets for this piece above all others
         taken = np.pad(taken, ((0, 0), (0, more * per_sheet[1])))
         used = np.pad(used, ((0, 0), (0, more)))
-        cost = _new_sheets(used, shape.needed, per_sheet)
-        collides = _collides(taken, shape.cells)
-        fits = tuple(slice(min(sizes)) for sizes in zip(cost.shape, collides.shape, strict=True))
-        cost = np.where(collides[fits], np.iinfo(np.int64).max, cost[fits])
-        x, y = np.nonzero(cost == cost.min())
-        lowest = np.lexsort((x, y))[0]  # the leftmost of these
-        at = np.array([x[lowest], y[lowest]])
+        tried = [
+            (*_best_cell(taken, used, shape, per_sheet), turn)
+            for turn, shape in enumerate(turned)
+            if shape.cells.shape[0] <= width
+        ]
+        _, y, x, turn = min(tried)
+        shape, at = turned[turn], np.array([x, y])
         corners.append(at)
+        turns.append(turn)
         _mark(taken, shape.cells, at)
         sheet, within = np.divmod(at, per_sheet)
         _mark(used, shape.needed[within[0], within[1]], sheet)
@@ -90,7 +103,18 @@ def _placed(shapes: Sequence[Shape], columns: int, per_sheet: np.ndarray, fewest
             return None
         rows = int(np.flatnonzero(used.any(axis=0)).max()) + 1
         used, taken = used[:, :rows], taken[:, : (rows * per_sheet[1] + 1)]
-    return int(used.sum()), np.array(corners)
+    return int(used.sum()), np.array(corners), turns
+
+
+def _best_cell(taken: np.ndarray, used: np.ndarray, shape: Shape, per_sheet: np.ndarray) -> tuple[int, int, int]:
+    """Return how many new sheets the piece needs, and the lowest, leftmost start cell (y, x) with so few."""
+    cost = _new_sheets(used, shape.needed, per_sheet)
+    collides = _collides(taken, shape.cells)
+    fits = tuple(slice(min(sizes)) for sizes in zip(cost.shape, collides.shape, strict=True))
+    cost = np.where(collides[fits], np.iinfo(np.int64).max, cost[fits])
+    x, y = np.nonzero(cost == cost.min())
+    lowest = np.lexsort((x, y))[0]
+    return int(cost.min()), int(y[lowest]), int(x[lowest])
 
 
 def _mark(whole: np.ndarray, part: np.ndarray, at: np.ndarray) -> None:

@@ -3,15 +3,16 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 import pyclipper
 
 from ..checks import problem
-from ..geometry import GRID
+from ..geometry import GRID, Motion
 from ..label.leaders import Box
+from ..model import PatternPiece
 from ..pattern_data import OVERLAP, PatternData, in_rows
 from .papers import MARGIN, SHEETS, sheet_name
 from .sheet_packing import placed_on_sheets
@@ -20,6 +21,7 @@ INSET = 5.0  # around the pattern, so that no cut line is on the edge of the pri
 MOST_SHEETS = 2000
 MOST_PACKED = 60  # number of sheets above which no better arrangement is searched for: it would take seconds
 MOST_WIDTHS = 8  # number of column counts that are tried, for the same reason
+TURNS = (0.0, 90.0, 180.0, 270.0)  # degrees: on paper a piece may lie in any way, but the eye wants it square
 P = TypeVar("P", bound=PatternData)
 
 
@@ -134,15 +136,22 @@ def _taped(pattern: P, paper: str) -> Tiles[P]:
     rows = _with_tiles(pattern.arranged(width), sheet)
     if len(rows.tiles) > MOST_PACKED:
         return rows
-    outlines = [[line.points - piece.bounds[0] for line in piece.of_role("cut")] for piece in pattern.pieces]
+    variants = [[piece.placed(Motion(np.zeros(2), turn)) for turn in TURNS] for piece in pattern.pieces]
+    outlines = [[_cut_lines(piece) for piece in turned] for turned in variants]
     best = rows
     for sheet, widths in tried:
         step = sheet - 2 * MARGIN - OVERLAP
         placed = placed_on_sheets(outlines, step, INSET, widths, len(best.tiles))
         if placed:
-            packed = _with_tiles(pattern.with_corners(placed.corners), sheet, placed.columns)
+            pieces = [turned[turn] for turned, turn in zip(variants, placed.turns, strict=True)]
+            packed = _with_tiles(replace(pattern, pieces=pieces).with_corners(placed.corners), sheet, placed.columns)
             best = min(best, packed, key=lambda plan: len(plan.tiles))
     return best
+
+
+def _cut_lines(piece: PatternPiece) -> list[np.ndarray]:
+    """Return them with the lower left corner of the piece at 0, 0."""
+    return [line.points - piece.bounds[0] for line in piece.of_role("cut")]
 
 
 def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
