@@ -8,7 +8,8 @@ from everything import draw_panels
 from suggesting import SUGGEST, found, pairs
 from surfaces import bump, grid, half_cylinder, mark, mark_seam, on_line, read
 from test_proposals import seams_of
-from test_suggestions import ball, two_hills, widespread
+from test_suggested_sets import ball
+from test_suggestions import two_hills, widespread
 
 
 @pytest.fixture
