@@ -41,9 +41,10 @@ def test_cuts_go_when_their_way_is_painted(addon):
 def test_paint_during_the_search_is_noticed(addon):
     source = grid("Bump", bump)
     search = addon.suggest.operators.begin_search(bpy.context, source, "DARTS", None)
+    cuts = addon.solve.steps.in_one_go(search.steps)
     paint(source)
     with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search'):
-        addon.suggest.operators.keep_found(search, [])
+        addon.suggest.operators.keep_found(search, cuts)
 
 
 @pytest.mark.parametrize(("data_type", "domain"), [("BOOLEAN", "POINT"), ("INT", "EDGE"), ("FLOAT", "CORNER")])
