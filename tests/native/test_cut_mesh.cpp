@@ -255,12 +255,12 @@ TEST(CutMesh, ScribblesKeepTheSurface) {
     expect_same_surface(mesh, cut);
     // Each path is there from its first point to its last.
     const double reach = 3 * snap * 0.7;  // longest edge of the meshes
-    for (std::size_t p = 0; p < paths.size(); ++p) {
-      for (const std::size_t at : {std::size_t{0}, paths[p].faces.size() - 1}) {
+    for (const SurfacePath& path : paths) {
+      for (const std::size_t at : {std::size_t{0}, path.faces.size() - 1}) {
         double nearest = 1;
         for (const VertexPair& edge : cut.edges) {
           for (const int v : edge)
-            nearest = std::min(nearest, (cut.vertices.row(v) - point_at(mesh, paths[p], at)).norm());
+            nearest = std::min(nearest, (cut.vertices.row(v) - point_at(mesh, path, at)).norm());
         }
         EXPECT_LT(nearest, reach);
       }
