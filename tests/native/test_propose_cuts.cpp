@@ -9,6 +9,7 @@
 #include "disguise.h"
 #include "most_strain.h"
 #include "test_meshes.h"
+#include "wirewarp/cut_mesh.h"
 #include "wirewarp/propose.h"
 
 namespace wirewarp::test_propose_cuts {
@@ -51,6 +52,25 @@ double energy_of(const FlattenResult& result) {
 }
 
 double figure_of(const DartProposal& proposal) { return proposal.strain_with_twin.value_or(proposal.strain); }
+
+TEST(ProposeCuts, SmoothDartsHaveTheFiguresOfTheMeshCutAlongThem) {
+  const FlattenInput input = hill(8);
+  CutOptions cut_options = few();
+  cut_options.is_smooth = true;
+  const std::vector<DartProposal> proposals = propose_darts(input, {}, cut_options);
+  ASSERT_FALSE(proposals.empty());
+  for (const DartProposal& proposal : proposals) {
+    const CutMesh cut = cut_mesh(input.vertices, input.faces, proposal.paths);
+    FlattenInput with_dart = input;
+    with_dart.vertices = cut.vertices;
+    with_dart.faces = cut.faces;
+    with_dart.seams = VertexPairs(static_cast<Eigen::Index>(cut.edges.size()), 2);
+    for (std::size_t e = 0; e < cut.edges.size(); ++e) {
+      with_dart.seams.row(static_cast<Eigen::Index>(e)) << cut.edges[e][0], cut.edges[e][1];
+    }
+    EXPECT_NEAR(energy_of(flatten(with_dart)), proposal.energy, 1e-6 * proposal.energy);
+  }
+}
 
 TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
   const FlattenInput input = hill(8);
