@@ -35,7 +35,7 @@ class LibraryError(Exception):
 
 
 def load(addon_version: str) -> None:
-    """Find the library, when the add-on registers. Raises LibraryError if there is no usable one."""
+    """Find the library when the add-on registers. Raise LibraryError if no library can be used."""
     global _library
     _library = None
     inside = find_spec(f".{_INSIDE}", __package__)

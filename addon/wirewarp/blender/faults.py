@@ -133,8 +133,8 @@ def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
     """As Select > Select All by Trait > Interior Faces, but for those that can be seen from outside.
 
-    The faces divide space into rooms. Interior are the walls of which no side belongs to a room that a straight way
-    leads out of: a notch of a block is as open as the space around it.
+    The faces divide space into rooms. A room is open if a straight line leads out of it, as from the notch of a block.
+    A face is interior if neither of its sides belongs to an open room.
     """
     walled = [face for face in edit.faces if all(len(edge.link_faces) > 2 for edge in face.edges)]
     if not walled:

@@ -17,7 +17,7 @@ NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # on one system or another
 
 
 def given_file(path: str) -> Path:
-    """Return the path, with "//" as the folder of the Blender file. Raises OSError if there is no such folder."""
+    """Return the path, with "//" as the folder of the Blender file. Raise OSError if the folder does not exist."""
     if path.startswith("//") and not bpy.data.filepath:
         raise OSError('"//" is the folder of the Blender file; save that first')
     return Path(bpy.path.abspath(path))

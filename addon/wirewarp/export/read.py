@@ -52,7 +52,7 @@ EDITED = "The flat pieces were edited by hand, and a seam of the model is missin
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternParts:
     """Return the pattern data of a model in Object Mode.
 
-    Raises ObjectError if there are no pieces, or none that are up to date.
+    Raise ObjectError if there are no pieces or if none is up to date.
     """
     report, flat = current_pieces(source)
     return _parts(scene, source, report, flat, bpy.context.evaluated_depsgraph_get())

@@ -42,7 +42,7 @@ MAX_UV_LAYERS = 8
 
 
 def check_uv_room(target: bpy.types.Object) -> None:
-    """Raises ObjectError where there is no room for our layer."""
+    """Raise ObjectError if there is no room for our layer."""
     mesh = target.data
     if UV_LAYER in mesh.uv_layers:
         return

@@ -43,7 +43,7 @@ def active_target(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def _model(context: bpy.types.Context, target: bpy.types.Object) -> bpy.types.Object | None:
-    """What is flattened where this is selected; None if it is no mesh, or its model is not there."""
+    """Return the model to flatten for this object; None if it is not a mesh or its model is missing."""
     model = model_or_self(target)
     is_there = model.name_full in context.view_layer.objects or model == target
     return model if model.type == "MESH" and model_of(model) is None and is_there else None
