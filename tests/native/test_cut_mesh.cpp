@@ -259,8 +259,7 @@ TEST(CutMesh, ScribblesKeepTheSurface) {
       for (const std::size_t at : {std::size_t{0}, path.faces.size() - 1}) {
         double nearest = 1;
         for (const VertexPair& edge : cut.edges) {
-          for (const int v : edge)
-            nearest = std::min(nearest, (cut.vertices.row(v) - point_at(mesh, path, at)).norm());
+          for (const int v : edge) nearest = std::min(nearest, (cut.vertices.row(v) - point_at(mesh, path, at)).norm());
         }
         EXPECT_LT(nearest, reach);
       }
