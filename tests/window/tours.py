@@ -171,6 +171,6 @@ def copies_the_report() -> drive.Tour:
     yield from flatten()
     with drive.in_view():
         bpy.ops.object.wirewarp_copy_report("INVOKE_DEFAULT", True)
-    yield lambda: drive.window_manager().clipboard.startswith("Kind,Name,Piece,Length on model (m)")
+    yield lambda: drive.window_manager().clipboard.startswith("Kind,Name,Piece,Length on model (mm)")
     kinds = [line.split(",")[0] for line in drive.window_manager().clipboard.splitlines()[1:]]
     assert kinds == ["Wire", "Open edge", "Piece"]
