@@ -7,6 +7,7 @@ from collections.abc import Callable
 import bmesh
 import bpy
 import numpy as np
+import pytest
 
 
 def make_object(name: str, vertices: list, faces: list) -> bpy.types.Object:
@@ -113,6 +114,12 @@ def flatten(source: bpy.types.Object, **settings: object) -> None:
     """This object alone."""
     select_only(source)
     bpy.ops.object.wirewarp_flatten(**settings)
+
+
+def flatten_fails(match: str, **settings: object) -> None:
+    """What is selected, with an error that matches."""
+    with pytest.raises(RuntimeError, match=match):
+        bpy.ops.object.wirewarp_flatten(**settings)
 
 
 def flat_of(source: bpy.types.Object) -> bpy.types.Object:

@@ -1,77 +1,184 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks are mesh attributes: they go where the mesh goes."""
+"""Marks are mesh attributes: they go where the mesh goes, stay on their lines when it is edited, and can be foreign."""
+
+import math
 
 import bpy
 import pytest
-from surfaces import bump, grid, mark, mark_seam, on_line, select_only, wire_marks
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only, wire_marks
 
 pytestmark = pytest.mark.api
+
+ALONG, ACROSS = on_line(1, 0.0), on_line(0, 0.0)
+WHOLE = {0.05: pytest.approx(2), math.inf: pytest.approx(2)}  # tolerance to length
 
 
 @pytest.fixture
 def marked():
-    target = grid("Bump", bump)
-    mark(target, on_line(1, 0.0), kind="ELASTIC", tolerance=0.05)
-    mark(target, on_line(0, 0.0), kind="SUPER_ELASTIC")
+    """A flat grid with an elastic wire along y = 0 and a free one across it."""
+    target = grid("Flat", lambda x, y: (x, y, 0.0))
+    mark(target, ALONG, kind="ELASTIC", tolerance=0.05)
+    mark(target, ACROSS, kind="SUPER_ELASTIC")
     mark_seam(target, on_line(0, 0.5))
+    target.data.wirewarp_names[0].name = "Bust"
     return target
 
 
-def test_save_and_load(marked, tmp_path):
-    marked.data.wirewarp_names[0].name = "Bust"
-    before = wire_marks(marked.data)
-    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "marked.blend"))
+def saved(path, append=False):
+    """The object "Flat" of the present file, read again."""
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "marked.blend"))
-    loaded = bpy.data.objects["Bump"]
-    assert wire_marks(loaded.data) == before
-    assert loaded.data.wirewarp_names[0].name == "Bust"
+    if append:
+        with bpy.data.libraries.load(str(path)) as (_, wanted):
+            wanted.objects = ["Flat"]
+    else:
+        bpy.ops.wm.open_mainfile(filepath=str(path))
+    return bpy.data.objects["Flat"]
 
 
-def test_duplicate(marked):
-    before = wire_marks(marked.data)
+def duplicated():
     bpy.ops.object.duplicate()
-    assert bpy.context.active_object is not marked
-    assert wire_marks(bpy.context.active_object.data) == before
+    return bpy.context.active_object
 
 
-def test_append(marked, tmp_path):
-    before = wire_marks(marked.data)
-    path = str(tmp_path / "marked.blend")
-    bpy.ops.wm.save_as_mainfile(filepath=path)
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    with bpy.data.libraries.load(path) as (_, wanted):
-        wanted.objects = ["Bump"]
-    assert wire_marks(wanted.objects[0].data) == before
-
-
-def test_join_keeps_both_objects_wires(marked):
-    other = grid("Other", bump)
-    mark(other, on_line(1, 0.25))
-    both = wire_marks(marked.data) | wire_marks(other.data)
-    select_only(marked, other)
+def joined_into_one_without_marks(marked):
+    bare = grid("Bare", bump)
+    select_only(bare, marked)
     bpy.ops.object.join()
-    assert wire_marks(marked.data) == both
+    return bare
 
 
-def test_names_of_joined_wires_are_saved(marked, addon, tmp_path):
+@pytest.mark.parametrize("how", ["saved", "appended", "duplicated", "joined"])
+def test_marks_and_names_go_where_the_mesh_goes(marked, tmp_path, how):
+    before, path = wire_marks(marked.data), tmp_path / "marked.blend"
+    after = {
+        "saved": lambda: saved(path),
+        "appended": lambda: saved(path, append=True),
+        "duplicated": duplicated,
+        "joined": lambda: joined_into_one_without_marks(marked),
+    }[how]()
+    assert wire_marks(after.data) == before
+    assert how in ("duplicated", "joined") or after.data.wirewarp_names[0].name == "Bust"
+
+
+def test_join_keeps_the_wires_of_both_and_their_names_are_saved(marked, addon, tmp_path):
     other, foreign = grid("Other", bump), grid("Foreign", bump)
     mark(other, on_line(1, 0.25))
     other.data.wirewarp_names[0].name = "Hip"
     foreign.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")  # not ours: left alone
+    both = wire_marks(marked.data) | wire_marks(other.data)
     select_only(marked, other)
     bpy.ops.object.join()
-    path = str(tmp_path / "joined.blend")
-    bpy.ops.wm.save_as_mainfile(filepath=path)
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    bpy.ops.wm.open_mainfile(filepath=path)
-    names = [name for name, _ in addon.state.identities.listed_wires(bpy.data.objects["Bump"])]
-    assert names == ["Wire 1", "Wire 2", "Hip"]
+    assert wire_marks(marked.data) == both
+    names = [name for name, _ in addon.state.identities.listed_wires(saved(tmp_path / "joined.blend"))]
+    assert names == ["Bust", "Wire 2", "Hip"]
 
 
-def test_join_into_an_object_without_marks(marked):
+def split_and_merge():
+    bpy.ops.mesh.edge_split()
+    bpy.ops.mesh.select_all(action="SELECT")
+    bpy.ops.mesh.remove_doubles()
+
+
+def to_triangles_and_back():
+    bpy.ops.mesh.quads_convert_to_tris()
+    bpy.ops.mesh.tris_convert_to_quads()
+
+
+def everywhere(_a, _b):
+    return True
+
+
+def between_two_columns(a, b):
+    return abs(a.y - b.y) < 1e-6 and abs(a.x + b.x - 0.75) < 1e-6
+
+
+EDITS = {
+    "subdivided": (everywhere, lambda: bpy.ops.mesh.subdivide(number_cuts=2)),
+    "wire alone subdivided": (ALONG, lambda: bpy.ops.mesh.subdivide()),
+    "loop cut": (between_two_columns, lambda: bpy.ops.mesh.subdivide_edgering(number_cuts=1)),
+    "loop dissolved": (on_line(0, 0.5), lambda: bpy.ops.mesh.dissolve_edges()),
+    "cut by a plane": (everywhere, lambda: bpy.ops.mesh.bisect(plane_co=(0.1, 0, 0), plane_no=(1, 0.3, 0))),
+    "triangles": (everywhere, lambda: bpy.ops.mesh.quads_convert_to_tris()),
+    "triangles and back": (everywhere, to_triangles_and_back),
+    "split and merged": (ALONG, split_and_merge),
+    "dissolved": (ALONG, lambda: bpy.ops.mesh.dissolve_edges()),
+}
+
+
+@pytest.mark.parametrize("how", EDITS)
+def test_wires_stay_on_their_lines_as_the_mesh_is_edited(marked, how):
+    line, edit = EDITS[how]
+    select_edges(marked, line)
+    edit()
+    bpy.ops.object.mode_set(mode="OBJECT")
+    mesh, found = marked.data, {}
+    for row, edge in enumerate(mesh.edges):
+        a, b = (mesh.vertices[vertex].co for vertex in edge.vertices)
+        if mesh.attributes["wirewarp_wire"].data[row].value:
+            tolerance = round(mesh.attributes["wirewarp_tolerance"].data[row].value, 6)
+            assert (ALONG if tolerance == 0.05 else ACROSS)(a, b)
+            found[tolerance] = found.get(tolerance, 0) + (a - b).length
+    assert found == (WHOLE if how != "dissolved" else {math.inf: pytest.approx(2)})
+
+
+@pytest.mark.parametrize(("levels", "kind"), [(2, "SIMPLE"), (1, "CATMULL_CLARK")])
+def test_subdivision_is_applied(marked, levels, kind):
     before = wire_marks(marked.data)
-    bare = grid("Bare", bump)
-    select_only(bare, marked)
-    bpy.ops.object.join()
-    assert wire_marks(bare.data) == before
+    modifier = marked.modifiers.new("Smooth", "SUBSURF")
+    modifier.levels, modifier.subdivision_type = levels, kind
+    bpy.ops.object.modifier_apply(modifier="Smooth")
+    assert wire_marks(marked.data) == {key: 2**levels * count for key, count in before.items()}
+
+
+def test_a_mirror_is_applied_and_the_copies_are_wires_of_their_own(marked, addon):
+    marked.location.x = 3
+    modifier = marked.modifiers.new("Mirror", "MIRROR")
+    modifier.mirror_object = bpy.data.objects.new("Middle", None)
+    bpy.ops.object.modifier_apply(modifier="Mirror")
+    names = [name for name, _ in addon.state.identities.listed_wires(marked)]
+    assert names == ["Bust", "Bust (2)", "Wire 2", "Wire 2 (2)"]
+
+
+@pytest.mark.parametrize("use_modifiers", [False, True])
+def test_a_copy_of_a_wire_is_called_as_its_original_everywhere(addon, use_modifiers):
+    """A wire that ends before the edge of a half, and its copy on the other half."""
+    source = grid("Half", lambda x, y: (x + 1, y, 0.2 * x * x))
+    mark(source, lambda a, b: ALONG(a, b) and min(a.x, b.x) > 0.4)
+    source.modifiers.new("Other Half", "MIRROR")
+    if not use_modifiers:
+        bpy.ops.object.modifier_apply(modifier="Other Half")
+    bpy.ops.object.wirewarp_flatten(use_modifiers=use_modifiers)
+    source.data.wirewarp_names[0].name = "Hip"
+    both = ["Hip", "Hip (2)"]
+    assert [wire.name for wire in addon.state.reports.last_report(source).wires] == both
+    drawn = addon.overlay.objects.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
+    assert sorted(name.texts[-1] for name in drawn.names) == ["Half", *both]
+    parts = addon.export.read.read_pattern(bpy.context.scene, source)
+    assert [wire.name for piece in parts.pieces for wire in piece.wires] == both
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "command"),
+    [
+        ("wirewarp_wire", "INT on edges", {"mark": {}}),
+        ("wirewarp_allowance", "FLOAT on edges", {"allowance": {"kind": "WIDTH"}}),
+        ("wirewarp_ease", "FLOAT on edges", {"ease": {"sides": "ALL"}}),
+        ("wirewarp_side_ease", "FLOAT on face corners", {"ease": {"sides": "ONE"}}),
+        ("wirewarp_side_ratio", "FLOAT on edges", {"ease": {"sides": "ONE"}}),
+        ("wirewarp_eased_side", "INT on edges", {"ease": {"sides": "ONE"}}),
+        ("wirewarp_piece", "INT on faces", {}),
+    ],
+)
+def test_an_attribute_of_our_name_that_is_not_ours_is_refused(name, kind, command):
+    source = grid("Bump", bump)
+    source.data.attributes.new(name, "FLOAT_VECTOR", "POINT")
+    told = f'attribute "{name}" of mesh "Bump" is not of type {kind}'
+    if name != "wirewarp_allowance":  # which Export reads
+        with pytest.raises(RuntimeError, match=told):
+            bpy.ops.object.wirewarp_flatten()
+    select_edges(source, on_line(0, -1.0))
+    for operator, settings in command.items():
+        with pytest.raises(RuntimeError, match=told):
+            getattr(bpy.ops.mesh, f"wirewarp_{operator}")(**settings)
+    assert source.mode == "EDIT" and "Bump Flat" not in bpy.data.objects

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Seams and outlines that give or are eased, on all their sides or on one: marked, flattened, and cleared again."""
 
+import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import grid, mark, on_line, read, select_edges, select_only
-from two_sided import HEM, SEAM, ease, lengths, shares, two_pieces
+from surfaces import flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
+from two_sided import HEM, SEAM, ease, lengths, select_side, shares, two_pieces
 
 
 @pytest.fixture
@@ -99,26 +100,6 @@ def test_an_ease_of_edges_that_are_no_wires_is_told(source, addon):
     assert addon.state.reports.last_report(source).notes == []
 
 
-@pytest.mark.parametrize("name", ["wirewarp_ease", "wirewarp_side_ease", "wirewarp_side_ratio", "wirewarp_eased_side"])
-def test_an_attribute_of_our_name_that_is_not_ours_is_a_sentence(source, name):
-    source.data.attributes.new(name, "FLOAT_VECTOR", "POINT")
-    told = f'attribute "{name}" of mesh "Bump" is not of type'
-    with pytest.raises(RuntimeError, match=told):
-        bpy.ops.object.wirewarp_flatten()
-    select_edges(source, SEAM)
-    with pytest.raises(RuntimeError, match=told):
-        bpy.ops.mesh.wirewarp_ease(sides="ALL" if name == "wirewarp_ease" else "ONE")
-    assert source.mode == "EDIT"
-
-
-def test_too_short_an_ease_marks_nothing(source):
-    select_edges(source, SEAM)
-    with pytest.raises(RuntimeError, match="would have no length left"):
-        bpy.ops.mesh.wirewarp_ease(sides="ALL", ease_unit="LENGTH", ease_length=-1e6)
-    bpy.ops.object.mode_set(mode="OBJECT")
-    assert "wirewarp_wire" not in source.data.attributes
-
-
 def select_all_edges(*targets):
     select_only(*targets)
     bpy.ops.object.mode_set(mode="EDIT")
@@ -159,3 +140,159 @@ def test_an_ease_is_a_change_that_the_report_sees(source, addon):
     assert not has_changed(source, report.model_state)
     ease(source, SEAM, sides="ALL", ease_percent=5.0)
     assert has_changed(source, report.model_state)
+
+
+def test_one_side_or_the_other_is_eased(source):
+    ease(source, SEAM, sides="ONE", ease_percent=5.0)
+    bpy.ops.object.wirewarp_flatten()
+    one = shares(source)
+    assert sorted(one) == pytest.approx([0.0, 0.05], abs=1e-5)
+    ease(source, SEAM, sides="OTHER", ease_percent=5.0)
+    bpy.ops.object.wirewarp_flatten()
+    assert shares(source) == pytest.approx(one[::-1], abs=1e-5)
+
+
+def test_one_side_is_that_of_the_smaller_piece_on_all_seams(addon):
+    """As on two armholes that are selected together: their edges run either way around."""
+    source = grid("Body and two sleeves", lambda x, y: (x, y, 0))
+    seams = {x: on_line(0, x) for x in (-0.5, 0.5)}
+    for seam in seams.values():
+        mark_seam(source, seam)
+    ease(source, lambda a, b: any(seam(a, b) for seam in seams.values()), sides="ONE", ease_percent=5.0)
+    eased = np.flatnonzero(addon.state.allowances.SIDE_EASES.read(source.data))
+    faces = np.repeat(np.arange(len(source.data.polygons)), [len(face.loop_indices) for face in source.data.polygons])
+    middles = [source.data.polygons[face].center.x for face in faces[eased]]
+    assert len(eased) == 16 and min(map(abs, middles)) > 0.5
+    assert min(middles) < 0 < max(middles)
+
+
+def test_the_millimeters_of_a_side_are_of_what_it_would_be(source):
+    ease(source, SEAM, sides="ALL", ease_percent=-10.0)
+    ease(source, SEAM, sides="ONE", ease_unit="LENGTH", ease_length=12.0)
+    bpy.ops.object.wirewarp_flatten()
+    _, left, right = lengths(source, SEAM)
+    assert 100 * abs(left - right) == pytest.approx(12.0, abs=1e-3)
+    assert min(shares(source)) == pytest.approx(-0.1, abs=1e-5)
+
+
+def test_a_line_of_which_both_sides_are_cleared_on_flat_pieces_counts_once(source, capfd):
+    ease(source, SEAM, sides="ONE", ease_percent=5.0)
+    bpy.ops.object.wirewarp_flatten()
+    select_side(source, 0)
+    assert bpy.ops.mesh.wirewarp_ease(sides="NONE") == {"FINISHED"}
+    assert "Ease cleared on 1 line\n" in capfd.readouterr().out
+
+
+def test_an_ease_of_a_side_that_was_copied_to_the_other_is_told_until_it_is_marked_again(addon):
+    """Half a model that is mirrored and sewn together at its eased edge, which is a seam then."""
+    half = grid("Half", lambda x, y: (x + 1, y, 0))
+    ease(half, SEAM, sides="ONE", ease_percent=5.0)
+    edit = bmesh.new()
+    edit.from_mesh(half.data)
+    copies = bmesh.ops.duplicate(edit, geom=[*edit.verts, *edit.edges, *edit.faces])["geom"]
+    for vertex in (each for each in copies if isinstance(each, bmesh.types.BMVert)):
+        vertex.co.x *= -1
+    bmesh.ops.reverse_faces(edit, faces=[each for each in copies if isinstance(each, bmesh.types.BMFace)])
+    bmesh.ops.remove_doubles(edit, verts=edit.verts, dist=1e-4)
+    edit.to_mesh(half.data)
+    edit.free()
+    mark_seam(half, SEAM)
+    with pytest.raises(RuntimeError, match='The side of the ease is unknown on 8 edges of "Half", because faces'):
+        bpy.ops.object.wirewarp_flatten()
+    (issue,) = addon.state.reports.last_report(half).issues
+    assert len(issue.edges) == 8
+    ease(half, SEAM, sides="ONE", ease_percent=5.0)
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert sorted(shares(half)) == pytest.approx([0.0, 0.05], abs=1e-5)
+
+
+def test_an_ease_of_one_side_of_a_middle_that_a_mirror_merges_is_told_what_to_do(addon):
+    """Both sides of the middle are one face there and its image: only the applied model tells them apart."""
+    half = grid("Half", lambda x, y: (x + 1, y, 0))
+    mark_seam(half, SEAM)
+    half.modifiers.new("Mirror", "MIRROR")
+    ease(half, SEAM, sides="ONE", ease_percent=5.0)
+    with pytest.raises(RuntimeError, match="8 edges .*modifiers copied.*Apply them and mark it again, or mark it on"):
+        bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    (issue,) = addon.state.reports.last_report(half).issues
+    assert (issue.code, len(issue.edges)) == ("side_unknown", 8)
+    ease(half, SEAM, sides="NONE")
+    ease(half, SEAM, sides="ALL", ease_percent=5.0)
+    assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}
+    bpy.ops.object.modifier_apply(modifier="Mirror")
+    ease(half, SEAM, sides="ALL", ease_percent=0.0)
+    ease(half, SEAM, sides="ONE", ease_percent=5.0)
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert sorted(shares(half)) == pytest.approx([0.0, 0.05], abs=1e-5)
+
+
+def test_an_ease_where_no_side_is_names_its_edges(source, addon):
+    ease(source, SEAM, sides="ONE", ease_percent=5.0)
+    select_edges(source, lambda a, b: SEAM(a, b) and a.y + b.y > 1)
+    bpy.ops.mesh.mark_seam(clear=True)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    with pytest.raises(RuntimeError, match="An ease names"):
+        bpy.ops.object.wirewarp_flatten()
+    (issue,) = addon.state.reports.last_report(source).issues
+    assert issue.code == "ease_without_side"
+    assert len(issue.edges) == 2
+
+
+def arrow(addon, target):
+    """From the edge to the tip; and what is written there."""
+    lines = addon.overlay.objects.marked_lines(target, bpy.context.evaluated_depsgraph_get())
+    tail, tip, *_ = lines.places["ease"]
+    return tail, tip, [name.texts for name in lines.names]
+
+
+def test_an_arrow_points_into_the_side_that_is_longer(source, addon):
+    for sides in ("ONE", "OTHER"):
+        ease(source, SEAM, sides=sides, ease_percent=5.0)
+        bpy.ops.object.wirewarp_flatten()
+        left, right = shares(source)
+        tail, tip, texts = arrow(addon, source)
+        assert tail[0] == pytest.approx(0.0, abs=1e-6) and (tip[0] > 0) == (right > left)
+        assert ("+5%",) in texts
+        *_, texts = arrow(addon, flat_of(source))
+        assert ("+5%",) in texts
+    ease(source, SEAM, sides="NONE")
+    lines = addon.overlay.objects.marked_lines(source, bpy.context.evaluated_depsgraph_get())
+    assert "ease" not in lines.places
+
+
+@pytest.mark.parametrize(
+    ("side", "sides", "said"),
+    [
+        (0, "ONE", "Both sides of a seam are selected"),
+        (-1, "ALL", "only the selected side can be eased"),
+        (-1, "OTHER", "only the selected side can be eased"),
+    ],
+)
+def test_on_flat_pieces_only_one_side_that_is_selected_is_eased(source, side, sides, said):
+    bpy.ops.object.wirewarp_flatten()
+    select_side(source, side)
+    with pytest.raises(RuntimeError, match=said):
+        bpy.ops.mesh.wirewarp_ease(sides=sides, ease_percent=5.0)
+    assert "wirewarp_side_ratio" not in source.data.attributes
+
+
+@pytest.mark.parametrize(
+    ("name", "domain", "value", "said"),
+    [
+        ("wirewarp_ease", "EDGE", -1.0, 'Wire "Wire 1" has an invalid ease'),
+        ("wirewarp_ease", "EDGE", float("nan"), 'Wire "Wire 1" has an invalid ease'),
+        ("wirewarp_side_ease", "CORNER", -1.0, "ease of one side is invalid along 8 edges"),
+        ("wirewarp_side_ease", "CORNER", float("inf"), "ease of one side is invalid along 8 edges"),
+    ],
+)
+def test_an_ease_that_is_none_names_its_wire_or_its_edges(source, addon, name, domain, value, said):
+    mark(source, HEM)
+    values = source.data.attributes.new(name, "FLOAT", domain).data
+    edges = read(source.data.loops, "edge_index", np.int32) if domain == "CORNER" else range(len(values))
+    for row, edge in enumerate(edges):
+        if HEM(*(source.data.vertices[vertex].co for vertex in source.data.edges[edge].vertices)):
+            values[row].value = value
+    with pytest.raises(RuntimeError, match=said):
+        bpy.ops.object.wirewarp_flatten()
+    (issue,) = addon.state.reports.last_report(source).issues
+    assert len(issue.edges) == 8

@@ -178,17 +178,6 @@ def test_flat_pieces_of_an_earlier_version_are_flattened_again(source, tmp_path)
     export_fails('Flatten "Bump" again', tmp_path)
 
 
-def test_failed_pieces_are_written_only_if_asked_for(tmp_path):
-    source, other = grid("Both", bump), grid("Spike", lambda x, y: (x + 3, y, 2 * (1 - x * x) * (1 - y * y)))
-    mark(other, on_line(0, 3.0), on_line(1, 0.0))
-    select_only(source, other)
-    bpy.ops.object.join()
-    with pytest.raises(RuntimeError, match="flipped"):
-        bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
-    export_fails("Failed: Top Left. See the report", tmp_path)
-    assert set(export(source, tmp_path, failed_pieces=True).pieces) == {"Top Left", "Top Right"}
-
-
 def test_a_folder_that_is_not_there_is_a_sentence(source, tmp_path):
     bpy.ops.object.wirewarp_flatten()
     with pytest.raises(RuntimeError, match=r'Cannot write ".*none.pattern\.svg": there is no folder ".*none"\.'):

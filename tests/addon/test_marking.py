@@ -17,11 +17,20 @@ def names(target):
     return [entry.name for entry in target.data.wirewarp_names]
 
 
-def test_a_line_becomes_one_rigid_wire():
+@pytest.mark.parametrize(
+    ("kind", "tolerance", "line"),
+    [
+        ("RIGID", 0, EAST_WEST),
+        ("ELASTIC", 0.05, NORTH_SOUTH),  # a seam
+        ("SUPER_ELASTIC", math.inf, on_line(1, 1.0)),  # the outline
+    ],
+)
+def test_a_line_becomes_one_wire_of_its_kind(kind, tolerance, line):
     target = grid("Bump", bump)
-    mark(target, EAST_WEST)
-    ((wire, tolerance),) = wire_marks(target.data)
-    assert (tolerance, wire_marks(target.data)[wire, tolerance]) == (0, 8)
+    mark_seam(target, NORTH_SOUTH)
+    mark(target, line, kind=kind, tolerance=0.05)
+    (((wire, found), count),) = wire_marks(target.data).items()
+    assert found == pytest.approx(tolerance, rel=1e-6) and count == 8
     assert 0 < wire < 2**31
 
 
@@ -32,14 +41,6 @@ def test_crossing_lines_are_two_wires_however_they_are_marked(at_once):
         mark(target, *lines)
     assert list(wire_marks(target.data).values()) == [8, 8]
     assert names(target) == ["Wire 1", "Wire 2"]
-
-
-@pytest.mark.parametrize(("kind", "tolerance"), [("RIGID", 0), ("ELASTIC", 0.05), ("SUPER_ELASTIC", math.inf)])
-def test_kinds(kind, tolerance):
-    target = grid("Bump", bump)
-    mark(target, EAST_WEST, kind=kind, tolerance=0.05)
-    ((_, found),) = wire_marks(target.data)
-    assert found == pytest.approx(tolerance, rel=1e-6)
 
 
 def test_marking_a_whole_wire_again_changes_its_kind_and_keeps_its_id_and_name():
@@ -68,11 +69,6 @@ def test_clear_takes_the_marks_and_the_name_away():
     bpy.ops.object.mode_set(mode="OBJECT")
     assert list(wire_marks(target.data).values()) == [8]
     assert len(names(target)) == 1
-
-
-def test_clear_without_a_wire_selected_does_nothing():
-    target = grid("Bump", bump)
-    mark(target, EAST_WEST)
     select_edges(target, on_line(1, 0.5))
     assert bpy.ops.mesh.wirewarp_clear() == {"CANCELLED"}
 
@@ -117,30 +113,21 @@ def test_several_objects_in_edit_mode():
     assert set(wire_marks(first.data)) != set(wire_marks(second.data))
 
 
-def test_nothing_selected():
+@pytest.mark.parametrize(
+    ("lines", "settings", "said"),
+    [
+        ([], {}, "select the edges of the wire first"),
+        ([EAST_WEST], {"kind": "ELASTIC", "tolerance": 0.0}, "needs a tolerance above 0"),
+        ([EAST_WEST], {"kind": "ELASTIC", "tolerance": math.nan}, "needs a tolerance above 0"),
+    ],
+)
+def test_what_cannot_be_marked_is_told(lines, settings, said):
     target = grid("Bump", bump)
-    select_edges(target)
-    with pytest.raises(RuntimeError, match="select the edges of the wire first"):
-        bpy.ops.mesh.wirewarp_mark()
-
-
-def test_elastic_without_a_tolerance():
-    target = grid("Bump", bump)
-    select_edges(target, EAST_WEST)
-    with pytest.raises(RuntimeError, match="needs a tolerance above 0"):
-        bpy.ops.mesh.wirewarp_mark(kind="ELASTIC", tolerance=0.0)
+    select_edges(target, *lines)
+    with pytest.raises(RuntimeError, match=said):
+        bpy.ops.mesh.wirewarp_mark(**settings)
     bpy.ops.object.mode_set(mode="OBJECT")
     assert wire_marks(target.data) == {}
-
-
-@pytest.mark.parametrize(("kind", "tolerance"), [("RIGID", 0.0), ("ELASTIC", 0.05), ("SUPER_ELASTIC", math.inf)])
-@pytest.mark.parametrize("place", ["seam", "outline"])
-def test_seams_and_outlines_are_marked_as_any_line(kind, tolerance, place):
-    target = grid("Bump", bump)
-    mark_seam(target, EAST_WEST)
-    mark(target, EAST_WEST if place == "seam" else on_line(1, 1.0), kind=kind, tolerance=0.05)
-    ((_, found),) = wire_marks(target.data)
-    assert found == pytest.approx(tolerance, rel=1e-6)
 
 
 def grid_with_a_loose_edge():
@@ -172,14 +159,6 @@ def test_a_marked_edge_that_lost_its_face_is_left_out_and_said(addon):
     assert [wire.name for wire in report.wires] == ["Wire 1"]
     (note,) = report.notes
     assert note.text == "1 marked edge ignored: it has no face."
-
-
-def test_an_attribute_of_our_name_that_is_not_ours():
-    target = grid("Bump", bump)
-    target.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")
-    select_edges(target, EAST_WEST)
-    with pytest.raises(RuntimeError, match='attribute "wirewarp_wire" of mesh "Bump" is not of type INT on edges'):
-        bpy.ops.mesh.wirewarp_mark()
 
 
 def test_the_list_of_wires_follows_the_mesh(addon):
@@ -224,6 +203,7 @@ def test_a_model_is_marked_from_nothing_selected(addon):
     source = grid("Bump", bump, size=4)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
+    assert addon.marks.mark_operators.has_every_edge(source.data)
     bpy.ops.object.mode_set(mode="OBJECT")
     assert bpy.ops.object.wirewarp_mark_model() == {"FINISHED"}
     assert source.mode == "EDIT" and tuple(bpy.context.tool_settings.mesh_select_mode) == (False, True, False)
@@ -238,10 +218,3 @@ def test_a_model_is_marked_from_nothing_selected(addon):
     assert bpy.ops.mesh.wirewarp_mark_seam() == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     assert [edge.index for edge in source.data.edges if edge.use_seam] == [3]
-
-
-def test_every_edge_selected_is_noticed(addon):
-    source = grid("Bump", bump, size=4)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="SELECT")
-    assert addon.marks.mark_operators.has_every_edge(source.data)

@@ -3,20 +3,32 @@
 
 import bpy
 import pytest
-from surfaces import bump, flat_of, grid, mark, on_line, select_only
+from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_only
 
 pytestmark = pytest.mark.api
 
 
-def test_modifiers_go_to_the_flat_object_only():
-    source = grid("Bump", bump)
+@pytest.mark.parametrize(
+    ("kind", "settings", "faces"),
+    [
+        ("SUBSURF", {"levels": 1}, 64),
+        ("ARRAY", {"count": 3, "relative_offset_displace": (1.5, 0, 0)}, 48),
+        ("MIRROR", {"use_axis": (False, False, True), "use_mirror_merge": False}, 32),
+        ("TRIANGULATE", {}, 32),
+    ],
+)
+def test_modifiers_that_make_other_faces_go_to_the_flat_object_only(addon, kind, settings, faces):
+    source = grid("Bump", bump, size=4)
+    mark_seam(source, on_line(0, 0.0))
     mark(source, on_line(1, 0.0))
-    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    modifier = source.modifiers.new("Modifier", kind)
+    for name, value in settings.items():
+        setattr(modifier, name, value)
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    assert len(flat_of(source).data.polygons) == 4 * len(source.data.polygons)
+    assert len(flat_of(source).data.polygons) == faces
     assert "WireWarp" not in source.data.uv_layers
-    bpy.ops.object.wirewarp_flatten(use_modifiers=False)
-    assert len(flat_of(source).data.polygons) == len(source.data.polygons)
+    assert ignored_after(addon, source) == "Modifiers"
+    assert len(flat_of(source).data.polygons) == 16
 
 
 def notes_after(addon, source, **settings):

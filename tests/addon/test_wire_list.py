@@ -6,7 +6,7 @@ import math
 import bpy
 import numpy as np
 import pytest
-from everything import draw_panels, sidebar
+from everything import AnyLayout, draw_panels, sidebar
 from surfaces import bump, grid, mark, on_line, read, select_edges, select_only, wire_marks
 
 pytestmark = pytest.mark.api
@@ -51,13 +51,11 @@ def test_names_kinds_and_tolerances_are_changed_from_the_list(addon, source, mod
     assert listed(addon, source) == [("Waist", 0.02, 8), ("Middle", 0.05, 8)]
     assert change(edge=edge, kind="SUPER_ELASTIC") == {"FINISHED"}
     assert listed(addon, source) == [("Waist", math.inf, 8), ("Middle", 0.05, 8)]
+    assert change(edge=edge, kind="ELASTIC", tolerance_percent=2.5) == {"FINISHED"}  # as typed into the dialog
+    assert listed(addon, source)[0] == ("Waist", pytest.approx(0.025, rel=1e-6), 8)
+    with pytest.raises(RuntimeError, match="needs a tolerance above 0"):
+        change(edge=edge, kind="ELASTIC", tolerance=0)
     assert source.mode == mode
-
-
-def test_the_tolerance_typed_into_the_dialog_is_in_percent(addon, source):
-    select_only(source)
-    bpy.ops.mesh.wirewarp_change_wire(edge=edge_of(addon, source, "Bust"), kind="ELASTIC", tolerance_percent=2.5)
-    assert listed(addon, source)[0] == ("Bust", pytest.approx(0.025, rel=1e-6), 8)
 
 
 def test_a_wire_that_lost_its_middle_is_two(addon, source):
@@ -125,25 +123,17 @@ def test_what_was_marked_last_is_chosen_in_the_list(source):
 
 
 def test_what_is_no_wire_is_not_changed_or_selected(source):
-    with pytest.raises(RuntimeError, match='Edge 0 of "Bump" is not part of a wire. Choose one'):
-        bpy.ops.mesh.wirewarp_change_wire(edge=0)
-    with pytest.raises(RuntimeError, match='Edge 0 of "Bump" is not part of a wire. Choose one'):
-        bpy.ops.mesh.wirewarp_select_wire(edge=0)
+    for command in (bpy.ops.mesh.wirewarp_change_wire, bpy.ops.mesh.wirewarp_select_wire):
+        with pytest.raises(RuntimeError, match='Edge 0 of "Bump" is not part of a wire. Choose one'):
+            command(edge=0)
     select_edges(source, on_line(1, 0.5))
     with pytest.raises(RuntimeError, match="No selected edge is a wire"):
         bpy.ops.mesh.wirewarp_select_wire()
     assert source.mode == "EDIT"
-
-
-def test_an_elastic_wire_needs_a_tolerance(addon, source):
-    with pytest.raises(RuntimeError, match="needs a tolerance above 0"):
-        bpy.ops.mesh.wirewarp_change_wire(edge=edge_of(addon, source, "Bust"), kind="ELASTIC", tolerance=0)
-
-
-def test_wires_of_flat_pieces_are_changed_on_the_model(source):
+    bpy.ops.object.mode_set(mode="OBJECT")
     bpy.ops.object.wirewarp_flatten()
     select_only(bpy.data.objects["Bump Flat"])
-    assert not bpy.ops.mesh.wirewarp_change_wire.poll()
+    assert not bpy.ops.mesh.wirewarp_change_wire.poll()  # they are changed on the model
 
 
 @pytest.mark.parametrize("by", ["list", "selected edge"])
@@ -167,33 +157,13 @@ def test_wires_of_one_id_each_get_one_of_their_own(addon):
     assert own_ids([last, last]) == [last, 1]
 
 
-class Rows:
-    """A layout that keeps the words of what is drawn in it."""
-
-    def __init__(self):
-        self.words = []
-
-    def __getattr__(self, _name):
-        return lambda *_, **__: self
-
-    def __setattr__(self, name, value):
-        if name == "words":
-            vars(self)[name] = value
-
-    def label(self, text="", **_):
-        self.words.append(text)
-
-    def prop(self, entry, name, **_):
-        self.words.append(getattr(entry, name))
-
-
 def row_of(addon, target, entry, width=600):
+    """The words of an entry in the list."""
     select_only(target)
-    rows = Rows()
-    addon.marks.wire_list.WIREWARP_UL_wires.draw_item(
-        None, sidebar(width), rows, target.data, entry, 0, target.data, "", 0
-    )
-    return rows.words
+    layout = AnyLayout([], [])
+    kind = addon.marks.wire_list.WIREWARP_UL_wires
+    kind.draw_item(None, sidebar(width), layout, target.data, entry, 0, target.data, "", 0)
+    return layout.words
 
 
 def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source):

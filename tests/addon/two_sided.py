@@ -76,3 +76,17 @@ def select_side(source, side, line=SEAM):
         on_side = source.data.polygons[faces[edge.link_faces[0].index]].center.x * side >= 0
         edge.select_set(bool(on_side and line(*(model[sources[vertex.index]] for vertex in edge.verts))))
     bmesh.update_edit_mesh(flat.data)
+
+
+def widths_at_seam(addon, source):
+    """The allowances that the pattern has on the left and the right side of the seam, in millimeters; 0 at a fold."""
+    parts = addon.export.read.read_pattern(bpy.context.scene, source)
+    pieces = {piece.name: piece for piece in made(addon, parts).pieces}
+    sides = [line for name in ("Top Right", "Top Left") for line in pieces[name].of_role("sew", "fold")]
+    return [line.width for line in sides if line.seam is not None]
+
+
+def made(addon, parts, allowance=10.0):
+    """The pattern of these parts."""
+    choices = addon.export.export.PatternChoices(allowance, 100.0, "close")
+    return addon.solve.steps.in_one_go(parts.making(choices))

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Marks of one side of an edge, eases and allowances alike: what they survive, and what scripts may write."""
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import flat_of, mark, mark_seam, on_line, read, select_edges, select_only
+from two_sided import HEM, SEAM, ease, join_split_and_turn_over, select_side, shares, two_pieces, widths_at_seam
+
+
+class Eases:
+    """Measured on the flat pieces, as shares of the length on the model."""
+
+    attribute = "wirewarp_side_ease"
+    first, second, unmarked = 0.05, 0.02, 0.0
+    both = 0.0, 0.02  # once each side was marked: an ease of one side takes the place of the other's
+    stored, rounding = 1.0, 1e-5
+    twice = 'Edges of "Bump" have two eases of one side.*mark their ease again'
+
+    def __init__(self, addon):
+        self.addon, self.marks = addon, addon.state.allowances.SIDE_EASES
+
+    def mark_again(self, source):
+        mark(source, HEM)  # which goes on as ever
+        ease(source, SEAM, sides="ONE", ease_percent=5.0)
+
+    def mark_selected(self, value):
+        return bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=100 * value)
+
+    def mark_line(self, source, line, side):
+        ease(source, line, sides="ONE" if side < 0 else "OTHER", ease_percent=50.0)
+
+    def at_seam(self, source):
+        """Of the left and the right side."""
+        bpy.ops.object.wirewarp_flatten()
+        return shares(source)
+
+
+class Allowances:
+    """As the pattern has them, in millimeters."""
+
+    attribute = "wirewarp_side_allowance"
+    first, second, unmarked = 15.0, 6.0, 10.0
+    both = 15.0, 6.0
+    stored, rounding = 0.01, 1e-4  # a Blender unit is 100 mm
+    twice = "have two allowances of one side.*mark their allowance again"
+
+    def __init__(self, addon):
+        self.addon, self.marks = addon, addon.state.allowances.SIDE_ALLOWANCES
+
+    def mark_again(self, source):
+        mark_side(self, source, -1, self.first)
+
+    def mark_selected(self, value):
+        return bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=value)
+
+    def mark_line(self, source, line, side):
+        mesh, places = source.data, read(source.data.vertices, "co", np.float32, 3)
+        edges = [edge.index for edge in mesh.edges if line(*places[list(edge.vertices)])]
+        faces = [face for face in mesh.polygons if 0 < side * (face.center.x - 0.125) < 0.125]
+        corners = [loop for face in faces for loop in face.loop_indices if mesh.loops[loop].edge_index in edges]
+        assert self.addon.state.allowances.mark_sides(mesh, np.array(corners), 0.5) == 8
+
+    def at_seam(self, source):
+        bpy.ops.object.wirewarp_flatten()
+        return widths_at_seam(self.addon, source)
+
+
+@pytest.fixture
+def source():
+    return two_pieces()
+
+
+@pytest.fixture(params=[Eases, Allowances])
+def kind(request, addon):
+    return request.param(addon)
+
+
+def mark_side(kind, source, side, value):
+    """On the piece that lies left (-1) or right (1) of the seam."""
+    select_side(source, side)
+    assert kind.mark_selected(value) == {"FINISHED"}
+    assert flat_of(source).mode == "EDIT"
+    bpy.ops.object.mode_set(mode="OBJECT")
+    select_only(source)
+
+
+def check(kind, source, left, right):
+    assert kind.at_seam(source) == pytest.approx([left, right], abs=kind.rounding)
+
+
+def write_corners(kind, source, left, right):
+    """On the corners at which edges of the seam begin."""
+    mesh = source.data
+    sides = mesh.attributes.get(kind.attribute) or mesh.attributes.new(kind.attribute, "FLOAT", "CORNER")
+    places = read(mesh.vertices, "co", np.float32, 3)
+    for polygon in mesh.polygons:
+        following = np.roll(polygon.vertices, -1)
+        for corner, vertex, other in zip(polygon.loop_indices, polygon.vertices, following, strict=True):
+            if SEAM(places[vertex], places[other]):
+                sides.data[corner].value = (right if polygon.center.x > 0 else left) * kind.stored
+
+
+def test_a_side_marked_on_its_piece_survives_what_wires_survive(source, kind):
+    """Splitting edges, turning faces over, joining, another unit and a mirrored object."""
+    bpy.ops.object.wirewarp_flatten()
+    mark_side(kind, source, -1, kind.first)
+    check(kind, source, kind.first, kind.unmarked)
+    mark_side(kind, source, 1, kind.second)
+    check(kind, source, *kind.both)
+    join_split_and_turn_over(source)
+    bpy.ops.scene.wirewarp_set_unit(meters=0.1)
+    source.scale.x = -1
+    check(kind, source, *kind.both)
+
+
+def test_scripts_may_write_a_side_on_corners(source, kind):
+    write_corners(kind, source, kind.first, kind.second)
+    check(kind, source, kind.first, kind.second)
+    source.scale.x = -1
+    check(kind, source, kind.first, kind.second)
+
+
+def test_two_marks_of_one_side_are_told_until_it_is_marked_again(source, kind):
+    bpy.ops.object.wirewarp_flatten()
+    mark_side(kind, source, -1, kind.first)
+    write_corners(kind, source, kind.second, 0.0)
+    with pytest.raises((RuntimeError, kind.addon.issues.ObjectError), match=kind.twice) as told:
+        kind.at_seam(source)
+    if told.type is RuntimeError:  # of Flatten, which keeps a report
+        (issue,) = kind.addon.state.reports.last_report(source).issues
+        assert len(issue.edges) == 8
+    kind.mark_again(source)  # which takes the other away
+    assert sorted(kind.at_seam(source)) == pytest.approx(sorted([kind.first, kind.unmarked]), abs=kind.rounding)
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_between_parts_of_a_face_one_side_is_marked_and_what_was_marked_stays(source, kind, side):
+    """A loop cut copies what tells faces apart."""
+    bpy.ops.object.wirewarp_flatten()
+    mark_side(kind, source, 1, kind.first)
+    select_edges(source, lambda a, b: min(a.x, b.x) == 0 and max(a.x, b.x) == 0.25)
+    bpy.ops.mesh.subdivide(number_cuts=1)
+    beside = on_line(0, 0.125)
+    mark_seam(source, beside)
+    before = kind.marks.read(source.data)
+    kind.mark_line(source, beside, side)
+    after = kind.marks.read(source.data)
+    assert np.count_nonzero(before) == 8 and np.array_equal(after[before != 0], before[before != 0])
+    assert np.count_nonzero(after == np.float32(0.5)) == 8  # one corner of each edge
