@@ -16,7 +16,7 @@ using LoopPair = std::array<int, 2>;
 
 int num_loops(const Eq1& eq1) { return eq1.num_closures() / 2; }
 
-/// The loops on both sides of each edge, -1 where there is none.
+/// Returns the loops on both sides of each edge; -1 means no loop.
 std::vector<LoopPair> loops_of_edges(const Eq1& eq1) {
   std::vector<LoopPair> loops(eq1.num_edges(), {-1, -1});
   for (int loop = 0; loop < num_loops(eq1); ++loop) {
@@ -25,7 +25,7 @@ std::vector<LoopPair> loops_of_edges(const Eq1& eq1) {
   return loops;
 }
 
-/// Loops that share an edge, or that have edges with a common wire-node.
+/// Connects loops that share an edge, and loops with edges at a common wire-node.
 Graph neighbors_of_loops(const Eq1& eq1) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int loop = 0; loop < num_loops(eq1); ++loop) {
@@ -70,7 +70,7 @@ std::vector<int> order_elimination(const Eq1& eq1, const WireNetwork& network) {
       for (int row : {0, 1}) order.push_back(eq1.num_edges() + 2 * loop + row);
     }
   }
-  for (int e = 0; e < eq1.num_edges(); ++e) append(e);  // those on no loop
+  for (int e = 0; e < eq1.num_edges(); ++e) append(e);  // edges on no loop
   return order;
 }
 

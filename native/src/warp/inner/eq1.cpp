@@ -8,8 +8,8 @@
 namespace wirewarp {
 namespace {
 
-/// Weight 1/ℓ turns the sum of Eq. (1) into ∫ Δκ² ds, whatever the vertices. Scaled so that a node of mean length
-/// weighs 1.
+/// Returns the weight of each node. Weight 1/ℓ turns the sum of Eq. (1) into ∫ Δκ² ds, independent of the vertices. The
+/// weights are scaled so that a node of mean length has weight 1.
 Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight) {
   const auto num_nodes = static_cast<Eigen::Index>(network.nodes.size());
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(num_nodes);
@@ -23,8 +23,8 @@ Eigen::VectorXd node_weights(const WireNetwork& network, NodeWeight node_weight)
   return weights;
 }
 
-/// Headings that enclose the given angles: from one edge to the next the heading turns by π − θ, and an edge walked
-/// backwards heads the other way.
+/// Returns headings that enclose the given angles. From one edge to the next the heading turns by π − θ; an edge that
+/// is walked backwards has the opposite heading.
 Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::VectorXd& angles) {
   std::vector<std::vector<int>> nodes_of_edge(network.edges.size());
   for (int i = 0; i < static_cast<int>(network.nodes.size()); ++i) {
@@ -53,9 +53,9 @@ Eigen::VectorXd lay_out_headings(const WireNetwork& network, const Eigen::Vector
   return headings;
 }
 
-/// l (a - mean a) per edge, with a the mean surface angle at the nodes of the edge: the same on both mirror images of
-/// an edge. Plus, against mirror symmetry, the torque of the surface angles: + α on the edge before a node, - α after
-/// it.
+/// Returns a vector that depends on the shape of the network, not on its numbering. Its first term, l (a - mean a) per
+/// edge with a the mean surface angle at the edge's nodes, is equal on mirror-image edges. The second term breaks the
+/// mirror symmetry: the surface angle α counts + on the edge before a node and - on the edge after it.
 Eigen::VectorXd edges_by_angle(const WireNetwork& network) {
   const auto num_edges = static_cast<Eigen::Index>(network.edges.size());
   Eigen::VectorXd angle = Eigen::VectorXd::Zero(num_edges);

@@ -7,14 +7,14 @@
 //
 // The paper's unknowns are the angles, bound by linear rows (Σ(π−θ) = 2π per wire-patch, Σθ = 2π per inner vertex) and
 // by the closure of each loop. One heading per wire edge, shared by the wire-patches on both its sides, makes every
-// linear row hold by construction: with θ⁰ the angles of the starting headings and ψ the change of the headings,
-// θ = θ⁰ − (ψ_out − ψ_in). Left are
+// linear row hold by construction: with θ⁰ the angles of the starting headings and ψ the change of the headings, θ = θ⁰
+// − (ψ_out − ψ_in). The problem that remains is
 //
 //   min  ½ Σ w_i (θ_i − α_i)²   subject to   c_p = 0 for every wire-patch and every hole.
 //
-// The objective's Hessian is then a constant Laplacian on the wire edges and the closure's Hessian is diagonal. Holes
-// need their own rows (the paper leaves them out): wire-patches that close and fit at every inner vertex still leave a
-// gap around a hole.
+// The objective's Hessian is a constant Laplacian on the wire edges and the closure's Hessian is diagonal. Holes need
+// rows of their own, which the paper omits: even if all wire-patches close and fit at every inner vertex, a gap can
+// remain around a hole.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,26 +33,27 @@ class Eq1 {
   int num_edges() const { return static_cast<int>(base_headings_.size()); }
   int num_closures() const { return 2 * static_cast<int>(loops_.size()); }
 
-  /// The wire edges of closure rows 2 loop and 2 loop + 1.
+  /// Returns the wire edges of closure rows 2 loop and 2 loop + 1.
   const std::vector<int>& loop_edges(int loop) const { return loops_[static_cast<std::size_t>(loop)].edges; }
 
-  /// A change of headings that no symmetry of the network leaves as it is, whatever the numbering: it singles out one
-  /// of two mirror images. Edges between wide and narrow surface angles turn against each other. #edges.
+  /// A change of headings, #edges, that no symmetry of the network maps to itself, whatever the numbering. Moving along
+  /// it selects one of two mirror-image solutions. Edges at wide surface angles turn against edges at narrow ones.
   const Eigen::VectorXd& symmetry_breaker() const { return symmetry_breaker_; }
 
-  /// φ: radians, one per wire edge, of its half-edge 0. #edges.
+  /// Returns φ, #edges: the heading in radians of each wire edge's half-edge 0.
   Eigen::VectorXd headings(const Eigen::VectorXd& psi) const { return base_headings_ + psi; }
 
-  /// ½ Σ w (θ − α)².
+  /// Returns the objective ½ Σ w (θ − α)².
   double angle_variation(const Eigen::VectorXd& psi) const;
 
-  /// Its gradient by ψ. #edges.
+  /// Returns the gradient of the objective by ψ. #edges.
   Eigen::VectorXd gradient(const Eigen::VectorXd& psi) const;
 
-  /// Its Hessian by ψ, constant: lower and upper triangle, positive but for the common turn of all edges.
+  /// Hessian of the objective by ψ, both triangles. It is constant, and positive definite except for the rotation of
+  /// all edges together.
   const Eigen::SparseMatrix<double>& laplacian() const { return laplacian_; }
 
-  /// c for the given lengths. #closures: x and y of each loop.
+  /// Returns c for the given lengths. #closures: x and y of each loop.
   Eigen::VectorXd closure(const Eigen::VectorXd& psi, const Eigen::VectorXd& lengths) const;
 
   /// ∂c/∂ψ, #closures by #edges.
@@ -65,22 +66,23 @@ class Eq1 {
   /// ∂(qᵀc)/∂l. #edges.
   Eigen::VectorXd closure_by_lengths(const Eigen::VectorXd& psi, const Eigen::VectorXd& q) const;
 
-  /// Diagonal of ∂²(λᵀc)/∂ψ∂l: no edge's length acts on another's heading. #edges.
+  /// Diagonal of ∂²(λᵀc)/∂ψ∂l, #edges. The off-diagonal entries are zero: each closure term has one edge only.
   Eigen::VectorXd closure_by_headings_and_lengths(const Eigen::VectorXd& psi, const Eigen::VectorXd& multipliers) const;
 
  private:
   struct Node {
-    int in, out;    // wire edges
+    int in, out;    // indices of wire edges
     double base;    // θ⁰
     double target;  // α
     double weight;  // w
   };
   struct Loop {
     std::vector<int> edges;
-    std::vector<double> signs;  // over the length of the loop: +-1 / L
+    std::vector<double> signs;  // ±1 / length of the loop
   };
 
-  /// For each edge the sum over its loops of the two given values, with the edge's sign and over the loop's length.
+  /// Returns for each edge the sum of the two given values over its loops, each times the edge's sign over the loop's
+  /// length.
   Eigen::Matrix2Xd gather(const Eigen::VectorXd& per_closure) const;
 
   std::vector<Node> nodes_;

@@ -8,15 +8,15 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kClosed = 1e-12;       // a loop closes: gap / length of the loop
-constexpr double kNearlyClosed = 1e-3;  // the factor at hand is good enough to close the rest
-constexpr double kRounding = 2e-15;     // no better can be had in double precision
-constexpr double kStationary = 1e-10;   // projected gradient: E has six digits then, wherever loops start
+constexpr double kClosed = 1e-12;       // gap over the length of a loop that counts as closed
+constexpr double kNearlyClosed = 1e-3;  // gap from which restore() can close the loop with the present factor
+constexpr double kRounding = 2e-15;     // relative; double precision allows nothing better
+constexpr double kStationary = 1e-10;   // projected gradient; E then has six correct digits, whatever the start
 constexpr int kMaxSteps = 100;          // 3 to 16 are usual
 constexpr double kSmallestStep = 1e-6;  // twenty halvings
-constexpr double kBend = 0.3;           // radians at the edge that turns most: off the saddle, and loops still close
-constexpr double kLongestTurn = 2;      // radians of two edges against each other: beyond, no gap is linear in headings
-constexpr double kStalledRatio = 0.4;   // share of the gap that a whole step leaves only where symmetry is in the way
+constexpr double kBend = 0.3;           // radians at the edge that turns most; the loops can still be closed
+constexpr double kLongestTurn = 2;  // radians between two edges; for larger turns the gap is not linear in the headings
+constexpr double kStalledRatio = 0.4;  // a full step that leaves a larger share of the gap is blocked by symmetry
 
 double largest(const Eigen::VectorXd& v) { return v.size() == 0 ? 0 : v.lpNorm<Eigen::Infinity>(); }
 
@@ -47,15 +47,15 @@ void InnerProblem::linearize(const InnerSolution& solution, const Eigen::VectorX
               eq1_.closure_jacobian(solution.psi, lengths));
 }
 
-/// The minimum satisfies ∇F + Jᵀλ = 0 and c = 0. Differentiated by a length: K [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl, with
-/// K the matrix of the optimality system. c is linear in the lengths.
+/// A minimum satisfies ∇F + Jᵀλ = 0 and c = 0. Its derivative by the lengths is K [dψ; dλ] = -[∂(Jᵀλ)/∂l; ∂c/∂l] dl,
+/// where K is the matrix of the optimality system. c is linear in the lengths.
 Eigen::VectorXd InnerProblem::change_of_headings(const InnerSolution& solution,
                                                  const Eigen::VectorXd& change_of_lengths) const {
   const Eigen::VectorXd by_lengths = eq1_.closure_by_headings_and_lengths(solution.psi, solution.multipliers);
   return kkt_.solve(-by_lengths.cwiseProduct(change_of_lengths), -eq1_.closure(solution.psi, change_of_lengths)).step;
 }
 
-/// The adjoint: K [p; q] = [∂E/∂φ; 0], and dE/dl = ∂E/∂l - pᵀ∂(Jᵀλ)/∂l - qᵀ∂c/∂l.
+/// Solves the adjoint system K [p; q] = [∂E/∂φ; 0]; then dE/dl = ∂E/∂l - pᵀ∂(Jᵀλ)/∂l - qᵀ∂c/∂l.
 Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, const Eigen::VectorXd& by_headings,
                                                const Eigen::VectorXd& by_lengths) const {
   const KktSystem::Solution adjoint = kkt_.solve(by_headings, Eigen::VectorXd::Zero(eq1_.num_closures()));
@@ -64,10 +64,11 @@ Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, co
          eq1_.closure_by_lengths(solution.psi, adjoint.multipliers);
 }
 
-/// The paper's least-norm steps: the smallest weighted change of the current angles that closes the linearized loops,
-/// shortened where edges would turn too far or the gap would not shrink. Where it hardly shrinks, symmetry holds a
-/// wire straight that must bend to become shorter, which no linearization sees: it is bent once, the way that takes the
-/// least effort. Leaves the factor of the last step, or of the start where nothing is open.
+/// Closes the loops by the paper's least-norm steps: the smallest weighted change of the current angles that closes the
+/// linearized loops. A step is shortened if edges would turn too far or the gap would not shrink. If the gap hardly
+/// shrinks, symmetry keeps a wire straight that must bend to become shorter. No linearization sees this, so the wire is
+/// bent once, in the direction of least resistance. Afterwards kkt_ holds the factor of the last step, or of the start
+/// if no loop was open.
 bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);
@@ -101,10 +102,10 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
   return largest(gap) < kClosed;
 }
 
-/// Closes the loops again after a step along them, with the factor at hand.
+/// Closes the loops after a step tangent to them, with the present factor.
 bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const {
-  constexpr int kMaxRestorations = 40;  // each a back-substitution: cheaper than shorter steps and new factors
-  constexpr double kWorthwhile = 0.8;   // share of the gap that a step may leave: slower ones have stalled
+  constexpr int kMaxRestorations = 40;  // each costs one back-substitution, less than a shorter step with a new factor
+  constexpr double kWorthwhile = 0.8;   // share of the gap; a step that leaves more has stalled
   const Eigen::VectorXd no_gradient = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);
   for (int i = 0; i < kMaxRestorations && largest(gap) > kRounding; ++i) {
@@ -117,8 +118,9 @@ bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi)
   return largest(gap) < kClosed;
 }
 
-/// Factors with as much of the closures' curvature as leaves the step leading downhill; none always does. True if that
-/// is all of it. share: what to try after all of it; comes back closer to all where it served.
+/// Factors the system with the largest tried share of the closures' curvature for which the step goes downhill; share 0
+/// always does. Returns whether the full curvature was used. `share` is what to try after the full curvature; it is
+/// increased if it worked and halved if not.
 bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                                    double& share) {
   if (kkt_.factor(eq1_.laplacian(), closure_hessian, jacobian)) return true;
@@ -133,22 +135,22 @@ bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const
   return false;
 }
 
-/// A change of headings along the closed loops, largest entry 1, on its way to the one that the factored matrix resists
-/// least: a few steps of inverse iteration. Begun at the symmetry_breaker of the network, of two mirror images the same
-/// one is found whatever the numbering.
+/// Returns a change of headings that keeps the loops closed, with largest entry 1: a few steps of inverse iteration
+/// towards the eigenvector of the smallest eigenvalue of the factored matrix. Starting at the network's
+/// symmetry_breaker makes the result independent of the numbering if two mirror images exist.
 Eigen::VectorXd InnerProblem::inverse_iteration(Eigen::VectorXd turn) const {
-  constexpr int kIterations = 4;  // any turn that falls will do, so that few digits of the softest one are enough
+  constexpr int kIterations = 4;  // any descent direction is enough, so few digits of the eigenvector are needed
   const Eigen::VectorXd no_gap = Eigen::VectorXd::Zero(eq1_.num_closures());
   for (int i = 0; i < kIterations; ++i) {
     turn = kkt_.solve(turn, no_gap).step;
-    turn.array() -= turn.mean();  // the piece as a whole does not turn
+    turn.array() -= turn.mean();  // remove the rotation of the whole piece
     turn /= largest(turn);
   }
   return turn;
 }
 
-/// Moves by t along a direction and closes the loops again. False, with psi and value as they were, unless the value of
-/// Eq. (1) falls by `decrease` at least.
+/// Moves by t along a direction and closes the loops again. Returns false, with psi and value unchanged, unless the
+/// value of Eq. (1) decreases by at least `decrease`.
 bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& direction, double t, double decrease,
                         Eigen::VectorXd& psi, double& value) const {
   stop().check();
@@ -161,14 +163,14 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
   return true;
 }
 
-/// Leaves a saddle along a soft turn, to either side, as far as the gain predicted is above at_least. Without this and
-/// the bend in close_loops, 2 of 1,000 random networks that have a good shape are refused. The prediction is by the
-/// curvature of the Lagrangian, whatever share of it is in the factor. Close to the saddle a turn is sought until one
-/// falls: where the network is symmetric, its symmetry_breaker may hold little of it.
+/// Leaves a saddle along a direction of negative curvature, to either side, while the predicted gain is above at_least.
+/// The prediction uses the full curvature of the Lagrangian, whatever share of it is in the factor. Near the saddle the
+/// inverse iteration continues until it finds such a direction, because in a symmetric network the symmetry_breaker may
+/// contain little of it. Without this and the bend in close_loops, 2 of 1,000 random networks with a good shape fail.
 bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
                                 Eigen::VectorXd& psi, double& value) const {
   constexpr int kMaxSearches = 10;  // each takes a few substitutions
-  constexpr double kClose = 0.01;   // what is left to gain without leaving, over the value
+  constexpr double kClose = 0.01;   // remaining gain of the normal step over the value
   const int searches = at_least < kClose * value ? kMaxSearches : 1;
   Eigen::VectorXd turn = eq1_.symmetry_breaker();
   double fall = 0;
@@ -177,15 +179,15 @@ bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::Vec
     fall = -turn.dot(eq1_.laplacian() * turn + closure_hessian.cwiseProduct(turn));
   }
   for (double t = kBend; fall * t * t > at_least && t > kSmallestStep; t /= 2) {
-    const double promised = kSufficientDecrease * fall * t * t / 2;
-    if (move(lengths, turn, t, promised, psi, value) || move(lengths, turn, -t, promised, psi, value)) return true;
+    const double predicted = kSufficientDecrease * fall * t * t / 2;
+    if (move(lengths, turn, t, predicted, psi, value) || move(lengths, turn, -t, predicted, psi, value)) return true;
   }
   return false;
 }
 
-/// Feasible sequential quadratic programming with the exact Hessian of the Lagrangian: every iterate closes. Ends where
-/// the projected gradient vanishes and the inertia says that this is a minimum; a saddle is left along the direction in
-/// which it falls. The first multipliers are those of the factor that closed the loops.
+/// Minimizes Eq. (1) by feasible sequential quadratic programming with the exact Hessian of the Lagrangian: all loops
+/// stay closed in every iterate. It ends if the projected gradient vanishes and the inertia proves a minimum; a saddle
+/// is left along a direction of negative curvature. The first multipliers come from the factor that closed the loops.
 bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solution) {
   Eigen::VectorXd& psi = solution.psi;
   Eigen::VectorXd& multipliers = solution.multipliers;

@@ -12,40 +12,40 @@ namespace wirewarp {
 
 struct InnerSolution {
   Eigen::VectorXd headings;                                              // φ, radians, #wire edges
-  Eigen::VectorXd psi;                                                   // their change from the starting headings
+  Eigen::VectorXd psi;                                                   // change of φ from the starting headings
   Eigen::VectorXd multipliers;                                           // λ of the closures, #closures
-  double closure_residual = 0;                                           // largest gap of a loop / its length
-  double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // largest entry of ∇F + Jᵀλ; NaN: not sought
+  double closure_residual = 0;                                           // largest gap of a loop over the loop's length
+  double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // largest entry of ∇F + Jᵀλ; NaN: not computed
   int num_solves = 0;                                                    // factorizations
   bool is_feasible = false;                                              // every loop closes
-  bool is_minimum = false;  // stationary to 1e-10 with the right inertia (or closing is all that was asked for)
+  bool is_minimum = false;  // projected gradient below 1e-10 and correct inertia (or least_norm was requested)
 };
 
-/// Solves Eq. (1) on one network for as many lengths as wanted. All throw Stopped, and FactorizationFailed at a zero
-/// pivot.
+/// Solves Eq. (1) on one network for any number of lengths. All functions throw Stopped, and FactorizationFailed at a
+/// zero pivot.
 class InnerProblem {
  public:
-  /// stop: checked before each factorization, and before each step along closed loops.
+  /// stop: checked before each factorization and before each step with closed loops.
   InnerProblem(const WireNetwork& network, NodeWeight node_weight, StopToken stop = {})
       : eq1_(network, node_weight), kkt_(eq1_, network, std::move(stop)) {}
 
-  /// The local minimum of Eq. (1) reached from the surface angles (Inner::minimum), or the first point where every
-  /// loop closes (Inner::least_norm). lengths: positive, scene units, #wire edges.
+  /// Returns the local minimum of Eq. (1) reached from the surface angles (Inner::minimum), or the first point where
+  /// all loops close (Inner::least_norm). lengths: positive, scene units, #wire edges.
   InnerSolution solve(const Eigen::VectorXd& lengths, Inner inner);
 
-  /// The local minimum of Eq. (1) for these lengths reached from the solution for others, which keeps to one branch of
-  /// minima where there are several, and takes few factorizations.
+  /// Returns the local minimum of Eq. (1) for these lengths reached from the solution for other lengths. This stays on
+  /// the same branch if there are several minima, and takes few factorizations.
   InnerSolution follow(const InnerSolution& from, const Eigen::VectorXd& lengths);
 
-  /// Factors the optimality system at a solution that is a minimum, for the derivatives there: φ follows the lengths
-  /// along the minima of Eq. (1). Each takes one solve.
+  /// Factors the optimality system at a minimum. change_of_headings() and total_derivative() need this and take one
+  /// solve each.
   void linearize(const InnerSolution& solution, const Eigen::VectorXd& lengths);
 
-  /// The change of φ with a change of lengths. #wire edges.
+  /// Returns the change of φ, #wire edges, caused by a change of lengths along the minima of Eq. (1).
   Eigen::VectorXd change_of_headings(const InnerSolution& solution, const Eigen::VectorXd& change_of_lengths) const;
 
-  /// For a function E(φ, l) of the solved network: its derivative by the lengths alone. by_headings, by_lengths: ∂E/∂φ,
-  /// ∂E/∂l at the solution. #wire edges each.
+  /// Returns dE/dl of a function E(φ, l) if φ follows the lengths along the minima of Eq. (1). by_headings, by_lengths:
+  /// ∂E/∂φ and ∂E/∂l at the solution, #wire edges each.
   Eigen::VectorXd total_derivative(const InnerSolution& solution, const Eigen::VectorXd& by_headings,
                                    const Eigen::VectorXd& by_lengths) const;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placing the vertices between the wires (paper II-A, the convex-combination map of its [38]): every vertex off the
-// wire network is the weighted mean of its neighbors, with Floater's mean-value weights of the 3D surface.
+// Placement of the vertices between the wires (paper II-A, the convex-combination map of its [38]): every vertex off
+// the wire network is the weighted mean of its neighbors, with Floater's mean-value weights of the 3D surface.
 //
-//   (I - W) u_interior = B u_network    W, B  the weights of neighbors off and on the network
+//   (I - W) u_interior = B u_network    W, B  weights of the neighbors off and on the network
 //
-// The matrix knows nothing of lengths or angles of the flat shape: it is factored once per chart, and serves every
-// flattening of it. Wire-patches are independent blocks of it.
+// The matrix does not depend on the flat shape: it is factored once per chart and used for every flattening.
+// Wire-patches are independent blocks of it.
 #pragma once
 
 #include <optional>
@@ -21,25 +21,25 @@ namespace wirewarp {
 
 class InteriorPlacement {
  public:
-  /// Factors I - W. Every vertex of the chart must be joined to the network, as in a connected chart with a boundary.
-  /// Throws FactorizationFailed where rounding leaves a pivot that is not positive.
+  /// Factors I - W. Every vertex of the chart must be connected with the network, as in a connected chart with a
+  /// boundary. Throws FactorizationFailed if rounding makes a pivot zero or negative.
   InteriorPlacement(const Chart& chart, const WireNetwork& network, const StopToken& stop = {});
 
-  /// Fills the rows of uv (one per chart vertex) that are not on the network from those that are.
+  /// Computes the rows of uv off the network from those on it. uv: one row per chart vertex.
   void place(Positions2& uv) const;
 
-  /// The adjoint of place(): adds to the rows of network vertices what the rows off the network carry to them, so that
-  /// ∂E/∂uv of all vertices becomes the derivative by the network's alone. The rows off the network become zero.
+  /// The adjoint of place(): turns ∂E/∂uv of all vertices into the derivative by the network's vertices alone. The rows
+  /// off the network become zero.
   void pull_back(Positions2& by_uv) const;
 
-  /// Matrices factored: 1, or 0 where every vertex lies on the network.
+  /// Number of matrix factorizations: 1, or 0 if every vertex is on the network.
   int factorizations() const { return lu_ ? 1 : 0; }
 
  private:
   using Matrix = MultifrontalLu::Matrix;
 
-  std::vector<int> interior_;         // chart vertices off the network: row i of the matrices is vertex interior_[i]
-  Matrix to_network_;                 // B, with a column per chart vertex
+  std::vector<int> interior_;         // chart vertices off the network, in the order of the matrix rows
+  Matrix to_network_;                 // B, one column per chart vertex
   std::optional<MultifrontalLu> lu_;  // of I - W
 };
 

@@ -9,8 +9,8 @@
 namespace wirewarp {
 namespace {
 
-/// Of a closure that depends on others, as one of a slit of one edge does: enough for a pivot that rounding leaves of
-/// it, about 1e-16 of its scale, to keep its sign; the solution is refined without.
+/// δ for closures that depend on others, such as one of a slit of one edge. It is large enough to keep the sign of a
+/// pivot that is only rounding, about 1e-16 of its scale. solve() removes its effect by refinement.
 constexpr double kRegularization = 1e-13;
 
 }  // namespace
@@ -30,7 +30,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
   stop_.check();
   const Eigen::VectorXd weight = laplacian.diagonal();
   const double mean_diagonal = weight.mean();
-  // Of J W⁻¹ Jᵀ, one for x and y of a loop: of a slit along an axis one of the two is no more than rounding.
+  // The scale of J W⁻¹ Jᵀ, one for both x and y of a loop: for a slit along an axis, one of the two is only rounding.
   Eigen::VectorXd loop_scale = Eigen::VectorXd::Zero(num_closures_ / 2);
   const Eigen::VectorXi& position = order_.indices();
   std::vector<Eigen::Triplet<double>> entries;
@@ -42,7 +42,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
       if (row < column) entries.emplace_back(row, column, it.value());
       if (row == column) entries.emplace_back(row, row, it.value() + diagonal[e] + (e == 0 ? mean_diagonal : 0));
     }
-    // A closure comes after its edges.
+    // A closure comes after its edges in the order, so the entry is in the upper triangle.
     for (Iterator it(jacobian, e); it; ++it) {
       entries.emplace_back(column, position[num_edges_ + static_cast<int>(it.row())], it.value());
       loop_scale[it.row() / 2] += it.value() * it.value() / weight[e];
@@ -64,7 +64,7 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
 
 KktSystem::Solution KktSystem::solve(const Eigen::VectorXd& r1, const Eigen::VectorXd& r2) const {
   if (factor_.info() != Eigen::Success) throw FactorizationFailed("KktSystem: a pivot is zero");
-  constexpr int kRefinements = 2;  // each takes away δ over the curvature of what is solved for
+  constexpr int kRefinements = 2;  // each reduces the error by δ over the curvature of the solved closures
   Eigen::VectorXd right(num_edges_ + num_closures_);
   right << r1, r2;
   right = order_ * right;

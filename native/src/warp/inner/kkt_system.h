@@ -4,8 +4,8 @@
 //   [ L + D   Jᵀ ] [ d ]   [ r₁ ]       L  Laplacian of the angles, D diagonal, J closure Jacobian
 //   [ J      −δ  ] [ λ ] = [ r₂ ]       δ  diagonal, 1e-13 of J diag(L)⁻¹ Jᵀ: closures may depend on one another
 //
-// factored as LDLᵀ without pivoting, in the order of elimination_order.h. One edge carries an extra diagonal that keeps
-// the piece from turning as a whole.
+// factored as LDLᵀ without pivoting, in the order of elimination_order.h. An extra diagonal entry at one edge fixes the
+// rotation of the whole piece.
 #pragma once
 
 #include <Eigen/SparseCholesky>
@@ -20,8 +20,8 @@ class KktSystem {
   /// stop: checked before each factorization.
   KktSystem(const Eq1& eq1, const WireNetwork& network, StopToken stop = {});
 
-  /// False if L + D is not positive definite on the closures' null space (the inertia is wrong): the step would not
-  /// lead downhill. Counted in num_factorizations.
+  /// Returns false if L + D is not positive definite on the closures' null space (wrong inertia): the step may not go
+  /// downhill then. Increments num_factorizations.
   bool factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& diagonal,
               const Eigen::SparseMatrix<double>& jacobian);
 
@@ -41,8 +41,8 @@ class KktSystem {
   int num_closures_;
   StopToken stop_;
   int num_factorizations_ = 0;
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;  // unknown -> place in the elimination
-  Eigen::SparseMatrix<double> matrix_;  // upper triangle in elimination order, δ left out
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order_;  // unknown -> position in the elimination order
+  Eigen::SparseMatrix<double> matrix_;  // upper triangle in elimination order, without δ
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>> factor_;
 };
 

@@ -46,12 +46,12 @@ Eigen::VectorXd project_on_angle_sums(const WireNetwork& network, const Eigen::V
   Eigen::VectorXd angles(num_nodes);
   for (int i = 0; i < num_nodes; ++i) angles[i] = network.nodes[i].surface_angle;
 
-  // Each node is in one patch row and at most one vertex or hole row: a bipartite graph that the free nodes on the
-  // outer boundary ground, so the rows are independent and A W⁻¹ Aᵀ is positive definite.
+  // Each node is in one patch row and in at most one vertex or hole row. The free nodes on the outer boundary ground
+  // this bipartite graph, so the rows are independent and A W⁻¹ Aᵀ is positive definite.
   const Eigen::SparseMatrix<double> weighted = rows * weights.cwiseInverse().asDiagonal();
   const Eigen::SparseMatrix<double> normal = weighted * rows.transpose();
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(normal);
-  for (int pass = 0; pass < 2; ++pass) {  // the second pass removes the rounding of the first
+  for (int pass = 0; pass < 2; ++pass) {  // the second pass removes rounding errors of the first
     angles += weighted.transpose() * factor.solve(target - rows * angles);
   }
   return angles;

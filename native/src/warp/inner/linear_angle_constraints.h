@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The linear rows of Eq. (1): the angles of a wire-patch, around an inner vertex and around a hole.
+// The linear rows of Eq. (1): angle sums of each wire-patch, around each inner vertex and around each hole.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,11 +8,11 @@
 
 namespace wirewarp {
 
-/// The planar angles closest to the surface angles, Σ w (θ − α)² least, that satisfy
+/// Returns the planar angles closest to the surface angles (least Σ w (θ − α)²) that satisfy
 ///   Σ θ = (n − 2) π over the n nodes of each wire-patch,
 ///   Σ θ = 2 π around each network vertex inside the chart,
 ///   Σ θ = (m + 2) π around each hole of m vertices.
-/// weights: one per node. Returns radians, one per node.
+/// weights: one per node. The result is in radians, one per node.
 Eigen::VectorXd project_on_angle_sums(const WireNetwork& network, const Eigen::VectorXd& weights);
 
 }  // namespace wirewarp

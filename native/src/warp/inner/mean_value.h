@@ -13,9 +13,9 @@ struct WeightedVertex {
   double weight;  // positive
 };
 
-/// The neighbors of a vertex inside the mesh and their mean-value weights, which sum to 1, in the order of the mesh's
-/// vertex circulator; ring is overwritten. With α_j the 3D angle at the center of the triangle after neighbor j, and
-/// l_j the edge to it,
+/// Writes the neighbors of an interior vertex and their mean-value weights, which sum to 1, to ring, in the order of
+/// the mesh's vertex circulator. With α_j the 3D angle at the center of the triangle after neighbor j, and l_j the edge
+/// to neighbor j,
 ///
 ///   w_j = (tan(α_{j-1}/2) + tan(α_j/2)) / l_j.
 ///

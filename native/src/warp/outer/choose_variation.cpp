@@ -14,12 +14,12 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kTolerance = 1e-6;     // relative decrease that is not worth another step
-constexpr double kIsometry = 1e-14;     // shape error: strains of 1e-7, the rounding of meshes in single precision
+constexpr double kTolerance = 1e-6;     // smallest relative decrease worth another step
+constexpr double kIsometry = 1e-14;     // shape error of strains of 1e-7, the rounding of single-precision meshes
 constexpr int kMaxEvaluations = 100;    // 6 to 25 are usual, for 4 to 232 wires
-constexpr std::size_t kManyParts = 50;  // from here on BFGS learns too slowly how they act on one another
-constexpr double kShortest = -0.99;     // 1 + h > 0, with room for the line search
-constexpr double kLongest = 100;        // where nothing else bounds a free wire; finite, for the box
+constexpr std::size_t kManyParts = 50;  // with more parts, BFGS learns their interaction too slowly
+constexpr double kShortest = -0.99;     // keeps 1 + h > 0, with room for the line search
+constexpr double kLongest = 100;        // for free wires without another bound; finite, because the box needs a bound
 
 OuterSolution measured(const Warp& warp, const Eigen::VectorXd& variation, WarpedShape shape) {
   OuterSolution solution;
@@ -35,7 +35,7 @@ OuterSolution evaluate(Warp& warp, const Eigen::VectorXd& variation) {
 }
 
 OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution start) {
-  if (!start.shape.inner.is_minimum) {  // E has no gradient by h there
+  if (!start.shape.inner.is_minimum) {  // E has no gradient by h at this point
     start.converged = false;
     return start;
   }
@@ -112,7 +112,7 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
     return std::tuple(!s.shape.inner.is_feasible, !s.shape.inner.is_minimum, s.shape_error);
   };
   OuterSolution start = std::move(rank(relaxed) <= rank(rigid) ? relaxed : rigid);
-  start.evaluations = 1;  // of the other one
+  start.evaluations = 1;  // the evaluation of the other start
   start.inner_solves = inner_solves;
   start.free_factorizations = free.factorizations;
   return start;

@@ -14,13 +14,13 @@ struct OuterSolution {
   Eigen::VectorXd variation;  // h, one per wire part
   double shape_error = 0;     // E over the 3D area
   int iterations = 0;
-  int evaluations = 0;          // of E; with its gradient but for a start that was not taken
-  int inner_solves = 0;         // factorizations of Eq. (1) in all
-  int free_factorizations = 0;  // of the free flattening that h0 is taken from
+  int evaluations = 0;          // evaluations of E, with gradients except for a start that is not used
+  int inner_solves = 0;         // all factorizations of Eq. (1)
+  int free_factorizations = 0;  // factorizations of the free flattening that gives h0
   bool converged = true;
 };
 
-/// Bounds on h, one per wire part; equal where h is 0: on rigid parts and boundaries.
+/// Bounds on h, one per wire part. They are equal for rigid parts and boundaries, where h is 0.
 struct VariationBounds {
   Eigen::VectorXd lower;
   Eigen::VectorXd upper;
@@ -28,19 +28,19 @@ struct VariationBounds {
   std::vector<int> elastic_parts() const;
 };
 
-/// |h| <= tolerance on elastic parts, and -0.99 <= h <= 100 on all, super-elastic ones among them. WireWarping keeps
-/// the user's wires rigid and leaves only the helper wires free. The least-norm solution has no gradient by h: there h
-/// is 0 everywhere.
+/// Returns |h| <= tolerance for elastic parts and -0.99 <= h <= 100 for super-elastic ones. WireWarping keeps the
+/// user's wires rigid; only its helper wires are free. The least-norm solution has no gradient by h, so h is 0
+/// everywhere.
 VariationBounds variation_bounds(const Chart& chart, const Options& options);
 
-/// h0, where the search begins: the lengths of a free ARAP flattening within the bounds, or h = 0 where ψ(0) is better,
-/// is an isometry, or no part is elastic. shape.inner is not feasible where neither exists.
+/// Returns h0, the start of the search: the lengths of a free ARAP flattening, clamped to the bounds. h0 = 0 if ψ(0) is
+/// better or an isometry, or if no part is elastic. shape.inner is not feasible if neither start has a shape.
 OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds);
 
-/// The length variations with the least shape error within the bounds, found from h0; h0 itself where there is nothing
-/// to improve. The wire angles follow from one h to the next, so that E does not jump where Eq. (1) has several minima.
-/// Not converged where they reach no minimum at h0: E has no gradient there. The warp's token is checked before each
-/// evaluation, too.
+/// Returns the length variations with the least shape error within the bounds, found from h0; h0 itself if nothing can
+/// be improved. The wire angles follow from one h to the next, so that E does not jump if Eq. (1) has several minima.
+/// The result is not converged if the angles are not at a minimum of Eq. (1) at h0, because E has no gradient there.
+/// The warp's token is also checked before each evaluation.
 OuterSolution choose_variation(const Chart& chart, Warp& warp, const VariationBounds& bounds);
 
 }  // namespace wirewarp

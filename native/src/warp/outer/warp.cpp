@@ -8,7 +8,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kFloor = 1e-4;  // of curvatures, over their mean: a length with no effect on E keeps a finite step
+/// Added to the curvatures, relative to their mean: a length without effect on E gets a finite step.
+constexpr double kFloor = 1e-4;
 
 Eigen::VectorXd edge_lengths(const WireNetwork& network) {
   Eigen::VectorXd lengths(static_cast<Eigen::Index>(network.edges.size()));
@@ -64,7 +65,7 @@ WarpedShape Warp::lay_out(InnerSolution inner, Eigen::VectorXd lengths) const {
 
 double Warp::shape_error(const WarpedShape& shape) const { return shape_error_.energy(shape.uv) / area_; }
 
-/// From ∂E/∂uv to the derivative by h, over the area. Needs the linearized inner problem.
+/// Turns ∂E/∂uv into the derivative by h, divided by the area. Needs the linearized inner problem.
 Eigen::VectorXd Warp::by_variation(const WarpedShape& shape, Positions2 by_uv) const {
   placement_.pull_back(by_uv);
   Eigen::VectorXd by_headings;

@@ -6,7 +6,8 @@
 namespace wirewarp {
 namespace {
 
-/// Nearer than this part of an edge to its end, a path goes through the end: what it cuts off would be a sliver.
+/// Share of an edge. A path that crosses an edge nearer to its end than this passes through the end: otherwise the cut
+/// would leave a sliver.
 constexpr double kNearVertex = 0.1;
 
 PathPoint snap(const HalfEdgeMesh& mesh, const PathPoint& point, double reach) {
@@ -20,7 +21,8 @@ bool touches(const HalfEdgeMesh& mesh, const PathPoint& point, VertexHandle v) {
   return mesh.from_vertex_handle(point.half_edge) == v || mesh.to_vertex_handle(point.half_edge) == v;
 }
 
-/// Appends a vertex. What the path crossed at its edges before, and the loop it made if it was there, drop out.
+/// Appends a vertex. Removes the crossings of its edges just before it and, if the path passed the vertex already, the
+/// loop in between.
 void pass_vertex(const HalfEdgeMesh& mesh, VertexHandle v, MeshPath& path) {
   const auto is_v = [&](const PathPoint& point) { return point.vertex == v; };
   path.erase(std::find_if(path.begin(), path.end(), is_v), path.end());
@@ -28,8 +30,8 @@ void pass_vertex(const HalfEdgeMesh& mesh, VertexHandle v, MeshPath& path) {
   path.push_back(PathPoint::at_vertex(v));
 }
 
-/// reach_of: of a point on an edge, the part of the edge within which its ends are near; ends_at: called with each
-/// vertex that the path comes to.
+/// reach_of: returns the share of an edge within which a crossing snaps to an end. ends_at: called at each vertex of
+/// the path; true ends the path there.
 template <class ReachOf, class EndsAt>
 MeshPath snap_until(const HalfEdgeMesh& mesh, const MeshPath& path, const ReachOf& reach_of, const EndsAt& ends_at) {
   MeshPath snapped{path.front()};
@@ -69,7 +71,7 @@ HalfEdgeChain embed_path(SplitChart& refined, const MeshPath& path) {
   HalfEdgeChain chain;
   VertexHandle last = path.front().vertex;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    // The last vertex lies opposite to the next edge: splitting that edge joins it to the new vertex.
+    // The last vertex is opposite to the next edge, so splitting that edge connects it with the new vertex.
     const VertexHandle next = path[i].is_vertex() ? path[i].vertex : split_edge(refined, path[i].half_edge, path[i].t);
     chain.push_back(mesh.find_halfedge(last, next));
     last = next;

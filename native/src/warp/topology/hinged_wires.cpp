@@ -8,7 +8,7 @@
 namespace wirewarp {
 namespace {
 
-/// The wire edges that leave a vertex.
+/// Returns the wire edges that leave a vertex.
 std::vector<HalfedgeHandle> wires_at(const SplitChart& refined, VertexHandle v) {
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   std::vector<HalfedgeHandle> wires;
@@ -18,7 +18,8 @@ std::vector<HalfedgeHandle> wires_at(const SplitChart& refined, VertexHandle v) 
   return wires;
 }
 
-/// All wire vertices but those of the tail's own wire, up to and with the one where another meets it.
+/// Marks all wire vertices except those of the tail's own wire from the tail to the first vertex where another wire
+/// meets it, inclusive.
 std::vector<char> other_wires(const SplitChart& refined, VertexHandle tail) {
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   std::vector<char> is_other(mesh.n_vertices(), 0);
@@ -34,7 +35,7 @@ std::vector<char> other_wires(const SplitChart& refined, VertexHandle tail) {
   }
 }
 
-/// Whether a path goes round the surface rather than on: twice as long as the way along edges between its ends.
+/// Whether a path winds around the surface: it is twice as long as the shortest edge path between its ends.
 bool winds(const HalfEdgeMesh& mesh, const MeshPath& path) {
   constexpr double kTimesLonger = 2;
   const double length = path_length(mesh, path);
@@ -63,7 +64,7 @@ void extend_tail(SplitChart& refined, VertexHandle tail, HalfedgeHandle wire) {
 }  // namespace
 
 void extend_hinged_wires(SplitChart& refined, WorkMeter& work) {
-  const std::size_t num_vertices = refined.chart.mesh.n_vertices();  // no helper wire ends inside
+  const std::size_t num_vertices = refined.chart.mesh.n_vertices();  // helper wires do not end inside the chart
   for (std::size_t i = 0; i < num_vertices; ++i) {
     const VertexHandle v(static_cast<int>(i));
     work.did(1);
@@ -71,7 +72,7 @@ void extend_hinged_wires(SplitChart& refined, WorkMeter& work) {
     const std::vector<HalfedgeHandle> wires = wires_at(refined, v);
     if (wires.size() != 1) continue;
     extend_tail(refined, v, wires.front());
-    work.did(num_vertices);  // its way goes along a few of them, but what is asked of it looks at all
+    work.did(num_vertices);  // the path passes few vertices, but the searches visit all of them
   }
 }
 

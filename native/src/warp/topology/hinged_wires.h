@@ -5,9 +5,9 @@
 
 namespace wirewarp {
 
-/// Extends every wire that ends inside the chart by a helper wire, straight on until it meets a wire or a boundary
-/// (paper III-A). Where straight on leads round the surface, the shortest path to another wire or boundary is taken.
-/// Throws UnjoinedWires where there is none.
+/// Extends every wire that ends inside the chart by a helper wire: straight until it meets a wire or a boundary (paper
+/// III-A), or along the shortest path to another wire or boundary if the straight line winds around the surface. Throws
+/// UnjoinedWires if there is no path.
 void extend_hinged_wires(SplitChart& refined, WorkMeter& work);
 
 }  // namespace wirewarp

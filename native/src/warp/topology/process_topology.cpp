@@ -23,8 +23,8 @@ std::optional<Chart> process_topology(const Chart& chart, const StopToken& stop)
   if (is_sound(build_wire_network(chart))) return std::nullopt;
   SplitChart refined(chart);
   WorkMeter work(stop);
-  extend_hinged_wires(refined, work);  // III-A
-  join_separate_loops(refined, work);  // III-B
+  extend_hinged_wires(refined, work);
+  join_separate_loops(refined, work);
   restore_delaunay(refined, work);
   if (!is_sound(build_wire_network(refined.chart))) throw UnjoinedWires("A wire is hinged or a loop is separate.");
   return std::move(refined.chart);

@@ -11,7 +11,7 @@
 namespace wirewarp {
 namespace {
 
-/// Wire edges with the same region on both sides.
+/// Returns the wire edges with the same region on both sides.
 std::set<int> find_hinged_edges(const WireNetwork& network) {
   std::set<int> hinged;
   for (const WirePatch& patch : network.patches) {
@@ -25,13 +25,13 @@ std::set<int> find_hinged_edges(const WireNetwork& network) {
   return hinged;
 }
 
-/// Takes a walk apart at its hinged edges. The walk passes each twice, there and back, and what lies between is one
-/// loop or more beyond the edge.
+/// Divides a walk at its hinged edges. The walk passes each of them twice, and the part in between is one or more loops
+/// beyond the edge.
 void add_loops(const WireNetwork& network, const std::set<int>& hinged, const std::vector<WirePatch::Step>& walk,
                std::vector<WireLoop>& loops) {
   std::vector<WireLoop> found(1);
   std::vector<std::size_t> nested{0};
-  std::vector<int> open;  // hinged edges on the way from loop to loop
+  std::vector<int> open;  // hinged edges passed once so far
   for (std::size_t i = 0; i < walk.size(); ++i) {
     const VertexHandle v = network.nodes[walk[i].node].vertex;
     const int edge = walk[i].half_edge.edge;
@@ -56,7 +56,7 @@ void add_loops(const WireNetwork& network, const std::set<int>& hinged, const st
   }
 }
 
-/// The shortest loop that at most one wire joins to others.
+/// Returns the shortest of the loops that at most one wire joins to others.
 std::size_t choose_loop(const std::vector<WireLoop>& loops) {
   std::size_t chosen = loops.size();
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -71,7 +71,7 @@ std::size_t index_of(const WireLoop& loop, VertexHandle v) {
   return static_cast<std::size_t>(std::find(loop.vertices.begin(), loop.vertices.end(), v) - loop.vertices.begin());
 }
 
-/// The vertex nearest to a distance along the loop from one of its vertices.
+/// Returns the vertex nearest to a distance along the loop from one of its vertices.
 std::size_t vertex_at_distance(const WireLoop& loop, std::size_t from, double distance) {
   const double goal = std::fmod(loop.position[from] + distance, loop.length);
   const auto miss = [&](std::size_t i) {
@@ -104,7 +104,7 @@ void join_loop(SplitChart& refined, const std::vector<WireLoop>& loops, const Wi
   std::set<int> joined{first.idx()};
   for (const std::size_t i : {farthest, vertex_at_distance(loop, start, halfway),
                               vertex_at_distance(loop, farthest, (loop.length - 2 * halfway) / 2)}) {
-    if (!joined.insert(loop.vertices[i].idx()).second) continue;  // a loop of fewer than four vertices
+    if (!joined.insert(loop.vertices[i].idx()).second) continue;  // the loop has fewer than four vertices
     join_by_shortest_path(refined, {loop.vertices[i]}, is_target);
   }
 }
@@ -122,7 +122,7 @@ std::vector<WireLoop> find_separate_loops(const WireNetwork& network) {
 }
 
 void join_separate_loops(SplitChart& refined, WorkMeter& work) {
-  // Every round leaves fewer loops or fewer edges with one region on both sides.
+  // Every round reduces the number of loops or of edges with the same region on both sides.
   for (std::size_t rounds_left = refined.chart.mesh.n_edges(); rounds_left > 0; --rounds_left) {
     const std::vector<WireLoop> loops = find_separate_loops(build_wire_network(refined.chart));
     if (loops.empty()) return;

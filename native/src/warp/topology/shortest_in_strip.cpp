@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The funnel algorithm: unfold the strip into the plane and pull a string through its crossings.
+// Funnel algorithm: unfolds the strip into the plane and pulls a string through its crossings.
 #include <algorithm>
 #include <cmath>
 
@@ -9,12 +9,13 @@
 namespace wirewarp {
 namespace {
 
-/// A crossed edge in the plane and the part of it that is open to the path; at both ends of the strip a point.
+/// A crossed edge in the plane with the part of it that the path may cross. The gates at both ends of the strip are
+/// points.
 struct Gate {
   Planar from;
   Planar to;
-  double first_t = 0;  // open from here, the right end,
-  double last_t = 1;   // to here, the left end
+  double first_t = 0;  // right end of the open part
+  double last_t = 1;   // left end of the open part
 
   Planar point(double t) const { return from + t * (to - from); }
   Planar right() const { return first_t == 0 ? from : point(first_t); }
@@ -22,7 +23,8 @@ struct Gate {
 };
 
 std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const Strip& strip) {
-  constexpr double kKeptAway = 0.25;  // of an edge that ends on a wire: enough for triangles between path and wire
+  // Share of an edge that ends on a wire; leaves room for triangles between path and wire.
+  constexpr double kKeptAway = 0.25;
   Planar from = 0;
   Planar to = edge_length(mesh, strip.crossings.front());
   Planar apex = apex_over(mesh, strip.crossings.front());
@@ -30,7 +32,7 @@ std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const 
   for (std::size_t i = 0; i < strip.crossings.size(); ++i) {
     const HalfedgeHandle h = strip.crossings[i];
     if (i > 0) {
-      const HalfedgeHandle entry = mesh.opposite_halfedge_handle(strip.crossings[i - 1]);  // runs back: to, from
+      const HalfedgeHandle entry = mesh.opposite_halfedge_handle(strip.crossings[i - 1]);  // from `to` to `from`
       (h == mesh.next_halfedge_handle(entry) ? to : from) = apex;
     }
     gates.push_back({from, to, wires.has(mesh.from_vertex_handle(h)) ? kKeptAway : 0,
@@ -41,7 +43,7 @@ std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const 
   return gates;
 }
 
-/// A point where the string is fixed: the gates first_gate to last_gate have it as an end.
+/// A corner of the string. It is an end of the gates first_gate to last_gate.
 struct Corner {
   Planar point;
   std::size_t first_gate = 0;
@@ -57,7 +59,7 @@ void add_corner(std::vector<Corner>& corners, Planar point, std::size_t gate, bo
   }
 }
 
-/// The corners of the shortest path through all gates, both ends included.
+/// Returns the corners of the shortest path through all gates, including both ends.
 std::vector<Corner> pull_string(const std::vector<Gate>& gates) {
   struct Side {
     Planar point;
@@ -97,7 +99,7 @@ std::vector<Corner> pull_string(const std::vector<Gate>& gates) {
   return corners;
 }
 
-/// Where the line from a to b crosses a gate.
+/// Returns the parameter along a gate at which the line from a to b crosses it.
 double crossing_parameter(const Gate& gate, Planar a, Planar b) {
   const Planar along = gate.to - gate.from;
   const double left = cross(b - a, gate.to - a);
@@ -129,7 +131,7 @@ StripPath shortest_in_strip(const HalfEdgeMesh& mesh, const WireMask& wires, con
     }
     if (c + 1 == corners.size()) break;
     const Gate& at_corner = gates[corner.first_gate];
-    if (corner.is_left ? at_corner.last_t < 1 : at_corner.first_t > 0) continue;  // not a vertex
+    if (corner.is_left ? at_corner.last_t < 1 : at_corner.first_t > 0) continue;  // inside the edge, not at a vertex
     const HalfedgeHandle h = strip.crossings[corner.first_gate - 1];
     const double angle = std::abs(std::arg((corners[c + 1].point - corner.point) / (corner.point - before)));
     result.turns.push_back({corner.first_gate - 1,

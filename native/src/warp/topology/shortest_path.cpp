@@ -13,16 +13,17 @@
 namespace wirewarp {
 namespace {
 
-/// Whether the path gets shorter around the other side of the vertex: less than a straight angle is there.
+/// Whether the path is shorter around the other side of the vertex: the angle there is less than a straight one.
 bool is_shorter_on_other_side(const HalfEdgeMesh& mesh, const StripTurn& turn) {
-  constexpr double kStraight = 1e-9;  // radians: what rounding leaves of a sum of angles is a thousandth of that
+  constexpr double kStraight = 1e-9;  // radians, a thousand times the rounding of a sum of angles
   return total_angle(mesh, turn.vertex) - kPi - turn.angle < kPi - kStraight;
 }
 
-/// Replaces the strip and its path by one that is shorter and may be taken. False if there is none.
+/// Replaces the strip and its path by a shorter path that may_take accepts. Returns false if there is none.
 template <class MayTake>
 bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, const MayTake& may_take, Strip& strip, StripPath& best) {
-  constexpr double kNoShorter = 1e-13;  // relative: some hundred roundings, so that two ways never take turns
+  // Relative decrease of some hundred roundings, so that two equal paths do not alternate.
+  constexpr double kNoShorter = 1e-13;
   for (const StripTurn& turn : best.turns) {
     if (!is_shorter_on_other_side(mesh, turn)) continue;
     Strip other = pass_on_other_side(mesh, strip, turn);

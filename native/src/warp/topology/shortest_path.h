@@ -8,21 +8,22 @@
 
 namespace wirewarp {
 
-/// Multi-source Dijkstra along edges without wires, through vertices without wires, from any source to the nearest
-/// target. Empty if none can be reached.
+/// Returns the shortest path by multi-source Dijkstra along edges and through vertices without wires, from any source
+/// to the nearest target. Returns an empty path if no target can be reached.
 std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const WireMask& wires,
                                              const std::vector<VertexHandle>& sources,
                                              const std::vector<char>& is_target);
 
-/// The locally shortest path between the same ends: the shortest in the strip of triangles beside the path, and over
-/// the other side of a vertex wherever that is shorter still. It keeps a quarter of an edge away from wires.
+/// Returns a locally shortest path between the same ends. It starts with the shortest path in the strip of triangles
+/// beside edge_path, and changes to the other side of a vertex if that is shorter. It stays a quarter of an edge away
+/// from wires.
 MeshPath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
-/// The same, but the shortest among the triangles that touch the path.
+/// Returns the shortest path between the same ends within the triangles that touch edge_path.
 MeshPath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
 /// Adds a helper wire along the straightened shortest path from any source to the nearest target, and returns it.
-/// Cuts edges for it where wires leave no room. Throws UnjoinedWires if no target lies in a region of a source, or
+/// Splits edges if wires leave no room for a path. Throws UnjoinedWires if no target is in a region of a source, or if
 /// the straightened path ends elsewhere.
 HalfEdgeChain join_by_shortest_path(SplitChart& refined, const std::vector<VertexHandle>& sources,
                                     std::vector<char> is_target);

@@ -15,11 +15,11 @@
 namespace wirewarp {
 namespace {
 
-/// Of an edge: nearer to its end, a line passes through the end. What is cut off is no sliver then, and where edges are
-/// 10 mm long the line stays within 2 mm of the shortest one.
+/// Share of an edge within which a line snaps to the edge's end. It avoids slivers, and with edges of 10 mm the line
+/// stays within 2 mm of the shortest one.
 constexpr double kReach = 0.05;
 
-/// Each stretch between two vertices, made straight in its strip of triangles.
+/// Straightens each section between two vertices in its strip of triangles.
 MeshPath straight_between_vertices(const HalfEdgeMesh& mesh, const WireMask& lines, const MeshPath& path) {
   MeshPath straight{path.front()};
   Strip strip{path.front().vertex, VertexHandle(), {}};
@@ -29,8 +29,8 @@ MeshPath straight_between_vertices(const HalfEdgeMesh& mesh, const WireMask& lin
       continue;
     }
     strip.end = path[i].vertex;
-    const MeshPath stretch = shortest_in_strip(mesh, lines, strip).path;
-    straight.insert(straight.end(), stretch.begin() + 1, stretch.end());
+    const MeshPath section = shortest_in_strip(mesh, lines, strip).path;
+    straight.insert(straight.end(), section.begin() + 1, section.end());
     strip = {strip.end, VertexHandle(), {}};
   }
   return straight;
@@ -44,13 +44,13 @@ double angle_between(const HalfEdgeMesh::Point& a, const HalfEdgeMesh::Point& b)
   return std::atan2((a % b).norm(), a | b);
 }
 
-/// Whether a point lies on the edge of h or at its end, but not at its start.
+/// Whether a point is on the edge of h, but not at the start of h.
 bool is_toward(const HalfEdgeMesh& mesh, const PathPoint& point, HalfedgeHandle h) {
   if (point.is_vertex()) return point.vertex == mesh.to_vertex_handle(h);
   return mesh.edge_handle(point.half_edge) == mesh.edge_handle(h);
 }
 
-/// The angle around a vertex from its first half-edge to a point in a triangle there.
+/// Returns the angle around a vertex from its first half-edge to a point in an adjacent triangle.
 double direction_of(const HalfEdgeMesh& mesh, VertexHandle v, const PathPoint& point) {
   double angle = 0;
   const HalfedgeHandle first = mesh.halfedge_handle(v);

@@ -6,7 +6,7 @@
 namespace wirewarp {
 namespace {
 
-/// Cotangent of the angle opposite to h in its face.
+/// Returns the cotangent of the angle opposite to h in its face.
 double opposite_cotangent(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   const auto apex = mesh.point(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)));
   const auto a = mesh.point(mesh.from_vertex_handle(h)) - apex;
@@ -15,7 +15,8 @@ double opposite_cotangent(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
 }
 
 bool should_flip(const SplitChart& refined, EdgeHandle edge) {
-  constexpr double kCocircular = 1e-9;  // sum of cotangents, far above rounding: an edge is not flipped to and fro
+  // Sum of cotangents, far above rounding, so that an edge is not flipped back and forth.
+  constexpr double kCocircular = 1e-9;
   const HalfEdgeMesh& mesh = refined.chart.mesh;
   if (refined.wires.has(edge)) return false;
   const HalfedgeHandle h = mesh.halfedge_handle(edge, 0);
@@ -52,7 +53,8 @@ VertexHandle split_edge(SplitChart& refined, HalfedgeHandle h, double t) {
   const VertexHandle middle = mesh.new_vertex(from + (to - from) * t);
   refined.chart.source_vertex.push_back(-1);
 
-  // One half of each triangle stays the old face, the other half is new; these two half-edges lie in different halves.
+  // One half of each triangle remains the old face and the other half is new. These two half-edges are in different
+  // halves.
   const std::array<HalfedgeHandle, 2> sides{h, mesh.opposite_halfedge_handle(h)};
   std::array<std::array<HalfedgeHandle, 2>, 2> far_sides;
   std::array<int, 2> sources{};
@@ -108,7 +110,7 @@ void restore_delaunay(SplitChart& refined, WorkMeter& work) {
   HalfEdgeMesh& mesh = refined.chart.mesh;
   std::vector<EdgeHandle> stack;
   for (const EdgeHandle e : mesh.edges()) stack.push_back(e);
-  // Lawson's flips end by themselves; the bound guards against rounding on cocircular corners alone.
+  // Lawson's flips terminate; the bound only guards against rounding at cocircular corners.
   std::size_t flips_left = 100 * mesh.n_edges();
   while (!stack.empty() && flips_left > 0) {
     const EdgeHandle edge = stack.back();

@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-/// Where edges of the input lie inside charts.
+/// Finds edges of the input inside charts.
 class InnerEdges {
  public:
   explicit InnerEdges(const std::vector<Chart>& charts) : charts_(charts) {
@@ -26,10 +26,10 @@ class InnerEdges {
 
   struct Side {
     std::size_t chart;
-    HalfedgeHandle half_edge;  // not valid: no edge, or one on a seam or outline
+    HalfedgeHandle half_edge;  // invalid if the edge does not exist or is on a seam or outline
   };
 
-  /// From one vertex of the input to another.
+  /// Returns the edge from one input vertex to another.
   Side find(int from, int to) const {
     const auto [begin, end] = copies_.equal_range(from);
     for (auto copy = begin; copy != end; ++copy) {
@@ -49,10 +49,10 @@ class InnerEdges {
   };
 
   const std::vector<Chart>& charts_;
-  std::unordered_multimap<int, Copy> copies_;  // by input vertex
+  std::unordered_multimap<int, Copy> copies_;  // keyed by input vertex
 };
 
-/// The input's wires and the outline of a chart, which may have an error.
+/// Marks the input's wires and the outline of a chart. The chart may have an error.
 WireMask lines_of(const Chart& chart, const std::set<VertexPair>& wire_edges) {
   WireMask lines;
   for (const EdgeHandle e : chart.mesh.edges()) {
@@ -85,7 +85,7 @@ FlattenError wrong_path(const std::string& value, const std::string& allowed) {
   return wrong_option("path", value, allowed);
 }
 
-/// Why a pair of vertices is no edge inside a piece.
+/// Throws the reason why a pair of vertices is not an edge inside a piece.
 [[noreturn]] void refuse(const Charts& charts, const EdgeTable& edges, int a, int b) {
   const int edge = edges.find(a, b);
   for (int j = 0; edge >= 0 && j < edges.num_sides(edge); ++j) {
@@ -135,7 +135,7 @@ std::vector<LinePoint> straighten_path(const FlattenInput& input, const std::vec
       if (!next.half_edge.is_valid()) refuse(charts, edges, path[i - 1], path[i]);
       run.push_back(chart.mesh.to_vertex_handle(next.half_edge));
     }
-    if (!line.empty()) line.pop_back();  // the end of one run is the start of the next
+    if (!line.empty()) line.pop_back();  // one run ends where the next starts
     for (const PathPoint& point : smooth_line(chart.mesh, lines, run, Nearness::touching))
       line.push_back(in_input(chart, point));
   }

@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-/// Rounding: a path this close to a vertex (of an edge's length) or edge (radians) is on it.
+/// Tolerance for rounding: a path this close to a vertex (in edge lengths) or edge (in radians) counts as on it.
 constexpr double kOnIt = 1e-11;
 
 class Tracer {
@@ -32,7 +32,7 @@ class Tracer {
   }
 
  private:
-  /// At the start of h, to leave it at an angle counter-clockwise from h.
+  /// Arrives at the start of h and leaves it at an angle counter-clockwise from h.
   void arrive_at_vertex(HalfedgeHandle h, double angle) {
     const VertexHandle v = mesh_.from_vertex_handle(h);
     path_.push_back(PathPoint::at_vertex(v));
@@ -61,7 +61,7 @@ class Tracer {
     cross_side(mesh_.next_halfedge_handle(entry_), edge_length(mesh_, entry_), apex_over(mesh_, entry_), 0);
   }
 
-  /// From a point on entry_, whose face is ahead.
+  /// Crosses the face of entry_ from a point on entry_.
   void cross_face() {
     pass_face();
     const Planar b = edge_length(mesh_, entry_);
@@ -74,7 +74,7 @@ class Tracer {
     }
   }
 
-  /// Leaves the face through `side`, which runs from q0 to q1 in the plane of entry_; the geodesic comes from p.
+  /// Leaves the face through `side`, which runs from q0 to q1 in the plane of entry_. The geodesic comes from p.
   void cross_side(HalfedgeHandle side, Planar q0, Planar q1, Planar p) {
     const double left = cross(q0 - p, direction_);
     const double right = cross(direction_, q1 - p);
@@ -95,13 +95,13 @@ class Tracer {
     entry_t_ = 1 - t;
   }
 
-  /// Where a half-edge of entry_'s face ends, in the plane of entry_.
+  /// Returns the end of a half-edge of entry_'s face, in the plane of entry_.
   Planar point_in_face(HalfedgeHandle h) const {
     if (h == entry_) return edge_length(mesh_, entry_);
     return h == mesh_.next_halfedge_handle(entry_) ? apex_over(mesh_, entry_) : Planar(0);
   }
 
-  /// Arrives where h starts; h runs along h_direction in the plane of entry_, and its face is the one just crossed.
+  /// Arrives at the start of h after crossing h's face. h_direction: direction of h in the plane of entry_.
   void meet_vertex(HalfedgeHandle h, Planar h_direction) {
     const double total = total_angle(mesh_, mesh_.from_vertex_handle(h));
     const double angle = std::arg(-direction_ / h_direction) + total / 2;
@@ -114,10 +114,10 @@ class Tracer {
   const WireMask& wires_;
   MeshPath path_;
   bool is_at_vertex_ = false;
-  HalfedgeHandle entry_;  // the plane: from its start along its direction, its face on the left
-  double angle_ = 0;      // at a vertex: from entry_, which leaves it
-  double entry_t_ = 0;    // on an edge: where on entry_, in edge lengths
-  Planar direction_;      // on an edge: unit length, in the plane of entry_
+  HalfedgeHandle entry_;  // defines the plane: origin at its start, real axis along it, its face on the left
+  double angle_ = 0;      // at a vertex: angle from entry_, which starts there
+  double entry_t_ = 0;    // on an edge: position along entry_, in edge lengths
+  Planar direction_;      // on an edge: unit vector in the plane of entry_
   bool has_arrived_ = false;
   bool has_come_back_ = false;
   std::unordered_set<int> passed_faces_;

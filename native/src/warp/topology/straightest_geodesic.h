@@ -10,13 +10,13 @@
 
 namespace wirewarp {
 
-/// Sum of the face corners at a vertex, radians.
+/// Returns the sum of the face corners at a vertex, radians.
 double total_angle(const HalfEdgeMesh& mesh, VertexHandle v);
 
-/// Follows the straightest geodesic that leaves the start of `reference` at `angle` radians counter-clockwise from it,
-/// up to the first vertex or edge of a wire or boundary: the path's last point. Empty if the geodesic comes back to a
-/// triangle or vertex it has passed before, so that no path has more points than the mesh has faces and vertices.
-/// The start is inside the chart, or the angle within its faces.
+/// Follows the straightest geodesic from the start of `reference`, at `angle` radians counter-clockwise from it, to the
+/// first vertex or edge of a wire or boundary, which is the path's last point. Returns nothing if the geodesic comes
+/// back to a triangle or vertex that it has passed; so a path has at most as many points as the mesh has faces and
+/// vertices. The start must be inside the chart, or the angle within the start's faces.
 std::optional<MeshPath> trace_straightest(const HalfEdgeMesh& mesh, const WireMask& wires, HalfedgeHandle reference,
                                           double angle);
 

@@ -17,7 +17,7 @@ bool face_has(const HalfEdgeMesh& mesh, HalfedgeHandle h, VertexHandle v) {
   return touches(mesh, h, v) || mesh.to_vertex_handle(mesh.next_halfedge_handle(h)) == v;
 }
 
-/// Cuts out what lies between two visits of a triangle.
+/// Removes the crossings between two visits of the same triangle.
 std::vector<HalfedgeHandle> without_detours(const HalfEdgeMesh& mesh, const std::vector<HalfedgeHandle>& crossings) {
   std::vector<HalfedgeHandle> kept;
   if (crossings.empty()) return kept;
@@ -40,7 +40,7 @@ std::vector<HalfedgeHandle> without_detours(const HalfEdgeMesh& mesh, const std:
   return kept;
 }
 
-/// Each triangle once, from the last one at the start to the first one at the end.
+/// Removes detours: visits each triangle once, from the last one at the start to the first one at the end.
 Strip shorten(const HalfEdgeMesh& mesh, Strip strip) {
   strip.crossings = without_detours(mesh, strip.crossings);
   std::vector<HalfedgeHandle>& crossings = strip.crossings;
@@ -54,7 +54,7 @@ Strip shorten(const HalfEdgeMesh& mesh, Strip strip) {
   return strip;
 }
 
-/// The half-edges from a center between two others, counter-clockwise, and the angle they span.
+/// The half-edges around a center between two others, counter-clockwise, and the angle that they span.
 struct Fan {
   std::vector<HalfedgeHandle> between;
   double angle = 0;
@@ -80,7 +80,7 @@ Strip strip_beside(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& ed
     Fan left = fan_between(mesh, ahead, back);
     const Fan right = fan_between(mesh, back, ahead);
     const bool is_left = left.angle <= right.angle;
-    if (i > 1 && is_left != was_left) {  // across the path's own edge
+    if (i > 1 && is_left != was_left) {  // crosses an edge of the path
       strip.crossings.push_back(was_left ? mesh.opposite_halfedge_handle(back) : back);
     }
     was_left = is_left;
@@ -104,7 +104,7 @@ Strip pass_on_other_side(const HalfEdgeMesh& mesh, const Strip& strip, const Str
   const auto after = strip.crossings.begin() + static_cast<std::ptrdiff_t>(end);
   Strip other{strip.start, strip.end, {strip.crossings.begin(), before}};
   const FaceHandle last = mesh.face_handle(mesh.opposite_halfedge_handle(*(after - 1)));
-  // Around a vertex on its left the strip runs counter-clockwise, and so the other one clockwise.
+  // The strip runs counter-clockwise around a vertex on its left, so its replacement runs clockwise.
   const auto beside = [&](HalfedgeHandle h) {
     return turn.is_left ? mesh.next_halfedge_handle(h) : mesh.prev_halfedge_handle(h);
   };

@@ -7,19 +7,20 @@
 
 namespace wirewarp {
 
-/// Triangles from one with the corner `start` to one with the corner `end`, each once, each beside the next.
+/// A chain of adjacent triangles from one with the corner `start` to one with the corner `end`, without repetition.
 struct Strip {
   VertexHandle start;
   VertexHandle end;
-  std::vector<HalfedgeHandle> crossings;  // each on the side whose face is left; empty: one triangle has both
+  /// Each half-edge is on the face that the path leaves; empty if one triangle has both corners.
+  std::vector<HalfedgeHandle> crossings;
 };
 
-/// Where the shortest path in a strip turns around a vertex at its rim.
+/// Where the shortest path in a strip turns around a vertex on the strip's border.
 struct StripTurn {
-  std::size_t crossing = 0;  // one of those at the vertex
+  std::size_t crossing = 0;  // a crossing at the vertex
   VertexHandle vertex;
-  bool is_left = false;  // of the strip
-  double angle = 0;      // by which the path turns towards the vertex, radians in [0, pi]
+  bool is_left = false;  // the vertex is on the left side of the strip
+  double angle = 0;      // angle by which the path turns towards the vertex, radians in [0, pi]
 };
 
 struct StripPath {
@@ -28,13 +29,13 @@ struct StripPath {
   std::vector<StripTurn> turns;
 };
 
-/// The strip beside a path of edges, on the side of the smaller angle at each vertex.
+/// Returns the strip beside a path of edges, on the side of the smaller angle at each vertex.
 Strip strip_beside(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& edge_path);
 
-/// The same strip, but around the other side of a vertex inside the mesh.
+/// Returns the same strip, but around the other side of an interior vertex.
 Strip pass_on_other_side(const HalfEdgeMesh& mesh, const Strip& strip, const StripTurn& turn);
 
-/// The shortest path in a strip that crosses no edge nearer than a quarter of it to an end on a wire.
+/// Returns the shortest path in a strip. It crosses each edge at least a quarter of its length from an end on a wire.
 StripPath shortest_in_strip(const HalfEdgeMesh& mesh, const WireMask& wires, const Strip& strip);
 
 }  // namespace wirewarp

@@ -11,9 +11,9 @@ namespace wirewarp {
 
 /// A vertex, or a point where the path crosses an edge.
 struct PathPoint {
-  VertexHandle vertex;       // valid: the point is this vertex
-  HalfedgeHandle half_edge;  // else it lies on this one, the side whose face the path leaves,
-  double t = 0;              // at from + t (to - from), in [0, 1]
+  VertexHandle vertex;       // valid if the point is a vertex
+  HalfedgeHandle half_edge;  // otherwise the crossed edge, on the side of the face that the path leaves
+  double t = 0;              // parameter along half_edge, 0 at its start and 1 at its end
 
   bool is_vertex() const { return vertex.is_valid(); }
   static PathPoint at_vertex(VertexHandle v) { return {v, HalfedgeHandle(), 0}; }
@@ -36,13 +36,14 @@ inline double path_length(const HalfEdgeMesh& mesh, const MeshPath& path) {
   return length;
 }
 
-// The plane of a triangle, as complex numbers.
+// A vector in the plane of a triangle.
 using Planar = std::complex<double>;
 
-/// Positive if b points to the left of a.
+/// Returns a positive number if b points to the left of a.
 inline double cross(Planar a, Planar b) { return std::imag(std::conj(a) * b); }
 
-/// The corner of h's face opposite to h, where h runs from 0 along the real axis and its face is on the left.
+/// Returns the corner opposite to h in its face, in a plane where h runs from 0 along the real axis with its face on
+/// the left.
 inline Planar apex_over(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   const auto from = mesh.point(mesh.from_vertex_handle(h));
   const auto along = mesh.point(mesh.to_vertex_handle(h)) - from;

@@ -5,8 +5,7 @@
 
 namespace wirewarp {
 
-/// Rounding leaves no way for the helper wires that Eq. (1) needs between the wires and outlines of a chart (paper
-/// III).
+/// Rounding leaves no path for a helper wire that Eq. (1) needs between the wires and outlines of a chart (paper III).
 class UnjoinedWires : public std::domain_error {
  public:
   using std::domain_error::domain_error;
