@@ -8,7 +8,7 @@ namespace {
 
 double& entry(Tile& tile, int row, int column) { return tile.entries[kTile * column + row]; }
 
-/// How many rows from row i on, of one tile, go to as many successive rows of one tile: 4, 2 or 1.
+/// Returns how many rows of one tile, from row i on, map to consecutive rows of one tile: 4, 2 or 1.
 int rows_alike(const int* target, int i, int num_rows) {
   for (const int run : {4, 2}) {
     if (i % run == 0 && i + run <= num_rows && target[i] % run == 0 && target[i + run - 1] == target[i] + run - 1) {
@@ -18,8 +18,8 @@ int rows_alike(const int* target, int i, int num_rows) {
   return 1;
 }
 
-/// Adds columns begin to end of kRows rows to columns target[begin] to target[end - 1], where `to` holds the columns
-/// from first_column on. Rows of a tile are 4 apart.
+/// Adds columns begin to end of kRows rows to columns target[begin] to target[end - 1]. `to` starts at first_column.
+/// Rows of a tile are 4 apart.
 template <int kRows>
 void add_rows(const double* from, const int* target, int begin, int end, double* to, int first_column) {
   for (int j = begin; j < end; ++j) {
@@ -32,7 +32,7 @@ void add_rows(int num_rows, const double* from, const int* target, int begin, in
   add(from, target, begin, end, to, first_column);
 }
 
-/// Extend-add: each entry of the child's Schur complement to its place in the parent's front.
+/// Extend-add: adds each entry of the child's Schur complement to its place in the parent's front.
 void add_child(const FrontLayout& layout, int child, int node, Tile* factor, Tile* schurs) {
   const Front& from = layout.fronts[child];
   const Front& to = layout.fronts[node];

@@ -11,21 +11,21 @@
 
 namespace wirewarp {
 
-/// Fills the panel and the Schur complement of a front, before it is factored, from a lower triangle's values and the
-/// Schur complements of its children. factor, schurs: those of all fronts.
+/// Fills the panel and the Schur complement of a front before its factorization, from the values of a lower triangle
+/// and the Schur complements of the front's children. factor, schurs: those of all fronts.
 void assemble_front(const FrontLayout& layout, int node, const double* values, Tile* factor, Tile* schurs);
 
-/// Multiplications of tiles between two questions whether to go on: a tenth of a second. Few enough for a progress bar
-/// that each of them moves on: none below 50,000 triangles, forty a factorization of a million.
+/// Multiplications of tiles between two calls of the stop token, about a tenth of a second. Each call also advances the
+/// progress bar, so there are few: none below 50,000 triangles, forty per factorization at a million.
 constexpr double kWorkPerQuestion = 1e7;
 
-/// Calls eliminate(front) for all fronts, children before their parents, in two threads if asked for. False, and at
-/// once, where a front could not be eliminated, or where the caller stops; who is asked in this thread alone.
+/// Calls eliminate(front) for all fronts, children before parents, in two threads if requested. Returns false
+/// immediately if a front cannot be eliminated or the caller stops. Only this thread asks the stop token.
 template <typename Eliminate>
 bool eliminate_fronts(const FrontLayout& layout, bool in_threads, const StopToken& stop, const Eliminate& eliminate) {
   std::atomic<bool> is_good{true};
   const std::thread::id caller = std::this_thread::get_id();
-  double work = 0;  // of this thread, since the last question
+  double work = 0;  // of this thread, since the last call of the token
   const auto may_go_on = [&](const Front& next) {
     if (std::this_thread::get_id() != caller) return true;
     if (work > kWorkPerQuestion && !stop.may_go_on()) return false;

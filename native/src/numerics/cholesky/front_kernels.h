@@ -5,60 +5,61 @@
 //   row tile t   m ... m+r-1 (below)  tiles (t, 0) to (t, m-1)      of L₂₁   ⎭
 //   row tile t   0 ... r-1            tiles (t, 0) to (t, t)        of the Schur complement, row by row
 //
-// So every sum over pivots runs through memory in order, for both factors of a product L Lᵀ, and nothing is ever
-// packed. What does not fill its last tile is padded: pivots by the identity, rows below by zeros.
+// So every sum over pivots reads memory in order, for both factors of a product L Lᵀ, and no data is copied for it.
+// Incomplete tiles are padded: pivots by the identity, rows below by zeros.
 #pragma once
 
 #include <cstddef>
 
 namespace wirewarp {
 
-/// A block of 4 by 4, column by column. The diagonal of L is stored inverted; above it there is no meaning.
+/// A block of 4 by 4, column by column. In a diagonal block of L, the diagonal is stored inverted and the entries above
+/// it are undefined.
 struct alignas(64) Tile {
   double entries[16];
 };
 
-constexpr int kTile = 4;  // the numbers that a register of AVX2 holds; larger ones pad small fronts more
+constexpr int kTile = 4;  // numbers in an AVX2 register; larger tiles would pad small fronts more
 
-// Internal linkage, for front_kernels_body.h says why nothing inline may be shared.
+// Internal linkage: front_kernels_body.h explains why inline functions must not be shared.
 
-/// Tiles of a triangle with that many rows of tiles.
+/// Returns the number of tiles of a triangle with num_tiles rows of tiles.
 static constexpr std::size_t triangle_size(int num_tiles) {
   return static_cast<std::size_t>(num_tiles) * static_cast<std::size_t>(num_tiles + 1) / 2;
 }
 
-/// The first tile of row tile t of a panel with m tiles of pivots.
+/// Returns the index of the first tile of row tile t in a panel with m tiles of pivots.
 static constexpr std::size_t panel_row(int t, int m) {
   return t < m ? triangle_size(t) : triangle_size(m) + static_cast<std::size_t>(t - m) * static_cast<std::size_t>(m);
 }
 
-/// One set of kernels. All are free of allocation and touch nothing but their arguments.
+/// One set of kernels. They allocate nothing and access only their arguments.
 struct FrontKernels {
-  /// Replaces [A₁₁; A₂₁] by [L₁₁; L₂₁] with L₁₁ L₁₁ᵀ = A₁₁, L₂₁ = A₂₁ L₁₁⁻ᵀ, and S by S − L₂₁ L₂₁ᵀ. False, and at once,
-  /// at a pivot that is not a positive finite number.
+  /// Replaces [A₁₁; A₂₁] by [L₁₁; L₂₁] with L₁₁ L₁₁ᵀ = A₁₁, L₂₁ = A₂₁ L₁₁⁻ᵀ, and S by S − L₂₁ L₂₁ᵀ. Returns false
+  /// immediately at a pivot that is not a positive finite number.
   bool (*factor)(Tile* panel, Tile* schur, int m, int r);
 
-  /// The same for an unsymmetric matrix A = L U: L and Uᵀ have the same shape, so each has a panel and a half of S.
-  /// The pivots are shared evenly: L and U have the same diagonal.
+  /// Does the same for an unsymmetric matrix A = L U. L and Uᵀ have the same shape, so each has a panel and a half of
+  /// S. L and U have the same diagonal, the square roots of the pivots.
   bool (*factor_lu)(Tile* lower, Tile* lower_schur, Tile* upper, Tile* upper_schur, int m, int r);
 
-  /// [x₁; x₂] := [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁] for one right-hand side, and for four with those of a row side by side.
-  /// x has 4 (m + r) rows and the alignment of a tile.
+  /// [x₁; x₂] := [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁] for one right-hand side, or for four stored row by row. x has 4 (m + r)
+  /// rows and the alignment of a tile.
   void (*solve_lower)(const Tile* panel, int m, int r, double* x);
   void (*solve_lower_4)(const Tile* panel, int m, int r, double* x);
 
-  /// x₁ := L₁₁⁻ᵀ (x₁ − L₂₁ᵀ x₂), the same way. sums: space for m tiles.
+  /// x₁ := L₁₁⁻ᵀ (x₁ − L₂₁ᵀ x₂), for one or four right-hand sides. sums: space for m tiles.
   void (*solve_upper)(const Tile* panel, int m, int r, double* x, Tile* sums);
   void (*solve_upper_4)(const Tile* panel, int m, int r, double* x);
 };
 
 extern const FrontKernels kPlainKernels;  // for any processor
-extern const FrontKernels kAvx2Kernels;   // to be called only where has_avx2()
+extern const FrontKernels kAvx2Kernels;   // call only if has_avx2()
 
 /// Whether this processor has AVX2 and FMA.
 bool has_avx2();
 
-/// The best kernels for this processor.
+/// Returns the fastest kernels for this processor.
 const FrontKernels& fastest_kernels();
 
 }  // namespace wirewarp

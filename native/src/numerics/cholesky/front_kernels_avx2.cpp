@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For processors with AVX2 and FMA, and compiled for them (CMakeLists.txt): four numbers in a register, and sixteen
-// registers. Nothing here may run before has_avx2() has asked the processor.
+// Kernels for processors with AVX2 and FMA, compiled for them (CMakeLists.txt): four numbers in a register, and sixteen
+// registers. Call nothing here before has_avx2() has returned true.
 namespace {
 constexpr int kLanes = 4;
-constexpr int kRowsAtOnce = 3;  // 12 registers of sums, and four for what is multiplied
-constexpr int kRowsSummed = 4;  // 4 registers of x, and one of sums at a time
+constexpr int kRowsAtOnce = 3;  // 12 registers of sums and four of operands
+constexpr int kRowsSummed = 4;  // 4 registers of x and one of sums at a time
 }  // namespace
 
 #include "numerics/cholesky/front_kernels_body.h"

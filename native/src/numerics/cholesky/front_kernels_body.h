@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels themselves. Each front_kernels_*.cpp includes them once, after it has said how many numbers a register of
-// its processor holds (kLanes), and how many row tiles its registers can hold at once while a front is factored
-// (kRowsAtOnce) and while the rows of L are summed up in back substitution (kRowsSummed).
+// The code of the kernels. Each front_kernels_*.cpp includes it once, after defining how many numbers a register of its
+// processor holds (kLanes), and how many row tiles fit in its registers during factorization (kRowsAtOnce) and during
+// the sums of back substitution (kRowsSummed).
 //
-// Files compiled for a newer processor must share nothing inline with others: of two copies of an inline function the
-// linker keeps one, and would hand the new instructions to old processors. So all here is in an unnamed namespace, and
-// nothing of the standard library or of Eigen is used but C functions.
+// Files compiled for a newer processor must not share inline functions with others: the linker keeps one of two copies,
+// and old processors would then execute the new instructions. So everything here is in an unnamed namespace and uses
+// only C functions, nothing of the standard library or Eigen.
 #include <math.h>
 
 #include "numerics/cholesky/front_kernels.h"
@@ -15,8 +15,8 @@ namespace {
 
 using Lanes = double __attribute__((vector_size(8 * kLanes), may_alias));
 
-constexpr int kParts = kTile / kLanes;  // registers for a column of a tile
-constexpr int kBlock = 32;              // tiles of pivots whose product with a few rows stays in the first-level cache
+constexpr int kParts = kTile / kLanes;  // registers per column of a tile
+constexpr int kBlock = 32;              // tiles of pivots whose product with a few rows fits in the first-level cache
 
 inline const Lanes& column(const Tile& tile, int j, int part) {
   return *reinterpret_cast<const Lanes*>(tile.entries + kTile * j + kLanes * part);
@@ -25,8 +25,8 @@ inline Lanes& column(Tile& tile, int j, int part) {
   return *reinterpret_cast<Lanes*>(tile.entries + kTile * j + kLanes * part);
 }
 
-/// c −= Σ a bᵀ over a run of tiles, for kRows row tiles c and a and one row tile b. Then, with a diagonal tile of L,
-/// c := c L⁻ᵀ.
+/// c −= Σ a bᵀ over a run of tiles, for kRows row tiles c and a and one row tile b. With a diagonal tile of L, then c
+/// := c L⁻ᵀ.
 template <int kRows>
 inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRows], const Tile* b, int num_tiles,
                              const Tile* diagonal) {
@@ -77,14 +77,14 @@ inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRo
   }
 }
 
-/// Of the two factors of a matrix, L and Uᵀ, each is multiplied by rows of the other. A symmetric matrix has one, L =
-/// Uᵀ, which is its own other.
+/// Returns the factor that rows of factor f are multiplied by: Uᵀ for L and L for Uᵀ. A symmetric matrix has only one
+/// factor, L = Uᵀ.
 template <typename T, int kFactors>
 inline T& other(T (&factors)[kFactors], int f) {
   return factors[kFactors - 1 - f];
 }
 
-/// Factorization of a diagonal tile; false at a pivot that is not a positive finite number.
+/// Factors a diagonal tile. Returns false at a pivot that is not a positive finite number.
 template <int kFactors>
 inline bool factor_tile(Tile* const (&tiles)[kFactors]) {
   for (int j = 0; j < kTile; ++j) {
@@ -107,7 +107,7 @@ inline bool factor_tile(Tile* const (&tiles)[kFactors]) {
   return true;
 }
 
-/// The tiles of a front in one numbering: row tile t, column tile j.
+/// The tiles of a front, both panel and Schur complement, by row tile t and column tile j.
 struct FrontTiles {
   Tile* panel;
   Tile* schur;
@@ -116,9 +116,9 @@ struct FrontTiles {
   Tile* at(int t, int j) const { return j < m ? panel + panel_row(t, m) + j : schur + triangle_size(t - m) + (j - m); }
 };
 
-/// Tiles (t, j) of kRows rows of a factor from t on, for columns j from begin to end, less the product of pivots first
-/// to j or last, whichever comes first; columns before last are divided by their diagonal tile, which makes them
-/// columns of the factor.
+/// Updates tiles (t, j) of kRows rows of a factor from t on, for columns j from begin to end: subtracts the product of
+/// pivots first to min(j, last). Columns before last are then divided by their diagonal tile, which makes them columns
+/// of the factor.
 template <int kRows>
 void update_rows(const FrontTiles& front, const FrontTiles& other, int t, int first, int last, int begin, int end) {
   Tile* c[kRows];
@@ -131,8 +131,8 @@ void update_rows(const FrontTiles& front, const FrontTiles& other, int t, int fi
   }
 }
 
-/// kRows rows from t on below a block of pivots, all columns up to the diagonal: the block's own, then those that are
-/// still to be factored, then S.
+/// Updates kRows rows from t on below a block of pivots, all columns up to the diagonal: the block's columns, then the
+/// columns that are not factored yet, then S.
 template <int kRows, int kFactors>
 void update_below(const FrontTiles (&fronts)[kFactors], int t, int first, int last) {
   for (int f = 0; f < kFactors; ++f) update_rows<kRows>(fronts[f], other(fronts, f), t, first, last, first, last);

@@ -40,7 +40,7 @@ class Builder {
     return static_cast<int>(list.size());
   }
   int num_fronts() const { return static_cast<int>(tree_.nodes.size()); }
-  int vertex_of(int unknown) const { return k_ == 2 ? unknown / 2 : unknown / k_; }  // to divide by a variable is slow
+  int vertex_of(int unknown) const { return k_ == 2 ? unknown / 2 : unknown / k_; }  // division by a variable is slow
   bool is_earlier(int a, int b) const { return elimination_[a] < elimination_[b]; }
 
   void number_vertices() {
@@ -61,7 +61,7 @@ class Builder {
     if (static_cast<std::size_t>(count) != num_vertices) refuse("a vertex is missing");
   }
 
-  /// An entry belongs to the front of that of its vertices which is eliminated first.
+  /// An entry belongs to the front of its vertex that is eliminated first.
   void sort_entries_by_front() {
     entry_start_.assign(num_fronts() + 1, 0);
     const auto front_of = [this](int row, int column) {
@@ -106,7 +106,7 @@ class Builder {
     if (front.parent != -1) children_of_[front.parent].push_back(node);
   }
 
-  /// Pivots, then in the order of elimination what they and the rows of children reach.
+  /// Lists the pivots of a front and then, in elimination order, the vertices that these and the children's rows reach.
   void add_vertices(int node) {
     std::vector<int>& vertices = layout_.vertices;
     for (int v : tree_.nodes[node].vertices) {
@@ -153,7 +153,7 @@ class Builder {
     }
   }
 
-  /// Rows of a child are among its parent's vertices, and in the same order.
+  /// The rows of a child are among its parent's vertices, in the same order.
   void link_to_parents() {
     for (int node = 0; node < num_fronts(); ++node) {
       Front& front = layout_.fronts[node];
@@ -181,18 +181,19 @@ class Builder {
   struct Entry {
     int row, column, source;
   };
-  static constexpr std::size_t kMostTiles = std::numeric_limits<std::uint32_t>::max() / 16;  // entries have 32 bits
+  // A tile has 16 entries, indexed by 32 bits.
+  static constexpr std::size_t kMostTiles = std::numeric_limits<std::uint32_t>::max() / 16;
 
   const Eigen::SparseMatrix<double>& lower_;
   const DissectionTree& tree_;
   const int k_;
   FrontLayout layout_;
-  std::vector<int> elimination_;  // when each vertex is eliminated
-  std::vector<int> entry_start_;  // of each front in entries_
+  std::vector<int> elimination_;  // elimination position of each vertex
+  std::vector<int> entry_start_;  // start of each front in entries_
   std::vector<Entry> entries_;
   std::vector<std::vector<int>> children_of_{tree_.nodes.size()};
-  std::vector<int> seen_by_;  // the last front that met a vertex
-  std::vector<int> place_;    // of each vertex in the present front
+  std::vector<int> seen_by_;  // last front that visited each vertex
+  std::vector<int> place_;    // position of each vertex in the current front
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a multifrontal factorization knows before it meets a number: the rows of each front, where everything lies in
-// memory, and what can be done at the same time.
+// The symbolic part of a multifrontal factorization: the rows of each front, the memory layout, and which fronts can be
+// eliminated in parallel.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -13,29 +13,29 @@
 
 namespace wirewarp {
 
-/// One supernode. Its vertices are its pivots, then its rows; each has unknowns_per_vertex unknowns in a row.
+/// One supernode. Its vertices are its pivots, then its rows; each has unknowns_per_vertex consecutive unknowns.
 struct Front {
   int parent;             // -1 at a root
   int first_vertex;       // in FrontLayout::vertices
   int num_pivots;         // vertices
   int num_rows;           // vertices
-  int num_own_rows;       // vertices; the first rows, pivots in the same share of subtrees
+  int num_own_rows;       // vertices; the first rows, which are pivots in the same share of subtrees
   int pivot_tiles;        // m
   int row_tiles;          // r
-  int first_entry;        // in FrontLayout::entries; the next front's are the end
+  int first_entry;        // in FrontLayout::entries; the next front's value is the end
   int first_child;        // in FrontLayout::children
   int first_row;          // in FrontLayout::rows_in_parent
   std::size_t panel = 0;  // first tile, among all panels
   std::size_t schur = 0;  // first tile, in the space for Schur complements
 
-  /// Multiplications of tiles that its elimination takes, about.
+  /// Returns the approximate number of tile multiplications that the front's elimination takes.
   double work() const {
     const double m = pivot_tiles, r = row_tiles;
     return m * m * m / 6 + m * m * r / 2 + m * r * r / 2 + (m + r) * (m + r);
   }
 };
 
-/// Where a stored entry of the matrix goes: panel entry `place` += values[source].
+/// A stored entry of the matrix: panel entry `place` += values[source].
 struct MatrixEntry {
   int source;
   std::uint32_t place;
@@ -45,29 +45,29 @@ struct FrontLayout {
   int unknowns_per_vertex;
   Eigen::Index num_unknowns;
   std::vector<Front> fronts;        // in postorder, and one past the last
-  std::vector<int> vertices;        // pivots and rows of all fronts, in the order of elimination in each; rows that are
-                                    // not a front's own by their place among shared_vertices
-  std::vector<int> rows_in_parent;  // for each unknown of each front's rows: its row in the parent's front
+  std::vector<int> vertices;        // pivots and rows of all fronts, each in elimination order; rows that are
+                                    // not a front's own as indices into shared_vertices
+  std::vector<int> rows_in_parent;  // parent's row of each unknown of each front's rows
   std::vector<int> children;        // fronts
   std::vector<MatrixEntry> entries;
-  std::vector<int> front_of_vertex;  // where it is a pivot
+  std::vector<int> front_of_vertex;  // front in which each vertex is a pivot
   std::size_t panel_tiles = 0;
   std::size_t schur_tiles = 0;
   int largest_front = 0;  // tiles, pivots and rows
-  int kept_root = -1;     // front that is assembled and not eliminated, -1: none
+  int kept_root = -1;     // front that is assembled but not eliminated; -1: none
 
-  FrontSet all_fronts;               // to eliminate
+  FrontSet all_fronts;               // fronts to eliminate
   std::vector<int> shared_vertices;  // pivots of the ancestors of all_fronts and of the kept root
 
-  /// Row of the first unknown of a front's vertex, of the padded rows of the front.
+  /// Returns the padded row of the first unknown of a front's vertex.
   int row_of(const Front& front, int place) const {
     return place < front.num_pivots ? unknowns_per_vertex * place
                                     : 4 * front.pivot_tiles + unknowns_per_vertex * (place - front.num_pivots);
   }
 };
 
-/// lower: the lower triangle, compressed. keeps_root: the last node of the tree is not to be eliminated. Throws
-/// std::invalid_argument if the tree does not fit it.
+/// lower: the lower triangle, compressed. keeps_root: the last node of the tree is not eliminated. Throws
+/// std::invalid_argument if the tree does not match the matrix.
 FrontLayout lay_out_fronts(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
                            int unknowns_per_vertex, bool keeps_root = false);
 

@@ -9,9 +9,9 @@
 
 namespace wirewarp {
 
-/// Fronts to visit, split for two threads: those of independent subtrees, in two shares of about the same work, and
-/// their common ancestors. Children come before their parents. The split does not depend on how many threads there are,
-/// so that sums are the same to the last bit.
+/// Fronts to visit, split for two threads: two shares of independent subtrees with about equal work, and their common
+/// ancestors. Children come before parents. The split does not depend on the number of threads, so sums are equal to
+/// the last bit.
 struct FrontSet {
   static constexpr std::size_t num_shares = 2;
 
@@ -19,7 +19,7 @@ struct FrontSet {
   std::vector<int> ancestors;
   bool are_worth_threads = true;
 
-  /// visit(share, its fronts) for both shares of the subtrees, in two threads if that is allowed and worth it.
+  /// Calls visit(share, its fronts) for both shares of the subtrees, in two threads if allowed and worthwhile.
   template <typename Visit>
   void visit_subtrees(bool in_threads, const Visit& visit) const {
     run_in_threads(num_shares, in_threads && are_worth_threads ? num_shares : 1,

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Substitution in a front, for front_kernels_body.h. One right-hand side is bound by how fast L comes from memory: each
-// number of it is used once. Four share what is read.
+// Substitution in a front, for front_kernels_body.h. With one right-hand side, each number of L is used once and memory
+// bandwidth limits the speed; four right-hand sides share each read.
 #pragma once
 
 namespace wirewarp {
 namespace {
 
-/// Σ_j L_tj x_j over the columns j of a row tile of L, for one right-hand side.
+/// Computes Σ_j L_tj x_j over the columns j of a row tile of L, for one right-hand side.
 inline void product(const Tile* l, int columns, const double* x, double (&result)[kTile]) {
-  Lanes sum[kTile][kParts] = {};  // a sum for each column of a tile: no addition waits for the one before
+  Lanes sum[kTile][kParts] = {};  // one sum per column of a tile, so that additions are independent
   for (int j = 0; j < columns; ++j) {
 #pragma GCC unroll 4
     for (int k = 0; k < kTile; ++k) {
@@ -23,19 +23,19 @@ inline void product(const Tile* l, int columns, const double* x, double (&result
   }
 }
 
-/// Begins to read the tiles that back substitution needs soon. It goes through memory from the end to the beginning,
-/// where processors do not look ahead by themselves: without this it takes 1.7 times as long.
+/// Prefetches tiles that back substitution needs soon. It reads memory backwards, which processors do not prefetch
+/// themselves: without this it takes 1.7 times as long.
 inline void fetch_ahead(const Tile* tile) {
-  constexpr int kTilesAhead = 128;     // 16 KB: half as many take 5% longer, twice as many save nothing
-  constexpr int kLine = 64;            // bytes that the processor reads at once
-  constexpr int kIntoSecondLevel = 2;  // cache: prefetching into the first level is a third slower
+  constexpr int kTilesAhead = 128;     // 16 KB; half as many take 5% longer, twice as many gain nothing
+  constexpr int kLine = 64;            // bytes of a cache line
+  constexpr int kIntoSecondLevel = 2;  // cache level; prefetching into the first level takes a third longer
   const char* const ahead = reinterpret_cast<const char*>(tile - kTilesAhead);
   for (int byte = 0; byte < static_cast<int>(sizeof(Tile)); byte += kLine)
     __builtin_prefetch(ahead + byte, 0, kIntoSecondLevel);
 }
 
-/// sums_j += L_tj ∘ x_t for kRows row tiles t from `first` on, columns j from begin to end: the numbers of a column of
-/// sums_j add up to what L_tjᵀ x_t gives there.
+/// sums_j += L_tj ∘ x_t for kRows row tiles t from `first` on, columns j from begin to end. The numbers of a column of
+/// sums_j add up to that entry of Σ_t L_tjᵀ x_t.
 template <int kRows>
 inline void add_products(const Tile* panel, int m, int first, int begin, int end, const double* x, Tile* sums) {
   const Tile* l[kRows];
@@ -64,7 +64,7 @@ inline void add_products(const Tile* panel, int m, int first, int begin, int end
   }
 }
 
-/// The same for the row tiles from first to last and all columns before end, the last rows first.
+/// Does the same for the row tiles from first to last and all columns before end, last rows first.
 inline void add_all_products(const Tile* panel, int m, int first, int last, int end, const double* x, Tile* sums) {
   int t = last;
   for (; t - kRowsSummed >= first; t -= kRowsSummed)
@@ -107,7 +107,7 @@ void solve_upper(const Tile* panel, int m, int r, double* x, Tile* sums) {
   }
 }
 
-/// Here x_t, four rows of four right-hand sides, is a tile whose columns are the rows.
+/// x_t, four rows of four right-hand sides, is a tile here whose columns are the rows.
 void solve_lower_4(const Tile* panel, int m, int r, double* rows) {
   Tile* const x = reinterpret_cast<Tile*>(rows);
   for (int t = 0; t < m + r; ++t) {

@@ -7,8 +7,8 @@
 
 namespace wirewarp {
 
-/// Which vertices a symmetric matrix couples. lower: the lower triangle, compressed, in full blocks: unknowns k v to
-/// k v + k - 1 belong to vertex v, k = unknowns_per_vertex, and each column has all unknowns of a vertex or none.
+/// Returns which vertices a symmetric matrix couples. lower: the lower triangle, compressed, in full blocks: unknowns k
+/// v to k v + k - 1 belong to vertex v, k = unknowns_per_vertex, and each column has all unknowns of a vertex or none.
 Graph graph_of(const Eigen::SparseMatrix<double>& lower, int unknowns_per_vertex);
 
 }  // namespace wirewarp

@@ -24,8 +24,8 @@ bool have_same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
 
 }  // namespace
 
-/// The triangles of A, the upper one transposed. What is lower follows from the order of elimination, not from the
-/// numbers of row and column: those of an entry may stand exchanged.
+/// The triangles of A, the upper one transposed. The elimination order decides which triangle an entry belongs to, so
+/// its row and column may be exchanged.
 struct MultifrontalLu::Triangles {
   Triangles(const Matrix& a, const Positions2& positions)
       : lower(a.triangularView<Eigen::Lower>()),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sparse A = L U by the multifrontal method, without pivoting, for row-diagonally-dominant M-matrices: positive
 // diagonal, no positive entry off it, no negative row sum. Elimination keeps these properties, so every pivot is
-// positive and none needs to be exchanged. L and Uᵀ have the pattern of a Cholesky factor: the fronts are those of
+// positive and no pivoting is needed. L and Uᵀ have the pattern of a Cholesky factor: the fronts are those of
 // multifrontal_cholesky.h, each with a panel for L and one for Uᵀ.
 #pragma once
 
@@ -20,10 +20,10 @@ class MultifrontalLu {
  public:
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-  /// Factors a square matrix whose pattern is symmetric. positions: one per row, for nested_dissection().
-  /// in_threads: as in MultifrontalCholesky. Throws Stopped.
-  /// Throws FactorizationFailed at a pivot that is not a positive finite number: then a is singular or no
-  /// row-diagonally-dominant M-matrix. Throws std::invalid_argument if its pattern is not symmetric.
+  /// Factors a square matrix whose pattern is symmetric. positions: one per row, for nested_dissection(). in_threads:
+  /// as in MultifrontalCholesky. Throws Stopped. Throws FactorizationFailed at a pivot that is not a positive finite
+  /// number: then a is singular or not a row-diagonally-dominant M-matrix. Throws std::invalid_argument if its pattern
+  /// is not symmetric.
   MultifrontalLu(const Matrix& a, const Positions2& positions, bool in_threads = false, const StopToken& stop = {},
                  const FrontKernels& kernels = fastest_kernels());
   MultifrontalLu(const MultifrontalLu&) = delete;  // substitution_ refers to layout_

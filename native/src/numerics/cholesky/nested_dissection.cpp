@@ -12,11 +12,11 @@
 namespace wirewarp {
 namespace {
 
-// Vertices of a leaf, which is one front: with 8 to 24 whole runs take the same time.
+// Vertices of a leaf, which is one front. With 8 to 24, whole runs take the same time.
 constexpr std::ptrdiff_t kLeafSize = 16;
 
-// Which way a set of vertices is halved: across x, y and the two diagonals, for meshes lie anyhow. With x and y alone
-// whole runs on a sheet along them are no quicker.
+// Directions in which a set of vertices is halved: x, y and the two diagonals, because meshes have no preferred
+// direction. With x and y alone, whole runs on an axis-parallel sheet are not faster.
 constexpr std::array<std::array<double, 2>, 4> kDirections = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
 
 class Dissection {
@@ -28,7 +28,7 @@ class Dissection {
         side_(graph.num_vertices(), Side::outside),
         keys_(side_.size()) {}
 
-  /// Parts of the graph that are not joined are dissected each by itself.
+  /// Dissects each connected part of the graph.
   DissectionTree run() {
     std::vector<char> is_met(side_.size(), 0);
     std::vector<int> last(side_.size() - static_cast<std::size_t>(positions_.rows()));
@@ -47,11 +47,11 @@ class Dissection {
  private:
   using Iterator = std::vector<int>::iterator;
   struct Cut {
-    int lower = 0, upper = 0;  // vertices of each half with neighbors in the other
+    int lower = 0, upper = 0;  // number of vertices of each half with neighbors in the other half
     int smaller() const { return std::min(lower, upper); }
   };
 
-  /// In ascending order.
+  /// Returns all vertices connected with a vertex, in ascending order.
   std::vector<int> all_joined_to(int vertex, std::vector<char>& is_met) const {
     std::vector<int> part{vertex};
     is_met[vertex] = 1;
@@ -66,7 +66,8 @@ class Dissection {
     return part;
   }
 
-  /// Appends the nodes of a set of vertices whose only neighbors outside are in separators. Returns their roots.
+  /// Appends the nodes of a set of vertices whose outside neighbors are all in separators. Returns the roots of the
+  /// nodes.
   std::vector<int> dissect(Iterator begin, Iterator end) {
     if (begin == end) return {};
     if (end - begin <= kLeafSize) return {append(begin, end, {})};
@@ -78,7 +79,7 @@ class Dissection {
 
     std::vector<int> roots = dissect(begin, lower_end);
     for (int root : dissect(lower_end, upper_end)) roots.push_back(root);
-    if (upper_end == end) return roots;  // the halves are not joined
+    if (upper_end == end) return roots;  // the halves are not connected
     return {append(upper_end, end, roots)};
   }
 
@@ -90,7 +91,7 @@ class Dissection {
     return node;
   }
 
-  /// Marks the halves in the direction with the smallest cut, and the separator.
+  /// Finds the direction with the smallest cut; marks its halves and the separator in side_.
   void split(Iterator begin, Iterator end) {
     Cut best;
     std::size_t best_direction = kDirections.size();
@@ -107,7 +108,7 @@ class Dissection {
     cover_.separate(cut, side_);
   }
 
-  /// Marks the halves and their cuts in one direction.
+  /// Marks the halves in one direction and the vertices at their cut.
   Cut halve(Iterator begin, Iterator end, const std::array<double, 2>& direction) {
     const auto middle = keys_.begin() + (end - begin) / 2;
     const auto last = std::transform(begin, end, keys_.begin(), [&](int v) {

@@ -10,12 +10,13 @@
 namespace wirewarp {
 namespace {
 
-// Of the heaviest subtree: five levels down, where each has a thirtieth of the work, shares are even enough.
+// Maximum number of splits of the heaviest subtree. Five levels down, each subtree has a thirtieth of the work, which
+// makes the shares even enough.
 constexpr int kMostSplits = 32;
 
 int num_fronts(const FrontLayout& layout) { return static_cast<int>(layout.fronts.size()) - 1; }
 
-/// The work of each front with all its descendants, and the first of them.
+/// The work of a front with all its descendants, and the first of these.
 struct Subtree {
   double work;
   int first;
@@ -35,11 +36,11 @@ std::vector<Subtree> subtrees(const FrontLayout& layout) {
 }
 
 struct Shares {
-  std::array<std::vector<int>, FrontSet::num_shares> roots;  // of each share's subtrees
+  std::array<std::vector<int>, FrontSet::num_shares> roots;  // roots of each share's subtrees
   double largest;                                            // work of the larger share
 };
 
-/// Each subtree, the largest first, to the share that has the least to do.
+/// Assigns each subtree, largest first, to the share with the least work.
 Shares share(std::vector<int> roots, const std::vector<Subtree>& trees) {
   std::sort(roots.begin(), roots.end(), [&](int a, int b) { return trees[a].work > trees[b].work; });
   Shares shares{};
@@ -90,7 +91,7 @@ void partition_subtrees(FrontLayout& layout) {
 
 namespace {
 
-/// Stacks for fronts that are eliminated in the given order, at even and at odd depth of the tree.
+/// Two stacks of Schur complements, for even and odd depth of the tree, for fronts eliminated in the given order.
 class SchurStacks {
  public:
   SchurStacks(FrontLayout& layout, const std::vector<int>& depth) : layout_(layout), depth_(depth) {}
@@ -133,7 +134,7 @@ void place_schur_complements(FrontLayout& layout) {
   stacks.place(layout.all_fronts.ancestors);
 }
 
-/// The ancestors of a share's subtree come last, so the rows that they eliminate are the last ones.
+/// The ancestors of a share's subtrees come last, so the rows that they eliminate are the last ones.
 void list_shared_vertices(FrontLayout& layout) {
   std::vector<int> place(layout.front_of_vertex.size(), -1);
   std::vector<int> shared_fronts = layout.all_fronts.ancestors;

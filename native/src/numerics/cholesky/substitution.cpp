@@ -9,12 +9,12 @@
 namespace wirewarp {
 namespace {
 
-// Two megabytes of a factor, read in a fifth of a millisecond: some times what it takes to begin a thread.
+// Two megabytes of a factor, read in a fifth of a millisecond: several times what starting a thread takes.
 constexpr std::size_t kTilesWorthThreads = 1 << 14;
 
 using Columns = Eigen::Ref<Eigen::MatrixXd>;
 
-/// A front's numbers of up to kColumns right-hand sides: those of a row side by side.
+/// A front's rows of up to kColumns right-hand sides, stored row by row.
 template <int kColumns>
 class FrontRows {
  public:
@@ -22,9 +22,9 @@ class FrontRows {
       : layout_(layout), x_(new Tile[layout.largest_front]), sums_(new Tile[layout.largest_front]) {}
 
   double* numbers() const { return x_[0].entries; }
-  Tile* sums() const { return sums_.get(); }  // space that the kernels need
+  Tile* sums() const { return sums_.get(); }  // work space of the kernels
 
-  /// own: where pivots and own rows are, one row per unknown of a vertex. shared: the same for shared vertices.
+  /// own: the columns with pivots and own rows, one row per unknown of a vertex. shared: the same for shared vertices.
   void gather(const Front& front, const Columns& own, const Columns& shared) const {
     std::fill_n(numbers(), kColumns * kTile * (front.pivot_tiles + front.row_tiles), 0.0);
     const int num_own = front.num_pivots + front.num_own_rows;
@@ -43,7 +43,7 @@ class FrontRows {
   }
 
  private:
-  /// function(number here, number in columns) for the vertices of a front from begin to end.
+  /// Calls function(number here, number in columns) for the vertices of a front from begin to end.
   template <typename AllColumns, typename Function>
   void for_each(const Front& front, int begin, int end, AllColumns& columns, const Function& function) const {
     const int k = layout_.unknowns_per_vertex;

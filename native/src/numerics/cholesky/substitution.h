@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solutions with a factor, front by front: L⁻¹ b from the leaves up, then L⁻ᵀ of that from the roots down. What the
-// two shares of subtrees add to the rows of their ancestors is summed apart and then in a fixed order, so that it does
-// not matter how many threads there are.
+// Solution with a factor, front by front: L⁻¹ b from the leaves to the roots, then L⁻ᵀ of the result from the roots to
+// the leaves. The contributions of the two shares of subtrees to the rows of their ancestors are summed separately and
+// then added in a fixed order, so the number of threads does not change the result.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,17 +14,17 @@ namespace wirewarp {
 
 class Substitution {
  public:
-  /// layout, kernels: must outlive this.
+  /// layout and kernels must outlive this.
   Substitution(const FrontLayout& layout, bool in_threads, const FrontKernels& kernels);
 
-  /// The fronts that hold some vertices, and all their ancestors; and all that are not among some.
+  /// Returns the fronts that contain the given vertices, with all their ancestors; others() returns the complement.
   FrontSet fronts_reaching(const std::vector<int>& vertices) const;
   FrontSet others(const FrontSet& fronts) const;
   const FrontSet& all() const { return all_; }
 
-  /// b := L⁻¹ b, where b is zero but at pivots of some fronts. factor: the panels of all fronts.
+  /// b := L⁻¹ b, where b is zero except at pivots of the given fronts. factor: the panels of all fronts.
   void forward(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
-  /// b := L⁻ᵀ b at pivots of the wanted fronts, whose ancestors are among them or have been visited before.
+  /// b := L⁻ᵀ b at pivots of the wanted fronts. Their ancestors must be among them or visited before.
   void back(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
  private:

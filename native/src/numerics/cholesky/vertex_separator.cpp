@@ -8,8 +8,8 @@ namespace wirewarp {
 VertexSeparator::VertexSeparator(const Graph& graph)
     : graph_(graph), partner_(graph.num_vertices(), -1), via_(partner_.size()), seen_(partner_.size(), 0) {}
 
-/// What a search that fails has met stays out of reach of all later ones. It is covered by its upper vertices, all the
-/// rest by the lower ones.
+/// The vertices that a failed search visited cannot be reached by later searches. The edges between them are covered by
+/// their upper vertices, all other edges by the lower ones.
 void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& side) {
   for (int v : cut) {
     if (side[v] != Side::lower_cut || match(v, side)) continue;
@@ -23,8 +23,8 @@ void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& s
   }
 }
 
-/// Searches, breadth first, for a path from a lower vertex to an upper one without partner that takes turns between
-/// edges outside and inside the matching; exchanges them along it.
+/// Searches breadth first for an augmenting path: from a lower vertex to an upper one without partner, alternately
+/// along edges outside and inside the matching. Augments the matching along it.
 bool VertexSeparator::match(int vertex, const std::vector<Side>& side) {
   ++search_;
   lower_met_ = {vertex};

@@ -9,9 +9,9 @@
 namespace wirewarp {
 namespace {
 
-/// BFGS, damped after Powell so that B stays positive definite.
+/// BFGS update, damped after Powell so that B stays positive definite.
 void update_hessian(const Eigen::VectorXd& step, Eigen::VectorXd change, Eigen::MatrixXd& b) {
-  constexpr double kDamping = 0.2;  // Powell's
+  constexpr double kDamping = 0.2;  // Powell's value
   const Eigen::VectorXd b_step = b * step;
   const double curvature = step.dot(b_step);
   if (step.dot(change) < kDamping * curvature) {
@@ -21,7 +21,7 @@ void update_hessian(const Eigen::VectorXd& step, Eigen::VectorXd change, Eigen::
   b += change * change.transpose() / step.dot(change) - b_step * b_step.transpose() / curvature;
 }
 
-/// Where the parabola has its minimum that leaves 0 with the given slope and rises by `rise` until 1; not too near 0.
+/// Returns the minimum of the parabola with the given slope at 0 and the value `rise` at 1, clamped to [0.1, 0.5].
 double shorter_by(double slope, double rise) { return std::clamp(-slope / (2 * (rise - slope)), 0.1, 0.5); }
 
 }  // namespace
@@ -45,8 +45,8 @@ BoxMinimum minimize_in_box(const BoxFunction& function, const Eigen::VectorXd& l
     }
     const Eigen::VectorXd direction = minimize_quadratic_in_box(here.gradient, b, lower - best.x, upper - best.x);
     const double slope = here.gradient.dot(direction);
-    const double promised = -slope - direction.dot(b * direction) / 2;
-    if (promised <= tolerance * best.value) {
+    const double predicted = -slope - direction.dot(b * direction) / 2;
+    if (predicted <= tolerance * best.value) {
       best.converged = true;
       break;
     }

@@ -12,7 +12,7 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()), slope = g;
   double value = 0;  // of the model
   for (int i = 0; i < kMaxFactorizations; ++i) {
-    std::vector<int> free;  // the others are at a bound that the model pushes against: the active set
+    std::vector<int> free;  // variables not in the active set (at a bound that the model pushes against)
     for (int k = 0; k < g.size(); ++k) {
       const bool is_active = (d[k] <= lower[k] && slope[k] > 0) || (d[k] >= upper[k] && slope[k] < 0);
       if (!is_active) free.push_back(k);
@@ -21,10 +21,10 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
     const Eigen::LLT<Eigen::MatrixXd> factor(b(free, free));
     Eigen::VectorXd newton = -slope(free).cwiseQuotient(b.diagonal()(free));
     if (factor.info() == Eigen::Success) newton = factor.solve(-slope(free));
-    const double promised = -slope(free).dot(newton);
-    if (!(promised > 1e-16 * std::abs(value))) break;
+    const double predicted = -slope(free).dot(newton);
+    if (!(predicted > 1e-16 * std::abs(value))) break;
     Eigen::VectorXd step;
-    double down = 0;  // along the step, which ends in the box
+    double down = 0;  // slope along the step, which ends in the box
     for (double t = 1; t > 1e-10 && !(down < 0); t /= 2) {
       step = d;
       step(free) += t * newton;
@@ -34,7 +34,7 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
     if (!(down < 0)) break;
     const Eigen::VectorXd change_of_slope = b * step;
     const double curvature = step.dot(change_of_slope);
-    const double share = curvature > -down ? -down / curvature : 1;  // to the least value along the step
+    const double share = curvature > -down ? -down / curvature : 1;  // to the minimum along the step
     d = (d + share * step).cwiseMax(lower).cwiseMin(upper);
     slope += share * change_of_slope;
     value += share * (down + share * curvature / 2);

@@ -3,7 +3,7 @@
 
 namespace wirewarp {
 
-/// Share of the decrease predicted by the slope that a step must bring, in all line searches (J. Nocedal, S. J. Wright,
+/// Share of the predicted linear decrease that a step must achieve, in all line searches (J. Nocedal, S. J. Wright,
 /// Numerical Optimization, section 3.1).
 inline constexpr double kSufficientDecrease = 1e-4;
 
