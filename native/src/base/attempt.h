@@ -8,8 +8,8 @@
 
 namespace wirewarp {
 
-/// Runs one of several ways to a result. Returns an empty result if the caller stops it, or if a matrix has no factor
-/// in double precision; StopToken::is_stopped() says which.
+/// Runs one of several methods. Returns an empty result if the caller stops it, or if a matrix has no factor in double
+/// precision; StopToken::is_stopped() says which.
 template <typename Solve>
 std::invoke_result_t<Solve> attempt(const Solve& solve) {
   try {

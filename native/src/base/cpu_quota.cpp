@@ -15,16 +15,16 @@ using Folder = std::filesystem::path;
 using Cores = std::optional<std::size_t>;
 
 std::string text_of(const Folder& file) {
-  std::string text;  // read by C's functions, because file streams of libstdc++ need a newer glibc than the wheels do
+  std::string text;  // read with C functions, because libstdc++'s file streams need a newer glibc than the wheels do
   if (std::FILE* const stream = std::fopen(file.string().c_str(), "r")) {
-    std::array<char, 4096> part{};  // a page; these files mostly take less
+    std::array<char, 4096> part{};  // a page; these files are mostly shorter
     while (const std::size_t count = std::fread(part.data(), 1, part.size(), stream)) text.append(part.data(), count);
     std::fclose(stream);
   }
   return text;
 }
 
-/// text: microseconds of work and of the period. "max" (version 2) and -1 (version 1) mean no quota.
+/// text: microseconds of work per period, and of the period. "max" (version 2) and -1 (version 1) mean no quota.
 Cores cores_of(const std::string& text) {
   double work = 0, period = 0;
   if (!(std::istringstream(text) >> work >> period) || !(work > 0 && period > 0)) return std::nullopt;
@@ -38,8 +38,8 @@ Cores quota_of_group(const Folder& group) {
                cores_of(text_of(group / "cpu.cfs_quota_us") + " " + text_of(group / "cpu.cfs_period_us")));
 }
 
-/// The least quota of a group and of all groups above it, up to the folder in which the tree is mounted. In a container
-/// the group's own folder may be missing, because the tree is mounted from there.
+/// Returns the smallest quota of a group and of all groups above it, up to the folder in which the tree is mounted. In
+/// a container the group's own folder may be missing, because the tree is mounted from there.
 Cores quota_in_tree(const Folder& mount, Folder group) {
   Cores least = quota_of_group(mount);
   for (; group.has_relative_path(); group = group.parent_path()) {

@@ -7,7 +7,7 @@
 
 namespace wirewarp {
 
-/// Disjoint sets with path halving; the smaller index is the root.
+/// Disjoint sets with path halving. The smallest index of a set is its root.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -16,14 +16,14 @@ class DisjointSets {
     while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
   }
-  /// False if they were in one set already.
+  /// Unites two sets. Returns false if they were one set already.
   bool unite(int i, int j) {
     i = find(i);
     j = find(j);
     parent(std::max(i, j)) = std::min(i, j);
     return i != j;
   }
-  /// Sets numbered in the order of their smallest member.
+  /// Returns the number of each member's set. Sets are numbered in the order of their smallest member.
   std::vector<int> number(int& count) {
     std::vector<int> label(parent_.size());
     count = 0;

@@ -12,7 +12,7 @@ struct Entry {
   ErrorDescription description;
 };
 
-// Arguments that several codes have.
+// Arguments that several codes share.
 #define WIREWARP_NAMED_WIRES "wires: indices of the wires; wire_names: their names, empty strings for those without one"
 #define WIREWARP_WRONG_ARRAY \
   "name: the argument; wanted: what it must be, missing if numpy cannot read it; found: what it is"

@@ -12,7 +12,7 @@
 namespace wirewarp {
 namespace {
 
-/// The arguments and elements of one error, and the words for them.
+/// The arguments and elements of one error, and their words.
 class Parts {
  public:
   Parts(const ErrorArguments& arguments, const ErrorElements& named) : elements(named), arguments_(arguments) {}
@@ -34,11 +34,11 @@ class Parts {
   std::string vertices() const { return name_elements("vertex", elements.vertices); }
   std::string seams() const { return such_as_along(elements.proposed_seams); }
 
-  /// The wires of the arguments: "wire 2 (waist)".
+  /// Returns the wires of the arguments: "wire 2 (waist)".
   std::string wires() const { return name_wires(get<std::vector<int>>("wires"), names()); }
   const std::vector<std::string>& names() const { return get<std::vector<std::string>>("wire_names"); }
 
-  /// "piece around face 3", for an error whose faces are those of the piece.
+  /// Returns "piece around face 3", for an error whose faces are those of the piece.
   std::string piece() const { return name_piece(elements.faces); }
 
  private:
@@ -47,7 +47,7 @@ class Parts {
 
 std::string chosen(std::size_t count, const char* one, const char* many) { return count == 1 ? one : many; }
 
-// Input that is refused as a whole.
+// Errors of the whole input.
 
 std::string wrong_shape(const Parts& parts) {
   if (!parts.has("wanted")) return parts.text("name") + " cannot be read as an array: " + parts.text("found");
@@ -96,7 +96,7 @@ std::string edge_in_two_wires(const Parts& parts) {
   return capitalized(parts.edges()) + " is in " + where + ": an edge has one length, so leave it in one wire only.";
 }
 
-/// "wire 2 (waist)", or "wire (waist)" before the wire is part of an input.
+/// Returns "wire 2 (waist)", or "wire (waist)" if the wire is not part of an input yet.
 std::string label_of_wire(const Parts& parts) {
   if (!parts.get<std::vector<int>>("wires").empty()) return parts.wires();
   return parts.names().empty() ? "wire" : "wire (" + parts.names().front() + ")";
@@ -127,7 +127,7 @@ std::string side_in_two_eases(const Parts& parts) {
   return "The sides along " + parts.edges() + " are in two eases: a side has one length, so leave it in one ease only.";
 }
 
-// Surfaces that cannot be flattened.
+// Errors of surfaces that cannot be flattened.
 
 std::string inconsistent_orientation(const Parts& parts) {
   const bool is_one_sided = parts.is("is_one_sided");
@@ -143,7 +143,7 @@ std::string handles(const Parts& parts) {
          ".";
 }
 
-/// "mark a seam from one opening to the other" and the like.
+/// Returns the fault and remedy, such as "mark a seam from one opening to the other".
 std::string fault_of_outlines(std::size_t num_loops) {
   if (num_loops == 1) return "cannot lie flat: mark another seam";
   if (num_loops == 2) return "is a tube: mark a seam from one opening to the other";
@@ -161,7 +161,7 @@ std::string boundary_too_short(const Parts& parts) {
          ", can enclose no more than " + percent(parts.real("share")) + " of its area in the plane.";
 }
 
-/// "with a tolerance of 0.3% to 1.2% on wires 3 and 4 and with wire 7 (waist) free".
+/// Returns "with a tolerance of 0.3% to 1.2% on wires 3 and 4 and with wire 7 (waist) free".
 std::string with_tolerances(const Parts& parts) {
   const std::vector<std::string>& names = parts.names();
   std::vector<int> elastic, free;
@@ -185,7 +185,7 @@ std::string with_tolerances(const Parts& parts) {
   return text + (text.empty() ? "" : " and ") + "with " + name_wires(free, free_names) + " free";
 }
 
-/// Why no flat shape has the lengths, as far as it is known.
+/// Returns why no flat shape has the lengths, as far as the cause is known.
 std::string infeasible_lengths(const Parts& parts) {
   const std::string& reason = parts.text("reason");
   if (reason == "method") {
@@ -230,13 +230,14 @@ std::string not_solvable(const Parts& parts) {
   return capitalized(piece) + " cannot be solved in double precision: remesh it, or cut it in two with a seam.";
 }
 
-// Flat shapes that break a guarantee.
+// Errors of flat shapes that break a guarantee.
 
 std::string counted(int count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// ", has 3 flipped faces and overlaps itself at 1 face" and the like, for the guarantees that the error is not about.
+/// Returns ", has 3 flipped faces and overlaps itself at 1 face" and the like, for the guarantees that the error is not
+/// about.
 std::string also(int num_flipped, int num_overlapping) {
   const std::string flips = "has " + counted(num_flipped, "flipped face");
   const std::string overlaps = "overlaps itself at " + counted(num_overlapping, "face");
@@ -266,7 +267,7 @@ std::string flipped_faces(const Parts& parts) {
          (parts.is("has_wires") ? ", or remove a wire nearby or give it tolerance." : ".");
 }
 
-// No suggestion.
+// Errors of suggestions.
 
 std::string no_proposal(const Parts& parts) {
   const std::string piece = introduce_piece(parts.elements.faces);

@@ -5,8 +5,8 @@
 
 namespace wirewarp {
 
-/// A matrix that has a factor has none in double precision. Where a factorization is a question (is this Hessian
-/// positive definite?), its answer is a bool instead.
+/// A matrix that should have a factor has none in double precision. If a factorization is a test (is this Hessian
+/// positive definite?), it returns a bool instead.
 class FactorizationFailed : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -23,7 +23,7 @@ OnOneCore::~OnOneCore() { is_on_one_core = was_on_one_core_; }
 namespace {
 
 std::size_t cores_of_process() {
-#ifdef __linux__  // where the standard library counts the cores of the machine, whatever a user or container allows
+#ifdef __linux__  // hardware_concurrency() ignores the limits of users and containers
   static const std::optional<std::size_t> quota = cpu_quota("/");
   cpu_set_t allowed;
   if (sched_getaffinity(0, sizeof allowed, &allowed) == 0) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Independent work on several threads. Which thread does what never changes a result.
+// Independent work on several threads. The assignment of work to threads never changes a result.
 #pragma once
 
 #include <algorithm>
@@ -15,11 +15,11 @@
 
 namespace wirewarp {
 
-/// Number of cores this thread may use, at least 1.
+/// Returns the number of cores this thread may use, at least 1.
 std::size_t num_cores();
 
-/// While an object of this class exists, num_cores() is 1 on its thread. Used if all cores have work of their own, so
-/// that more threads would only take turns with them.
+/// While an object of this class exists, num_cores() is 1 on its thread. Use it when every core is busy already and
+/// more threads would only compete.
 class OnOneCore {
  public:
   OnOneCore();
@@ -34,7 +34,7 @@ class OnOneCore {
 /// Returns whether a second thread has a core of its own.
 inline bool has_second_core() { return num_cores() > 1; }
 
-/// Starts a thread. Returns none if the system allows no more threads.
+/// Starts a thread. Returns nothing if the system allows no more threads.
 template <typename Work>
 std::optional<std::future<void>> begin_thread(const Work& work) {
   try {
@@ -44,9 +44,9 @@ std::optional<std::future<void>> begin_thread(const Work& work) {
   }
 }
 
-/// Calls work(0) to work(count - 1), begun in this order, on at most num_threads threads. The calling thread does the
-/// first, continues with others, and calls meanwhile() from time to time once everything has begun. After an exception
-/// no further work begins; the exception is rethrown.
+/// Calls work(0) to work(count - 1), started in this order, on at most num_threads threads. The calling thread does the
+/// first, continues with others, and calls meanwhile() from time to time once all work has started. After an exception
+/// no further work starts; the exception is rethrown.
 template <typename Work>
 void run_in_threads(
     std::size_t count, std::size_t num_threads, const Work& work, const std::function<void()>& meanwhile = [] {}) {
@@ -63,7 +63,7 @@ void run_in_threads(
   std::vector<std::future<void>> others;
   while (others.size() + 1 < std::min(count, num_threads)) {
     std::optional<std::future<void>> other = begin_thread([&] { begin_at(next++); });
-    if (!other) break;  // the threads that exist do all
+    if (!other) break;  // no more threads: the existing ones do all the work
     others.push_back(std::move(*other));
   }
   begin_at(0);

@@ -7,22 +7,24 @@
 
 namespace wirewarp {
 
-/// How far the refined method refines a shape.
+/// When the refined method ends.
 enum class Target {
-  minimum,      // until another step gains nothing worthwhile
-  rough,        // until another step gains little: others start from it, and take its direction
-  newton_step,  // until a Newton step goes down: others start from it. Farther takes a sixth more factorizations in all
+  minimum,  // when another step would not gain anything worthwhile
+  rough,    // when another step would gain little; the result is a start for others and gives their direction
+  /// After the first descending Newton step; the result is a start for others. Going on takes a sixth more
+  /// factorizations.
+  newton_step,
 };
 
-/// Options, and what users do not choose. Tests choose it, to reach with small input what large input meets, and trials
-/// that need the shape alone.
+/// Options that users do not have. Tests use them to reach with small input what otherwise only large input reaches,
+/// and the search for cuts uses them to compute shapes only.
 struct InternalOptions : Options {
   InternalOptions(const Options& options = {}) : Options(options) {}  // NOLINT(google-explicit-constructor)
 
-  std::size_t large_chart = 8'000;  // faces: from here on a coarse start saves more than it costs
-  bool with_proposals = true;       // looks for what would fix a piece that fails, which takes far longer
+  std::size_t large_chart = 8'000;  // number of faces from which a coarse start saves more time than it costs
+  bool with_proposals = true;       // searches for fixes of a piece that fails, which takes far longer than the run
 
-  bool mends_folds = true;  // looks for another shape if one is flipped or overlaps itself
+  bool mends_folds = true;  // searches for another shape if one is flipped or overlaps itself
   Target target = Target::minimum;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What angles and areas in the plane are written with.
+// Vectors, angles and areas in the plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,7 +8,7 @@ namespace wirewarp {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// Twice the area of the triangle between two planar vectors; positive where b lies to the left of a.
+/// Returns twice the signed area of the triangle between two planar vectors; positive if b is to the left of a.
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 }  // namespace wirewarp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Progress, cancelling and the time of each stage of a run.
+// Progress, cancellation and the time of each stage of a run.
 #pragma once
 
 #include <atomic>
@@ -12,16 +12,16 @@
 
 namespace wirewarp {
 
-/// Passes progress on, and remembers that the caller cancelled or threw.
+/// Passes progress to the caller, and remembers if the caller canceled or threw.
 class ProgressReport {
  public:
   explicit ProgressReport(const Progress& progress) : progress_(progress) {}
 
-  /// False once the caller has cancelled.
+  /// Returns false once the caller has canceled.
   bool go_on(const std::string& stage, double fraction) {
     if (is_cancelled_ || !progress_) return !is_cancelled_;
     try {
-      if (!progress_(stage, fraction)) is_cancelled_ = true;  // never false again: another thread may have cancelled
+      if (!progress_(stage, fraction)) is_cancelled_ = true;  // never reset: another thread may have canceled
     } catch (...) {
       is_cancelled_ = true;  // for the charts in other threads
       throw;
@@ -29,10 +29,10 @@ class ProgressReport {
     return !is_cancelled_;
   }
 
-  /// In any thread: as if the caller had cancelled.
+  /// Acts as if the caller had canceled. Callable from any thread.
   void cancel() { is_cancelled_ = true; }
 
-  /// In any thread.
+  /// Callable from any thread.
   bool is_cancelled() const { return is_cancelled_; }
 
  private:
@@ -40,7 +40,7 @@ class ProgressReport {
   std::atomic<bool> is_cancelled_{false};
 };
 
-/// Adds the time from its construction to its destruction to seconds[stage].
+/// Adds the time between its construction and destruction to seconds[stage].
 class StageTimer {
  public:
   StageTimer(std::map<std::string, double>& seconds, std::string stage)

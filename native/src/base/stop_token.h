@@ -15,34 +15,34 @@ class Stopped : public std::exception {
   const char* what() const noexcept override { return "stopped"; }
 };
 
-/// Polls the caller; once the answer was no, it is not asked again. Copies share that memory. Several threads may use
-/// one token if its question allows that.
+/// Asks the caller whether to go on, and remembers the first "no". Copies share this memory. Several threads may use
+/// one token if its function allows it.
 class StopToken {
  public:
   using Question = std::function<bool(const char* stage)>;
 
-  StopToken() = default;  // nobody stops it
+  StopToken() = default;  // never stops
   explicit StopToken(Question may_go_on) : state_(std::make_shared<State>(std::move(may_go_on))) {}
 
-  /// The token of another stage.
+  /// Returns the same token for another stage.
   StopToken in(const char* stage) const {
     StopToken token = *this;
     token.stage_ = stage;
     return token;
   }
 
-  /// False: stop with what there is.
+  /// Returns false if the work should stop with the result so far.
   bool may_go_on() const {
     if (state_ && !state_->is_stopped && !state_->may_go_on(stage_)) state_->is_stopped = true;
     return !is_stopped();
   }
 
-  /// Where nothing is worth keeping yet: throws Stopped.
+  /// Throws Stopped if the work should stop. For places without a result to keep.
   void check() const {
     if (!may_go_on()) throw Stopped();
   }
 
-  /// Without asking.
+  /// Returns whether the caller has stopped, without asking again.
   bool is_stopped() const { return state_ && state_->is_stopped; }
 
  private:

@@ -7,16 +7,16 @@
 
 namespace wirewarp {
 
-/// Asks whether to go on after a fixed amount of work, however little is done at a time: as often in one large piece as
-/// in thousands of small ones.
+/// Asks whether to go on after a fixed amount of work, so that the calls are as regular in one large piece as in
+/// thousands of small ones.
 class WorkMeter {
  public:
-  /// Faces, edges or pairs looked at between two questions: some milliseconds.
+  /// Faces, edges or pairs visited between two calls: a few milliseconds.
   static constexpr std::size_t work_per_question = 20'000;
 
   explicit WorkMeter(StopToken stop) : stop_(std::move(stop)) {}
 
-  /// Throws Stopped.
+  /// Adds to the work done. Throws Stopped.
   void did(std::size_t work) {
     done_ += work;
     if (done_ < work_per_question) return;
