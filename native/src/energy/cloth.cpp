@@ -29,13 +29,13 @@ Cloth fabric(std::array<double, 3> stiffness, std::array<double, 2> stretch, dou
 
 }  // namespace
 
-// Stiffness across and along the grain and against shear, of which only ratios count; then the maximum stretch across
-// and along. If one figure stands for a family, it is a middle one. Stretch in weft and warp of stiff plain weaves
-// costs some 2,100 N/m, shear 25 to 100; of denim of 11 oz 225, 1,055 and 70; of knits such as swimwear 40, 138 and 10
-// to 36; of double knit 67, 182 and 30. A plain weave locks at about 45° (trellis tests on dry fabrics). Material that
-// is alike in all directions has the shear of an isotropic sheet, ½; foam and leather buckle rather than compress, by
-// how much nobody publishes, so the factors of squeeze are chosen. Maximum stretch is what a hand pulls and the fabric
-// recovers from.
+// Stiffness across and along the grain and against shear, of which only the ratios matter; then the maximum stretch
+// across and along. One number for a family of fabrics is a middle value. Stretch stiffness in weft and warp is about
+// 2,100 N/m for stiff plain weaves, with 25 to 100 for shear. The numbers across, along and for shear are 225, 1,055
+// and 70 for 11 oz denim; 40, 138 and 10 to 36 for knits such as swimwear; 67, 182 and 30 for double knit. A plain
+// weave locks at about 45° (trellis tests on dry fabrics). An isotropic material has shear ½. Foam and leather buckle
+// rather than compress; no measurements are published, so their squeeze factors are chosen. The maximum stretch is what
+// a hand can pull and the fabric recovers from.
 const std::vector<ClothPreset>& cloth_presets() {
   static const std::string wang = "Wang, O'Brien, Ramamoorthi: Data-driven elastic models for cloth (2011)";
   static const std::vector<ClothPreset> all = {

@@ -10,13 +10,13 @@
 namespace wirewarp {
 namespace {
 
-// Over the stiffer threads: by 15° beyond locking a woven costs as much as a thread strained by half, and yet the
-// Newton systems stay as well posed as they are without.
+// Relative to the stiffer threads. At 15° beyond locking, a woven costs as much as with a thread strained by half, and
+// the Newton systems are conditioned as well as without locking.
 constexpr double kLockingStiffness = 10;
 
 enum Index { kP, kQ, kG, kD };
 
-/// ∂(p, q, g, D)/∂(a, b), a row each.
+/// Returns ∂(p, q, g, D)/∂(a, b), one row each.
 Eigen::Matrix4d jacobian(const Eigen::Matrix2d& map, const ClothLaw::Invariants& of) {
   const double a1 = map(0, 0), a2 = map(0, 1), b1 = map(1, 0), b2 = map(1, 1);
   Eigen::Matrix4d rows;
@@ -27,7 +27,7 @@ Eigen::Matrix4d jacobian(const Eigen::Matrix2d& map, const ClothLaw::Invariants&
   return rows;
 }
 
-/// A thread: stiffness (r − D)²/D, r its p or q.
+/// The cost of a thread, stiffness (r − D)²/D, where r is its p or q.
 struct Thread {
   Thread(double thread_stiffness, double squeeze, double reach, double determinant)
       : stiffness(reach < determinant ? thread_stiffness * squeeze : thread_stiffness), ratio(reach / determinant) {}
@@ -77,7 +77,7 @@ ClothLaw::Expansion ClothLaw::expand(const Invariants& of) const {
   return by;
 }
 
-/// With s = |g|/(pq) and m = s − sin γ₀: 10 D m².
+/// Adds 10 D m², where s = |g|/(pq) and m = s − sin γ₀.
 void ClothLaw::add_locking(const Invariants& of, Expansion& by) const {
   const double sine = std::abs(of.g) / (of.p * of.q), excess = sine - *locking_sine_;
   if (!(excess > 0)) return;
@@ -113,7 +113,7 @@ Eigen::Matrix4d ClothLaw::hessian(const Eigen::Matrix2d& map) const {
   const Expansion by = expand(of);
   const Eigen::Matrix4d rows = jacobian(map, of);
   Eigen::Matrix4d hessian = rows.transpose() * by.curvature * rows;
-  // The curvature of p and q themselves, and the constant ones of g and D.
+  // Curvature of p and q, which depends on the map, and of g and D, which is constant.
   const Eigen::Matrix2d identity = Eigen::Matrix2d::Identity();
   const Eigen::RowVector2d along_a = map.row(0) / of.q, along_b = map.row(1) / of.p;
   hessian.topLeftCorner<2, 2>() += by.slope[kQ] / of.q * (identity - along_a.transpose() * along_a);
@@ -126,7 +126,7 @@ Eigen::Matrix4d ClothLaw::hessian(const Eigen::Matrix2d& map) const {
 
 Eigen::Matrix4d ClothLaw::convex_hessian(const Eigen::Matrix2d& map) const {
   const Eigen::Matrix4d exact = hessian(map);
-  if (Eigen::LLT<Eigen::Matrix4d>(exact).info() == Eigen::Success) return exact;  // a tenth of the eigenvalues' cost
+  if (Eigen::LLT<Eigen::Matrix4d>(exact).info() == Eigen::Success) return exact;  // costs a tenth of the eigenvalues
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(exact);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
 }

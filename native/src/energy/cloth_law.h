@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one triangle of a cloth costs, as a function of its map.
+// The energy of one triangle of cloth as a function of its map.
 //
 //   J = (a; b)      the map worn → flat, with the rows a = ∇x (weft) and b = ∇y (warp)
 //   p = |b|, q = |a|, g = a·b, D = det J
@@ -12,12 +12,12 @@
 //   φ = D W = weft (p − D)²/D + warp (q − D)²/D + shear g²/D³ + 10 D max(0, |g|/(pq) − sin γ₀)²     per worn area
 //
 // Threads and shear of woven cloth as independent springs: D. E. Breen, D. H. House, M. J. Wozny (1994), J. McCartney
-// et al. (2000). As a → b → 0 together φ stays finite, and that of a mirror image is no larger: φ is no barrier. D <= 0
-// counts as infinite.
+// et al. (2000). φ stays finite as a and b approach 0 together, and is not larger for a mirror image, so it is not a
+// barrier by itself; for D <= 0 it is defined as infinite.
 //
-// Of a cloth that is worn stretched by S = diag(1 + c_weft, 1 + c_warp) J is the map to the stretched cloth, S times
-// the one to the flat piece: threads and angle then deviate from what they are meant to be, and the flat area is 1 /
-// det S of that on which W counts here.
+// For a cloth that is worn stretched by S = diag(1 + c_weft, 1 + c_warp), J is the map to the stretched cloth, S times
+// the map to the flat piece. The energy then measures the deviation from this stretch, and the flat area is 1 / det S
+// times the area that W refers to here.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,10 +29,11 @@ namespace wirewarp {
 
 class ClothLaw {
  public:
-  /// The stiffnesses count over the larger one of weft and warp: or other terms beside them would change their meaning.
+  /// Stiffnesses are divided by the larger one of weft and warp, so that their scale does not matter beside other
+  /// terms.
   explicit ClothLaw(const Cloth& cloth);
 
-  /// p, q, g and D of a map.
+  /// The invariants p, q, g and D of a map.
   struct Invariants {
     explicit Invariants(const Eigen::Matrix2d& map)
         : p(map.row(1).norm()),
@@ -42,19 +43,19 @@ class ClothLaw {
     double p, q, g, determinant;
   };
 
-  /// φ; infinite where D <= 0.
+  /// Returns φ; infinite if D <= 0.
   double density(const Eigen::Matrix2d& map) const;
 
-  /// ∂φ/∂J; zero where D <= 0.
+  /// Returns ∂φ/∂J; zero if D <= 0.
   Eigen::Matrix2d gradient(const Eigen::Matrix2d& map) const;
 
-  /// ∂²φ/∂J² by (a, b) below one another. D > 0.
+  /// Returns ∂²φ/∂J² by the stacked vector (a, b). Needs D > 0.
   Eigen::Matrix4d hessian(const Eigen::Matrix2d& map) const;
 
-  /// The same without what is negative of it: the eigenvalues below zero are set to zero.
+  /// Returns the same Hessian with its negative eigenvalues set to zero.
   Eigen::Matrix4d convex_hessian(const Eigen::Matrix2d& map) const;
 
-  /// Bounds the Hessian of φ at rest by that of ARAP times this.
+  /// Returns a factor by which ARAP's Hessian bounds the Hessian of φ at rest.
   double stiffness_at_rest() const;
 
  private:
@@ -64,7 +65,7 @@ class ClothLaw {
     Eigen::Matrix4d curvature;
   };
 
-  /// φ.
+  /// Returns φ.
   double value(const Invariants& of) const;
 
   Expansion expand(const Invariants& of) const;

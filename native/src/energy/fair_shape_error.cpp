@@ -14,9 +14,9 @@ namespace {
 using HatGradients = Eigen::Matrix<double, 2, 3>;
 using PerCorner = Eigen::Matrix<double, 2, 3>;
 
-constexpr double kSmallestDeterminant = 0.1;  // where the barrier begins: beyond what any good piece has
-constexpr double kFiniteWeight = 10;          // ω: a triangle without area costs as much as one shrunk by a third
-constexpr double kInfiniteWeight = 0.1;       // κ: ω ⅒², so that both barriers begin alike
+constexpr double kSmallestDeterminant = 0.1;  // barrier starts here; good pieces have larger determinants
+constexpr double kFiniteWeight = 10;          // ω: a triangle with zero area costs as much as one shrunk by a third
+constexpr double kInfiniteWeight = 0.1;       // κ = ω ⅒², so that both barriers start with the same curvature
 
 double kappa(double norm_z, Curvature curvature) {
   const double exact = norm_z > 0 ? 2 / norm_z : 1;  // norm_z is 2 |z|
@@ -31,20 +31,20 @@ double kappa(double norm_z, Curvature curvature) {
   return 0;
 }
 
-/// s_i = g_i · i ẑ.
+/// Returns s_i = g_i · i ẑ.
 PerCorner turned_hats(const HatGradients& g, const ShapeError::LinearMap& map) {
   if (!(map.norm_z > 0)) return PerCorner::Zero();
   const double x = map.z1 / map.norm_z, y = map.z2 / map.norm_z;
   return (Eigen::Matrix2d() << -y, -x, x, -y).finished() * g;
 }
 
-/// ∇_i det J = g_i z − ḡ_i w.
+/// Returns ∇_i det J = g_i z − ḡ_i w.
 PerCorner determinant_gradient(const HatGradients& g, const ShapeError::LinearMap& map) {
   return 0.5 * (Eigen::Matrix2d() << map.z1 - map.w1, -map.z2 - map.w2, map.z2 - map.w2, map.z1 + map.w1).finished() *
          g;
 }
 
-/// M(ḡ_i g_j).
+/// Returns M(ḡ_i g_j).
 Eigen::Matrix2d conjugate_product(const HatGradients& g, int i, int j) {
   const double dot = g.col(i).dot(g.col(j)), cross = g(0, i) * g(1, j) - g(1, i) * g(0, j);
   return (Eigen::Matrix2d() << dot, -cross, cross, dot).finished();
@@ -60,7 +60,7 @@ FairShapeError::FairShapeError(const RefineTask& task, Injectivity injectivity, 
   if (injectivity == Injectivity::global) outline_barrier_.emplace(task.chart, layout);
 }
 
-/// Of a determinant below the smallest.
+/// For a determinant below kSmallestDeterminant.
 FairShapeError::FlipBarrier FairShapeError::flip_barrier(double determinant) const {
   if (injectivity_ == Injectivity::none) {
     const double lack = kSmallestDeterminant - determinant;
@@ -80,7 +80,7 @@ double FairShapeError::energy(const Positions2& uv) const {
   return sum;
 }
 
-/// The gradient is set.
+/// Overwrites the gradient.
 double FairShapeError::energy_and_gradient(const Positions2& uv, Positions2& gradient) const {
   if (!cloth_) return shape_error_.energy_and_gradient(uv, gradient);
   gradient.setZero(uv.rows(), 2);
@@ -126,7 +126,7 @@ double FairShapeError::value_of_rounding(double error) const {
   return error * error * sum + bending_.value_of_rounding(error);
 }
 
-/// Each area is a quadratic function a + bt + ct² of the share t, positive at 0.
+/// The area of each triangle is a quadratic function a + bt + ct² of the step share t, positive at 0.
 double FairShapeError::longest_step(const Positions2& uv, const Positions2& d) const {
   if (injectivity_ == Injectivity::none) return 1;
   double longest = outline_barrier_ ? outline_barrier_->longest_step(uv, d) : 1;
@@ -196,7 +196,7 @@ void FairShapeError::add_constant_hessian(VertexMatrix& hessian) const {
   bending_.add_hessian(hessian);
 }
 
-/// Of E without its Laplacian, or of φ.
+/// Adds the curvature of E without its Laplacian, or of φ.
 void FairShapeError::add_energy_curvature(std::size_t i, const ShapeError::LinearMap& map, Curvature curvature,
                                           VertexMatrix& hessian) const {
   const ShapeError::Triangle& t = shape_error_.triangles()[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The local step finds all rotations for the shape, the global step the shape for these rotations, which is the minimum
-// of a quadratic with the constant Hessian K. Its gradient at u is that of E, so both are one step -K⁻¹g, g = ∂E/∂u:
-// steepest descent in the metric K, and the first direction of conjugate gradients in it (Polak-Ribière):
+// The local step finds the best rotations for a shape, and the global step the best shape for these rotations. The
+// latter minimizes a quadratic with the constant Hessian K and the gradient g = ∂E/∂u, so both together are one step
+// -K⁻¹g: steepest descent in the metric K. The steps here are conjugate gradients in this metric (Polak-Ribière):
 //
 //   s = K⁻¹g,   d = -s + β d_before,   β = max(0, (g - g_before)·s / g_before·s_before)
 #include "energy/free_boundary_arap.h"
@@ -20,14 +20,15 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kSmallestDrop = 1e-6;     // of E in a step, over E: a start needs no more digits
-constexpr double kLongestStep = 8;         // in lengths of the direction: E is a parabola along it only nearby
-constexpr double kRegularization = 1e-12;  // of the diagonal: far above rounding, so that a sliver cannot fail it
+constexpr double kSmallestDrop = 1e-6;  // relative decrease of E in a step; a start needs no more digits
+constexpr double kLongestStep = 8;      // in lengths of the direction; E is close to a parabola along it only nearby
+/// Relative to the diagonal; far above rounding, so that a sliver cannot make the factorization fail.
+constexpr double kRegularization = 1e-12;
 
 class GlobalStep {
  public:
-  /// Doubling one diagonal entry of K holds its vertex: the entries of a gradient sum to 0, so the vertex does not
-  /// move. positions: for the order of elimination.
+  /// Doubles one diagonal entry of K to fix that vertex. The entries of a gradient sum to 0, so the vertex does not
+  /// move. positions: for the elimination order.
   GlobalStep(Eigen::SparseMatrix<double> hessian, const Positions2& positions, const StopToken& stop)
       : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, has_second_core()) {
     hessian.coeffRef(0, 0) *= 2;
@@ -38,7 +39,7 @@ class GlobalStep {
     if (!is_positive) throw FactorizationFailed("GlobalStep: the Laplacian is not positive definite");
   }
 
-  /// K⁻¹ b.
+  /// Returns K⁻¹ b.
   Positions2 solve(const Positions2& b) const {
     Eigen::MatrixXd x = b;
     cholesky_.solve_in_place(x);
@@ -51,7 +52,8 @@ class GlobalStep {
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
-/// How far to go along the direction: to the bottom of the parabola through E, its slope, and E one length further.
+/// Returns the step length along the direction: the minimum of the parabola through E, its slope, and E one length
+/// further.
 double step_length(const ShapeError& shape_error, const FreeBoundaryArap& flat, const Positions2& direction,
                    double slope) {
   const double curvature = 2 * (shape_error.energy(flat.uv + direction) - flat.energy - slope);
@@ -71,7 +73,7 @@ FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, cons
   const GlobalStep global_step(shape_error.fixed_rotation_hessian(), flat.uv, stop);
   flat.factorizations = start ? 1 : 2;
 
-  Positions2 gradient, other_gradient = Positions2::Zero(flat.uv.rows(), 2);  // before, then after a step
+  Positions2 gradient, other_gradient = Positions2::Zero(flat.uv.rows(), 2);  // before and after a step
   flat.energy = shape_error.energy_and_gradient(flat.uv, gradient);
   Positions2 direction = Positions2::Zero(flat.uv.rows(), 2);
   double decrease = 1;  // g·s
@@ -84,13 +86,13 @@ FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, cons
     direction = beta * direction - step;
     Positions2 uv = flat.uv + step_length(shape_error, flat, direction, dot(gradient, direction)) * direction;
     double energy = shape_error.energy_and_gradient(uv, other_gradient);
-    if (!(energy < flat.energy)) {  // then the local/global step, which cannot raise E
+    if (!(energy < flat.energy)) {  // plain local/global step, which cannot increase E
       direction = -step;
       uv = flat.uv + direction;
       energy = shape_error.energy_and_gradient(uv, other_gradient);
     }
     flat.converged = !(flat.energy - energy > kSmallestDrop * flat.energy);
-    if (!(energy < flat.energy)) break;  // by rounding
+    if (!(energy < flat.energy)) break;  // rounding
     flat.uv = std::move(uv);
     flat.energy = energy;
     std::swap(gradient, other_gradient);

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guarantee as equations: every edge of the boundary and of a rigid or elastic wire has its length. Under a cloth
-// there is one more for each connected part, last, which keeps it from turning.
+// The guaranteed lengths as equations: every edge of the boundary and of a rigid or elastic wire has its length. With a
+// cloth, one more equation for each connected part fixes its rotation; these come last.
 //
-//   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 but on elastic parts, and shared evenly by their edges;
-//                                                     here it is the solver's g (surface/charts/chart.h), l what is
-//                                                     asked for
+//   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 except on elastic parts, whose edges share one h;
+//                                                       h is the solver's g (surface/charts/chart.h), l the
+//                                                     target length
 //   J = ∂c/∂u   row e: d̂ at b, −d̂ at a
 //   T = −∂c/∂h  column w: l at the edges of the elastic parts with h_w
 //   ∂²c_e/∂d² = n nᵀ / |d|,   n ⊥ d̂
 //
-//   c_g(u) = m·d        with a fixed m in the place of d̂; ∂²c_g/∂d² = 0
+//   c_g(u) = m·d        with a fixed m instead of d̂; ∂²c_g/∂d² = 0
 //
-// Of a cloth that is worn stretched u is the layout of the stretched cloth (energy/refine_task.h), and the flat edge is
-// w = S⁻¹ d:
+// For a cloth that is worn stretched, u is the layout of the stretched cloth (energy/refine_task.h), and the flat edge
+// is w = S⁻¹ d:
 //
-//   c_e(u, h) = |w| − (1 + h) l;   ∂c_e/∂d = S⁻¹ ŵ, which is meant by d̂;   ∂²c_e/∂d² = m mᵀ / |w|³,   m ⊥ d, |m| = |d|
+//   c_e(u, h) = |w| − (1 + h) l;   ∂c_e/∂d = S⁻¹ ŵ, called d̂ below;   ∂²c_e/∂d² = m mᵀ / |w|³,   m ⊥ d, |m| = |d|
 //   / det S
 #pragma once
 
@@ -30,54 +30,54 @@ class LengthConstraints {
  public:
   struct Edge {
     int a, b;       // chart vertices
-    double length;  // l; of the row against turning: of d at first, which errors are measured against
-    int elastic;    // entry of h, -1: h is 0
+    double length;  // l; for a rotation row the initial length of d, which scales its error
+    int elastic;    // index into h; -1 if h is 0
   };
 
-  /// cloth: with its rows against turning, null: none; layout: one that says how long they are.
+  /// cloth: adds its rotation rows; null: none. layout: gives the scale of these rows.
   LengthConstraints(const Chart& chart, const HeldNetwork& network, const ClothOnChart* cloth = nullptr,
                     const Positions2& layout = {});
 
   const std::vector<Edge>& edges() const { return edges_; }
   int size() const { return static_cast<int>(edges_.size()); }
 
-  /// Has no curvature.
+  /// Whether the constraint has no curvature.
   bool is_linear(int edge) const { return edge >= size() - static_cast<int>(grain_normals_.size()); }
 
-  /// The entry of h that a wire part of the chart has, -1 none. One for all sides of a seam that gives.
+  /// Returns the index into h of each wire part of the chart; -1: none. All sides of an elastic seam share one.
   const std::vector<int>& elastic_of_part() const { return elastic_of_part_; }
   int num_elastic() const { return static_cast<int>(tolerance_.size()); }
 
-  /// ε. #elastic.
+  /// Returns ε. #elastic.
   const Eigen::VectorXd& tolerance() const { return tolerance_; }
 
   Eigen::VectorXd within_tolerance(const Eigen::VectorXd& variation) const {
     return variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
   }
 
-  /// h that a layout has, beyond its tolerance or not. #elastic.
+  /// Returns h of a layout, whether or not it is within the tolerance. #elastic.
   Eigen::VectorXd variation(const Positions2& uv) const;
 
-  /// T, #edges by #elastic: one entry in the row of an elastic edge.
+  /// Returns T, #edges by #elastic: one entry in the row of an elastic edge.
   const Eigen::SparseMatrix<double>& elastic_lengths() const { return elastic_lengths_; }
 
-  /// c. #edges, scene units.
+  /// Returns c. #edges, scene units.
   Eigen::VectorXd residual(const Positions2& uv, const Eigen::VectorXd& variation) const;
 
-  /// Largest |c| / (l + 10⁻⁵ √area), infinite where a residual is not finite: edges so short that their ends differ by
-  /// little more than the rounding of coordinates are measured against that.
+  /// Returns the largest |c| / (l + 10⁻⁵ √area); infinite if a residual is not finite. The second term matters for
+  /// edges so short that rounding of the coordinates changes their length noticeably.
   double largest_error(const Eigen::VectorXd& residual) const;
 
-  static constexpr double exact = 1e-13;  // the target of steps to exact lengths
-  static constexpr double kept = 1e-10;   // from here on a length counts as kept; the guarantee is 1e-9
+  static constexpr double exact = 1e-13;  // target of the retraction
+  static constexpr double kept = 1e-10;   // error up to which a length counts as exact; the guarantee is 1e-9
 
-  /// d̂, one row per edge; zero where an edge has no length.
+  /// Returns d̂, one row per edge; zero for an edge of zero length.
   Positions2 directions(const Positions2& uv) const;
 
-  /// λ ∂²c/∂d² of an edge; zero where it has no length.
+  /// Returns λ ∂²c/∂d² of an edge; zero for an edge of zero length.
   Eigen::Matrix2d curvature(int edge, const Positions2& uv, double multiplier) const;
 
-  /// J d for the directions of a linearization. #edges.
+  /// Returns J d for the directions of a linearization. #edges.
   Eigen::VectorXd apply(const Positions2& directions, const Eigen::Ref<const Positions2>& d) const;
 
   /// Adds Jᵀ λ. One row per chart vertex.
@@ -89,7 +89,7 @@ class LengthConstraints {
     return grain_normals_[edge - (size() - static_cast<int>(grain_normals_.size()))];
   }
 
-  /// w.
+  /// Returns w.
   Eigen::RowVector2d flat_edge(const Edge& edge, const Positions2& uv) const {
     return (uv.row(edge.b) - uv.row(edge.a)).cwiseProduct(flat_share_);
   }

@@ -6,9 +6,8 @@
 
 namespace wirewarp {
 
-/// b(x) = −(1 − x)² ln x below 1 and 0 from there on, with two continuous derivatives; infinite where x <= 0: what
-/// keeps x positive in incremental potential contact (M. Li et al., ACM Transactions on Graphics 39 (2020), article
-/// 49).
+/// b(x) = −(1 − x)² ln x for x < 1 and 0 for x >= 1, with two continuous derivatives; infinite for x <= 0. It is the
+/// barrier of incremental potential contact (M. Li et al., ACM Transactions on Graphics 39 (2020), article 49).
 struct LogBarrier {
   explicit LogBarrier(double x) {
     if (x >= 1) return;

@@ -14,16 +14,16 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kWeight = 1;    // κ: the force where d is about half of d̂ is that of a strain of 1, edge by edge
-constexpr double kReach = 0.1;   // d̂ over an edge: corners of more than 6° feel nothing between their own sides
-constexpr double kCovered = 8;   // contacts nearer than so many d̂ are in the Hessian: those of the next steps
-constexpr double kAside = 1e-9;  // of an edge: a vertex that passes its end by no more counts as touching
+constexpr double kWeight = 1;    // κ: at d about d̂/2 the force equals that of a strain of 1
+constexpr double kReach = 0.1;   // d̂ over an edge; corners of more than 6° are no contacts of their own sides
+constexpr double kCovered = 8;   // contacts nearer than this times d̂ are in the Hessian, for the next steps
+constexpr double kAside = 1e-9;  // relative to an edge; a vertex that misses the edge's end by less counts as touching
 
 Box2 box_around(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double margin) {
   return Box2(a.cwiseMin(b).array() - margin, a.cwiseMax(b).array() + margin);
 }
 
-/// The times t at which a + bt + ct² is 0, real ones; 0 where it always is.
+/// Returns the real roots of a + bt + ct²; 0 if it is 0 everywhere.
 std::vector<double> roots(double a, double b, double c) {
   if (c == 0 && b == 0) return a == 0 ? std::vector<double>{0} : std::vector<double>{};
   const double discriminant = b * b - 4 * a * c;
@@ -70,7 +70,7 @@ OutlineBarrier::Distance OutlineBarrier::distance(const Positions2& uv, const Co
   return {apart.norm(), apart.normalized(), along};
 }
 
-/// Those nearer than so many d̂, in order.
+/// Returns the contacts nearer than `reaches` times d̂, in order.
 std::vector<OutlineBarrier::Contact> OutlineBarrier::find_contacts(const Positions2& uv, double reaches) const {
   std::vector<Box2> boxes;
   boxes.reserve(edges_.size());
@@ -143,7 +143,7 @@ bool OutlineBarrier::covers_contacts(const Positions2& uv) const {
   return std::includes(covered_.begin(), covered_.end(), contacts.begin(), contacts.end(), comes_before);
 }
 
-/// p is on the line through a and b at the roots of a quadratic: what p − a and b − a span has no area.
+/// p is on the line through a and b at the roots of a quadratic: there p − a and b − a span zero area.
 double OutlineBarrier::longest_step(const Positions2& uv, const Positions2& d) const {
   const Positions2 end = uv + d;
   const auto swept = [&](int v) { return box_around(uv.row(v), end.row(v), 0); };

@@ -8,7 +8,7 @@
 //   d̂    where the barrier begins: ⅒ of the shortest outline edge that meets p, a or b
 //   w_p  half the outline edges at p, so that the sum over p is an integral along the outline
 //
-// Its Hessian is that of Gauss and Newton, κ √A w b″ ∇d ∇dᵀ / d̂: positive semidefinite, and all that is stiff in it.
+// The Gauss-Newton Hessian κ √A w b″ ∇d ∇dᵀ / d̂ is used: positive semidefinite, with all the stiff terms.
 #pragma once
 
 #include <vector>
@@ -20,29 +20,29 @@ namespace wirewarp {
 
 class OutlineBarrier {
  public:
-  /// layout: contacts that are near in it are the ones in the Hessian.
+  /// The contacts that are near in this layout are in the Hessian.
   OutlineBarrier(const Chart& chart, const Positions2& layout);
 
-  /// B, and adds ∂B/∂u to the gradient. uv, gradient: one row per chart vertex.
+  /// Returns B; add_gradient() also adds ∂B/∂u to the gradient. uv, gradient: one row per chart vertex.
   double value(const Positions2& uv) const;
   double add_gradient(const Positions2& uv, Positions2& gradient) const;
 
-  /// The vertices that the Hessian couples.
+  /// Appends the pairs of vertices that the Hessian couples.
   void list_pairs(std::vector<VertexPair>& pairs) const;
 
-  /// Adds the Hessian of the contacts in it.
+  /// Adds the Hessian of its contacts.
   void add_hessian(const Positions2& uv, VertexMatrix& hessian) const;
 
   /// Whether all contacts of a layout are in the Hessian.
   bool covers_contacts(const Positions2& uv) const;
 
-  /// The share of the step d from uv, at most 1, after which the outline first touches itself.
+  /// Returns the share of the step d from uv, at most 1, after which the outline first touches itself.
   double longest_step(const Positions2& uv, const Positions2& d) const;
 
  private:
   struct Edge {
     int a, b;      // chart vertices
-    double reach;  // d̂ where p's edges are no shorter
+    double reach;  // d̂, unless the edges at p are shorter
   };
   struct Contact {
     int p, edge;   // chart vertex, index into edges_
@@ -60,9 +60,9 @@ class OutlineBarrier {
 
   double size_;  // √A
   std::vector<Edge> edges_;
-  std::vector<int> vertices_;                   // of the outline
-  std::vector<double> reach_, outline_length_;  // d̂ for p's edges, w; one per chart vertex
-  std::vector<Contact> covered_;                // in order
+  std::vector<int> vertices_;                   // vertices of the outline
+  std::vector<double> reach_, outline_length_;  // d̂ of the edges at p, and w; one per chart vertex
+  std::vector<Contact> covered_;                // contacts in the Hessian, in order
 };
 
 }  // namespace wirewarp

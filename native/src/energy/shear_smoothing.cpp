@@ -9,12 +9,12 @@
 namespace wirewarp {
 namespace {
 
-// δ: the width of a zigzag that is left alone, over the size of the piece. On a quarter sphere shear grows from 44° to
-// 68° with the mesh without this, and falls from 43° to 41.5° with .005; .01 and .02 cost 1 and 8 % of the energy for
-// 2° more.
+// δ: width from which a zigzag is not penalized, over the size of the piece. On a quarter sphere, shear grows from 44°
+// to 68° with refinement without the penalty, and falls from 43° to 41.5° with .005; .01 and .02 add 1% and 8% of the
+// energy for 2° more.
 constexpr double kWidth = 0.005;
 
-/// The triangle on the left of an edge, laid flat: the edge from (0, 0) to (l, 0), the third vertex at (x, height).
+/// The unfolded triangle on the left of an edge: the edge from (0, 0) to (l, 0), the third vertex at (x, height).
 struct Side {
   Side(const HalfEdgeMesh& mesh, HalfedgeHandle h) : vertex(mesh.to_vertex_handle(mesh.next_halfedge_handle(h)).idx()) {
     const OpenMesh::Vec3d origin = mesh.point(mesh.from_vertex_handle(h));
@@ -50,7 +50,7 @@ ShearSmoothing::ShearSmoothing(const Chart& chart) {
 }
 
 Eigen::RowVector2d ShearSmoothing::Edge::jump(const Positions2& uv) const {
-  // Differences first: positions may be far larger than edges. The shares sum up to zero.
+  // Differences first, because positions may be far larger than edges. The shares sum to zero.
   Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
   for (std::size_t k = 1; k < 4; ++k) sum += shares[k] * (uv.row(vertices[k]) - uv.row(vertices[0]));
   return sum;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Against shear that zigzags from triangle to triangle. A thread that is squeezed by more than shear/(shear + weft), a
-// few percent of a woven, is shorter still once it zigzags, at the price of a little shear: the energy of a cloth is
-// not convex there, and its minima get rougher with every refinement. What a cloth has against that is that its threads
-// are stiff: a fold in the map costs
+// A penalty on shear that zigzags from triangle to triangle. A thread compressed by more than shear/(shear + weft), a
+// few percent for a woven, can shorten further by zigzagging at the cost of a little shear. The energy of a cloth is
+// not convex there, and its minima become rougher with every refinement. Real threads resist this by their bending
+// stiffness; here the jump of the map's derivative across an edge costs
 //
 //   Z(u) = ½ (δ √A)² Σ (l/d) |[∂u/∂ν]|²    over the inner edges
 //
 // with [∂u/∂ν] the jump of the derivative across the edge, l its length, d the distance of the centroids of its
-// triangles, laid flat, A the area of the connected part. It is the interior penalty of discontinuous Galerkin methods
-// on plates (J. Douglas, T. Dupont, Interior penalty procedures, 1976): quadratic, the same for every refinement, zero
+// unfolded triangles, A the area of the connected part. It is the interior penalty of discontinuous Galerkin methods on
+// plates (J. Douglas, T. Dupont, Interior penalty procedures, 1976): quadratic, independent of refinement, and zero
 // where the chart is unfolded.
 #pragma once
 
@@ -24,21 +24,21 @@ class ShearSmoothing {
  public:
   explicit ShearSmoothing(const Chart& chart);
 
-  /// Z, and adds ∂Z/∂u to the gradient. uv, gradient: one row per chart vertex.
+  /// Returns Z; add_gradient() also adds ∂Z/∂u to the gradient. uv, gradient: one row per chart vertex.
   double value(const Positions2& uv) const;
   double add_gradient(const Positions2& uv, Positions2& gradient) const;
 
-  /// Z of an isometric layout once all coordinates are off by about error.
+  /// Returns Z of an isometric layout if all coordinates have errors of about `error`.
   double value_of_rounding(double error) const;
 
-  /// The vertices that its Hessian couples.
+  /// Appends the pairs of vertices that the Hessian couples.
   void list_pairs(std::vector<VertexPair>& pairs) const;
 
   /// Adds the Hessian, constant and positive semidefinite.
   void add_hessian(VertexMatrix& hessian) const;
 
  private:
-  /// The jump is Σ share_k u_k, over the ends of the edge and the two vertices opposite to it.
+  /// The jump is Σ share_k u_k over the ends of the edge and the two vertices opposite to it.
   struct Edge {
     std::array<int, 4> vertices;
     std::array<double, 4> shares;

@@ -25,8 +25,7 @@ void put_on_circle(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop, double r
   }
 }
 
-/// Springs between points, which are the chart's vertices, then the apexes; those on a loop are fixed where uv has
-/// them.
+/// Springs between points: the chart's vertices, then the apexes. Points on the outer loop are fixed at their uv.
 class Springs {
  public:
   Springs(const HalfEdgeMesh& mesh, const HalfEdgeChain& fixed_loop, std::size_t num_apexes, Positions2& uv)
@@ -47,7 +46,7 @@ class Springs {
     if (column >= 0) entries_.emplace_back(row, column, -stiffness);
   }
 
-  /// Where all springs are at rest. layout: any that separates near points from far ones, for the order of elimination.
+  /// Solves for the equilibrium. layout: separates near from far points, for the elimination order.
   void relax(const Positions2& layout, const StopToken& stop) {
     if (x_.rows() == 0) return;
     Eigen::SparseMatrix<double> stiffness(x_.rows(), x_.rows());
@@ -77,12 +76,12 @@ class Springs {
   }
 
   Positions2& uv_;
-  std::vector<int> row_of_point_;  // -1 where fixed
+  std::vector<int> row_of_point_;  // -1: fixed
   std::vector<Eigen::Triplet<double>> entries_;
-  Eigen::MatrixX2d x_;  // the right-hand side, then the free points
+  Eigen::MatrixX2d x_;  // first the right-hand side, then the free points
 };
 
-/// tan(α/2)/l at every corner, to both its edges.
+/// Adds tan(α/2)/l of every corner to both its edges.
 void add_faces(const HalfEdgeMesh& mesh, Springs& springs) {
   for (const HalfedgeHandle h : mesh.halfedges()) {
     if (mesh.is_boundary(h)) continue;
@@ -94,8 +93,8 @@ void add_faces(const HalfEdgeMesh& mesh, Springs& springs) {
   }
 }
 
-/// The cone over a hole, as steep as makes it meet the loop at right angles: radius r = loop length / 2π, weights
-/// tan(π/4) = 1 over the distance, and l / 2r² at the apex.
+/// Adds a cone over a hole, steep enough to meet the loop at right angles. With radius r = loop length / 2π, the
+/// weights are tan(π/4) = 1 over the distance, and l / 2r² at the apex.
 void add_cone(const HalfEdgeMesh& mesh, const HalfEdgeChain& hole, int apex, Springs& springs) {
   const double radius = length_of(mesh, hole) / (2 * kPi);
   for (const HalfedgeHandle h : hole) {

@@ -9,12 +9,12 @@ namespace wirewarp {
 namespace {
 
 struct Columns {
-  std::vector<int> begin;  // of each vertex, and the end
-  std::vector<int> row;    // rising in each column
+  std::vector<int> begin;  // start of each vertex, and the end
+  std::vector<int> row;    // increasing in each column
 };
 
-/// The larger vertices of pairs by the smaller ones, each once. In buckets: to sort all pairs at once takes longer.
-/// Leaves out pairs of a vertex with itself, whose block is the diagonal.
+/// Returns the larger vertices of pairs, grouped by the smaller ones, each pair once. Uses buckets, which is faster
+/// than sorting all pairs. Omits pairs of a vertex with itself, whose block is on the diagonal.
 Columns columns_of(int num_vertices, const std::vector<VertexPair>& pairs) {
   std::vector<int> end(num_vertices + 1, 0);
   for (const VertexPair& pair : pairs) ++end[std::min(pair[0], pair[1]) + 1];

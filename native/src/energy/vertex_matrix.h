@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A symmetric matrix with a 2 by 2 block for each vertex and for each pair of coupled vertices: the Hessian of a
-// function of planar positions. Unknowns 2v and 2v+1 are x and y of vertex v. The pattern is fixed, so that terms look
-// up their blocks once and write without searching.
+// function of planar positions. Unknowns 2v and 2v+1 are x and y of vertex v. The pattern is fixed, so terms look up
+// their blocks once and then write without searching.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -14,15 +14,15 @@ namespace wirewarp {
 
 class VertexMatrix {
  public:
-  /// Where the two columns of a block begin among the values.
+  /// Indices of the values at which the two columns of a block begin.
   struct Block {
     int left, right;
   };
 
-  /// pairs: coupled vertices, in any order, repeated or not. A vertex may be paired with itself.
+  /// pairs: coupled vertices in any order; repetitions and pairs of a vertex with itself are allowed.
   VertexMatrix(int num_vertices, const std::vector<VertexPair>& pairs);
 
-  /// The block of a coupled pair. row > column.
+  /// Returns the block of a coupled pair. row > column.
   Block block(int row, int column) const;
 
   void set_zero() { lower_.coeffs().setZero(); }
@@ -45,13 +45,13 @@ class VertexMatrix {
     value[diagonal_[static_cast<std::size_t>(vertex)].right] += m(1, 1);
   }
 
-  /// Larger of the two diagonal entries of a vertex.
+  /// Returns the larger of the two diagonal entries of a vertex.
   double largest_diagonal(int vertex) const;
 
-  /// Which vertices are coupled.
+  /// Returns the graph of coupled vertices.
   Graph graph() const { return graph_of(lower_, 2); }
 
-  /// The lower triangle, diagonal included.
+  /// The lower triangle, including the diagonal.
   const Eigen::SparseMatrix<double>& lower() const { return lower_; }
 
  private:
