@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the distance of the middle along the normals.
+/// Returns the distance of the middle surface along the normals.
 double offset_of(const Options& options) {
   switch (options.surface) {
     case Surface::inside:
@@ -23,7 +23,7 @@ double offset_of(const Options& options) {
   return 0;
 }
 
-/// From the first corner to the next.
+/// Returns the vector from a corner to the next.
 Eigen::Vector3d side(const Positions3& vertices, const Triangles& faces, Eigen::Index face, int corner) {
   return vertices.row(faces(face, (corner + 1) % 3)) - vertices.row(faces(face, corner));
 }
@@ -33,10 +33,11 @@ Eigen::Vector3d normal_of(const Positions3& vertices, const Triangles& faces, Ei
   return side(vertices, faces, face, 0).cross(-side(vertices, faces, face, 2));
 }
 
-/// Of the sum of the angles around a vertex: normals whose weighted sum is shorter cancel out but for rounding.
+/// Over the sum of the angles around a vertex. If the weighted sum of normals is shorter, they cancel out except for
+/// rounding.
 constexpr double kCancels = 1e-6;
 
-/// One row per vertex, of length 1; zero where the normals around it cancel out.
+/// Returns one unit normal per vertex; zero if the normals around it cancel out.
 Positions3 vertex_normals(const FlattenInput& input) {
   Positions3 normals = Positions3::Zero(input.vertices.rows(), 3);
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(input.vertices.rows());

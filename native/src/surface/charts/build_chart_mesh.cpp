@@ -11,7 +11,7 @@
 namespace wirewarp {
 namespace {
 
-/// One chart vertex per fan of corners, in the order of the input's vertices.
+/// Adds one chart vertex per fan of corners, in the order of the input's vertices.
 void add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart, ChartHandles& handles) {
   struct Fan {
     int vertex, fan;
@@ -23,7 +23,7 @@ void add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart
       const int fan = cut.fan_of_corner[3 * f + k];
       VertexHandle& v = handles.vertex_of_fan[fan];
       if (v.is_valid()) continue;
-      v = VertexHandle(0);  // met; its number follows
+      v = VertexHandle(0);  // marks the fan as used; its number follows
       fans.push_back({input.faces(f, k), fan});
     }
   }
@@ -36,8 +36,7 @@ void add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart
   }
 }
 
-/// Adds edges and faces without add_face: the sides are matched already, so the result does not depend on the order of
-/// faces.
+/// Adds edges and faces without add_face: the sides are matched already, so the face order does not affect the result.
 void add_faces(const EdgeTable& edges, const SurfaceCut& cut, Chart& chart, ChartHandles& handles) {
   HalfEdgeMesh& mesh = chart.mesh;
   const auto vertex_of_corner = [&](int corner) { return handles.vertex_of_fan[cut.fan_of_corner[corner]]; };
@@ -64,7 +63,7 @@ void add_faces(const EdgeTable& edges, const SurfaceCut& cut, Chart& chart, Char
   }
 }
 
-/// Links the half-edges without a face; at a boundary vertex the outgoing one stands first, as OpenMesh wants it.
+/// Links the half-edges without a face. At a boundary vertex, the outgoing one comes first, as OpenMesh requires.
 std::vector<HalfedgeHandle> link_boundary(HalfEdgeMesh& mesh) {
   std::vector<HalfedgeHandle> boundary;
   for (const HalfedgeHandle h : mesh.halfedges()) {
@@ -78,7 +77,8 @@ std::vector<HalfedgeHandle> link_boundary(HalfEdgeMesh& mesh) {
   return boundary;
 }
 
-/// Sum of pi - surface angle along a boundary loop: 2 pi for the outline of a flat disk, -2 pi for a hole in it.
+/// Returns the sum of pi - surface angle along a boundary loop: 2 pi for the outline of a flat disk, -2 pi for a hole
+/// in it.
 double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   double turning = 0;
   for (const HalfedgeHandle leaving : loop) {
@@ -90,9 +90,9 @@ double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   return turning;
 }
 
-/// The outer loop is the one that turns most to the left: exact on anything developable. Loops that turn alike (the
-/// two ends of a tube) are distinguished by length. A slit, which may turn more on a rough surface, is the outer loop
-/// only where all loops are slits: in a surface that is closed without them.
+/// Returns the loop that turns most to the left, which is exact for developable surfaces. If two loops turn equally
+/// (the ends of a tube), the longer one is the outer loop. A slit, which may turn more on a rough surface, is the outer
+/// loop only if all loops are slits: the surface is closed without them.
 std::size_t find_outer_loop(const Chart& chart, const std::vector<HalfEdgeChain>& loops) {
   constexpr double kSameTurning = 1e-6;  // radians: far above rounding, far below any intended turn
   std::size_t outer = 0;

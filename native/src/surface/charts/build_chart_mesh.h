@@ -8,14 +8,14 @@
 
 namespace wirewarp {
 
-/// Where fans and sides of the input are in the meshes of all charts; invalid until their chart has its mesh.
+/// Handles of the input's fans and sides in the meshes of all charts. They are invalid until their chart has its mesh.
 struct ChartHandles {
   std::vector<VertexHandle> vertex_of_fan;
   std::vector<HalfedgeHandle> half_edge_of_side;
 };
 
-/// Fills mesh, source_vertex and boundary_loops from chart.source_face, and writes where its fans and sides
-/// are. The chart must be an oriented manifold. Vertices and faces keep the input's order.
+/// Fills mesh, source_vertex and boundary_loops from chart.source_face, and sets the handles of its fans and sides. The
+/// chart must be an oriented manifold. Vertices and faces keep the input's order.
 void build_chart_mesh(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut, Chart& chart,
                       ChartHandles& handles);
 

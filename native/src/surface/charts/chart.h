@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chart: one connected region between seams (the paper's patch P), with the wires and the outline it carries.
+// A chart: one connected region between seams (the paper's patch P), with its wires and its outline.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,11 @@
 
 namespace wirewarp {
 
-/// A run of chart half-edges, each from the previous one's end. Boundary half-edges are the ones that have a face, so
-/// the chart lies on their left.
+/// Consecutive half-edges of a chart. On a boundary they are the half-edges with a face, so the chart is on the left.
 using HalfEdgeChain = std::vector<HalfedgeHandle>;
 
-/// The part of a user's wire between two vertices that lie on a seam or boundary, inside this chart. A run of edges on
-/// the chart's boundary is a part of kind boundary, one for each of its sides in this chart: they have one h.
+/// The part of a user's wire between two vertices on seams or boundaries, inside this chart. A run of edges on the
+/// chart's boundary is a part of kind boundary; each side in this chart is one part, and all of them share one h.
 struct WirePart {
   int wire_index = -1;
   int part = -1;  // counted along the whole wire, over all charts
@@ -26,7 +25,7 @@ struct WirePart {
   double ease = 0;
 };
 
-/// Solvers use the target lengths at h = ease: their lengths are (1 + g) times that, |g| <= solver_tolerance().
+/// Returns the bound on |g|. Solvers use the target lengths at h = ease; their lengths are (1 + g) times these.
 inline double solver_tolerance(const WirePart& part) { return part.tolerance / (1 + part.ease); }
 
 /// Returns h for a solver's g.
@@ -48,10 +47,10 @@ struct Chart {
   std::vector<int> source_vertex;  // input vertex of each chart vertex
   std::vector<int> source_face;    // input face of each chart face
   std::vector<WirePart> wire_parts;
-  std::vector<double> length_ratio;  // per edge of the mesh: the target length at h = ease over that in 3D, (1 +
-                                     // r)(1 + ease); those beyond the list, and all without one: 1
+  std::vector<double> length_ratio;  // per edge of the mesh: target length at h = ease over 3D length, which is
+                                     // (1 + r)(1 + ease); 1 for edges beyond the end of the list
   std::vector<BoundaryChain> boundary_chains;
-  std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer one, the others are holes; the chart on the left
+  std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer one, the others are holes; the chart is on their left
   std::optional<FlattenError> error;  // set if the chart cannot be flattened; its parts and chains are then empty
 };
 
@@ -61,7 +60,7 @@ inline double length_ratio(const Chart& chart, HalfedgeHandle h) {
   return edge < chart.length_ratio.size() ? chart.length_ratio[edge] : 1;
 }
 
-/// Gives a chart made of another chart's faces the source faces and target lengths of that chart.
+/// Gives a chart made from faces of another chart the source faces and target lengths of that chart.
 void inherit_lengths(const Chart& parent, Chart& chart);
 
 /// Returns the ends of a half-edge in the input.
@@ -76,7 +75,7 @@ inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {
   return {std::min(from, to), std::max(from, to)};
 }
 
-/// Returns whether a wire runs through the chart, not only along its outline.
+/// Whether a wire runs inside the chart, not only along its outline.
 inline bool has_wires(const Chart& chart) {
   return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(),
                      [](const WirePart& part) { return part.kind != WireKind::boundary; });
@@ -96,7 +95,7 @@ struct Seam {
 struct Charts {
   std::vector<Chart> charts;
   std::vector<Seam> seams;
-  std::vector<char> is_boundary_wire;  // per wire of the input: wholly on seams and boundaries
+  std::vector<char> is_boundary_wire;  // per wire of the input: all of it is on seams and boundaries
 };
 
 }  // namespace wirewarp

@@ -10,10 +10,10 @@
 namespace wirewarp {
 namespace {
 
-/// A triangle whose height over its longest side is below this fraction of that side counts as one without area.
+/// A triangle has zero area if its height over the longest side is below this fraction of that side.
 constexpr double kFlatness = 1e-12;
 
-/// A shorter side, scene units, is a point: squared areas of smaller triangles underflow.
+/// A side is a point if it is shorter than this, scene units: squared areas of smaller triangles underflow.
 constexpr double kShortest = 1e-60;
 
 struct Faults {
@@ -57,7 +57,7 @@ void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const S
   for (int e = 0; e < edges.num_edges(); ++e) {
     const int num_sides = edges.num_sides(e);
     if (num_sides < 2) continue;
-    // Two faces on the same three vertices share three edges: check only the edge between the two smallest.
+    // Two faces with the same three vertices share three edges: check only the edge between the two smallest vertices.
     for (int j = 1; j < num_sides; ++j) {
       const int third = opposite_vertex(input.faces, edges.side(e, j));
       if (third < edges.vertices(e)[1]) continue;
@@ -76,8 +76,8 @@ void find_edge_faults(const FlattenInput& input, const EdgeTable& edges, const S
   }
 }
 
-/// Finds the charts that no turning of faces orients. Each face stands twice, as it is and turned: a chart is one-sided
-/// if its edges connect a face to its turned self.
+/// Finds the charts that cannot be oriented by flipping faces. Uses two copies of each face, original and flipped: a
+/// chart is one-sided if its edges connect a face with its flipped copy.
 void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<Faults>& faults) {
   const auto none_turned = [](const Faults& chart) { return chart.turned.empty(); };
   if (std::all_of(faults.begin(), faults.end(), none_turned)) return;
@@ -95,7 +95,7 @@ void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<F
   }
 }
 
-/// Charts may touch in a vertex, but a single vertex does not hold a chart together.
+/// Charts may touch at a vertex, but a single vertex does not connect a chart.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                         std::vector<Faults>& faults) {
   const bool is_uncut = input.seams.rows() == 0;
@@ -108,7 +108,7 @@ void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const
     if (first_fan[v] < 0) first_fan[v] = fan[corner];
     if (fan[corner] != first_fan[v]) has_several[v] = 1;
   }
-  std::map<VertexPair, int> fan_in_chart;  // by chart and vertex
+  std::map<VertexPair, int> fan_in_chart;  // keyed by chart and vertex
   for (std::size_t corner = 0; corner < fan.size(); ++corner) {
     const int v = input.faces.data()[corner];
     if (!has_several[v]) continue;
@@ -163,7 +163,7 @@ std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& i
 }
 
 long count_handles(const Chart& chart) {
-  // Euler: V - E + F = 2 - 2 handles - loops.
+  // Euler's formula: V - E + F = 2 - 2 handles - loops.
   const long euler = static_cast<long>(chart.mesh.n_vertices()) - static_cast<long>(chart.mesh.n_edges()) +
                      static_cast<long>(chart.mesh.n_faces());
   return (2 - static_cast<long>(chart.boundary_loops.size()) - euler) / 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults of the mesh that concern one chart alone.
+// Mesh faults of single charts.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace wirewarp {
 
-/// Returns for each chart its first fault as an oriented manifold with faces of positive area. Charts may touch in a
+/// Returns the first fault of each chart as an oriented manifold with faces of positive area. Charts may touch at a
 /// vertex.
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
                                                            const SurfaceCut& cut);
 
-/// Returns the handles of a chart whose mesh and boundary loops are built: 1 for a torus.
+/// Returns the number of handles, 1 for a torus, of a chart with mesh and boundary loops.
 long count_handles(const Chart& chart);
 
-/// Returns a fault of a chart whose mesh and boundary loops are built: closed_chart or handles.
+/// Returns the fault of a chart with mesh and boundary loops: closed_chart, handles or none.
 std::optional<FlattenError> find_topology_fault(const Chart& chart);
 
 }  // namespace wirewarp

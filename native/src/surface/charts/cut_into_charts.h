@@ -7,11 +7,11 @@
 
 namespace wirewarp {
 
-/// The charts of a checked input, numbered by their lowest face. A chart with a fault carries its error. Throws
-/// Stopped.
+/// Returns the charts of a checked input, numbered by their lowest face. A chart with a fault contains its error.
+/// Throws Stopped.
 Charts cut_into_charts(const FlattenInput& input, const EdgeTable& edges, const StopToken& stop = {});
 
-/// Returns the charts with their faces only; each carries the error.
+/// Returns the charts with their faces only. Each contains the error.
 Charts list_charts(const FlattenInput& input, const EdgeTable& edges, const FlattenError& error);
 
 }  // namespace wirewarp

@@ -43,7 +43,7 @@ HalfEdgeChain moved(HalfEdgeChain chain, int first_half_edge) {
 
 std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& charts) {
   DisjointSets sets(charts.size());
-  std::map<std::pair<int, int>, int> first_with_run;  // by wire and part
+  std::map<std::pair<int, int>, int> first_with_run;  // keyed by wire and part
   for (int c = 0; c < static_cast<int>(charts.size()); ++c) {
     for (const WirePart& part : charts[c].wire_parts) {
       if (charts[c].error || !is_elastic_boundary(part)) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seams with a tolerance: all their sides have one h, which couples the charts beside them.
+// Seams with a tolerance: all sides of such a seam share one h, which couples their charts.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace wirewarp {
 /// group of its own.
 std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& charts);
 
-/// The chart with all elastic seams and outlines fixed at h = ease.
+/// Returns the chart with all elastic seams and outlines fixed at h = ease.
 Chart with_fixed_seams(Chart chart);
 
 /// Returns the chart at the given h, one per wire part.

@@ -8,7 +8,8 @@
 
 namespace wirewarp {
 
-/// Faces of a flat piece that are flipped or overlap others, in increasing order. uv: a row per vertex at least.
+/// Returns the faces of a flat piece that are flipped or overlap others, in increasing order. uv: at least one row per
+/// vertex.
 std::vector<int> find_folded_faces(const HalfEdgeMesh& mesh, const Positions2& uv);
 
 }  // namespace wirewarp

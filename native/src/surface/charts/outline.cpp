@@ -6,7 +6,7 @@
 namespace wirewarp {
 namespace {
 
-/// The fans at one end of an edge, one per side, sorted.
+/// Returns the fans at one end of an edge, one per side, sorted.
 std::vector<int> fans_at(const EdgeTable& edges, const SurfaceCut& cut, int edge, int vertex) {
   std::vector<int> fans;
   for (int j = 0; j < edges.num_sides(edge); ++j) {
@@ -16,7 +16,7 @@ std::vector<int> fans_at(const EdgeTable& edges, const SurfaceCut& cut, int edge
   return fans;
 }
 
-/// The outline edges at each vertex; a chain passes through a vertex that has two with the same fans on their sides.
+/// The outline edges at each vertex. A chain continues through a vertex that has two with the same fans on their sides.
 struct OutlineVertices {
   std::vector<int> degree;
   std::vector<std::array<int, 2>> edges;  // the first two
@@ -75,7 +75,7 @@ Outline trace_outline(const Triangles& faces, const EdgeTable& edges, const Surf
     outline.chains.push_back(std::move(chain));
     outline.seam_of_chain.push_back(cut.is_seam[edge] ? num_seams++ : -1);
   };
-  // First the chains that end at junctions, then the rings.
+  // Chains that end at junctions come first, then closed chains.
   for (int e = 0; e < edges.num_edges(); ++e) {
     if (!cut.is_outline(edges, e)) continue;
     for (int v : edges.vertices(e)) {

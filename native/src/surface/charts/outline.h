@@ -11,16 +11,17 @@ namespace wirewarp {
 
 struct Outline {
   std::vector<char> is_on_outline;              // per input vertex
-  std::vector<char> is_junction;                // per input vertex: a chain ends here
+  std::vector<char> is_junction;                // per input vertex: a chain ends there
   std::vector<std::vector<VertexPair>> chains;  // edges in order
-  std::vector<int> chain_of_edge;               // per input edge, -1 not on the outline
+  std::vector<int> chain_of_edge;               // per input edge; -1: not on the outline
   std::vector<int> seam_of_chain;               // -1: the edge of the surface
 };
 
-/// Chains end where three or more outline edges meet, where one ends (the tip of a dart), and where the sides change.
+/// Returns the outline in chains. They end where three or more outline edges meet, where one ends (the tip of a dart),
+/// and where the charts or fans beside it change.
 Outline trace_outline(const Triangles& faces, const EdgeTable& edges, const SurfaceCut& cut);
 
-/// Splits the charts' boundary loops into their boundary_chains, and lists what lies at the sides of every seam.
+/// Splits the charts' boundary loops into their boundary_chains, and returns the seams with their sides.
 std::vector<Seam> assign_boundary_chains(const EdgeTable& edges, const SurfaceCut& cut, const Outline& outline,
                                          std::vector<Chart>& charts);
 

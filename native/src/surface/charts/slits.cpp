@@ -13,7 +13,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns none if an edge has no other rim in the loop.
+/// Returns for each half-edge the other one on the same edge; nothing if an edge has no other one in the loop.
 std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeChain& loop) {
   std::map<VertexPair, int> first;
   std::vector<int> mate(loop.size(), -1);
@@ -28,7 +28,7 @@ std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeCha
   return is_matched ? std::optional(mate) : std::nullopt;
 }
 
-/// Returns the place of the half-edge that leaves a tip, where the rims turn back; none if they never do.
+/// Returns the index of a half-edge that leaves a tip, where the rims turn back, or nothing without a tip.
 std::optional<int> find_tip(const std::vector<int>& mate) {
   const int count = static_cast<int>(mate.size());
   for (int i = 0; i < count; ++i) {
@@ -43,7 +43,7 @@ std::vector<int> vertices_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& chai
   return vertices;
 }
 
-/// The edges of a slit, each once, in as few chains as its rims run through one after another.
+/// Returns the edges of a slit, each once, in chains as long as its rims allow.
 std::vector<HalfEdgeChain> chains_of(const Slit& slit) {
   std::vector<HalfEdgeChain> chains;
   bool goes_on = false;
@@ -62,7 +62,7 @@ HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, Halfedg
                                        sewn_end(chart.mesh.to_vertex_handle(h)));
 }
 
-/// Sewing merges vertices and could make another loop turn more than the outer one.
+/// Restores the outer loop: sewing merges vertices and could make another loop turn more.
 void keep_outer_loop(const Chart& chart, SewnChart& sewn) {
   const HalfedgeHandle there = sewn_half_edge(chart, sewn, chart.boundary_loops.front().front());
   std::vector<HalfEdgeChain>& loops = sewn.chart.boundary_loops;
@@ -86,17 +86,17 @@ std::optional<Slit> as_slit(const Chart& chart, const HalfEdgeChain& loop) {
 }
 
 std::vector<Slit> find_slits(const Chart& chart) {
-  std::vector<char> gives(chart.mesh.n_edges(), 0);
+  std::vector<char> is_elastic(chart.mesh.n_edges(), 0);
   for (const WirePart& part : chart.wire_parts) {
     if (!is_elastic_boundary(part)) continue;
-    for (const HalfedgeHandle h : part.half_edges) gives[chart.mesh.edge_handle(h).idx()] = 1;
+    for (const HalfedgeHandle h : part.half_edges) is_elastic[chart.mesh.edge_handle(h).idx()] = 1;
   }
-  const auto asks_otherwise = [&](HalfedgeHandle h) {
-    return gives[chart.mesh.edge_handle(h).idx()] != 0 || length_ratio(chart, h) != 1;
+  const auto has_other_target = [&](HalfedgeHandle h) {
+    return is_elastic[chart.mesh.edge_handle(h).idx()] != 0 || length_ratio(chart, h) != 1;
   };
   std::vector<Slit> slits;
   for (std::size_t l = 1; l < chart.boundary_loops.size(); ++l) {
-    const bool is_eased = std::any_of(chart.boundary_loops[l].begin(), chart.boundary_loops[l].end(), asks_otherwise);
+    const bool is_eased = std::any_of(chart.boundary_loops[l].begin(), chart.boundary_loops[l].end(), has_other_target);
     std::optional<Slit> slit = is_eased ? std::nullopt : as_slit(chart, chart.boundary_loops[l]);
     if (slit) slits.push_back(std::move(*slit));
   }
@@ -135,7 +135,8 @@ std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits)
   const bool is_whole = charts.charts.size() == 1 && !charts.charts[0].error;
   if (!is_whole || static_cast<int>(charts.charts[0].mesh.n_vertices()) != num_vertices) return std::nullopt;
   sewn.chart = std::move(charts.charts[0]);
-  // Two rims of one edge that were left open are one edge now: the outer loop may be such a slit in a closed surface.
+  // The two rims of an edge that was left open can become one edge: the outer loop may be such a slit in a closed
+  // surface.
   if (sewn.chart.boundary_loops.size() + slits.size() != chart.boundary_loops.size()) return std::nullopt;
   keep_outer_loop(chart, sewn);
   inherit_lengths(chart, sewn.chart);

@@ -6,7 +6,7 @@
 namespace wirewarp {
 namespace {
 
-/// Joins the corners at both ends of an edge over all its faces.
+/// Unites the corners of all faces at both ends of an edge.
 void join_corners(const EdgeTable& edges, int edge, DisjointSets& corners) {
   for (int j = 1; j < edges.num_sides(edge); ++j) {
     for (int vertex : edges.vertices(edge)) {

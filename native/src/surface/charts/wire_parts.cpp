@@ -7,16 +7,16 @@
 namespace wirewarp {
 namespace {
 
-/// Runs of a wire: [begin, end) of its edges, all inside or all on the outline.
+/// A run of a wire: its edges [begin, end), all inside or all on the outline.
 struct Run {
   int begin;
   int end;
   bool is_outline;
 };
 
-/// Cuts the vertices of a wire into runs; turns a closed wire first, so that its runs do not depend on where its list
-/// begins: to the vertex of lowest index of those where a run begins. A run also ends in a vertex where the wire passes
-/// to a chart that touches the first one in this vertex alone.
+/// Splits the vertices of a wire into runs. A closed wire is rotated first to the lowest vertex at which a run starts,
+/// so that its runs do not depend on where its list starts. A run also ends at a vertex where the wire passes to a
+/// chart that touches the first one only there.
 std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& edges, const SurfaceCut& cut,
                                  const Outline& outline) {
   const bool is_closed = vertices.front() == vertices.back();
@@ -54,7 +54,7 @@ std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& ed
   return runs;
 }
 
-/// Returns one chart's half-edges along a run, beginning at a side of the run's first edge.
+/// Returns one chart's half-edges along a run, starting at a side of the run's first edge.
 HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int first_side, const EdgeTable& edges,
                          const SurfaceCut& cut, const std::vector<HalfedgeHandle>& half_edge_of_side,
                          const HalfEdgeMesh& mesh) {
@@ -76,7 +76,7 @@ HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int f
   return chain;
 }
 
-/// ratio 1 leaves a chart whose targets are its 3D lengths without a list.
+/// Does nothing for ratio 1, so that a chart whose targets are its 3D lengths has no list.
 void multiply_length(Chart& chart, HalfedgeHandle h, double ratio) {
   if (ratio == 1) return;
   chart.length_ratio.resize(chart.mesh.n_edges(), 1);

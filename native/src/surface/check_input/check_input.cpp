@@ -34,7 +34,7 @@ void check_seams(const FlattenInput& input, const EdgeTable& edges) {
   throw FlattenError(ErrorCode::seam_not_an_edge, ErrorArguments{}, {{}, bad, {}});
 }
 
-/// A name with this character would cut the sentence off.
+/// The character '\0' in a name would end the error sentence early.
 void check_name(const Wire& wire) {
   if (wire.name.find('\0') == std::string::npos) return;
   throw FlattenError(ErrorCode::invalid_type, ErrorArguments{{"name", "The name of a wire"},
@@ -44,7 +44,7 @@ void check_name(const Wire& wire) {
 
 bool leaves_length(double ease) { return std::isfinite(ease) && ease > -1; }
 
-/// named: arguments that name the wire. vertices: of the mesh, for the error.
+/// named: arguments that identify the wire. vertices: of the mesh, for the error.
 void check_chain_and_tolerance(const Wire& wire, ErrorArguments named, const std::vector<int>& vertices) {
   if (wire.vertices.size() < 2) throw FlattenError(ErrorCode::wire_too_short, std::move(named), {vertices, {}, {}});
   if (!(wire.tolerance >= 0)) {
@@ -92,7 +92,8 @@ std::vector<VertexPair> pairs_of(const VertexPairs& rows) {
   return pairs;
 }
 
-/// Sides of edge a-b whose triangles have b after a, if it is a seam or the edge of the surface.
+/// Returns the number of sides of edge a-b whose triangles have b after a, or 0 if it is not a seam or an edge of the
+/// surface.
 int num_sides_named(const EdgeTable& edges, const std::set<int>& seams, const VertexPair& ends) {
   const int edge = edges.find(ends[0], ends[1]);
   if (edge < 0 || (edges.num_sides(edge) > 1 && seams.count(edge) == 0)) return 0;
@@ -105,7 +106,7 @@ FlattenError wrong_ratio(double ratio, std::vector<VertexPair> half_edges) {
   return FlattenError(ErrorCode::invalid_ease, ErrorArguments{{"ease", ratio}}, {{}, std::move(half_edges), {}});
 }
 
-/// Checks that each half-edge is one side of the outline without another ease.
+/// Checks that each half-edge is exactly one side of the outline and has no other ease.
 void check_eases(const FlattenInput& input, const EdgeTable& edges) {
   if (input.eases.empty()) return;
   std::set<int> seams;
@@ -128,11 +129,11 @@ void check_eases(const FlattenInput& input, const EdgeTable& edges) {
   throw FlattenError(ErrorCode::side_in_two_eases, ErrorArguments{}, {{}, twice, {}});
 }
 
-/// Meshes with up to this many parts are accepted. Models of many loose parts that are meant have some hundred; a file
-/// that lists each face alone has one part for every face, and its result would be useless and slow.
+/// Meshes with up to this many parts are accepted. Intended models of loose parts have some hundred. A file with
+/// separate faces has one part per face, and its result would be useless and slow.
 constexpr int kManyParts = 1000;
 
-/// Parts with at most this many triangles on average count as single faces: hexagons at most.
+/// Parts with at most this many triangles on average count as single faces, up to hexagons.
 constexpr int kTrianglesOfFace = 4;
 
 }  // namespace
@@ -171,7 +172,7 @@ void check_mesh(const FlattenInput& input) {
   }
   std::vector<int> not_finite;
   for (int v = 0; v < input.vertices.rows(); ++v) {
-    // Squared areas of larger ones overflow.
+    // Squared areas of larger coordinates overflow.
     if (!(input.vertices.row(v).array().abs() < kCoordinateLimit).all()) not_finite.push_back(v);
   }
   if (!not_finite.empty()) {

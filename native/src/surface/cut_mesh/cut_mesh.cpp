@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths become sites, the lines between them are divided where they cross, and each face with sites or lines is
-// triangulated anew.
+// Turns paths into sites, divides the lines between them where they cross, and triangulates each face with sites or
+// lines again.
 #include "wirewarp/cut_mesh.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 namespace wirewarp {
 namespace {
 
-/// Of a number below which a coordinate is not negative but rounded, and by which the sum of three may miss 1: what
-/// callers that compute in float32 cannot avoid.
+/// Rounding that callers with float32 cannot avoid: a coordinate may be negative by this much, and the sum of three may
+/// differ from 1 by it.
 constexpr double kRounded = 1e-6;
 
 std::string name_of(std::size_t path) { return "paths[" + std::to_string(path) + "]"; }
@@ -44,7 +44,7 @@ void check_faces(const FlattenInput& input) {
 
 void check_paths(const std::vector<SurfacePath>& paths, int num_faces, double snap) {
   constexpr double kLeast = 1e-4;  // faces are divided in coordinates with about twelve digits: see kInLine
-  constexpr double kMost = 0.25;   // beyond that, points would move past the middle between two others
+  constexpr double kMost = 0.25;   // points could move past the middle between two others if it were larger
   if (!(snap >= kLeast && snap <= kMost)) throw wrong_option("snap", shortest(snap), "be from 0.0001 to 0.25");
   for (std::size_t p = 0; p < paths.size(); ++p) {
     check_surface_path(paths[p]);
@@ -92,10 +92,10 @@ class MeshCut {
   const EdgeTable edges_;
   PathSites sites_;
   PathLines lines_;
-  std::vector<std::vector<int>> drawn_;  // sites of each path, no two in a row the same
+  std::vector<std::vector<int>> drawn_;  // sites of each path; consecutive ones differ
 };
 
-/// Returns a face with both sites inside or on its rim, -1 if there is none.
+/// Returns a face with both sites inside or on its border; -1 if there is none.
 int MeshCut::common_face(int a, int b, int preferred) const {
   const std::vector<int> first = sites_.faces_at(a), second = sites_.faces_at(b);
   std::vector<int> common;
@@ -146,7 +146,7 @@ void MeshCut::take_vertices(CutMesh& result) const {
   }
 }
 
-/// Returns the sites of the triangles into which a face is divided; none if it is not divided.
+/// Returns the sites of the triangles into which a face is divided, or nothing if it is not divided.
 std::optional<std::vector<std::array<int, 3>>> MeshCut::parts_of(int face) const {
   const std::vector<int> sites = sites_.of_face(face);
   if (sites.size() == 3) return std::nullopt;

@@ -11,20 +11,20 @@
 namespace wirewarp {
 namespace {
 
-/// Lines lead through sites, and cross at sites, that are nearer than this part of `snap`: at half of the distance by
-/// which points of paths are apart, the nearest one is clear.
+/// A line passes through a site, or crosses another line in it, if the site is nearer than this share of `snap`. Sites
+/// are `snap` apart, so with half of it the nearest one is unique.
 constexpr double kCloseBy = 0.5;
 
-/// Lines in one face that are divided at most. Sites are `snap` apart, so that even tight scribbles need far fewer.
+/// Maximum number of divisions in one face. Sites are `snap` apart, so even dense scribbles need far fewer.
 constexpr int kMostDivisions = 10000;
 
-/// Of two points by their barycentric coordinates, as PathSites measures it.
+/// Returns the distance of two points in barycentric coordinates, as PathSites measures it.
 double distance(const FacePoint& a, const FacePoint& b) {
   const double x = b[0] - a[0], y = b[1] - a[1];
   return std::max({std::abs(x), std::abs(y), std::abs(x + y)});
 }
 
-/// Returns the point of a segment next to another point, and its place on the segment from 0 to 1.
+/// Returns the position, from 0 to 1, of the point of a segment nearest to another point.
 double nearest_on(const FacePoint& a, const FacePoint& b, const FacePoint& other) {
   const double x = b[0] - a[0], y = b[1] - a[1];
   return ((other[0] - a[0]) * x + (other[1] - a[1]) * y) / (x * x + y * y);
@@ -55,7 +55,7 @@ void PathLines::divide_at(int face, Line line, int site) {
   draw(face, site, line[1]);
 }
 
-/// Returns only parts shorter than the line, so that dividing ends.
+/// Accepts only parts shorter than the line, so that dividing ends.
 bool PathLines::is_between(int face, int site, const Line& line) const {
   const FacePoint a = point(face, line[0]), b = point(face, line[1]), c = point(face, site);
   const auto length = [](const FacePoint& from, const FacePoint& to) {
@@ -64,7 +64,7 @@ bool PathLines::is_between(int face, int site, const Line& line) const {
   return std::max(length(a, c), length(c, b)) < length(a, b);
 }
 
-/// Returns a site inside a face or on its rim that a line passes; -1 if there is none.
+/// Returns a site inside a face or on its border that a line passes; -1 if there is none.
 int PathLines::site_close_by(int face, const Line& line) const {
   const FacePoint a = point(face, line[0]), b = point(face, line[1]);
   for (const int site : sites_.of_face(face)) {

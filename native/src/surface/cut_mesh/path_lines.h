@@ -19,17 +19,17 @@ class PathLines {
  public:
   explicit PathLines(PathSites& sites) : sites_(sites) {}
 
-  /// Draws a line between two sites of a face. Those along edges need not be drawn.
+  /// Draws a line between two sites of a face. Lines along edges are ignored.
   void draw(int face, int from, int to);
 
   /// Divides the lines of all faces, until none crosses another. Throws invalid_option if that takes too long.
   void divide();
 
-  /// Returns the sites from one end of a line to the other, without the first: where it was divided, and others on its
+  /// Appends the sites from one end of a line to the other, without the first: where it was divided, and others on its
   /// edge.
   void append_sites(int from, int to, std::vector<int>& line) const;
 
-  /// Lines within a face, which cross no other; the smaller site first.
+  /// Lines within a face. They do not cross. The smaller site is first.
   const std::map<int, std::set<std::array<int, 2>>>& lines() const { return lines_; }
 
  private:
@@ -43,8 +43,8 @@ class PathLines {
   FacePoint point(int face, int site) const { return point_in(sites_.shares_in(site, face)); }
 
   PathSites& sites_;
-  std::map<int, std::set<Line>> lines_;  // by face
-  std::map<Line, int> divided_;          // the site between the ends of removed lines
+  std::map<int, std::set<Line>> lines_;  // keyed by face
+  std::map<Line, int> divided_;          // site between the ends of removed lines
 };
 
 }  // namespace wirewarp

@@ -42,7 +42,7 @@ int PathSites::add(int face, const Shares& shares) {
   return add_on_edge(edge, edges_.vertices(edge)[1] == faces_(face, to) ? share : 1 - share);
 }
 
-/// share: of the second end.
+/// share: position along the edge, 0 at its first end.
 int PathSites::add_on_edge(int edge, double share) {
   std::vector<int>& known = on_edge_[edge];
   auto place = known.begin();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The places through which paths on a mesh lead: vertices, points on edges and points in faces, far enough apart that
-// no slivers lie between them.
+// Sites: vertices, points on edges and points in faces that paths on a mesh pass through. They are far enough apart to
+// avoid slivers.
 #pragma once
 
 #include <array>
@@ -15,21 +15,21 @@ namespace wirewarp {
 using Shares = std::array<double, 3>;
 
 struct Site {
-  std::vector<int> vertices;   // of the mesh: one, the ends of an edge with the smaller first, or the corners of a face
-  std::vector<double> shares;  // of them
-  int edge = -1;               // for two vertices
-  int face = -1;               // for three vertices
+  std::vector<int> vertices;   // one vertex; the ends of an edge, smaller first; or the corners of a face
+  std::vector<double> shares;  // weight of each of these vertices
+  int edge = -1;               // set for two vertices
+  int face = -1;               // set for three vertices
 };
 
 class PathSites {
  public:
-  /// Sites 0 to num_vertices - 1 are the vertices. All are kept by reference.
+  /// Sites 0 to num_vertices - 1 are the vertices. Keeps references to its arguments.
   PathSites(const Triangles& faces, const EdgeTable& edges, int num_vertices, double snap);
 
   /// Returns the site at a point, moved to an edge, a vertex or another site within reach.
   int add(int face, const Shares& shares);
 
-  /// Returns a new site strictly inside a face, wherever others are.
+  /// Returns a new site strictly inside a face, without moving it to others.
   int add_inside(int face, const Shares& shares);
 
   int size() const { return static_cast<int>(sites_.size()); }
@@ -41,13 +41,13 @@ class PathSites {
   /// Returns the sites strictly inside a face.
   const std::vector<int>& in_face(int face) const;
 
-  /// Sites around a face from its first corner on, then those inside.
+  /// Returns the sites around a face, starting at its first corner, then those inside.
   std::vector<int> of_face(int face) const;
 
-  /// Of a site on a face or its rim.
+  /// Returns the barycentric coordinates of a site inside a face or on its border.
   Shares shares_in(int site, int face) const;
 
-  /// Returns the faces with a site inside or on their rim, ascending.
+  /// Returns the faces with a site inside or on their border, ascending.
   std::vector<int> faces_at(int site) const;
 
   /// Returns the edge with both sites on it or at its ends, -1 if there is none.

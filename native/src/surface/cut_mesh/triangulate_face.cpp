@@ -70,7 +70,7 @@ bool Triangulation::may_join(int a, int b) const {
   });
 }
 
-/// The shortest first, as long as they cross no other.
+/// Adds the shortest edges first, if they do not cross others.
 void Triangulation::join_the_rest() {
   std::vector<std::tuple<double, int, int>> pairs;
   for (int a = 0; a < count_; ++a) {
@@ -115,7 +115,7 @@ std::vector<Triangle> Triangulation::triangles() const {
   return triangles;
 }
 
-/// The smallest height in space.
+/// Returns the smallest height of a triangle in space.
 double least_height(const FaceToDivide& face, const Triangle& triangle) {
   const auto at = [&](int k) -> Eigen::RowVector3d { return face.places.row(triangle[k]); };
   const Eigen::RowVector3d a = at(1) - at(0), b = at(2) - at(0);
@@ -131,7 +131,7 @@ int corner_before(const Triangle& triangle, int a, int b) {
   return -1;
 }
 
-/// Replaces the edge between two triangles if the lower one of the new two is higher. Returns false if it stays.
+/// Replaces the edge between two triangles if this makes the lower one of the two higher. Returns whether it did.
 bool flip(const FaceToDivide& face, Triangle& first, Triangle& second) {
   constexpr double kHigher = 1 + 1e-9;  // far above rounding, so that no edge flips back and forth
   for (int k = 0; k < 3; ++k) {
@@ -174,7 +174,7 @@ bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const 
 
 std::vector<std::array<int, 3>> triangulate(const FaceToDivide& face) {
   std::vector<Triangle> triangles = Triangulation(face).triangles();
-  while (flip_any(face, triangles)) {  // each flip raises a low triangle and lowers none below that, so the loop ends
+  while (flip_any(face, triangles)) {  // each flip makes the lowest triangle concerned higher, so the loop ends
   }
   return triangles;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which of many planar boxes meet a given one: a tree of bounding boxes, indifferent to how the sizes vary.
+// Finds which of many planar boxes meet a given one, with a tree of bounding boxes that works for any mix of sizes.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,10 +11,10 @@ using Box2 = Eigen::AlignedBox2d;
 
 class BoxTree {
  public:
-  /// Items are indices into boxes, which is not kept.
+  /// Items are indices into boxes. The boxes are not stored.
   explicit BoxTree(const std::vector<Box2>& boxes);
 
-  /// Calls visit(item) for every item whose box meets the query, touching included.
+  /// Calls visit(item) for every item whose box meets or touches the query.
   template <typename Visit>
   void for_each_meeting(const Box2& query, Visit&& visit) const {
     if (!items_.empty()) descend(0, 0, static_cast<int>(items_.size()), query, visit);
@@ -25,7 +25,7 @@ class BoxTree {
 
   void build(const std::vector<Box2>& boxes, int node, int first, int last);
 
-  // A node holds items [first, last); its children are nodes 2n+1 and 2n+2 with the two halves.
+  // A node has the items [first, last); its children, nodes 2n+1 and 2n+2, have one half each.
   template <typename Visit>
   void descend(int node, int first, int last, const Box2& query, Visit& visit) const {
     const Box2& box = node_boxes_[static_cast<std::size_t>(node)];

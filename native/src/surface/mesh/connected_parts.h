@@ -7,16 +7,16 @@
 
 namespace wirewarp {
 
-/// One connected part of a mesh. A chart is one; charts that are refined together are several.
+/// One connected part of a mesh. A chart has one; charts that are refined together have several.
 struct ConnectedPart {
   std::vector<int> vertices;  // ascending
   double area = 0;            // scene units squared
 };
 
-/// By their lowest vertex.
+/// Returns the parts, ordered by their lowest vertex.
 std::vector<ConnectedPart> find_connected_parts(const HalfEdgeMesh& mesh);
 
-/// Per vertex, the area of the connected part that it lies on, scene units squared.
+/// Returns per vertex the area of its connected part, scene units squared.
 std::vector<double> area_at_vertices(const HalfEdgeMesh& mesh);
 
 }  // namespace wirewarp

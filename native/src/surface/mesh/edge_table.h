@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The undirected edges of a triangle list and the face sides that meet at each: any number of them, so that seams may
-// be non-manifold. Side 3 f + k of face f runs from its corner k to corner k + 1.
+// The undirected edges of a triangle list with the face sides at each. An edge may have any number of sides, because
+// seams may be non-manifold. Side 3 f + k of face f runs from its corner k to corner k + 1.
 #pragma once
 
 #include <vector>
@@ -24,20 +24,20 @@ class EdgeTable {
   /// Returns the two ends, the smaller index first.
   const VertexPair& vertices(int edge) const { return vertices_[edge]; }
 
-  /// Returns the edge between two vertices, -1 if there is none.
+  /// Returns the edge between two vertices; -1 if there is none.
   int find(int a, int b) const;
 
-  /// Where a side starts and ends.
+  /// Return the vertex at which a side starts or ends.
   int from(int side) const { return faces_(side / 3, side % 3); }
   int to(int side) const { return faces_(side / 3, (side + 1) % 3); }
 
-  /// The corner 3 f + k of a side's face at a vertex that is one of the side's ends.
+  /// Returns the corner 3 f + k of a side's face at one of the side's ends.
   int corner_at(int side, int vertex) const { return from(side) == vertex ? side : side - side % 3 + (side + 1) % 3; }
 
  private:
   const Triangles& faces_;
   std::vector<VertexPair> vertices_;
-  std::vector<int> edge_begin_;  // of each vertex: the edges whose smaller end it is
+  std::vector<int> edge_begin_;  // per vertex: its first edge as the smaller end
   std::vector<int> side_begin_;
   std::vector<int> sides_;
   std::vector<int> edge_of_side_;

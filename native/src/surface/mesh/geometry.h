@@ -14,7 +14,7 @@ inline double edge_length(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return (mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h))).norm();
 }
 
-/// In a layout, one row per vertex.
+/// Returns the length in a layout, which has one row per vertex.
 inline double planar_length(const HalfEdgeMesh& mesh, HalfedgeHandle h, const Positions2& uv) {
   return (uv.row(mesh.to_vertex_handle(h).idx()) - uv.row(mesh.from_vertex_handle(h).idx())).norm();
 }
@@ -34,12 +34,12 @@ inline double corner_angle(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return std::atan2((along % back).norm(), along | back);
 }
 
-/// The half-edge that leaves the same vertex one face counter-clockwise from h, which has a face.
+/// Returns the half-edge that leaves the same vertex one face counter-clockwise from h. h must have a face.
 inline HalfedgeHandle next_counterclockwise(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
 }
 
-/// Scene units squared.
+/// Returns the area of a face, scene units squared.
 inline double face_area(const HalfEdgeMesh& mesh, FaceHandle f) {
   const HalfedgeHandle h = mesh.halfedge_handle(f);
   const auto origin = mesh.point(mesh.from_vertex_handle(h));
@@ -48,14 +48,14 @@ inline double face_area(const HalfEdgeMesh& mesh, FaceHandle f) {
   return (along % back).norm() / 2;
 }
 
-/// Sum of the faces' areas, scene units squared.
+/// Returns the sum of the faces' areas, scene units squared.
 inline double surface_area(const HalfEdgeMesh& mesh) {
   double area = 0;
   for (const FaceHandle f : mesh.faces()) area += face_area(mesh, f);
   return area;
 }
 
-/// One row per vertex.
+/// Returns the points, one row per vertex.
 inline Positions3 points_of(const HalfEdgeMesh& mesh) {
   Positions3 points(static_cast<Eigen::Index>(mesh.n_vertices()), 3);
   for (const VertexHandle v : mesh.vertices()) {
@@ -64,7 +64,7 @@ inline Positions3 points_of(const HalfEdgeMesh& mesh) {
   return points;
 }
 
-/// The corners of each face, beginning where its first half-edge does. #faces by 3.
+/// Returns the corners of each face, starting at its first half-edge. #faces by 3.
 inline Triangles triangles_of(const HalfEdgeMesh& mesh) {
   Triangles triangles(static_cast<Eigen::Index>(mesh.n_faces()), 3);
   for (const FaceHandle f : mesh.faces()) {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The half-edge mesh of a chart: OpenMesh in double precision.
 #pragma once
 
-// GCC 12 takes the points that OpenMesh grows its arrays with for uninitialized.
+// GCC 12 warns that points are uninitialized when OpenMesh grows its arrays.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"

@@ -20,14 +20,14 @@ Corners corners_of(const Triangles& faces, const Positions2& uv, int face) {
   return {uv.row(faces(face, 0)), uv.row(faces(face, 1)), uv.row(faces(face, 2))};
 }
 
-/// The same triangle, counter-clockwise.
+/// Returns the same triangle, counter-clockwise.
 Corners counter_clockwise(Corners t) {
   if (cross(t[1] - t[0], t[2] - t[0]) < 0) std::swap(t[1], t[2]);
   return t;
 }
 
-/// The bounding box, smaller by depth on every side, but not empty: triangles that penetrate each other by twice as
-/// much have boxes that do.
+/// Returns the bounding box, smaller by `depth` on every side, but not empty. The boxes of triangles that penetrate
+/// each other by at least twice that meet.
 Box2 inner_box(const Corners& t, double depth) {
   const Eigen::Vector2d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
   const Eigen::Vector2d high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
@@ -35,7 +35,7 @@ Box2 inner_box(const Corners& t, double depth) {
   return Box2(low + inset, high - inset);
 }
 
-/// Returns true if b reaches more than depth behind every edge of a. Both are counter-clockwise.
+/// Whether b reaches more than depth behind every edge of a. Both are counter-clockwise.
 bool reaches_behind_every_edge(const Corners& a, const Corners& b, double depth) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Eigen::Vector2d edge = a[(i + 1) % 3] - a[i];
@@ -45,12 +45,12 @@ bool reaches_behind_every_edge(const Corners& a, const Corners& b, double depth)
   return true;
 }
 
-/// Separating axes: two convex polygons penetrate by the least overlap along the normals of their edges.
+/// Separating axis test: the penetration of two convex polygons is the least overlap along the normals of their edges.
 bool penetrate(const Corners& a, const Corners& b, double depth) {
   return reaches_behind_every_edge(a, b, depth) && reaches_behind_every_edge(b, a, depth);
 }
 
-/// Flags the faces of all pairs (candidate, any face) that overlap.
+/// Marks the faces of all overlapping pairs (candidate, any face).
 std::vector<bool> overlaps_with(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv,
                                 double depth, const StopToken& stop) {
   WorkMeter work(stop);
@@ -71,7 +71,7 @@ std::vector<bool> overlaps_with(const std::vector<int>& candidates, const Triang
     tree.for_each_meeting(inner_box(triangle, depth / 2), [&](int item) {
       work.did(1);
       const int other = candidates[static_cast<std::size_t>(item)];
-      if (is_both && other <= face) return;  // itself, or a pair seen from the other side
+      if (is_both && other <= face) return;  // the same face, or a pair that is tested from the other face
       if (penetrate(counter_clockwise(triangle), counter_clockwise(corners_of(faces, uv, other)), depth)) {
         overlaps[static_cast<std::size_t>(face)] = true;
         overlaps[static_cast<std::size_t>(other)] = true;
@@ -89,7 +89,7 @@ bool any_not_positive(const Triangles& faces, const Positions2& uv) {
   return false;
 }
 
-/// Returns true if a face is not several times as high as the depth of overlaps: no other face penetrates it.
+/// Whether a face is so low (a few times the depth of overlaps) that other faces cannot penetrate it.
 bool any_too_thin(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv, double depth) {
   return std::any_of(candidates.begin(), candidates.end(), [&](int face) {
     const Corners t = corners_of(faces, uv, face);
@@ -117,9 +117,9 @@ std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vecto
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
   const double depth = relative_depth * size + rounding;
 
-  // Without flips the number of faces over a point changes only across boundary edges, and grows to their left. Where
-  // a part of the plane that is covered twice ends, some boundary edge ends it, and the face left of that edge lies
-  // there over another one: if no boundary face overlaps any face, nothing does. That costs one look at every face.
+  // Without flips, the number of faces over a point changes only across boundary edges and is larger on their left. A
+  // region that is covered twice ends at some boundary edge, and the face on the left of that edge overlaps another
+  // one. So if no boundary face overlaps any face, there is no overlap. This test visits every face once.
   const std::vector<int> boundary = indices_of(on_boundary);
   if (!any_not_positive(faces, uv) && !any_too_thin(boundary, faces, uv, depth) &&
       !any(overlaps_with(boundary, faces, uv, depth, stop))) {

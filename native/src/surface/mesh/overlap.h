@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Does a flat piece cover a part of the plane twice?
+// Finds the faces of a flat piece that overlap.
 #pragma once
 
 #include <vector>
@@ -10,22 +10,23 @@
 
 namespace wirewarp {
 
-/// Penetration that counts as overlap, over the diagonal of the piece: far above rounding, far below what scissors can.
+/// Penetration that counts as overlap, over the diagonal of the piece: far above rounding, far below what scissors can
+/// cut.
 inline constexpr double kRelativeOverlapDepth = 1e-9;
 
-/// Faces that overlap another face of the same piece by positive area, in increasing order.
+/// Returns the faces that overlap another face of the same piece by positive area, in increasing order.
 ///
 /// faces: m by 3, rows of uv, consistently oriented. on_boundary: one flag per face, true if it has a boundary edge.
 /// uv: n by 2, finite, scene units.
 ///
 /// Two faces overlap if they penetrate each other by more than relative_depth times the diagonal of the piece (plus
-/// rounding of the coordinates): faces that touch, and the two sides of a slit or dart that closes exactly flat, do
-/// not. A crumpled piece takes time that grows with the square of its faces: throws Stopped where stop says so.
+/// rounding of the coordinates). Faces that touch do not overlap, nor do the two sides of a slit or dart that closes
+/// exactly flat. The time for a crumpled piece grows with the square of its faces. Throws Stopped.
 std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vector<bool>& on_boundary,
                                         const Positions2& uv, double relative_depth = kRelativeOverlapDepth,
                                         const StopToken& stop = {});
 
-/// One flag per face, true if it has a boundary edge.
+/// Returns one flag per face, true if it has a boundary edge.
 std::vector<bool> faces_on_boundary(const HalfEdgeMesh& mesh);
 
 }  // namespace wirewarp

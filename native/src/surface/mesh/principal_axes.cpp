@@ -7,7 +7,7 @@
 namespace wirewarp {
 namespace {
 
-/// Relative to the spread: far above rounding, and below the effect of the mesh on axes that differ.
+/// Added to the spread, relative to it: far above rounding, and below the effect of the mesh on axes that differ.
 constexpr double kDecides = 1e-7;
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 namespace wirewarp {
 
-/// The directions in which a surface spreads least, more and most, as columns. spread: the sum of x xᵀ over points x
-/// from the middle. Where a surface spreads alike in several directions, as a ball or a cube, its first face decides:
-/// axes turn with the surface.
+/// Returns the directions of least, middle and largest spread of a surface, as columns. spread: the sum of x xᵀ over
+/// points x relative to the center. If several directions have equal spread, as in a ball or a cube, the first face
+/// decides, so that the axes rotate with the surface.
 Eigen::Matrix3d principal_axes(const HalfEdgeMesh& mesh, Eigen::Matrix3d spread);
 
 }  // namespace wirewarp

@@ -5,8 +5,8 @@
 
 namespace wirewarp {
 
-/// Points along the two directions in which they spread most: a layout that separates near points from far ones, before
-/// there is a flat one.
+/// Returns the points in the two directions of largest spread: a layout that separates near from far points before a
+/// flat one exists.
 Positions2 project_to_principal_plane(const Positions3& points);
 
 }  // namespace wirewarp

@@ -11,25 +11,26 @@ namespace wirewarp {
 
 /// A forest of shortest paths, rooted at its sources.
 struct ShortestPaths {
-  std::vector<double> distance;         // per vertex, scene units; infinite where no path leads
-  std::vector<HalfedgeHandle> arrival;  // per vertex: the last half-edge of its path; not valid at a source
-  VertexHandle end;                     // where the search ended; not valid if it reached all vertices
+  std::vector<double> distance;         // per vertex, scene units; infinite if no path reaches it
+  std::vector<HalfedgeHandle> arrival;  // per vertex: last half-edge of its path; invalid at a source
+  VertexHandle end;                     // vertex at which the search ended; invalid if it reached all vertices
 };
 
-/// The region of the paths; a missing part restricts nothing.
+/// Restricts the region of the paths. A missing function restricts nothing.
 struct PathRules {
   std::function<bool(HalfedgeHandle)> may_follow;
-  std::function<bool(VertexHandle)> ends_at;  // the search stops at the nearest such vertex; farther paths are not done
+  /// The search stops at the nearest such vertex; paths beyond it are incomplete.
+  std::function<bool(VertexHandle)> ends_at;
 };
 
-/// Multi-source Dijkstra. sources: at least one.
+/// Runs multi-source Dijkstra. sources: at least one.
 ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& sources,
                              const PathRules& rules = {});
 
-/// Returns the half-edges from a source to a vertex, the last one first.
+/// Returns the half-edges from a source to a vertex, last one first.
 std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPaths& paths, VertexHandle v);
 
-/// Returns one of the vertices that paths reach; the first of several.
+/// Returns the vertex with the longest path, the first of several. Vertices without a path do not count.
 VertexHandle farthest_vertex(const ShortestPaths& paths);
 
 std::vector<VertexHandle> boundary_vertices(const HalfEdgeMesh& mesh);

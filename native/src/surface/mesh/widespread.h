@@ -6,7 +6,7 @@
 
 namespace wirewarp {
 
-/// Returns the value that 99% of the area stays below, because single slivers do not matter. Both arguments: one per
+/// Returns the value below which 99% of the area lies; single slivers do not matter. Both arguments: one entry per
 /// face.
 double widespread(const std::vector<double>& areas, const Eigen::VectorXd& of_faces);
 

@@ -4,7 +4,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns for each half-edge of the network the next one on its line; edge -1: the line ends there.
+/// Returns for each half-edge of the network the next one on its line; edge -1 if the line ends there.
 std::vector<WireHalfEdge> follow_lines(const Chart& chart, const WireNetwork& network) {
   const HalfEdgeMesh& mesh = chart.mesh;
   std::vector<WireHalfEdge> onward(2 * network.edges.size());
@@ -19,7 +19,7 @@ std::vector<WireHalfEdge> follow_lines(const Chart& chart, const WireNetwork& ne
     }
   };
   for (const WirePart& part : chart.wire_parts) {
-    if (wire_half_edge(mesh, network, part.half_edges[0]).edge < 0) continue;  // super-elastic, in a held network
+    if (wire_half_edge(mesh, network, part.half_edges[0]).edge < 0) continue;  // super-elastic, not in this network
     const VertexHandle begin = mesh.from_vertex_handle(part.half_edges.front());
     join_chain(part.half_edges, begin == mesh.to_vertex_handle(part.half_edges.back()) && !mesh.is_boundary(begin));
   }

@@ -36,7 +36,7 @@ bool is_wire(const HalfEdgeMesh& mesh, const WireNetwork& network, HalfedgeHandl
   return network.wire_edge_of_edge[mesh.edge_handle(h).idx()] >= 0;
 }
 
-/// The node of the sector that begins at `out` and opens counter-clockwise to the next wire edge.
+/// Returns the node of the sector from `out` counter-clockwise to the next wire edge.
 WireNode measure_node(const HalfEdgeMesh& mesh, const WireNetwork& network, HalfedgeHandle out) {
   WireNode node;
   node.vertex = mesh.from_vertex_handle(out);

@@ -7,7 +7,7 @@
 //   q_i        nodes[i], one corner of one wire-patch
 //   Γ_p(b)     patches[p].loops[..][b].node
 //   α_i        nodes[i].surface_angle
-//   l⁰         edges[e].length, at h = ease
+//   l⁰         edges[e].length, the target length at h = ease
 #pragma once
 
 #include <vector>
@@ -19,10 +19,10 @@ namespace wirewarp {
 /// A chart edge on a wire or on the boundary.
 struct WireEdge {
   EdgeHandle edge;
-  int part = -1;  // index into Chart::wire_parts, -1: boundary of fixed length
+  int part = -1;  // index into Chart::wire_parts; -1: boundary of fixed length
   bool is_boundary = false;
-  double length = 0;                                 // in 3D, times what eases ask for; scene units
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // 3D, where it lies on the surface
+  double length = 0;                                 // 3D length times its eases, scene units
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();  // midpoint on the surface, 3D
 };
 
 /// A wire edge walked in one direction.
@@ -34,36 +34,36 @@ struct WireHalfEdge {
   bool operator!=(const WireHalfEdge& other) const { return !(*this == other); }
 };
 
-/// One corner of one wire-patch: the sector between two consecutive wire edges around a vertex, the patch inside.
+/// One corner of one wire-patch: the sector inside the patch between two consecutive wire edges around a vertex.
 struct WireNode {
   VertexHandle vertex;
-  WireHalfEdge in;           // arrives at the vertex, the patch on its left
-  WireHalfEdge out;          // leaves it, the patch on its left
+  WireHalfEdge in;           // arrives at the vertex; the patch is on its left
+  WireHalfEdge out;          // leaves the vertex; the patch is on its left
   double surface_angle = 0;  // α, radians
-  double length = 0;         // ℓ, mean length of its two edges
+  double length = 0;         // ℓ, mean length of both edges
   bool is_tail = false;      // in and out are the same edge: the vertex has no other wire edge
 };
 
 struct WirePatch {
   struct Step {
-    int node;  // where the half-edge starts
+    int node;  // node at the start of the half-edge
     WireHalfEdge half_edge;
   };
-  std::vector<std::vector<Step>> loops;  // counter-clockwise; one for a disk, more when wires or holes float in it
+  std::vector<std::vector<Step>> loops;  // counter-clockwise; one for a disk, more if wires or holes float in it
 };
 
 struct WireNetwork {
   std::vector<WireEdge> edges;
   std::vector<WireNode> nodes;
   std::vector<WirePatch> patches;
-  std::vector<std::vector<WireHalfEdge>> holes;      // inner boundary loops, the hole on the left
-  std::vector<int> wire_edge_of_edge;                // chart edge index -> index into edges, -1 none
+  std::vector<std::vector<WireHalfEdge>> holes;      // inner boundary loops; the hole is on the left
+  std::vector<int> wire_edge_of_edge;                // chart edge index -> index into edges; -1: none
   std::vector<std::vector<int>> inner_vertex_nodes;  // nodes around each network vertex inside the chart
 };
 
 inline WireHalfEdge opposite(WireHalfEdge h) { return {h.edge, !h.reversed}; }
 
-/// Half-edges of a network in a row: two an edge.
+/// Returns the index of a half-edge in a list of all half-edges of a network, two per edge.
 inline std::size_t place_of(WireHalfEdge h) { return 2 * h.edge + (h.reversed ? 1 : 0); }
 
 inline HalfedgeHandle half_edge(const Chart& chart, const WireNetwork& network, WireHalfEdge h) {
@@ -76,13 +76,13 @@ inline WireHalfEdge wire_half_edge(const HalfEdgeMesh& mesh, const WireNetwork& 
   return {network.wire_edge_of_edge[edge.idx()], h != mesh.halfedge_handle(edge, 0)};
 }
 
-/// For each half-edge of a network the node where it arrives, -1: a boundary walked with the chart on the right.
+/// Returns for each half-edge of a network the node where it arrives; -1 for a boundary with the chart on its right.
 std::vector<int> nodes_at_arrival(const WireNetwork& network);
 
-/// All wires and boundaries of a chart and how they meet. Any network: nothing is refused here.
+/// Returns all wires and boundaries of a chart with their corners and patches. Accepts any network.
 WireNetwork build_wire_network(const Chart& chart);
 
-/// Without super-elastic wires: the network of all edges whose length is held.
+/// The network without super-elastic wires: all edges with a fixed or elastic length.
 struct HeldNetwork : WireNetwork {};
 
 HeldNetwork build_held_network(const Chart& chart);

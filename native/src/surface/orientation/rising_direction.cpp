@@ -9,15 +9,15 @@
 namespace wirewarp {
 
 Eigen::Vector2d rising_direction(const Chart& chart, const Positions2& uv, const Eigen::Vector3d& up) {
-  constexpr double kLevel = 0.01;  // mean slope
+  constexpr double kLevel = 0.01;  // mean slope up to which a piece counts as level
   const Eigen::Vector3d unit_up = up.stableNormalized();
   const HalfEdgeMesh::Point origin = chart.mesh.point(VertexHandle(0));
   const auto height = [&](VertexHandle v) {
     const HalfEdgeMesh::Point p = chart.mesh.point(v) - origin;
     return unit_up.dot(Eigen::Vector3d(p[0], p[1], p[2]));
   };
-  // Over the triangles the gradient sums up to what the outline alone says: the integral of height times its outward
-  // normal (Gauss), whatever lies inside.
+  // The gradient summed over the triangles depends on the outline alone: it is the integral of height times the outward
+  // normal (Gauss).
   Eigen::Vector2d gradient(0, 0);
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
     for (const HalfedgeHandle h : loop) {

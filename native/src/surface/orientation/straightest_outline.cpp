@@ -12,22 +12,22 @@ namespace {
 
 constexpr double kStraight = 5 * kPi / 180;
 
-// Closer lengths count as equal: rounding must not choose between the sides of a symmetric piece.
+// Lengths closer than this are equal, relative: rounding must not choose between the sides of a symmetric piece.
 constexpr double kSameLength = 1e-6;
 
 double turning(const Eigen::Vector2d& before, const Eigen::Vector2d& after) {
   return std::atan2(cross(before, after), before.dot(after));
 }
 
-/// The chord of the longest straight run of a closed polygon with these sides.
+/// Returns the chord of the longest straight run of a closed polygon with these sides.
 Eigen::Vector2d longest_straight_run(const std::vector<Eigen::Vector2d>& sides) {
   const std::size_t n = sides.size();
   Eigen::Vector2d best(0, 0);
   Eigen::Vector2d chord(0, 0);
-  std::vector<double> headings{0};  // accumulated, so that a full turn is not the same heading again
+  std::vector<double> headings{0};  // accumulated, so that a full turn is not the same heading
   std::multiset<double> in_run;
   std::size_t first = 0;
-  for (std::size_t i = 0; i < 2 * n; ++i) {  // twice around: a run may pass the beginning
+  for (std::size_t i = 0; i < 2 * n; ++i) {  // twice around, because a run may pass the first side
     if (i > 0) headings.push_back(headings.back() + turning(sides[(i - 1) % n], sides[i % n]));
     in_run.insert(headings[i]);
     chord += sides[i % n];

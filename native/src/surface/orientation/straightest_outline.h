@@ -5,9 +5,9 @@
 
 namespace wirewarp {
 
-/// Along the longest straight stretch of the outline in the layout uv, the piece on its left: the longest run of edges
-/// whose headings stay within 5 degrees of one another. Of stretches as long as one another the first along the loop.
-/// Not normalized.
+/// Returns the direction of the longest straight section of the outline in the layout uv, with the piece on its left:
+/// the longest run of edges whose headings differ by at most 5 degrees. Of equally long sections, the first along the
+/// loop. Not normalized.
 Eigen::Vector2d straightest_outline(const Chart& chart, const Positions2& uv);
 
 }  // namespace wirewarp

@@ -15,14 +15,14 @@
 namespace wirewarp {
 namespace {
 
-// Closer sizes and heights count as equal: rounding and the numbering must not choose between the sides of a symmetric
-// piece.
+// Sizes and heights closer than this are equal, relative: rounding and numbering must not choose between the sides of a
+// symmetric piece.
 constexpr double kSameSize = 1e-6;
 
-// A chord below this fraction of its chain's length does not show the chain's direction.
+// A chord below this fraction of its chain's length does not define the chain's direction.
 constexpr double kShortChord = 0.1;
 
-/// Corners of the convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
+/// Returns the corners of the convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
@@ -42,8 +42,8 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   return hull;
 }
 
-/// The long side of the smallest rectangle around the points: one of its sides lies on a side of their hull, and the
-/// corners of the hull that touch the others go around with it (rotating calipers, G. Toussaint, 1983).
+/// Returns the long side of the smallest rectangle around the points. One of its sides is on a side of the hull; the
+/// hull's corners on its other sides are found by rotating calipers (G. Toussaint, 1983).
 Eigen::Vector2d long_side_of_smallest_box(const std::vector<Eigen::Vector2d>& points) {
   const std::vector<Eigen::Vector2d> hull = convex_hull(points);
   double best_area = std::numeric_limits<double>::infinity();
@@ -77,9 +77,9 @@ std::vector<Eigen::Vector2d> points_along(const Chart& chart, const HalfEdgeChai
   return points;
 }
 
-/// The points of a chain define its direction.
+/// Whether the chord of a chain is long enough to define its direction.
 bool is_open(const std::vector<Eigen::Vector2d>& points) {
-  double length = 0;  // free wires have another length in the plane
+  double length = 0;  // in the plane, where free wires have a different length
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
   return (points.back() - points.front()).norm() >= kShortChord * length;
 }
@@ -91,7 +91,7 @@ Eigen::Vector2d direction_of(const Chart& chart, const HalfEdgeChain& chain, con
   const Eigen::Vector2d side = long_side_of_smallest_box(points);
   Eigen::Vector2d mean(0, 0);
   for (const Eigen::Vector2d& p : points) mean += p / static_cast<double>(points.size());
-  return side.dot(points.front() - mean) > 0 ? Eigen::Vector2d(-side) : side;  // begins at the lower end
+  return side.dot(points.front() - mean) > 0 ? Eigen::Vector2d(-side) : side;  // starts at the lower end
 }
 
 const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
@@ -106,7 +106,7 @@ const HalfEdgeChain& longest_boundary_chain(const Chart& chart) {
   return *best;
 }
 
-/// Returns the chain that is upright for Orientation::wire.
+/// Returns the chain that defines up for Orientation::wire.
 const HalfEdgeChain& grain_of(const Chart& chart, int grain) {
   if (chart.wire_parts.empty()) return longest_boundary_chain(chart);
   const auto chosen = std::find_if(chart.wire_parts.begin(), chart.wire_parts.end(),
@@ -135,7 +135,8 @@ void stand_upright(Positions2& uv, const Eigen::Vector2d& up) {
   }
   const Eigen::RowVector2d center = (uv.colwise().minCoeff() + uv.colwise().maxCoeff()) / 2;
   for (Eigen::Index v = 0; v < uv.rows(); ++v) {
-    uv.row(v) = ((uv.row(v) - center) * transposed_rotation).eval();  // small numbers round less
+    // Centered, because small numbers have smaller rounding errors.
+    uv.row(v) = ((uv.row(v) - center) * transposed_rotation).eval();
   }
   const Eigen::RowVector2d corner = uv.colwise().minCoeff();
   uv.rowwise() -= corner;
