@@ -182,7 +182,7 @@ TEST(RefineCloth, WhatAClothDoesNotBearIsSaid) {
   cloth.limits = {0.03, 0.03};
   const std::vector<std::string> warnings = flat_piece(sphere, with_cloth(cloth)).report.warnings;
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("the cloth gives 3% and 3%"), std::string::npos) << warnings[0];
+  EXPECT_NE(warnings[0].find("the fabric allows 3% and 3%"), std::string::npos) << warnings[0];
 }
 
 TEST(RefineCloth, ACacheTellsClothsAndGrainApart) {

@@ -17,7 +17,7 @@ constexpr double kRelativeLengthError = 1e-9;  // the documented guarantee
 /// A wire edge whose planar length is not the guaranteed one.
 struct WrongEdge {
   VertexPair vertices;  // input
-  int part;             // index into chart.wire_parts, -1 boundary
+  int part;             // index into chart.wire_parts; -1: boundary
   double difference;    // (l2 - (1+r)(1+h) l) / l
 };
 
@@ -29,14 +29,14 @@ std::vector<WrongEdge> find_wrong_edges(const Chart& chart, const WireNetwork& n
     const int part = edge.part;
     if (part >= 0 && chart.wire_parts[part].kind == WireKind::super_elastic) continue;
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
-    const double promised =
+    const double guaranteed =
         part < 0 ? edge.length : (1 + variation[part]) / (1 + chart.wire_parts[part].ease) * edge.length;
     const double length_3d = edge_length(chart.mesh, h);
-    const double difference = planar_length(chart.mesh, h, uv) - promised;
+    const double difference = planar_length(chart.mesh, h, uv) - guaranteed;
     if (std::abs(difference) <= kRelativeLengthError * length_3d + rounding) continue;
     wrong.push_back({source_edge(chart, h), part, difference / length_3d});
   }
-  // The worst is first, so that a message with a few names contains it.
+  // The worst edge comes first, so that a message with a few names contains it.
   std::stable_sort(wrong.begin(), wrong.end(), [](const WrongEdge& a, const WrongEdge& b) {
     return std::abs(a.difference) > std::abs(b.difference);
   });
@@ -55,7 +55,7 @@ std::vector<int> parts_beyond_tolerance(const Chart& chart, const std::vector<do
   return parts;
 }
 
-/// Returns the arguments that name the wire of a part: none for the outline.
+/// Returns the arguments that name the wire of a part, or none for the outline.
 ErrorArguments arguments_of_part(const Chart& chart, const std::vector<Wire>& wires, int part) {
   return arguments_of_wires(wires, part < 0 ? std::vector<int>() : std::vector<int>{chart.wire_parts[part].wire_index});
 }

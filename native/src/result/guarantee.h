@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All guarantees about a flat piece, checked: exact lengths, no flipped face, no overlap with itself.
+// Checks the guarantees about a flat piece: exact lengths, no flipped face, no overlap.
 #pragma once
 
 #include <optional>
@@ -8,14 +8,14 @@
 
 namespace wirewarp {
 
-/// The first guarantee that does not hold, or nothing if all do:
+/// Returns the first guarantee that is broken, or nothing if all hold:
 ///   lengths_not_kept   |l2 - (1+r)(1+h) l| > 1e-9 l + 8 machine epsilon max|uv| on a boundary, rigid or elastic edge,
 ///                      r the ease of its side, or |h - ease| > tolerance on an elastic part
 ///   flipped_faces      metrics.flipped_faces is not empty
 ///   overlapping_faces  metrics.overlapping_faces is not empty
-/// The message mentions the others too; has_layout is true. uv, variation (h per wire part) and metrics
-/// belong to the layout as it is handed to the user. wires: the input's, for the names. proposed_seams: what the error
-/// of a flipped or overlapping piece proposes.
+/// The message also mentions the other broken ones; has_layout is true. uv, variation (h per wire part) and metrics
+/// belong to the layout that the user gets. wires: the input's, for the names. proposed_seams: proposal for a flipped
+/// or overlapping piece.
 std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwork& network,
                                             const std::vector<Wire>& wires, const Positions2& uv,
                                             const std::vector<double>& variation, const Metrics& metrics,

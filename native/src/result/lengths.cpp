@@ -21,8 +21,8 @@ struct ChainLength {
   double max_edge_error = 0;
 };
 
-/// (1 + r)(1 + h) l of each edge of the chart. variation: h, one per wire part.
-std::vector<double> promised_lengths(const Chart& chart, const std::vector<double>& variation) {
+/// Returns (1 + r)(1 + h) l of each edge of the chart. variation: h, one per wire part.
+std::vector<double> guaranteed_lengths(const Chart& chart, const std::vector<double>& variation) {
   std::vector<double> lengths;
   for (const EdgeHandle e : chart.mesh.edges()) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(e, 0);
@@ -38,12 +38,12 @@ std::vector<double> promised_lengths(const Chart& chart, const std::vector<doubl
 }
 
 ChainLength measure_chain(const Chart& chart, const HalfEdgeChain& chain, const Positions2& uv,
-                          const std::vector<double>& promised) {
+                          const std::vector<double>& guaranteed) {
   ChainLength result;
   for (const HalfedgeHandle half_edge : chain) {
     const double length = edge_length(chart.mesh, half_edge);
     const double planar = planar_length(chart.mesh, half_edge, uv);
-    const double error = std::abs(planar - promised[chart.mesh.edge_handle(half_edge).idx()]) / length;
+    const double error = std::abs(planar - guaranteed[chart.mesh.edge_handle(half_edge).idx()]) / length;
     result.length_3d += length;
     result.length_2d += planar;
     result.max_edge_error = std::max(result.max_edge_error, error);
@@ -51,7 +51,7 @@ ChainLength measure_chain(const Chart& chart, const HalfEdgeChain& chain, const 
   return result;
 }
 
-/// r of the sides that have one, by their directed edges.
+/// Returns the eases r of single sides, keyed by directed edge.
 std::map<VertexPair, double> list_side_eases(const std::vector<Ease>& eases) {
   std::map<VertexPair, double> ratios;
   for (const Ease& ease : eases) {
@@ -64,21 +64,21 @@ std::map<VertexPair, double> list_side_eases(const std::vector<Ease>& eases) {
 struct SideLength {
   double unstretched = 0;   // l
   double shared = 0;        // (1 + h) l
-  double promised = 0;      // (1 + r)(1 + h) l
+  double guaranteed = 0;    // (1 + r)(1 + h) l
   double without_ease = 0;  // l2 / (1 + r)
 };
 
 /// guaranteed: (1 + r)(1 + h) l, one per chart edge.
 SideLength measure_side(const Chart& chart, const HalfEdgeChain& chain, const Piece& piece,
-                        const std::vector<double>& promised, const std::map<VertexPair, double>& side_eases) {
+                        const std::vector<double>& guaranteed, const std::map<VertexPair, double>& side_eases) {
   SideLength side;
   for (const HalfedgeHandle h : chain) {
     const auto ease = side_eases.find({chart.source_vertex[chart.mesh.from_vertex_handle(h).idx()],
                                        chart.source_vertex[chart.mesh.to_vertex_handle(h).idx()]});
     const double ratio = ease == side_eases.end() ? 1 : 1 + ease->second;
     side.unstretched += edge_length(chart.mesh, h);
-    side.shared += promised[chart.mesh.edge_handle(h).idx()] / ratio;
-    side.promised += promised[chart.mesh.edge_handle(h).idx()];
+    side.shared += guaranteed[chart.mesh.edge_handle(h).idx()] / ratio;
+    side.guaranteed += guaranteed[chart.mesh.edge_handle(h).idx()];
     side.without_ease += planar_length(chart.mesh, h, piece.vertices) / ratio;
   }
   return side;
@@ -94,13 +94,13 @@ std::vector<int> source_vertices(const Chart& chart, const HalfEdgeChain& chain)
   return vertices;
 }
 
-/// Data of the pieces about the edges of one wire.
+/// Lengths of the edges of one wire in all pieces.
 struct WireEdges {
   struct Edge {
     double length_2d;
     double intended;  // (1 + h) l
   };
-  std::map<VertexPair, Edge> edges;  // by input vertices, from the first piece that has the edge
+  std::map<VertexPair, Edge> edges;  // keyed by input vertices; from the first piece that has the edge
   double max_edge_error = 0;
 };
 
@@ -139,11 +139,11 @@ bool has_layout(const Piece& piece) { return !piece.boundaries.empty(); }
 
 std::vector<WireReport> measure_wire_parts(const Chart& chart, const std::vector<Wire>& wires, const Positions2& uv,
                                            const std::vector<double>& variation) {
-  const std::vector<double> promised = promised_lengths(chart, variation);
+  const std::vector<double> guaranteed = guaranteed_lengths(chart, variation);
   std::vector<WireReport> reports;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
-    const ChainLength chain = measure_chain(chart, part.half_edges, uv, promised);
+    const ChainLength chain = measure_chain(chart, part.half_edges, uv, guaranteed);
     reports.push_back({wires[part.wire_index].name, part.wire_index, part.part, part.kind, part.tolerance,
                        chain.length_3d, chain.length_2d, variation[i], chain.max_edge_error,
                        source_vertices(chart, part.half_edges)});
@@ -153,10 +153,10 @@ std::vector<WireReport> measure_wire_parts(const Chart& chart, const std::vector
 
 std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positions2& uv,
                                                const std::vector<double>& variation) {
-  const std::vector<double> promised = promised_lengths(chart, variation);
+  const std::vector<double> guaranteed = guaranteed_lengths(chart, variation);
   std::vector<BoundaryReport> reports;
   for (const BoundaryChain& boundary : chart.boundary_chains) {
-    const ChainLength chain = measure_chain(chart, boundary.half_edges, uv, promised);
+    const ChainLength chain = measure_chain(chart, boundary.half_edges, uv, guaranteed);
     BoundaryReport report;
     report.vertices = source_vertices(chart, boundary.half_edges);
     report.length_3d = chain.length_3d;
@@ -171,11 +171,11 @@ std::vector<BoundaryReport> measure_boundaries(const Chart& chart, const Positio
 std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& charts,
                                       const std::vector<Piece>& pieces) {
   const std::map<VertexPair, double> side_eases = list_side_eases(input.eases);
-  std::vector<std::vector<double>> promised(pieces.size());
+  std::vector<std::vector<double>> guaranteed(pieces.size());
   for (std::size_t c = 0; c < pieces.size(); ++c) {
     std::vector<double> variation;
     for (const WireReport& wire : pieces[c].wires) variation.push_back(wire.variation);
-    if (has_layout(pieces[c])) promised[c] = promised_lengths(charts.charts[c], variation);
+    if (has_layout(pieces[c])) guaranteed[c] = guaranteed_lengths(charts.charts[c], variation);
   }
   std::vector<SeamReport> reports;
   for (const Seam& seam : charts.seams) {
@@ -192,9 +192,9 @@ std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& c
       if (!has_layout(piece)) continue;
       const Chart& chart = charts.charts[side.chart];
       const SideLength length = measure_side(chart, chart.boundary_chains[side.boundary_chain].half_edges, piece,
-                                             promised[side.chart], side_eases);
+                                             guaranteed[side.chart], side_eases);
       known.push_back(length.without_ease);
-      report.eases.back() = length.promised / length.shared - 1;
+      report.eases.back() = length.guaranteed / length.shared - 1;
       if (std::isnan(report.variation)) report.variation = length.shared / length.unstretched - 1;
     }
     const auto [shortest, longest] = std::minmax_element(known.begin(), known.end());
@@ -227,7 +227,7 @@ std::vector<double> fit_variation(const Chart& chart, const Positions2& uv) {
   struct Lengths {
     double asked = 0, flat = 0;
   };
-  std::map<std::pair<int, int>, Lengths> sides;  // of runs along the boundary, all those in this chart
+  std::map<std::pair<int, int>, Lengths> sides;  // sums over all sides in a chart, of runs along the boundary
   std::vector<Lengths> lengths;
   for (const WirePart& part : chart.wire_parts) {
     Lengths of_part;

@@ -15,7 +15,7 @@
 namespace wirewarp {
 namespace {
 
-/// The singular values of a face's map are |z| ± |w|, of a flipped one's mirror image |w| ± |z|.
+/// The singular values of a face's map are |z| ± |w|; those of a flipped face's mirror image are |w| ± |z|.
 void measure_faces(const Chart& chart, const Positions2& uv, Metrics& metrics) {
   const ShapeError shape_error(chart);
   const auto num_faces = static_cast<Eigen::Index>(shape_error.triangles().size());
@@ -45,7 +45,7 @@ void measure_faces(const Chart& chart, const Positions2& uv, Metrics& metrics) {
   metrics.arap_energy = metrics.face_arap.sum() / metrics.area_3d;
 }
 
-/// E_L of Eq. (5): the edges on wires first, then the rest of the boundary.
+/// Computes E_L of Eq. (5) for the edges on wires, then for the rest of the boundary.
 void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Positions2& uv, Metrics& metrics) {
   std::vector<const WireEdge*> edges;
   for (const WireEdge& edge : network.edges) edges.push_back(&edge);
@@ -60,7 +60,7 @@ void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Po
   }
 }
 
-/// Returns θ − α at every node except tails, which have no angle of their own.
+/// Computes θ − α at every node except tails, which have no angle of their own.
 void measure_angles(const Chart& chart, const WireNetwork& network, const Positions2& uv, Metrics& metrics) {
   double sum_of_squares = 0;
   int count = 0;
@@ -82,7 +82,7 @@ double planar_angle(const Chart& chart, const WireNetwork& network, const WireNo
   const Eigen::Vector2d vertex = uv.row(node.vertex.idx());
   const Eigen::Vector2d back = uv.row(chart.mesh.from_vertex_handle(in).idx()).transpose() - vertex;
   const Eigen::Vector2d ahead = uv.row(chart.mesh.to_vertex_handle(out).idx()).transpose() - vertex;
-  // The sector lies to the left of both edges: counter-clockwise from the way ahead to the way back.
+  // The sector is to the left of both edges: counter-clockwise from `ahead` to `back`.
   const double angle = std::atan2(cross(ahead, back), ahead.dot(back));
   return angle + 2 * kPi * std::round((node.surface_angle - angle) / (2 * kPi));
 }
@@ -107,9 +107,9 @@ std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& met
   const double weft = widespread(areas, metrics.face_weft_strain);
   const double warp = widespread(areas, metrics.face_warp_strain);
   if (weft <= (*cloth.limits)[0] && warp <= (*cloth.limits)[1]) return std::nullopt;
-  return "The piece needs " + percent(std::max(weft, 0.0)) + " across and " + percent(std::max(warp, 0.0)) +
-         " along the grain; the cloth gives " + percent((*cloth.limits)[0]) + " and " + percent((*cloth.limits)[1]) +
-         ": it needs a dart, or another cloth.";
+  return "The piece stretches by " + percent(std::max(weft, 0.0)) + " across and " + percent(std::max(warp, 0.0)) +
+         " along the grain; the fabric allows " + percent((*cloth.limits)[0]) + " and " + percent((*cloth.limits)[1]) +
+         ". Add a dart, or choose another fabric.";
 }
 
 Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv, const StopToken& stop) {

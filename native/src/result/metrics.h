@@ -12,19 +12,19 @@
 
 namespace wirewarp {
 
-/// Everything in Metrics. uv: one finite row per chart vertex, scene units, front faces counter-clockwise. Throws
-/// Stopped.
+/// Returns all fields of Metrics. uv: one finite row per chart vertex, scene units, front faces counter-clockwise.
+/// Throws Stopped.
 Metrics measure_metrics(const Chart& chart, const WireNetwork& network, const Positions2& uv,
                         const StopToken& stop = {});
 
-/// Metrics::cloth_energy. flat: x along the weft, y along the warp.
+/// Returns Metrics::cloth_energy. flat: x along the weft, y along the warp.
 double measure_cloth_energy(const Chart& chart, const Positions2& flat, const Cloth& cloth);
 
-/// What the cloth would have to bear beyond its limits, a sentence; nothing where it bears all. Of the 99th percentile
-/// of strain by area in each direction: single slivers say nothing about a piece.
+/// Returns a sentence on how far the cloth exceeds its limits, or nothing if it does not. In each direction it uses the
+/// 99th percentile of strain by area, because single slivers do not matter for a piece.
 std::optional<std::string> warn_of_limits(const Chart& chart, const Metrics& metrics, const Cloth& cloth);
 
-/// The planar angle θ of a wire-node's sector, radians, on the branch nearest to its surface angle.
+/// Returns the planar angle θ of a wire-node's sector, radians, on the branch nearest to its surface angle.
 double planar_angle(const Chart& chart, const WireNetwork& network, const WireNode& node, const Positions2& uv);
 
 }  // namespace wirewarp

@@ -11,7 +11,7 @@
 namespace wirewarp {
 namespace {
 
-// Lengths closer than this fraction of the whole are the same, so that rounding chooses nothing.
+// Lengths that differ by less than this fraction of the whole are equal, so that rounding does not choose.
 constexpr double kSameLength = 1e-6;
 
 /// The upper outline of the boxes placed so far: steps from left to right.
@@ -23,11 +23,11 @@ struct Step {
 
 struct Packing {
   Positions2 corners;
-  double extent = 0;  // the larger side of the box around all
+  double extent = 0;  // larger side of the box around all boxes
 };
 
-/// The height at which a box comes to rest with its left side on step i; infinite if it leaves the strip. It may reach
-/// over a step by overhang, which the gap included in its width allows.
+/// Returns the height at which a box rests with its left side on step i; infinite if it leaves the strip. It may extend
+/// past a step by `overhang`, which the gap included in its width allows.
 double resting_height(const std::vector<Step>& skyline, std::size_t i, double width, double overhang) {
   double y = 0;
   double remaining = width;
@@ -52,7 +52,7 @@ void raise(std::vector<Step>& skyline, std::size_t i, double width, double top) 
   skyline.insert(skyline.begin() + static_cast<std::ptrdiff_t>(i), placed);
 }
 
-/// Each box as low as it can go, then as far left, in a strip of the given width.
+/// Places each box as low as possible, then as far left as possible, in a strip of the given width.
 Packing pack_in_strip(const Positions2& sizes, const std::vector<Eigen::Index>& order, double gap, double strip,
                       double slack, WorkMeter& work) {
   Packing packing;
@@ -85,14 +85,14 @@ Positions2 pack_boxes(const Positions2& sizes, double gap, const StopToken& stop
   const double side = std::sqrt(((sizes.col(0).array() + gap) * (sizes.col(1).array() + gap)).sum());
   const double slack = kSameLength * side;
 
-  // The tallest first.
+  // The tallest box comes first.
   std::vector<Eigen::Index> order(static_cast<std::size_t>(sizes.rows()));
   std::iota(order.begin(), order.end(), 0);
   const auto height = [&](Eigen::Index box) { return slack > 0 ? std::round(sizes(box, 1) / slack) : 0.0; };
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) { return height(a) > height(b); });
 
-  // Of several strip widths the one that comes nearest to a square: widths are 0.8 to 1.55 times
-  // the side of one without gaps, so that more than half of the area may be gaps.
+  // Tries several strip widths and keeps the packing nearest to a square. The widths are 0.8 to 1.55 times the side of
+  // a square without gaps, so gaps may take more than half of the area.
   constexpr int kStrips = 16;
   WorkMeter work(stop);
   Packing best;

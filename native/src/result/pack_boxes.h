@@ -7,9 +7,8 @@
 namespace wirewarp {
 
 /// Places axis-parallel boxes near-square without overlap. sizes: n by 2, width and height, not negative. gap: space
-/// between boxes, kept to a millionth of the side of a square of their area. Returns their lower-left corners, n by 2;
-/// the lowest and leftmost are 0. Deterministic, and the same for sizes that differ by rounding only.
-/// Throws Stopped.
+/// between boxes, exact to a millionth of the side of a square of their area. Returns their lower-left corners, n by 2;
+/// the lowest and the leftmost coordinate are 0. Deterministic, also for sizes that differ by rounding. Throws Stopped.
 Positions2 pack_boxes(const Positions2& sizes, double gap, const StopToken& stop = {});
 
 /// Places the same boxes side by side from left to right in their order, all at y = 0.

@@ -15,18 +15,18 @@ Positions2 mirror_image(const Positions2& uv) {
   return mirrored;
 }
 
-// In place: on a large piece new memory is what takes time.
+// Works in place: on a large piece, allocating memory takes most of the time.
 std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vector<Positions2> layouts,
                                     const Options& options, const StopToken& stop) {
   WorkMeter work(stop);
-  std::vector<std::size_t> pieces;  // those with a layout
+  std::vector<std::size_t> pieces;  // indices of pieces with a layout
   double area = 0;
   for (std::size_t i = 0; i < layouts.size(); ++i) {
     if (layouts[i].rows() == 0) continue;
     work.did(charts[i].source_face.size());
     pieces.push_back(i);
     area += std::abs(enclosed_area(charts[i], layouts[i]));
-    // Pieces of a cloth lie as they were solved: x is its weft, y its warp.
+    // Pieces of a cloth are solved in their final direction: x is the weft, y the warp.
     Eigen::Vector2d up = options.cloth ? Eigen::Vector2d(0, 1) : upright_direction(charts[i], layouts[i], options);
     if (options.mirror) {
       layouts[i] = mirror_image(layouts[i]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Turns each piece upright and lays all of them side by side.
+// Rotates each piece upright and places all pieces side by side.
 #pragma once
 
 #include "base/stop_token.h"
@@ -7,16 +7,16 @@
 
 namespace wirewarp {
 
-/// Turns each layout (rotation only) so that its upright_direction() is +y, mirrors it if asked, and lays the pieces'
-/// bounding boxes out as Options::layout says, without overlap, the lower-left corner at the origin.
+/// Rotates each layout so that its upright_direction() is +y, mirrors it if requested, and places the pieces' bounding
+/// boxes by Options::layout without overlap, with the lower-left corner at the origin.
 ///
-/// layouts: one per chart, one row per chart vertex, scene units; no rows: no layout, skipped. options: layout,
-/// orientation, grain, up, gap and mirror. Rotation and translation move each coordinate by a few units of rounding.
-/// Throws Stopped.
+/// layouts: one per chart, with one row per chart vertex in scene units; a layout without rows is skipped. options:
+/// layout, orientation, grain, up, gap and mirror. Rotation and translation change each coordinate by a few units of
+/// rounding. Throws Stopped.
 std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vector<Positions2> layouts,
                                     const Options& options, const StopToken& stop = {});
 
-/// The same layout seen from the other side, exactly: x negated.
+/// Returns the layout as seen from the other side, exactly: x is negated.
 Positions2 mirror_image(const Positions2& uv);
 
 }  // namespace wirewarp
