@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The arguments that flatten(), start() and measure() share. Each throws FlattenError with invalid_type for another
-// type, and what the core says of values.
+// The arguments that flatten(), start() and measure() share. Each function throws FlattenError: invalid_type for a
+// wrong type, and the core's errors for values.
 #pragma once
 
 #include "bind.h"
@@ -15,10 +15,10 @@ FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams,
 /// paths: a list of SurfacePath.
 std::vector<SurfacePath> read_paths(py::handle value);
 
-/// None: the defaults.
+/// None means the defaults.
 Options read_options(py::handle value);
 
-/// None: null.
+/// None means no cache.
 Cache* read_cache(py::handle value);
 
 }  // namespace wirewarp::bindings

@@ -25,7 +25,7 @@ FlattenError wrong_shape(const std::string& name, const std::string& wanted, con
                       ErrorArguments{{"name", name}, {"wanted", wanted}, {"found", shape_text(array)}});
 }
 
-/// numpy would drop the mask and read what it hides.
+/// numpy would drop the mask and read the hidden values.
 void refuse_masked(py::handle value, const std::string& name) {
   if (!py::isinstance(value, py::module_::import("numpy").attr("ma").attr("MaskedArray"))) return;
   throw wrong_type(name, "an array without a mask", "a masked array");
@@ -51,7 +51,7 @@ void check_kind(const py::array& array, py::handle value, const std::string& nam
   throw wrong_type(name, wanted, found);
 }
 
-/// Rows of the given shape; an empty list has none. Throws invalid_shape.
+/// Checks that rows have the given shape; an empty list has no rows. Throws invalid_shape.
 void check_rows(const py::array& array, const std::string& name, const std::vector<py::ssize_t>& row) {
   if (array.ndim() == 1 && array.size() == 0) return;
   if (array.ndim() == static_cast<py::ssize_t>(row.size()) + 1 &&
@@ -77,7 +77,7 @@ struct TooLarge {
   std::string value;
 };
 
-/// Copies into 32-bit indices; the first value that does not fit stops it.
+/// Copies into 32-bit indices. Returns the first value that does not fit, if any.
 template <class Integer>
 std::optional<TooLarge> narrow(const py::array& array, int* out) {
   const py::array_t<Integer, kPlain> values(array);
@@ -101,7 +101,7 @@ std::optional<TooLarge> narrow(const py::array& array, int* out) {
                      std::move(elements));
 }
 
-/// "3-7-9": what a row of an array holds.
+/// Returns the numbers in a row of an array: "3-7-9".
 std::string row_text(const py::array& array, int row) {
   std::string joined;
   for (const py::handle item : array[py::int_(row)]) joined += (joined.empty() ? "" : "-") + text(item);
@@ -125,7 +125,8 @@ Matrix read_indices(py::handle value, const std::string& name, const std::string
   return result;
 }
 
-/// A sequence that is no array: numpy would turn True among whole numbers into 1 and huge ones into objects.
+/// Reads a sequence that is not an array. numpy would convert True among whole numbers to 1, and huge numbers to
+/// objects.
 std::vector<int> read_sequence(py::handle value, const std::string& owner) {
   std::vector<int> result;
   for (const py::handle item : value) {

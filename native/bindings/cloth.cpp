@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.Cloth: checked when it is made, unchangeable afterwards.
+// wirewarp.Cloth: checked when it is created, immutable afterwards.
 #include "wirewarp/cloth.h"
 
 #include "arrays.h"

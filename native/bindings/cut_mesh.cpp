@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.SurfacePath and wirewarp.cut_mesh: lines across triangles, and meshes of which they are edges.
+// wirewarp.SurfacePath and wirewarp.cut_mesh: lines across triangles, and meshes with these lines as edges.
 #include "wirewarp/cut_mesh.h"
 
 #include <pybind11/eigen.h>
@@ -61,7 +61,7 @@ Seams and wires that a path crosses run along the vertices in sources.divided_ed
 Raises FlattenError "invalid_option" for a path that is not on the mesh, has two points in a row in no common triangle,
 or vanishes as all of it is within reach of one point; and what flatten() raises of vertices and faces.)";
 
-/// Lists of vertices, as arrays.
+/// Returns lists of vertices as arrays.
 py::object as_arrays(const std::vector<std::vector<int>>& lists, py::handle owner) {
   py::list arrays;
   for (const std::vector<int>& values : lists) arrays.append(to_python(values, owner));

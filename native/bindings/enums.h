@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The strings that stand for the enums of the public API in Python.
+// The Python strings of the enums of the public API.
 #pragma once
 
 #include <cstddef>
@@ -45,7 +45,7 @@ inline constexpr Named<Termination> kTerminations[] = {{Termination::converged, 
                                                        {Termination::cancelled, "cancelled"},
                                                        {Termination::measured, "measured"}};
 
-/// The string of a value that its table holds.
+/// Returns the string of a value.
 template <class Enum, std::size_t N>
 const char* name_of(Enum value, const Named<Enum> (&names)[N]) {
   for (const Named<Enum>& entry : names) {
@@ -54,7 +54,7 @@ const char* name_of(Enum value, const Named<Enum> (&names)[N]) {
   throw std::logic_error("an option has no name");
 }
 
-/// The value that a string of the table stands for.
+/// Returns the value of a string.
 template <class Enum, std::size_t N>
 Enum value_of(const std::string& name, const Named<Enum> (&names)[N]) {
   for (const Named<Enum>& entry : names) {

@@ -11,16 +11,16 @@ namespace wirewarp::bindings {
 
 namespace py = pybind11;
 
-/// The name of the package this module was imported from: "wirewarp", or longer where an add-on carries it inside.
+/// Returns the name of the package from which this module was imported: "wirewarp", or longer if an add-on bundles it.
 std::string package_name();
 
-/// The Python FlattenError that says the same.
+/// Returns the Python FlattenError with the same contents.
 py::object to_python_error(const FlattenError& error);
 
-/// The FlattenError that a Python one says.
+/// Returns the C++ FlattenError with the contents of a Python one.
 FlattenError from_python_error(py::handle error);
 
-/// The table the package makes its ErrorCode from, and the translator that raises FlattenError.
+/// Binds the table from which the package makes its ErrorCode, and the translator that raises FlattenError.
 void bind_errors(py::module_& module);
 
 }  // namespace wirewarp::bindings

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.flatten and wirewarp.measure: read the arrays, leave the GIL, run the core.
+// wirewarp.flatten and wirewarp.measure: read the arrays, release the GIL, run the core.
 #include "wirewarp/flatten.h"
 
 #include "arguments.h"

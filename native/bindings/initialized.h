@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// cls.__new__(cls) makes an object without a value. pybind11 would hand out uninitialized memory for it; here every
-// use but __init__ raises TypeError.
+// cls.__new__(cls) makes an object without a value, for which pybind11 would return uninitialized memory. Here every
+// use of such an object except __init__ raises TypeError.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -17,7 +17,7 @@ namespace wirewarp::bindings {
 
 class Job;
 
-/// T is a class of the Python module.
+/// Whether T is a class of the Python module.
 template <class T>
 inline constexpr bool is_bound =
     std::disjunction_v<std::is_same<T, Wire>, std::is_same<T, Cloth>, std::is_same<T, Ease>, std::is_same<T, Options>,

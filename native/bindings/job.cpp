@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.Job, and wirewarp.start: flatten() as one.
+// wirewarp.Job, and wirewarp.start, which runs flatten() as a job.
 #include "job.h"
 
 #include <optional>
@@ -14,24 +14,24 @@
 namespace wirewarp::bindings {
 namespace {
 
-/// How often result() lets Python look for Ctrl-C while it waits.
+/// Interval at which result() lets Python handle Ctrl-C while it waits.
 constexpr std::chrono::milliseconds kSignalPeriod(50);
 
 }  // namespace
 
 Job::Job(Work work, py::object used) : work_(std::move(work)), used_(std::move(used)) {
-  // Counted from here on: Python may end before the thread begins.
+  // Registered here already, because Python may end before the thread starts.
   thread_ = std::thread([this, running = std::make_unique<RunningWork>()] { run(); });
 }
 
 Job::~Job() {
   if (num_forks() != num_forks_) {
-    thread_.detach();  // it is not in this process, nor is who waits for it, for whom destroying would wait
+    thread_.detach();  // the thread does not exist in this forked process, so its end cannot be waited for
     [[maybe_unused]] const auto* const left_alone = ended_.release();
     return;
   }
   cancelled_ = true;
-  PyThreadState* const state = PyEval_SaveThread();  // Python goes on meanwhile
+  PyThreadState* const state = PyEval_SaveThread();  // Python continues meanwhile
   thread_.join();
   PyEval_RestoreThread(state);
 }
@@ -56,7 +56,7 @@ py::object Job::result() {
   return python_result_;
 }
 
-/// A thread, and a mutex that it may hold, are not forked.
+/// Threads do not survive a fork, nor do mutexes that they hold.
 void Job::check_process() const {
   if (num_forks() == num_forks_) return;
   throw std::runtime_error("this job runs in the process that started it, not in one forked from it");
@@ -93,7 +93,7 @@ void Job::wait() {
 bool Job::wait_for(std::chrono::milliseconds time) {
   const py::gil_scoped_release no_gil;
   std::unique_lock lock(mutex_);
-  // By the system's clock: waiting by the steady one needs glibc 2.30.
+  // Waits by the system clock: the steady clock needs glibc 2.30.
   return ended_->wait_until(lock, std::chrono::system_clock::now() + time, [this] { return is_done_; });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work of the core in a thread of its own, which is C++ and never needs the GIL.
+// Work of the core in its own thread, which is pure C++ and never needs the GIL.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -22,18 +22,18 @@ namespace wirewarp::bindings {
 
 namespace py = pybind11;
 
-/// Makes the Python object of what a job has found; with the GIL.
+/// Makes the Python object of a job's result. Called with the GIL.
 using MakeResult = std::function<py::object()>;
 
-/// What a job does, without the GIL, and with no Python object of its own.
+/// The work of a job. It runs without the GIL and owns no Python object.
 using Work = std::function<MakeResult(const Progress&)>;
 
 class Job {
  public:
-  /// used: what the work reads, kept alive as long as the job; or None.
+  /// used: Python objects that the work reads, kept alive as long as the job; or None.
   explicit Job(Work work, py::object used = py::none());
 
-  /// Cancels what still runs and waits for it. With the GIL.
+  /// Cancels running work and waits for its end. Called with the GIL.
   ~Job();
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
@@ -42,7 +42,8 @@ class Job {
   bool is_done() const;
   std::pair<std::string, double> progress() const;
 
-  /// Waits. Throws what the work threw, and what a signal raises in Python, which cancels.
+  /// Waits for the result. Throws the exceptions of the work, and those that a signal raises in Python, which also
+  /// cancels.
   py::object result();
 
  private:
@@ -55,18 +56,18 @@ class Job {
   const py::object used_;
   const int num_forks_ = num_forks();
   std::atomic<bool> cancelled_{false};
-  mutable std::mutex mutex_;  // of the four below
+  mutable std::mutex mutex_;  // guards the next four members
   std::unique_ptr<std::condition_variable> ended_ = std::make_unique<std::condition_variable>();
   bool is_done_ = false;
   std::string stage_;
   double fraction_ = 0;
-  MakeResult make_result_;  // this and the next are written before is_done_, and read after it
+  MakeResult make_result_;  // this and the next are written before is_done_ is set, and read afterwards
   std::exception_ptr error_;
   py::object python_result_;
-  std::thread thread_;  // last: it uses all of them
+  std::thread thread_;  // last, because it uses all members
 };
 
-/// Work that returns a value for Python: what `find` returns when called with a Progress.
+/// Returns work whose result is the value that `find` returns. find: called with a Progress.
 template <class Find>
 Work work_that(Find find) {
   return [find = std::move(find)](const Progress& progress) -> MakeResult {

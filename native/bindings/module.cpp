@@ -23,7 +23,7 @@ PYBIND11_MODULE(in_main_interpreter, module) {
   bind_running_calls();
 }
 
-/// pybind11 would wait for ever for the GIL of the main interpreter, which the caller of a subinterpreter holds.
+/// pybind11 would wait forever for the GIL of the main interpreter, which the caller of a subinterpreter holds.
 PYBIND11_PLUGIN_IMPL(_wirewarp) {
   if (PyInterpreterState_Get() != PyInterpreterState_Main()) {
     PyErr_SetString(PyExc_ImportError, "wirewarp works in the main interpreter alone, not in a subinterpreter");

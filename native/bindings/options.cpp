@@ -38,7 +38,7 @@ int read_whole_number(py::handle value, const std::string& name) {
   return static_cast<int>(number);
 }
 
-/// Options are in their ranges or stay as they were.
+/// Sets an option, or leaves all options unchanged if the value is out of its range.
 template <class Value>
 void set(Options& options, Value Options::*member, Value value) {
   Options changed = options;
@@ -67,7 +67,7 @@ void bind_enum(Record<Options>& record, const char* name, Enum Options::*member,
   record.listed(name);
 }
 
-/// None, a Cloth or the name of one.
+/// Reads None, a Cloth or the name of a fabric.
 std::optional<Cloth> read_cloth(py::handle value) {
   if (value.is_none()) return std::nullopt;
   if (py::isinstance<py::str>(value)) return cloth_preset(value.cast<std::string>()).cloth;
@@ -75,7 +75,7 @@ std::optional<Cloth> read_cloth(py::handle value) {
   refuse("cloth", value, "None, a Cloth or the name of one");
 }
 
-/// All options by their names, as they are set.
+/// Returns all options by name, as they are set.
 py::dict values_of(const py::object& options) {
   py::dict values;
   for (const py::handle name : options.attr("_fields")) values[name] = options.attr(py::str(name));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Python progress callback behind the core's Progress: takes the GIL for the call and carries what Python raises
-// past the core, which only hears "cancel".
+// Adapts a Python progress callback to the core's Progress: takes the GIL for the call and keeps a Python exception
+// until the core, which only sees "cancel", has returned.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -17,10 +17,11 @@ class PythonProgress {
   /// callback: callable(stage, fraction) or None. Throws invalid_type.
   explicit PythonProgress(py::object callback);
 
-  /// False cancels: the callback returned something false other than None, or Python raised (Ctrl-C too).
+  /// Returns false to cancel: the callback returned something false other than None, or Python raised (including
+  /// Ctrl-C).
   bool report(const std::string& stage, double fraction);
 
-  /// Raises what Python raised during the run, if it did. Needs the GIL.
+  /// Raises the exception that Python raised during the run, if any. Needs the GIL.
   void rethrow() const;
 
  private:

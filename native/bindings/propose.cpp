@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.propose_darts, propose_seams and plan_cuts: where to cut. And as jobs start_darts, start_seams, start_plan.
+// wirewarp.propose_darts, propose_seams and plan_cuts, and the same as jobs: start_darts, start_seams and start_plan.
 #include "wirewarp/propose.h"
 
 #include <memory>
@@ -125,7 +125,7 @@ std::vector<DartProposal> find_now(const Find& find, const py::object& progress)
   return proposals;
 }
 
-/// What propose() and plan() do with these arguments, as a function of a Progress.
+/// Returns propose() or plan() with these arguments, as a function of a Progress.
 template <class Search, class Wanted>
 auto search_of(Search search, const py::object& vertices, const py::object& faces, const py::object& seams,
                const py::object& wires, const py::object& options, const py::object& eases, Wanted wanted) {
@@ -193,7 +193,7 @@ std::unique_ptr<Job> start_plan(const py::object& vertices, const py::object& fa
       work_that(search_of(plan_of(kind), vertices, faces, seams, wires, options, eases, target)));
 }
 
-/// own: of arguments that follow those of the mesh.
+/// own: arguments that follow those of the mesh.
 template <class Function, class... Own>
 void define(py::module_& module, const char* name, Function function, const char* doc, const Own&... own) {
   module.def(name, function, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams") = py::none(),
@@ -201,7 +201,7 @@ void define(py::module_& module, const char* name, Function function, const char
              doc);
 }
 
-/// more: of arguments that follow those that both have.
+/// more: arguments that follow those that both functions have.
 template <class Function, class... More>
 void define_proposals(py::module_& module, const char* name, Function function, const char* doc, const More&... more) {
   define(module, name, function, doc, py::arg("piece") = py::none(), py::arg("count") = CutOptions().count,

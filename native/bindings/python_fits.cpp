@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Python's headers say in pyconfig.h what the system is like that they were made on. Modules for other systems are
-// compiled with them, too: this does not compile where they would be wrong.
+// Python's pyconfig.h describes the system that Python was built on, but modules for other systems are also compiled
+// with it. This file does not compile if the description is wrong.
 #include <Python.h>
 
-#ifndef _WIN32  // whose pyconfig.h is its own
+#ifndef _WIN32  // Windows has its own pyconfig.h
 #include <pthread.h>
 #include <sys/types.h>
 

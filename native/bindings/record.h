@@ -21,7 +21,7 @@ namespace wirewarp::bindings {
 
 namespace py = pybind11;
 
-/// A numpy array over memory that `owner` keeps alive.
+/// Returns a numpy array on memory that `owner` keeps alive.
 template <class Scalar>
 py::object view(const Scalar* data, std::vector<py::ssize_t> shape, py::handle owner) {
   return py::array_t<Scalar>(std::move(shape), data, owner);
@@ -46,13 +46,13 @@ py::object to_python(const Eigen::Matrix<Scalar, Eigen::Dynamic, Columns, Option
   return view(matrix.data(), {matrix.rows(), matrix.cols()}, owner);
 }
 
-/// Numbers, strings and maps by value; records and lists of records by reference into their owner.
+/// Converts numbers, strings and maps by value; records and lists of records refer to their owner.
 template <class Value>
 py::object to_python(const Value& value, py::handle owner) {
   return py::cast(value, py::return_value_policy::reference_internal, owner);
 }
 
-/// A field's value as to_python() gave it.
+/// Converts a field's value back from the object that to_python() returned.
 template <class Value>
 void from_python(py::handle from, Value& value) {
   value = from.cast<Value>();
@@ -78,26 +78,26 @@ inline void from_python(py::handle from, std::vector<VertexPair>& pairs) {
   for (const auto& row : matrix.rowwise()) pairs.push_back({row[0], row[1]});
 }
 
-/// What pickle makes a record of again, for any protocol: copyreg.__newobj__, the class, the state.
+/// Returns how pickle recreates a record, for any protocol: copyreg.__newobj__, the class, the state.
 py::tuple record_reduce(const py::object& record, int protocol);
 
-/// All fields in their order.
+/// Returns all fields in their order.
 py::tuple record_state(const py::object& record);
 
-/// A record's fields as plain values that json can write: arrays and tuples become lists; what JSON cannot say, NaN
-/// and infinity, becomes None.
+/// Returns a record's fields as plain values for json: arrays and tuples become lists; NaN and infinity, which JSON
+/// does not have, become None.
 py::dict record_to_dict(py::handle record);
 
-/// One line: the class and its fields, arrays by their shape.
+/// Returns one line: the class and its fields, arrays by their shape.
 std::string record_repr(py::handle record);
 
-/// A Python class for the struct T, documented as that is.
+/// A Python class for the struct T, with T's documentation.
 template <class T>
 class Record : public py::class_<T> {
  public:
   Record(py::module_& module, const char* name)
       : py::class_<T>(module, name, py::module_local(), doc_of(name)), name_(name) {
-    // The class belongs to the package; the extension module is a private part of it.
+    // The class belongs to the package; the extension module is private.
     const std::string module_name = py::str(module.attr("__name__"));
     this->attr("__module__") = module_name.substr(0, module_name.rfind('.'));
     this->attr("_fields") = py::list();
@@ -106,7 +106,7 @@ class Record : public py::class_<T> {
     this->def("__reduce_ex__", &record_reduce);
   }
 
-  /// A member of the struct.
+  /// Adds a member of the struct.
   template <class Member>
   Record& field(const char* name, Member T::*member) {
     return field(
@@ -114,7 +114,7 @@ class Record : public py::class_<T> {
         [member](T& record, py::handle value) { from_python(value, record.*member); });
   }
 
-  /// A member of the struct that is an enum, in Python a string.
+  /// Adds an enum member of the struct, which is a string in Python.
   template <class Enum, std::size_t N>
   Record& field(const char* name, Enum T::*member, const char* enumeration, const Named<Enum> (&names)[N]) {
     return field(
@@ -123,8 +123,8 @@ class Record : public py::class_<T> {
         doc_of(own(name), enumeration, names));
   }
 
-  /// A value made by get(record, owner), where owner is the Python object of the record; set(record, value) takes it
-  /// back. doc: where the header has no such member.
+  /// Adds a value that get(record, owner) returns, where owner is the Python object of the record; set(record, value)
+  /// restores it. doc: needed if the header has no such member.
   template <class Get, class Set>
   Record& field(const char* name, Get get, Set set, const std::string& doc = "") {
     const std::string text = doc.empty() ? doc_of(own(name)) : doc;
@@ -134,7 +134,7 @@ class Record : public py::class_<T> {
     return listed(name);
   }
 
-  /// After the last field: the struct is made again from the values of all fields.
+  /// Makes records picklable from the values of all fields. Call it after the last field.
   Record& picklable() {
     this->def(py::pickle(&record_state, [setters = setters_](const py::tuple& state) {
       if (state.size() != setters.size()) throw py::value_error("the pickle is of another version of wirewarp");
@@ -145,10 +145,10 @@ class Record : public py::class_<T> {
     return *this;
   }
 
-  /// "Struct.field".
+  /// Returns "Struct.field".
   std::string own(const std::string& field) const { return name_ + "." + field; }
 
-  /// A property that is bound elsewhere.
+  /// Adds a property that is bound elsewhere to the list of fields.
   Record& listed(const char* name) {
     this->attr("_fields").attr("append")(name);
     return *this;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What flatten() and measure() return, field by field as in wirewarp/result.h.
+// The results of flatten() and measure(), field by field as in wirewarp/result.h.
 #include <algorithm>
 
 #include "bind.h"
@@ -16,7 +16,7 @@ py::object tuple_of(const std::vector<Value>& values) {
   return py::tuple(py::cast(values));
 }
 
-/// By piece, as long as that lives: its error is one object however often it is asked for.
+/// Returns the error of a piece, or None. Each piece has one error object as long as it lives.
 py::object error_or_none(const Piece& piece, py::handle owner, const py::object& errors) {
   if (!piece.error) return py::none();
   if (!errors.contains(owner)) errors[owner] = to_python_error(*piece.error);
@@ -36,7 +36,7 @@ py::dict run_report(const FlattenResult& result) {
   return report;
 }
 
-/// What run_report() says that the other fields do not.
+/// Reads the entries of run_report() that other fields do not have.
 void read_run_report(FlattenResult& result, py::handle report) {
   result.method = report["method"].cast<std::string>();
   result.reused_pieces = report["reused_pieces"].cast<int>();

@@ -19,7 +19,7 @@ struct RunningCalls {
   std::thread::id ending_thread;  // set with the GIL, before python_is_ending
 };
 
-/// Never destroyed: threads may outlive static objects.
+/// Never destroyed, because threads may outlive static objects.
 RunningCalls& running_calls() {
   static RunningCalls& calls = *new RunningCalls;
   return calls;
@@ -49,7 +49,7 @@ void end_work() {
   calls.one_ended.notify_all();
 }
 
-/// Only the thread that forks goes on in the child.
+/// Only the forking thread continues in the child.
 void forget_threads_of_parent() {
   RunningCalls& calls = running_calls();
   calls.count = 0;
@@ -57,7 +57,7 @@ void forget_threads_of_parent() {
   calls.mutex.unlock();
 }
 
-/// Sleeps until the process ends where Python is ending, as Python 3.14 lets its daemon threads do.
+/// Sleeps until the process ends if Python is ending, as Python 3.14 does with its daemon threads.
 void stay_if_python_is_ending() {
   if (!python_is_ending()) return;
   PyEval_SaveThread();

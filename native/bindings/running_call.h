@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Python may end while another thread is in the core, which has let go of the GIL: such a thread would be unwound when
-// it asks for the GIL again, which C++ does not survive. So the end of Python cancels these calls and waits for them.
-// Their threads, which are daemons by then, do not return to Python: what they print there, Python 3.11 aborts on.
+// Handles calls that run in the core, without the GIL, while Python ends in another thread. Python would unwind such a
+// thread when it asks for the GIL again, which C++ does not survive. So the end of Python cancels these calls and waits
+// for them. Their threads, which are daemon threads by then, do not return to Python: Python 3.11 aborts if they print.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -10,7 +10,7 @@ namespace wirewarp::bindings {
 
 namespace py = pybind11;
 
-/// Work that the end of Python cancels and waits for, in a thread that does not need the GIL.
+/// Work in a thread that does not need the GIL. The end of Python cancels it and waits for it.
 class RunningWork {
  public:
   RunningWork();
@@ -19,24 +19,26 @@ class RunningWork {
   RunningWork& operator=(const RunningWork&) = delete;
 };
 
-/// A call that lets go of the GIL, from before until it holds it again. Made and ended with the GIL.
+/// A call that releases the GIL. Exists from before the release until the GIL is held again; created and destroyed with
+/// the GIL.
 class RunningCall {
  public:
-  /// Does not return to a daemon thread once Python is ending.
+  /// Does not return in a daemon thread once Python is ending.
   RunningCall();
-  /// The same.
+  /// Does not return in a daemon thread once Python is ending.
   ~RunningCall();
   RunningCall(const RunningCall&) = delete;
   RunningCall& operator=(const RunningCall&) = delete;
 };
 
-/// Another thread ends Python and waits for the calls of this one: they are to end, without the GIL where they can.
+/// Whether another thread is ending Python and waits for the calls of this one. These should end, if possible without
+/// the GIL.
 bool python_is_ending();
 
-/// How many forks lie between the process that loaded the module and this one. Threads are not forked.
+/// Returns the number of forks between the process that loaded the module and this one. A fork does not copy threads.
 int num_forks();
 
-/// Lets the end of Python wait for the running calls.
+/// Makes the end of Python wait for the running calls.
 void bind_running_calls();
 
 }  // namespace wirewarp::bindings

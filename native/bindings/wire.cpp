@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.Wire and wirewarp.Ease: checked when they are made, unchangeable afterwards.
+// wirewarp.Wire and wirewarp.Ease: checked when they are created, immutable afterwards.
 #include <cmath>
 
 #include "arrays.h"
@@ -34,7 +34,7 @@ Ease make_ease(const py::object& half_edges, const py::object& ratio) {
   return ease;
 }
 
-/// Of a field: what was checked stays as it was checked.
+/// Returns the values of a field as an array that cannot be changed, because they have been checked.
 template <class Values>
 py::object read_only(const Values& values, const py::object& owner) {
   py::object array = to_python(values, owner);

@@ -41,18 +41,17 @@ void pack(const Charts& charts, const Options& options, const StopToken& stop,
   for (std::size_t c = 0; c < solved_charts.size(); ++c) solved_charts[c].uv = std::move(shapes[c]);
 }
 
-/// Of a run that was stopped before or after all charts: no piece has a layout.
+/// Returns the result of a run that was stopped before or after all charts: no piece has a layout.
 FlattenResult cancelled_result(const FlattenInput& input, const EdgeTable& edges) {
   const Charts charts = list_charts(input, edges, cancelled());
   return assemble_result(input, charts, std::vector<SolvedChart>(charts.charts.size(), cancelled_chart()), {});
 }
 
-/// Pieces that are flat when the caller cancels are measured if that takes no more questions than these of a WorkMeter:
-/// half a second at most.
+/// Pieces that are flat when the caller cancels are measured if this takes no more calls of a WorkMeter than this: half
+/// a second at most.
 constexpr int kQuestionsAfterCancel = 25;
 
-/// What flatten() makes of charts once they are cut. Throws Stopped where the caller cancels while much remains to be
-/// measured.
+/// Flattens charts that are cut already. Throws Stopped if the caller cancels while much remains to be measured.
 FlattenResult flatten_cut(Charts charts, const Run& run, ProgressReport& report, Cache* cache,
                           std::map<std::string, double>& seconds) {
   CacheSession session(cache, run.input, run.options);

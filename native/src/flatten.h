@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What flatten() is made of, for searches and tests that need more than it returns.
+// The parts of flatten(), for searches and tests that need more than it returns.
 #pragma once
 
 #include "base/internal_options.h"
@@ -9,14 +9,14 @@
 
 namespace wirewarp {
 
-/// Throws FlattenError where flatten() refuses the whole input. The table refers to the input's faces.
+/// Throws FlattenError if flatten() refuses the whole input. The table refers to the input's faces.
 EdgeTable check_request(const FlattenInput& input, const Options& options);
 
-/// flatten() with such options; the same ones in all runs with one cache.
+/// flatten() with internal options. All runs with one cache must have the same ones.
 FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& options, const Progress& progress = {},
                            Cache* cache = nullptr);
 
-/// What flatten() makes of these charts of an input in the middle of its material. The token is polled in this thread.
+/// Flattens these charts of an input that was moved to the middle of its material. The token is polled in this thread.
 /// Throws Stopped.
 FlattenResult flatten_charts(Charts charts, const FlattenInput& input, const InternalOptions& options,
                              const StopToken& stop);

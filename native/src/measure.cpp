@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same measures and guarantees for a flattening made elsewhere.
+// Measures and checks a flattening made elsewhere.
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -15,10 +15,10 @@
 namespace wirewarp {
 namespace {
 
-/// Corners of one vertex that lie farther apart than this fraction of the piece's size are cut from each other.
+/// Corners of one vertex that are farther apart than this fraction of the piece's size are separate.
 constexpr double kSamePoint = 1e-6;
 
-/// The flat corners of a chart's faces, one place per half-edge that has a face: where it starts.
+/// The flat corners of a chart's faces, one position per half-edge with a face: where it starts.
 class FlatCorners {
  public:
   /// Throws no_layout unless all are finite and below kCoordinateLimit.
@@ -40,7 +40,7 @@ class FlatCorners {
 
   Eigen::RowVector2d operator[](HalfedgeHandle h) const { return uv_.row(h.idx()); }
 
-  /// The faces beside an edge have the vertex that h leaves at different places.
+  /// Whether the faces beside an edge have the vertex at the start of h at different positions.
   bool is_torn(HalfedgeHandle h) const {
     const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(h);
     if (mesh_.is_boundary(h) || mesh_.is_boundary(opposite)) return false;
@@ -68,7 +68,7 @@ void check_not_torn(const Chart& chart, const FlatCorners& corners) {
   throw FlattenError(ErrorCode::uv_discontinuous, ErrorArguments{}, {{vertices.begin(), vertices.end()}, torn, {}});
 }
 
-/// One position per chart vertex. Throws no_layout or uv_discontinuous.
+/// Returns one position per chart vertex. Throws no_layout or uv_discontinuous.
 Positions2 gather_corners(const Chart& chart, const CornerUv& corner_uv) {
   const FlatCorners corners(chart, corner_uv);
   check_not_torn(chart, corners);
@@ -94,13 +94,13 @@ SolvedChart read_chart(const Chart& chart, const CornerUv& corner_uv) {
   return solved;
 }
 
-/// The sides of a seam that gives have one h: the mean of what each seems to follow.
+/// Gives all sides of an elastic seam the same h: the mean of the values that fit each side.
 void share_variations(const std::vector<Chart>& charts, std::vector<SolvedChart>& solved) {
   struct Mean {
     double sum = 0;
     int count = 0;
   };
-  std::map<std::pair<int, int>, Mean> means;  // by wire and part
+  std::map<std::pair<int, int>, Mean> means;  // keyed by wire and part
   const auto for_each_side = [&](const auto& visit) {
     for (std::size_t c = 0; c < charts.size(); ++c) {
       for (std::size_t i = 0; i < solved[c].variation.size(); ++i) {

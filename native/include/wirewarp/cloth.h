@@ -33,8 +33,8 @@ struct Cloth {
   static constexpr double least_stretch = -0.5;
   static constexpr double most_stretch = 4;
 
-  /// Angle γ in radians, in (0, π/2), from which threads press on each other. A larger γ adds the energy
-  /// 10 max(weft, warp) (|sin γ| − sin locking)². None: no locking.
+  /// Angle γ in radians, in (0, π/2), from which threads press on each other. A larger γ adds the energy 10 max(weft,
+  /// warp) (|sin γ| − sin locking)². None: they never do.
   std::optional<double> locking;
 
   /// Maximum strain along weft and warp, dimensionless and not negative. A piece that needs more in either direction

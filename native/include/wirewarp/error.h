@@ -13,9 +13,9 @@
 
 namespace wirewarp {
 
-/// What went wrong. describe(code) gives the meaning and the remedy of each.
+/// The kind of an error. describe(code) returns its meaning and remedy.
 enum class ErrorCode {
-  // Raised: the input is not a mesh with seams and wires, nothing can be returned.
+  // Raised: the input is not a mesh with seams and wires, so there is no result.
   invalid_shape,
   invalid_type,
   invalid_option,
@@ -31,7 +31,7 @@ enum class ErrorCode {
   invalid_ease,
   ease_without_side,
   side_in_two_eases,
-  // Carried by the piece: this chart fails, the others do not.
+  // In the piece's error: this chart fails, the others do not.
   repeated_vertex_in_face,
   repeated_face,
   zero_area_face,
@@ -57,43 +57,42 @@ struct ErrorDescription {
   const char* name;       // the code as Python and JSON write it: "zero_area_face"
   const char* meaning;    // one sentence
   const char* remedy;     // one sentence: what the user can do
-  const char* arguments;  // "name: meaning" of each argument, separated by semicolons; empty if the code has none
+  const char* arguments;  // "name: meaning" of each argument, separated by semicolons; empty without arguments
 };
 
-/// The documented meaning, remedy and arguments of a code.
+/// Returns the documented meaning, remedy and arguments of a code.
 const ErrorDescription& describe(ErrorCode code);
 
-/// Every code, in declaration order.
+/// Returns every code, in declaration order.
 const std::vector<ErrorCode>& all_error_codes();
 
-/// A wire and a tolerance under which it can be kept.
+/// A wire and a tolerance with which its length can be kept.
 struct ProposedTolerance {
   int wire;          // index into the input's wires
   double tolerance;  // dimensionless, as in Wire
 };
 
-/// One value of an error's arguments. Lengths are in scene units, fractions are dimensionless.
+/// One argument of an error. Lengths are in scene units, fractions are dimensionless.
 using ErrorArgument =
     std::variant<bool, int, double, std::string, std::vector<int>, std::vector<double>, std::vector<std::string>>;
 
-/// What an error's sentence says besides its elements, by the names that describe(code).arguments documents.
+/// The arguments of an error's sentence, by the names that describe(code).arguments documents.
 using ErrorArguments = std::map<std::string, ErrorArgument>;
 
-/// The elements an error is about, and what would fix it; all indices are of the input mesh.
+/// The elements that an error is about, and a proposed fix. All indices refer to the input mesh.
 struct ErrorElements {
   std::vector<int> vertices;
   std::vector<VertexPair> edges;  // vertex pairs
   std::vector<int> faces;
-  std::vector<VertexPair> proposed_seams{};  // to be added to the input's seams; empty where there is no proposal
-  std::vector<ProposedTolerance> proposed_tolerances{};  // one a wire; empty where there is no proposal
+  std::vector<VertexPair> proposed_seams{};              // edges to add to the input's seams; empty without a proposal
+  std::vector<ProposedTolerance> proposed_tolerances{};  // one per wire; empty without a proposal
 };
 
-/// Bad input, or a piece that cannot be flattened. what() is one English sentence for users of the library: fault,
-/// place and remedy. A program that speaks to other people makes its own sentence from the code, arguments and
-/// elements.
+/// Invalid input, or a piece that cannot be flattened. what() is one English sentence for users of the library: fault,
+/// place and remedy. A program for other users makes its own sentence from the code, arguments and elements.
 class FlattenError : public std::runtime_error {
  public:
-  /// Makes the sentence from the other parts. with_layout: see has_layout.
+  /// Composes the sentence from the other parts. with_layout: see has_layout.
   FlattenError(ErrorCode error_code, ErrorArguments details, ErrorElements named = {}, bool with_layout = false);
 
   /// An error with a given sentence, such as one that was stored.
@@ -108,7 +107,7 @@ class FlattenError : public std::runtime_error {
   ErrorCode code;
   ErrorArguments arguments;
   ErrorElements elements;
-  bool has_layout;  // true: the piece has coordinates to look at although a guarantee is broken
+  bool has_layout;  // true: the piece has a layout although it breaks a guarantee
 };
 
 }  // namespace wirewarp

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole public API. flatten() makes flat pieces, and measure() judges any flattening with the same code.
+// The whole public API. flatten() makes flat pieces, and measure() measures and checks any flattening with the same
+// code.
 //
 // The method is that of Y. Zhang and C. C. L. Wang, "WireWarping++: Robust and Flexible Surface Flattening With Length
 // Control", IEEE Transactions on Automation Science and Engineering. "Paper", equations and sections refer to it.
@@ -20,7 +21,7 @@ struct Wire {
   std::vector<int> vertices;  // (n,) each joined to the next by an edge; a closed wire repeats its first vertex
   double tolerance = 0;       // dimensionless; 0: rigid; finite: elastic; infinity: free, with any length
   std::string name;           // UTF-8, for reports
-  double ease = 0;            // dimensionless, relative change of length to cut; finite, above -1
+  double ease = 0;            // dimensionless: intended relative change of length; finite, above -1
 };
 
 /// Throws FlattenError (wire_too_short, invalid_tolerance, invalid_ease) if the wire cannot be valid on any mesh, and
@@ -30,7 +31,7 @@ void check_wire(const Wire& wire);
 /// One side of a seam, or a section of outline, that becomes longer by the factor 1 + ratio, evenly. Typical ratios are
 /// 0.05 for a sleeve head and 1 for gathers.
 struct Ease {
-  VertexPairs half_edges;  // (k, 2) vertices a, b: the side of the triangle that has b after a
+  VertexPairs half_edges;  // (k, 2) vertices a, b: the side in the triangle that has b after a
   double ratio = 0;        // dimensionless: finite, above -1
 };
 
@@ -56,13 +57,13 @@ using Progress = std::function<bool(const std::string& stage, double fraction)>;
 
 /// Flattens every chart of the input and packs the pieces without overlap. Front faces have positive area. Throws
 /// FlattenError if the input is not a mesh with seams and wires, or if an option is out of range. If a chart cannot be
-/// flattened, its Piece carries the FlattenError, and the other pieces are not affected. With a cache
+/// flattened, its Piece contains the FlattenError, and the other pieces are not affected. With a cache
 /// (wirewarp/cache.h), charts that have not changed since its last run are not solved again. Safe to call from several
 /// threads.
 FlattenResult flatten(const FlattenInput& input, const Options& options = {}, const Progress& progress = {},
                       Cache* cache = nullptr);
 
-/// Measures and checks a flattening made elsewhere, in scene units, as flatten() does. It neither packs nor scales, and
+/// Measures and checks a flattening made elsewhere, as flatten() does, in scene units. It neither packs nor scales, and
 /// returns corner_uv unchanged. A chart with a corner that is not finite, or not below 1e60 in magnitude, has the error
 /// no_layout. Nothing is solved: a million triangles take about a second.
 FlattenResult measure(const FlattenInput& input, const CornerUv& corner_uv);

@@ -37,20 +37,20 @@ enum class PieceLayout {
 
 /// Which direction is up in each piece.
 enum class Orientation {
-  wire,      // the wire Options::grain; without wires the longest chain of its outline
-  boundary,  // its longest straight section of outline, with the piece on its left
-  up,        // Options::up: the direction in which the surface rises most on average; level pieces: as by wire
+  wire,      // the wire Options::grain; without wires the longest chain of the outline
+  boundary,  // the longest straight section of the outline, with the piece on its left
+  up,        // Options::up: the direction in which the surface rises most on average; for level pieces like wire
   best,      // the direction with the least energy of the cloth; needs a cloth
 };
 
 /// Which surface of a thick material the input is.
 enum class Surface {
   inside,   // the inner one: the material is in front of the front faces, as on a body
-  middle,   // the middle one: half of the material is on either side
+  middle,   // the middle one: half of the material is on each side
   outside,  // the outer one: the material is behind the front faces
 };
 
-/// How to flatten. A value out of its range is a FlattenError (invalid_option).
+/// How to flatten. A value out of its range throws FlattenError (invalid_option).
 struct Options {
   Method method = Method::refined;              // how wire lengths and the shape are found
   NodeWeight node_weight = NodeWeight::length;  // weight of a wire-node in Eq. (1)
@@ -64,9 +64,9 @@ struct Options {
 
   /// For the refined method: maximum number of Newton factorizations for a piece. A piece that reaches it keeps its
   /// current shape. All starts and stages count: a coarser mesh, closed slits and elastic seams. A factorization of
-  /// pieces coupled by elastic seams counts for each of them. The stretch of a fabric, which begins where the piece
-  /// without it ends, has the same limit again, and so has each coupled piece alone if no stretched shapes with common
-  /// lengths are found. The search for contradicting wires has its own limits. >= 1.
+  /// pieces coupled by elastic seams counts for each of them. The same limit applies again to the stretch of a fabric,
+  /// which starts from the piece without stretch, and again to each coupled piece alone if no stretched shapes with
+  /// common lengths are found. The search for contradicting wires has its own limits. >= 1.
   int max_factorizations = 200;
 
   /// For the refined method: fabric that the pieces are cut from, with x along its weft and y along its warp. None: an
@@ -84,7 +84,7 @@ struct Options {
   Orientation orientation = Orientation::wire;  // which direction is up in each piece
 
   /// For Orientation::wire: index of the wire that is upright in the pieces that it crosses, in [-1, number of wires).
-  /// -1, and pieces that it does not cross: the piece's first wire.
+  /// For -1, and for pieces that it does not cross, it is the piece's first wire.
   int grain = -1;
 
   /// For Orientation::wire: angle of the chain from +y, counterclockwise, in radians, in [-π, π]. With a cloth, y is

@@ -14,11 +14,10 @@ namespace wirewarp {
 /// A dart, a seam across a piece or a cut set, with its effect. Every figure comes from flatten() with its edges as
 /// seams, or with the edges that cut_mesh() makes of its paths, and the energy is that of all parts together.
 ///
-/// Strain is the figure of reports and verdicts. Without a cloth, 99% of the area of a part has
-/// max(sigma_1, 1/sigma_2) - 1 below it, where intended eases do not count. With a cloth, the stretch of its threads
-/// takes the place of that.
+/// Strain is the figure of reports and verdicts. Without a cloth, 99% of the area of a part has max(sigma_1, 1/sigma_2)
+/// - 1 below it, where intended eases do not count. With a cloth, it is the stretch of its threads instead.
 struct DartProposal {
-  int piece = -1;                  // the piece that it cuts, as flatten() numbers them without the cut
+  int piece = -1;                  // index of the piece that it cuts, in flatten() without the cut
   std::vector<VertexPair> edges;   // (k, 2) in order from the outline, to be added to the input's seams; for a cut
                                    // set one line after the other; empty if a path crosses triangles
   std::vector<SurfacePath> paths;  // the same as lines, for cut_mesh(): one for a dart or seam, one or more for a set
@@ -37,7 +36,7 @@ struct DartProposal {
 
 /// Options of propose_darts() and propose_seams().
 struct CutOptions {
-  std::optional<int> piece;      // to cut, as flatten() numbers them; none: the one that gains most
+  std::optional<int> piece;      // index of the piece to cut, in flatten(); none: the one that gains most
   int count = 5;                 // maximum number of proposals, with mirror images counted once; >= 1
   std::optional<double> strain;  // accepted strain: pieces with no more (DartProposal::strain) are ignored; >= 0;
                                  // none: 0.005, for cut sets 0.05
@@ -47,14 +46,15 @@ struct CutOptions {
 };
 
 /// Returns darts that lower the energy and the strain of a piece by at least 2%, to a strain below 1. They are sorted
-/// by the strain that they leave in the model, then by the strain that they remove from their piece. A dart that helps
-/// only together with its mirror image has less strain_with_twin. Darts lead from the outline to a point inside, along
-/// smooth chains of edges, and cross no wire. With is_smooth, they lead along smooth lines across triangles without
-/// elbows, straight unless a bend gains clearly more; cut_mesh() makes edges of them, and the figures are those of
-/// flatten() with these edges as seams. The strain around the tip of a smooth dart counts if it is more than that of
-/// the piece. All lengths stay exact. The result does not depend on how the input is turned, mirrored or numbered,
-/// except for the order of equal darts. Throws the errors of flatten(), the error of the requested piece if it has no
-/// flat shape, no_proposal if a piece is flat already, has no room or gains nothing, and cancelled.
+/// by the strain that they leave in the model, then by the strain that they remove from their piece. For a dart that
+/// helps only together with its mirror image, strain_with_twin is below the strain before. Darts lead from the outline
+/// to a point inside, along smooth chains of edges, and do not cross wires. With is_smooth, they are smooth lines
+/// across triangles without corners, and straight unless a bend gains clearly more. cut_mesh() turns them into edges,
+/// and the figures are those of flatten() with these edges as seams. The strain around the tip of a smooth dart counts
+/// if it is more than that of the piece. All lengths stay exact. The result does not depend on how the input is turned,
+/// mirrored or numbered, except for the order of equal darts. Throws the errors of flatten(), the error of the
+/// requested piece if it has no flat shape, no_proposal if a piece is flat already, has no room or gains nothing, and
+/// cancelled.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 
@@ -75,16 +75,16 @@ struct CutTarget {
   int most = 2;          // maximum number of cuts; a cut set counts as one; >= 1
   double longest = std::numeric_limits<double>::infinity();  // length of a cut or set, on the surface, scene units; > 0
   double total_length = std::numeric_limits<double>::infinity();  // length of all cuts together; > 0
-  std::optional<int> piece;  // to cut with all its parts, as flatten() numbers them; none: any
+  std::optional<int> piece;  // index of the piece to cut with all its parts, in flatten(); none: any
   bool twins = false;        // makes mirror images together if that is better and allowed; they count as two cuts
   VertexPairs no_seam = VertexPairs(0, 2);  // (k, 2) edges along which no cut may run
 };
 
-/// Returns darts to be made one after the other until the strain is low enough. Each dart cuts the worst piece that a
-/// dart helps, and is the one of propose_darts() that leaves the least strain. Its figures and the number of its piece
-/// refer to the state with the earlier cuts. Each dart of a mirrored pair has its own figures
-/// and refers to its mirror image. Fewer darts than allowed mean that the target is met or that no further dart helps.
-/// Throws the errors of propose_darts() for the first dart, and no_proposal if the target is met without any.
+/// Returns darts to make in this order until the strain is low enough. Each dart cuts the worst piece that a dart
+/// helps, and is the one from propose_darts() that leaves the least strain. Its figures and the number of its piece
+/// refer to the state with the earlier cuts. Each dart of a mirrored pair has its own figures and refers to its mirror
+/// image. Fewer darts than allowed mean that the target is met or that no further dart helps. Throws the errors of
+/// propose_darts() for the first dart, and no_proposal if the target is met without any.
 std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options = {},
                                      const CutTarget& target = {}, const Progress& progress = {});
 

@@ -46,7 +46,7 @@ struct HelperWire {
   Positions2 points_2d;  // (n, 2) in the piece
 };
 
-/// One chain of the outline of a piece between junctions: hem, neckline, armhole, one side of a seam.
+/// One chain of a piece's outline between junctions: hem, neckline, armhole or one side of a seam.
 struct BoundaryReport {
   std::vector<int> vertices;  // (n,) in order, with the piece on the left; a closed chain repeats its first vertex
   double length_3d = 0;       // on the surface, scene units
@@ -60,7 +60,7 @@ struct SeamReport {
   std::vector<int> pieces;        // one per side, ascending; the same piece twice along a dart
   std::vector<VertexPair> edges;  // (k, 2) in order along the chain
   double length_3d = 0;           // on the surface, scene units
-  std::vector<double> length_2d;  // one per side, scene units; NaN where the piece has no layout
+  std::vector<double> length_2d;  // one per side, scene units; NaN without a layout
   double variation = 0;       // h, one for all sides: the mean if a wire runs along a part of it; NaN if no side has a
                               // layout
   std::vector<double> eases;  // r, one per side: relative excess over (1+h) length_3d; NaN without a layout

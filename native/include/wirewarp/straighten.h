@@ -8,7 +8,7 @@
 
 namespace wirewarp {
 
-/// A point where a line passes a vertex or crosses an edge.
+/// A point of a line, at a vertex or on an edge.
 struct LinePoint {
   VertexPair edge;  // ends of the edge; for a vertex, its index twice
   double t = 0;     // position edge[0] + t (edge[1] - edge[0]), in (0, 1); 0 for a vertex
@@ -16,13 +16,13 @@ struct LinePoint {
 
 /// Returns the shortest line through the triangles that touch a path of edges, with the same ends. Zigzags become
 /// straight, and intended bends move by at most one triangle. The line meets seams, outlines and wires at the same
-/// vertices as the path, and keeps a quarter of an edge away from their other vertices. If it would cross an edge
-/// within a twentieth of its length from an end, it passes through the end, so that cutting it into the mesh leaves no
+/// vertices as the path, and stays a quarter of an edge away from their other vertices. It passes through the end of an
+/// edge if it would cross the edge within a twentieth of its length from there; so cutting it into the mesh leaves no
 /// slivers. Between two of its vertices on wires, seams or outlines, it crosses each triangle at most once.
 ///
 /// path: vertices, each joined to the next by an edge that is not on a seam or outline. A future seam must not be
 /// marked as one yet. Throws the errors of flatten() for the input, invalid_option if `path` does not follow mesh
-/// edges, and the error of a piece on its way whose faces are not a surface.
+/// edges, and the error of a piece on the path whose faces are not a surface.
 std::vector<LinePoint> straighten_path(const FlattenInput& input, const std::vector<int>& path);
 
 }  // namespace wirewarp

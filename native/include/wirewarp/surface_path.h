@@ -8,10 +8,10 @@
 
 namespace wirewarp {
 
-/// A line on a triangle mesh, straight from each point to the next. Two points in a row lie in one triangle.
+/// A line on a triangle mesh, straight between consecutive points, which are in the same triangle.
 struct SurfacePath {
-  std::vector<int> faces;  // (k,) triangle that has the point, inside or on its rim
-  Positions3 coordinates;  // (k, 3) barycentric coordinates in that triangle: shares of its corners
+  std::vector<int> faces;  // (k,) triangle that contains the point, inside or on its border
+  Positions3 coordinates;  // (k, 3) barycentric coordinates in that triangle: weights of its corners
 };
 
 /// Throws FlattenError (invalid_option) if the path cannot be valid on any mesh.
