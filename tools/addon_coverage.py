@@ -30,10 +30,10 @@ def begin(kind: str) -> dict[str, str]:
 
 
 def show(kind: str) -> None:
-    """Prints the share of all lines and the least covered modules, by what was measured last of both kinds.
+    """Print the share of covered lines and the least covered modules, from the last measurements of both kinds.
 
-    Raises StepError if the tests of this kind run no function of a module that is theirs. PYTEST_ADDOPTS may choose
-    tests: then there is nothing to say.
+    Raises StepError if the tests of this kind run no function of one of their modules. Does nothing if PYTEST_ADDOPTS
+    selects tests.
     """
     if os.environ.get("PYTEST_ADDOPTS"):
         return
@@ -56,7 +56,7 @@ def _report(*kinds: str) -> dict:
     report = FOLDER / "report.json"
     commands: list[list[str | Path]] = [
         ["combine", "--keep", "--quiet", *measured],
-        # a file that the other kind ran may have been removed since
+        # a file from the other kind's measurement may have been removed since
         ["json", "--quiet", "--ignore-errors", "-o", report],
     ]
     for command in commands:

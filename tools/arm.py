@@ -28,7 +28,7 @@ QEMU_APT = ("qemu-user",)
 PYTHON_APT = (f"python{DEBIAN_VERSION}-minimal", f"libpython{DEBIAN_VERSION}-stdlib", "libstdc++6")
 FOLDER = BUILD / "arm"
 PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's names; each package has a wheel for one of them
-# QEMU is slow, and a test would start this machine's programs: test only lengths, errors and pattern files.
+# QEMU is slow, and some tests start programs of this machine: run only those of lengths, errors and pattern files.
 TESTS = (
     "test_readme",
     "test_errors",

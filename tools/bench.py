@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""./dev bench: time and memory of the core, Blender and other flatteners, and the page about them."""
+"""./dev bench: measures time and memory of the core, Blender and other flatteners, and writes the page about them."""
 
 import os
 from pathlib import Path
@@ -13,7 +13,7 @@ APT = (*CORE_APT, *BLENDER_APT, *BPY_APT, "libbenchmark-dev")
 PACKAGES = (NUMPY[DEBIAN_VERSION], "libigl==2.6.3", "matplotlib==3.10.9")
 PEER = "bpy==4.5.15"  # the Blender whose unwraps are compared
 FOLDER = BUILD / "bench"
-SHARED = {"PYTHONPATH": str(ROOT / "results")}  # modules that both pages use
+SHARED = {"PYTHONPATH": str(ROOT / "results")}  # modules for both pages
 NOT_THE_LARGEST = "--benchmark_filter=-triangles:1000000"
 
 
@@ -38,7 +38,7 @@ def measure_peers(python: Path, is_full: bool) -> Path:
 
 
 def measure_real_meshes(python: Path) -> list[str | Path]:
-    """Return options for write_page.py; none if WIREWARP_MESHES names no folder."""
+    """Return options for write_page.py; none without a folder in WIREWARP_MESHES."""
     folder = os.environ.get("WIREWARP_MESHES")
     if not folder:
         say("real meshes are NOT MEASURED: WIREWARP_MESHES names no folder")

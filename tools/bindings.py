@@ -16,10 +16,10 @@ READERS = (
     "python-bidi==0.6.12",
     "resvg-py==0.5.0",
     "shapely==2.2.0",
-)  # readers of its files, and of lines in both directions; only tests use them
-# packages that are optional: tests run with and without them
+)  # readers of its files and of text in both directions, for tests only
+# optional packages: tests run with and without them
 OPTIONAL = ("spyrrow==0.9.0", "fonttools[woff]==4.68.0", "hyperqueue==0.27.0")
-MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  # packages that python -m wirewarp needs
+MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  # for python -m wirewarp
 
 
 def bindings_python(version: str) -> Path:
@@ -28,11 +28,11 @@ def bindings_python(version: str) -> Path:
 
 
 def bindings_tests(version: str, *options: str) -> None:
-    """All tests in Debian's Python, in others without those of the core's results. options: of pytest."""
+    """Run all tests in Debian's Python; in others, without those of the core's results. options: of pytest."""
     chosen = [] if version == DEBIAN_VERSION else ["-m", "not core"]
     run([bindings_python(version), "-m", "pytest", "-q", *chosen, *options, "tests/bindings"])
 
 
 def search_arguments() -> None:
-    """Its tests of random arguments with examples that are new in each run, and with more of them."""
+    """Run more of its tests of random arguments, with new examples in each run."""
     bindings_tests(DEBIAN_VERSION, "-m", "hypothesis", "--hypothesis-profile=search")

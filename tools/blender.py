@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the add-on's tests in every available Blender, on the zips that users install.
 
-Debian's Blender is the whole program, 3.4 in Debian 12 and 4.3 in Debian 13; the others are the module `bpy` in a
-Python of their own.
+Debian's Blender is the whole program, 3.4 in Debian 12 and 4.3 in Debian 13; the others are the module `bpy` in their
+own Python.
 """
 
 import shutil
@@ -28,7 +28,7 @@ PYTEST = "pytest==9.2.0"
 BLENDER_APT = ("blender", "libegl1", "python3-numpy", "python3-pytest")  # EGL draws without a window
 BPY_APT = ("libgl1", "libice6", "libsm6", "libxfixes3", "libxi6", "libxkbcommon0", "libxrender1")
 NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: Blender up to 5.0, and from 5.1 on
-DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")  # check_system() refuses all other systems
+DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")  # check_system() refuses other systems
 ADDON_MODULE = LEGACY_MODULE if DEBIAN_VERSION == LEGACY_PYTHON else EXTENSION_MODULE  # in Debian's Blender
 BPY = {"bpy==4.2.23": "3.11", "bpy==4.5.15": "3.11", "bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 EXTENSION_PROGRAM = "addons_core/bl_pkg/cli/blender_ext.py"  # the program behind `blender --command extension`

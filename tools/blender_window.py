@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Starts Debian's Blender with its window on a virtual screen of its own, and in it a script's tours."""
+"""Starts Debian's Blender with its window on a private virtual screen, and runs the tours of a script in it."""
 
 import os
 import signal
@@ -16,13 +16,13 @@ DRIVE = f"import sys; sys.path.insert(0, {str(DRIVER)!r}); import drive; drive.m
 def run_tours(
     script: Path, names: Sequence[str], environment: dict[str, str], seconds: float, display: int = 99
 ) -> tuple[int, str]:
-    """Runs these generator functions of `script` in the window; returns the exit code and the output.
+    """Run these generator functions of `script` in the window; return the exit code and the output.
 
     See tests/window/drive.py for what such a function may do.
 
     environment: for Blender; WIREWARP_ZIP names the zip to install, BLENDER_USER_SCRIPTS and _CONFIG empty folders,
-    WIREWARP_PICTURES the folder for pictures. display: the first number to try for the virtual screen; those that start
-    at the same time need different ones. Tours that take longer than `seconds` are stopped: exit code -9.
+    WIREWARP_PICTURES the folder for pictures. display: number of the first virtual screen to try; tours that start at
+    the same time need different ones. Tours that take longer than `seconds` are stopped, with exit code -9.
     """
     blender = ["/usr/bin/blender", "--factory-startup", "--no-window-focus"]
     blender += ["--window-geometry", "0", "0", "1600", "900", "--enable-event-simulate"]

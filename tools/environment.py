@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The basis of every command of `dev`: a clean environment, apt packages, Pythons, venvs and stamps.
+"""The basis of all `dev` commands: a clean environment, apt packages, Pythons, venvs and stamps.
 
-Nothing here depends on the caller's PATH or HOME, and everything made is inside build/.
+Nothing here depends on the caller's PATH or HOME, and all files are made inside build/.
 """
 
 import hashlib
@@ -17,7 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"
-DEBIAN_PYTHON = Path("/usr/bin/python3").resolve()  # as "/usr/bin/python3.11"; Debian's Blender runs on it
+DEBIAN_PYTHON = Path("/usr/bin/python3").resolve()  # such as "/usr/bin/python3.11"; Debian's Blender runs on it
 DEBIAN_VERSION = DEBIAN_PYTHON.name.removeprefix("python")
 CORES = len(os.sched_getaffinity(0))
 TIME_STAMP = "315532800"  # time of files in archives: 1980, the first that a zip can store
@@ -26,11 +26,11 @@ CALLERS_PATH = os.environ.get("PATH", "")
 
 
 class StepError(Exception):
-    """A step could not be done. The message is one sentence for the user."""
+    """A step failed. The message is one sentence for the user."""
 
 
 class NotTestedError(Exception):
-    """A step needs something that this machine lacks, which the message names in a clause."""
+    """This machine lacks something that a step needs. The message names it in a clause."""
 
 
 def say(text: str) -> None:
@@ -38,7 +38,7 @@ def say(text: str) -> None:
 
 
 def clean_environment(**more: str) -> dict[str, str]:
-    """The caller's variables without other Pythons' paths, the system's PATH and settings for reproducible builds."""
+    """Return the caller's variables without other Pythons' paths, with the system's PATH, for reproducible builds."""
     kept = {k: v for k, v in os.environ.items() if not k.startswith(("PYTHON", "VIRTUAL_ENV", "PYENV"))}
     settings = {
         "PATH": SYSTEM_PATH,
@@ -47,7 +47,7 @@ def clean_environment(**more: str) -> dict[str, str]:
         "PIP_ROOT_USER_ACTION": "ignore",
         "PYTHONNOUSERSITE": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
-        "CXX": "/usr/bin/g++",  # one name for all builds, so that ccache treats them alike
+        "CXX": "/usr/bin/g++",  # one name in all builds, so that they share ccache's objects
         "CCACHE_DIR": str(BUILD / "ccache"),
         "CCACHE_BASEDIR": str(BUILD),  # builds in build/NAME share objects of files that CMake writes there
         # otherwise, ccache stores nothing that uses precompiled headers
@@ -58,7 +58,7 @@ def clean_environment(**more: str) -> dict[str, str]:
 
 
 def check_system() -> None:
-    """Raises StepError on untested systems."""
+    """Raise StepError on untested systems."""
     if DEBIAN_VERSION in ("3.11", "3.13") and shutil.which("dpkg-query", path=SYSTEM_PATH):
         return
     name = platform.freedesktop_os_release()["PRETTY_NAME"]
@@ -69,7 +69,7 @@ def check_system() -> None:
 
 
 def run(command: Sequence[str | Path], **more: str) -> None:
-    """Runs a command in the repository and shows its output; `more` are environment variables."""
+    """Run a command in the repository and show its output; `more` are environment variables."""
     done = subprocess.run([str(c) for c in command], cwd=ROOT, env=clean_environment(**more))
     if done.returncode:
         raise StepError(failure(command, done.returncode))
@@ -110,7 +110,7 @@ def failure(command: Sequence[str | Path], code: int) -> str:
 
 
 def fingerprint(paths: Iterable[Path], *more: str) -> str:
-    """A hash of the files (folders: all files in them) and of `more`."""
+    """Return a hash of the files (of all files in folders) and of `more`."""
     digest = hashlib.sha256("\0".join(more).encode())
     for path in paths:
         files = sorted(p for p in path.rglob("*") if p.is_file()) if path.is_dir() else [path]
@@ -121,7 +121,7 @@ def fingerprint(paths: Iterable[Path], *more: str) -> str:
 
 
 def is_current(stamp: str, key: str) -> bool:
-    """Whether the work named `stamp` was last done with this key."""
+    """Return whether the work named `stamp` was last done with this key."""
     file = BUILD / "stamps" / stamp
     return file.is_file() and file.read_text() == key
 
@@ -149,14 +149,14 @@ def require_apt(*names: str) -> None:
 
 
 def may_use_sudo() -> bool:
-    """Return whether sudo asks for no password, or somebody can type it."""
+    """Return whether sudo needs no password, or somebody can type it."""
     if not shutil.which("sudo", path=SYSTEM_PATH):
         return False
     return sys.stdin.isatty() or subprocess.run(["sudo", "-n", "true"], capture_output=True).returncode == 0
 
 
 def find_python(version: str) -> Path | None:
-    """A CPython of this version: Debian's, else one on the caller's PATH or in a pyenv. None if there is none."""
+    """Return a CPython of this version: Debian's, or one on the caller's PATH or in pyenv, or None."""
     name = f"python{version}"
     homes = {Path(pwd.getpwuid(os.getuid()).pw_dir), Path(os.environ.get("HOME") or "/"), Path("/root")}
     pyenvs = [Path(os.environ["PYENV_ROOT"])] if "PYENV_ROOT" in os.environ else []
@@ -189,7 +189,7 @@ def is_python(candidate: Path, version: str) -> bool:
 
 def venv(name: str, python: Path, *requirements: str) -> Path:
     """Return the Python of the venv build/venvs/NAME with these packages, recreated if they change."""
-    folder = (BUILD / "venvs" / name).resolve()  # worktrees may share them by a link
+    folder = (BUILD / "venvs" / name).resolve()  # worktrees may share them through a link
     interpreter = folder / "bin" / "python"
     key = fingerprint([], str(python), str(folder), *requirements)
     if not (interpreter.exists() and is_current(f"venv-{name}", key)):

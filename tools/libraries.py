@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Packages as wheels for other systems: those that wirewarp.pattern needs, for no Blender has them, and any others."""
+"""Downloads packages as wheels for other systems: those that wirewarp.pattern needs and Blender lacks, and others."""
 
 import shutil
 from pathlib import Path
 
 from tools.environment import BUILD, DEBIAN_PYTHON, fingerprint, is_current, run_quietly, set_current, venv
 
-PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0", "uharfbuzz==0.57.0")  # none of them needs another package
+PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0", "uharfbuzz==0.57.0")  # without dependencies of their own
 PIP_PLATFORMS = {  # pip's name for the oldest system that Blender supports, by Blender's name
     "linux-x64": "manylinux2014_x86_64",
     "linux-arm64": "manylinux_2_28_aarch64",
@@ -17,7 +17,7 @@ PIP_PLATFORMS = {  # pip's name for the oldest system that Blender supports, by 
 
 
 def library_wheels(platform: str, tag: str) -> list[Path]:
-    """The wheels for Blender's platform and the Python of the tag, as "cp311"; downloaded once."""
+    """Return the wheels for Blender's platform and the Python of the tag, such as "cp311"; they are downloaded once."""
     name = f"libraries-{platform}-{tag}"
     folder = BUILD / "wheels" / name
     key = fingerprint([], PIP_PLATFORMS[platform], *PATTERN)
@@ -34,9 +34,9 @@ def library_wheels(platform: str, tag: str) -> list[Path]:
 
 
 def install_for(platforms: tuple[str, ...], version: str, folder: Path, *arguments: str | Path) -> None:
-    """Packages for another system, by pip's words for it, and a Python of this version, into a folder."""
+    """Install packages for another system (pip's names) and a Python of this version into a folder."""
     systems = [f"--platform={each}" for each in platforms]
-    # pip would evaluate the required Python of a package for ours.
+    # pip would check packages against the version of our Python.
     options = ("--implementation=cp", f"--python-version={version}", "--only-binary=:all:", "--ignore-requires-python")
     pip = ["pip", "install", "--quiet", "--target", str(folder), *systems, *options]
     what = f"pip install for {platforms[0]}: " + " ".join(str(a) for a in arguments if not str(a).startswith("-"))

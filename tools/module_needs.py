@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether a module for another system is made for it, and needs nothing that the system lacks.
+"""Checks that a module for another system is built for it, and needs nothing that the system lacks.
 
-No module but this system's own is loaded here, and the linker takes some things on trust: on macOS every name that is
-nowhere may be Python's. So the file is read again. Run by a Python that has the package lief:
+This system cannot load such modules, and linkers do not find all errors: on macOS, every undefined name may be
+Python's. So the file is read again. Run it with a Python that has the package lief; it prints one line per fault:
 
-    python -m tools.module_needs PLATFORM MODULE VERSION LIBSYSTEM     # one line for each fault; none: it is right
+    python -m tools.module_needs PLATFORM MODULE VERSION LIBSYSTEM
 """
 
 import re
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import lief
 
 LIEF = "lief==1.0.0"
-PYTHONS_OWN = re.compile(r"_{0,3}Py[A-Z_]")  # its functions and objects; macOS has one "_" more
+PYTHONS_OWN = re.compile(r"_{0,3}Py[A-Z_]")  # Python's functions and objects; macOS adds a "_"
 MACHINES = {
     "linux-x64": "X86_64",
     "linux-arm64": "AARCH64",
@@ -25,7 +25,7 @@ MACHINES = {
     "macos-x64": "X86_64",
 }
 GLIBC = r"lib(c|m|pthread|dl)\.so\.\d+|ld-linux-.*"
-WINDOWS = r"KERNEL32\.dll|api-ms-win-crt-.*\.dll"  # the C runtime that is part of Windows from 10 on
+WINDOWS = r"KERNEL32\.dll|api-ms-win-crt-.*\.dll"  # the C runtime is part of Windows since 10
 MACOS = r"/usr/lib/libSystem\.B\.dylib"
 
 
@@ -34,7 +34,7 @@ def faults(platform: str, module: Path, oldest: tuple[int, ...], system: Path) -
 
     system: names in macOS' libSystem, from compilers for it (.tbd).
     """
-    import lief  # only the Python that runs this as a program has it
+    import lief  # only installed for this program's Python
 
     lief.logging.disable()
     binary = lief.parse(str(module))

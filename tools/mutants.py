@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How many small faults the tests notice: in each mutant of a source one comparison or sign is another.
+"""Measures how many small faults the tests catch. Each mutant of a source has one different comparison or sign.
 
-Before tests are thinned out and after it: the share that is caught must not fall. The sample is the same each time.
+Run it before and after tests are thinned out: the share must not fall. The sample is the same each time.
 """
 
 import io
@@ -19,20 +19,20 @@ from tools.environment import BUILD, CORES, DEBIAN_VERSION, ROOT, StepError, cle
 from tools.native import build_native
 
 SAMPLE = 60  # number of mutants, which gives the share within about 5%
-SECONDS = 900.0  # limit of the tests for a mutant: one that makes them hang counts as caught
+SECONDS = 900.0  # limit of the tests for a mutant; if they hang, it counts as caught
 SWAPPED = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+"}
 CPP_SWAPPED = SWAPPED | {"&&": "||", "||": "&&"}
 PYTHON_SWAPPED = SWAPPED | {"and": "or", "or": "and"}
-# Comments, texts and includes; then operators, which the formatter puts between spaces, and brackets of templates not.
+# Comments, texts and includes, then operators. The formatter puts spaces around operators, but not in templates.
 CPP_TOKEN = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"|^#[^\n]*|(?<= )(?:[<>=!]=|[<>+-]|&&|\|\|)(?= )', re.MULTILINE)
 PACKAGE = ROOT / "python" / "wirewarp"
-COPY = BUILD / "mutants"  # of the package, with the compiled module
+COPY = BUILD / "mutants"  # copy of the package with the compiled module
 
 
 @dataclass(frozen=True)
 class Mutant:
     file: Path
-    start: int  # of the operator in the text of the file
+    start: int  # position of the operator in the text of the file
     operator: str
     other: str
 
@@ -47,12 +47,14 @@ class Mutant:
         return text[: self.start] + self.other + text[self.start + len(self.operator) :]
 
 
-# whether tests fail, for None on the original source; None: not compiled
+# returns whether tests fail on a mutant, or on the original source for None; None: it does not compile
 Judge = Callable[[Mutant | None], bool | None]
 
 
 def mutants(words: list[str]) -> None:
-    """words: a source or a folder of sources, then the tests: files for pytest, or a filter of GoogleTest."""
+    """Measure the mutants. words: a source or folder of sources, then the tests: files for pytest, or a GoogleTest
+    filter.
+    """
     if len(words) < 2:
         raise StepError("name a source or its folder, and its tests: ./dev mutants native/src/measure 'Measure*'")
     path, *tests = words
@@ -115,7 +117,7 @@ def _in_python(tests: list[str]) -> Judge:
 
 
 def _in_cpp(tests: list[str]) -> Judge:
-    """Change the source itself, and restore it."""
+    """Change the source itself and restore it afterward."""
     program = BUILD / "release" / "wirewarp_tests"
     command: list[str | Path] = [program, f"--gtest_filter={':'.join(tests)}", "--gtest_fail_fast", "--gtest_brief=1"]
 

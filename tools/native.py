@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Building and testing the core, with expected input and with random one."""
+"""Builds and tests the core, with expected input and with random input."""
 
 from tools import core_coverage
 from tools.environment import (
@@ -20,12 +20,12 @@ NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev")
 FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-14-dev")
 ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # libFuzzer for Python
 FEW_CASES, MANY_CASES = 1_000, 10_000
-TEST_SECONDS = 600  # ten times what a part of the tests takes under the sanitizers; the last test named is what hangs
+TEST_SECONDS = 600  # ten times what a part of the tests takes under the sanitizers; the last test in the output hangs
 FUZZ_SECONDS = {"flatten": 600, "reader": 120}
 
 
 def build_native(preset: str, *targets: str, **definitions: str) -> None:
-    """All targets, if none is named; definitions: variables of CMake."""
+    """Build these targets, or all. definitions: CMake variables."""
     defined = [f"-D{name}={value}" for name, value in definitions.items()]
     run_quietly(f"configuring build/{preset}", ["cmake", "--preset", preset, *defined])
     only = ["--target", *targets] if targets else []
@@ -33,19 +33,19 @@ def build_native(preset: str, *targets: str, **definitions: str) -> None:
 
 
 def run_native_tests(preset: str) -> None:
-    """Shows what the parts of the tests print that fail, and the seconds of each part."""
+    """Run the tests; show the output of the parts that fail, and the seconds of each part."""
     run(["ctest", "--preset", preset, "-j", str(CORES), "--timeout", str(TEST_SECONDS)])
 
 
 def native_tests() -> None:
-    """On the core as the wheels have it, with the same OpenMesh: then these need not compile it again."""
+    """Test the core as it is in the wheels, with the same OpenMesh, so that the wheels need not compile it again."""
     require_apt(*NATIVE_APT)
     build_native("release", "wirewarp_tests", FETCHCONTENT_SOURCE_DIR_OPENMESH=str(openmesh_source()))
     run_native_tests("release")
 
 
 def instrumented_native_tests() -> None:
-    """Under the sanitizers, with the core's coverage, and with Debian's OpenMesh."""
+    """Test under the sanitizers, with the core's coverage and Debian's OpenMesh."""
     require_apt(*NATIVE_APT)
     build_native("asan")
     core_coverage.begin()
@@ -54,17 +54,17 @@ def instrumented_native_tests() -> None:
 
 
 def random_cases(count: int = FEW_CASES) -> None:
-    """The first so many random cases, under the sanitizers."""
+    """Run this many random cases under the sanitizers."""
     require_apt(*NATIVE_APT)
     build_native("asan", "wirewarp_random_cases")
-    core_coverage.begin()  # or what an older build has counted is met
+    core_coverage.begin()  # delete counts of an older build
     run([BUILD / "asan" / "wirewarp_random_cases", "0", str(count)])
 
 
 def fuzz(is_short: bool) -> None:
-    """Many random cases, then inputs that a fuzzer finds, to flatten() and to the add-on's reader of wires.
+    """Run many random cases, then two fuzzers: on flatten(), and on the add-on's reader of wires.
 
-    What a fuzzer has found interesting is kept in build/fuzz, and is where the next run begins.
+    Interesting inputs are kept in build/fuzz, and the next run starts from them.
     """
     share = 0.1 if is_short else 1
     random_cases(round(share * MANY_CASES))

@@ -22,8 +22,8 @@ from tools.zig import ZIG, cache_variables, zig
 OPENMESH = "openmesh==1.2.1"  # its C++ source is that of OpenMesh 9.1
 GLIBC = "2.28"  # version of the systems that blender.org builds for
 POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
-# What libstdc++ asks newer glibcs for. The variable: 0 says that there may be several threads, which is always safe.
-# The functions, in the place of strtol and its like with Debian 13's headers, know binary numbers besides.
+# libstdc++ would need a newer glibc for these. The variable's value 0, "there may be several threads", is always safe.
+# Debian 13's headers replace strtol and similar functions by these, which also accept binary numbers.
 NEWER_GLIBC = """
 #define OURS extern "C" __attribute__((visibility("hidden")))
 OURS char __libc_single_threaded;
@@ -33,7 +33,7 @@ extern "C" unsigned long strtoul(const char*, char**, int);
 OURS long __isoc23_strtol(const char* text, char** end, int base) { return strtol(text, end, base); }
 OURS unsigned long __isoc23_strtoul(const char* text, char** end, int base) { return strtoul(text, end, base); }
 """
-# Of libstdc++ only what is used, which is what needs no newer glibc, and none of it visible to other modules.
+# Links only the used parts of libstdc++, which need no newer glibc, and hides them from other modules.
 SECTIONS = "-Wl,--gc-sections -Wl,--exclude-libs,ALL"
 
 
@@ -71,7 +71,7 @@ def cmake_definitions() -> dict[str, str]:
 
 
 def write_stubs(folder: Path) -> None:
-    """libc.so and its like, of the old glibc: zig writes them into its cache when it links anything."""
+    """Write libc.so and the like of the old glibc: zig writes them to its cache when it links anything."""
     cache = folder / "zig"
     (folder / "empty.c").write_text("")
     link = ("cc", "-target", f"x86_64-linux-gnu.{GLIBC}", "-shared", "-o", folder / "empty.so", folder / "empty.c")
@@ -84,7 +84,7 @@ def write_stubs(folder: Path) -> None:
 
 
 def check_symbols(wheel: Path) -> None:
-    """Raises StepError if the module needs a symbol that the old glibc lacks, linked without a version."""
+    """Raise StepError if the module needs a symbol that the old glibc lacks and that is linked without a version."""
     with zipfile.ZipFile(wheel) as archive:
         (name,) = (name for name in archive.namelist() if name.endswith(".so"))
         module = Path(archive.extract(name, wheel.parent))
@@ -93,4 +93,4 @@ def check_symbols(wheel: Path) -> None:
     )
     missing = [line.split()[-1] for line in listed.stdout.splitlines() if re.search(r" U (?!_?Py)[^@]+$", line)]
     if missing:
-        raise StepError(f"{wheel.name} needs what glibc {GLIBC} lacks: {', '.join(missing)}")
+        raise StepError(f"{wheel.name} needs symbols that glibc {GLIBC} lacks: {', '.join(missing)}")

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes what users install, in dist/: one wheel per Python, the extension zip and the legacy add-on zip.
+"""Makes the files that users install, in dist/: one wheel per Python, the extension zip and the legacy add-on zip.
 
-wirewarp-V-cp311-*.whl, wirewarp-V-cp313-*.whl   the core package, its libraries inside, numpy not
-wirewarp-V-<platform>.zip                        extension for Blender 4.2 and later, the wheels inside
-wirewarp-V-legacy-<platform>.zip                 add-on for Blender 3.4 to 4.1, the core package unpacked inside
+wirewarp-V-cp311-*.whl, wirewarp-V-cp313-*.whl   core package with its libraries, without numpy
+wirewarp-V-<platform>.zip                        extension for Blender 4.2 and later, with the wheels
+wirewarp-V-legacy-<platform>.zip                 add-on for Blender 3.4 to 4.1, with the unpacked core package
 
-Both zips hold pyclipper, pydyf and uharfbuzz, too, which wirewarp.pattern needs.
+Both zips also contain pyclipper, pydyf and uharfbuzz, which wirewarp.pattern needs.
 """
 
 import fcntl
@@ -37,7 +37,7 @@ from tools.zig import ZIG
 from tools.zips import LEGACY_TAG, VERSION
 
 DIST = ROOT / "dist"
-# Blenders by their Python; Debian's 4.3 has 3.13
+# Blenders by Python version; Debian's 4.3 has 3.13
 BLENDERS = {"3.11": "Blender 3.4 to 5.0", "3.13": "Blender 5.1 and later"}
 PYTHONS = tuple(BLENDERS)
 LEGACY_PYTHON = "3.11"
@@ -89,7 +89,7 @@ def package_for_all_systems() -> None:
 
 
 def extension_for(system: System) -> Path:
-    """The extension for another system, with the wheels of this tree."""
+    """Return the extension for another system, with the wheels of this tree."""
     wheels = [cross_wheel(system, version, wheel) for version, wheel in build_wheels().items()]
     folder = wheels[0].parent
     zips.write_zips(folder)
@@ -122,15 +122,15 @@ def keep_in_dist(wheels: Collection[Path]) -> None:
 
 
 def package_legacy() -> Path:
-    """Builds the legacy zip alone, and returns it."""
+    """Build only the legacy zip, and return it."""
     require_apt(*BUILD_APT)
     wheel = build_wheel(LEGACY_PYTHON, require_python(LEGACY_PYTHON))
     return zips.write_legacy(DIST, PLATFORM, wheel, library_wheels(PLATFORM, LEGACY_TAG))
 
 
 def venv_with_core(name: str, version: str, *requirements: str) -> Path:
-    """The Python of the venv build/venvs/NAME with these packages and with the wheel of this tree."""
-    require_apt(*BUILD_APT)  # Debian's Python needs its headers to count
+    """Return the Python of the venv build/venvs/NAME with these packages and the wheel of this tree."""
+    require_apt(*BUILD_APT)  # without its headers, Debian's Python is not found
     python = require_python(version)
     wheel = build_wheel(version, python)
     interpreter = venv(name, python, *requirements)
@@ -151,7 +151,7 @@ def show_dist() -> None:
 
 
 def missing_python_notice() -> str | None:
-    """Return a notice about missing Pythons and the files that are missing because of them."""
+    """Return a notice about missing Pythons and the files that need them."""
     missing = [version for version in PYTHONS if not find_python(version)]
     if not missing:
         return None
@@ -165,7 +165,7 @@ def build_wheel(version: str, python: Path) -> Path:
     """Return the repaired wheel for one Python, from the last build if its sources have not changed."""
     BUILD.mkdir(exist_ok=True)
     with (BUILD / "wheels.lock").open("w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)  # steps that run side by side build into the same folders
+        fcntl.flock(lock, fcntl.LOCK_EX)  # parallel steps build in the same folders
         return build_wheel_alone(version, python)
 
 
@@ -176,7 +176,7 @@ def venv_for_wheels(version: str, python: Path) -> Path:
 def build_wheel_alone(version: str, python: Path) -> Path:
     tag = "cp" + version.replace(".", "")
     key = fingerprint([ROOT / source for source in CORE_SOURCES], str(python), *WHEEL_TOOLS)
-    name = f"wirewarp-{VERSION}-{tag}-*{old_glibc.POLICY}.whl"  # without those of other systems in the same folder
+    name = f"wirewarp-{VERSION}-{tag}-*{old_glibc.POLICY}.whl"  # excludes wheels of other systems in the same folder
     found = list(DIST.glob(name))
     if len(found) == 1 and is_current(f"wheel-{tag}", key):
         return found[0]
@@ -190,8 +190,8 @@ def build_wheel_alone(version: str, python: Path) -> Path:
         "SOURCE_DATE_EPOCH": TIME_STAMP,
         "PATH": f"{interpreter.parent}:{clean_environment()['PATH']}",
     }
-    options = {"build-dir": str(BUILD / f"wheel-{tag}")}  # beside build/release, which has the same core
-    # not in users' builds, which may have newer compilers
+    options = {"build-dir": str(BUILD / f"wheel-{tag}")}  # build/release has the same core
+    # not in users' builds, whose compilers may be newer
     options["cmake.define.CMAKE_COMPILE_WARNING_AS_ERROR"] = "ON"
     options |= {f"cmake.define.{name}": value for name, value in old_glibc.cmake_definitions().items()}
     build = ("pip", "wheel", "--quiet", "--no-build-isolation", "--no-deps", "-w", raw)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pictures of the pages in docs/, made by the scripts in docs/guide/, from Blender's window on a virtual screen."""
+"""Takes the pictures of the pages in docs/ with the scripts in docs/guide/, in Blender's window on a virtual screen."""
 
 import shutil
 from concurrent.futures import ThreadPoolExecutor
@@ -16,7 +16,7 @@ GUIDE = ROOT / "docs" / "guide"  # the scripts and the pictures
 SCRIPT = GUIDE / "take_pictures.py"
 TOURS = ("mark", "flat", "report", "suggest", "tube", "contradiction", "pieces", "allowance", "pages", "export")
 PRINTED = {"sheet": ("sheets", 6, 60), "marker": ("marker", 1, 40)}  # name: file, page, dots per inch
-AT_ONCE = 4  # Blenders, which wait for their windows most of the time
+AT_ONCE = 4  # number of Blenders; they mostly wait for their windows
 SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on an idle one
 
 
@@ -28,13 +28,13 @@ def take_tour(zip_file: Path, taken: Path, name: str) -> tuple[int, str]:
 
 
 def pictures() -> None:
-    """Take all pictures again, and replace the old ones once all exist."""
+    """Take all pictures again; replace the old ones once all exist."""
     require_apt(*BUILD_APT, *BLENDER_APT, *WINDOW_APT, "librsvg2-bin", "poppler-utils")
     zip_file = package_legacy()
     taken = BUILD / "pictures"
     shutil.rmtree(taken, ignore_errors=True)
     taken.mkdir(parents=True)
-    with ThreadPoolExecutor(AT_ONCE) as pool:  # each in its own Blender: the window remembers which panels were open
+    with ThreadPoolExecutor(AT_ONCE) as pool:  # each in its own Blender, because the window remembers open panels
         for name, (code, output) in zip(TOURS, pool.map(partial(take_tour, zip_file, taken), TOURS), strict=True):
             if code:
                 print(output, flush=True)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""dist/repository/: a folder that any web server can offer as an extension repository, with updates through Blender.
+"""Makes dist/repository/: a folder that any web server can offer as an extension repository, with updates in Blender.
 
-Blender's own generator writes index.json, so the listing always has the form that Blender reads.
+Blender's own generator writes index.json, so the list always has the format that Blender reads.
 """
 
 import json
@@ -15,7 +15,7 @@ from tools.zips import extension_zips
 
 REPOSITORY = DIST / "repository"
 PAGE = ROOT / "tools" / "repository.html"  # with $body, the table of zips, and $date
-# Blender's generator is a script of its own. It comes with the newest bpy for Debian's Python.
+# Blender's generator is a separate script. It comes with the newest bpy for Debian's Python.
 GENERATOR = next((each for each in reversed(BPY) if BPY[each] == DEBIAN_VERSION), "")
 
 
@@ -43,7 +43,7 @@ def write_repository(zips: Path) -> Path:
 
 
 def update_tests() -> None:
-    """Add dist/repository/ to every later Blender, with settings of its own, install from it and update."""
+    """Add dist/repository/ to every later Blender with private settings, install from it, and update."""
     require_apt(*BPY_APT)
     package()
     folder = write_repository(DIST)

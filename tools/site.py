@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""build/docs/: the site, by mkdocs from docs/, with the pages that come from the add-on and the Python package."""
+"""Builds the site in build/docs/ with mkdocs, from docs/ and the pages generated from the add-on and the package."""
 
 import shutil
 

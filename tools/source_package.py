@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The source package for PyPI: the Python package and the core with the sources of Eigen and OpenMesh inside, so that
-pip builds it with nothing but what PyPI has.
+"""Makes the source package for PyPI: the Python package and the core with the sources of Eigen and OpenMesh, so that
+pip can build it with packages from PyPI only.
 
-`python -m build` would not make this smaller: it calls the function that BUILD_SDIST calls.
+`python -m build` would not shorten this: it calls the function that BUILD_SDIST calls.
 """
 
 import shutil
@@ -35,7 +35,7 @@ BUILD_SDIST = "import scikit_build_core.build, sys; scikit_build_core.build.buil
 
 
 def source_package() -> Path:
-    """Writes dist/wirewarp-VERSION.tar.gz."""
+    """Write dist/wirewarp-VERSION.tar.gz."""
     require_apt(*BUILD_APT)
     staged = FOLDER / "staged"
     shutil.rmtree(staged, ignore_errors=True)
@@ -64,7 +64,7 @@ def source_package_tests() -> None:
     python = venv("source", DEBIAN_PYTHON, PYTEST, HYPOTHESIS, NUMPY[DEBIAN_VERSION], *PATTERN)
     options = ("--config-settings=cmake.define.FETCHCONTENT_FULLY_DISCONNECTED=ON", "--no-deps", "--force-reinstall")
     (sources,) = unpacked.iterdir()
-    # Without ccache, as users build.
+    # without ccache, as users build
     install: list[str | Path] = [python, "-m", "pip", "install", *options, sources]
     run_quietly("building a wheel from the source package", install, CMAKE_CXX_COMPILER_LAUNCHER="")
     run([python, "-m", "pytest", "-q", "tests/bindings/test_readme.py", "tests/bindings/test_stub.py"])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the steps of ./dev test: some one after the other, or all of them two at a time.
+"""Runs the steps of ./dev test: some of them in order, or all of them two at a time.
 
-nox would not make this smaller: it runs its sessions one after the other and knows no order between them.
+nox would not shorten this: it runs its sessions in order and has no dependencies between them.
 """
 
 import multiprocessing
@@ -21,24 +21,24 @@ from tools.environment import BUILD, NotTestedError, StepError, say
 PASSED, FAILED, NOT_TESTED = "passed", "FAILED", "NOT TESTED"
 EXIT_CODES: dict[int | None, str] = {0: PASSED, 1: FAILED, 2: NOT_TESTED}
 LOGS = BUILD / "log"
-AT_ONCE = 2  # so that a step that uses one core leaves none idle
-FAILURE_LINES = 400  # room for some failed tests with their values
+AT_ONCE = 2  # one may use a single core
+FAILURE_LINES = 400  # enough for some failed tests with their values
 PROCESSES = multiprocessing.get_context("fork")
 
 
 class When(IntEnum):
-    """Which runs a step is part of, besides those that name it."""
+    """The runs that include a step, besides those that name it."""
 
     ALWAYS = 0
     ALL = 1  # ./dev test --all
-    NAMED = 2  # no others
+    NAMED = 2  # no other runs
 
 
 @dataclass(frozen=True)
 class Step:
     name: str
     work: Callable[[], None]  # raises StepError or NotTestedError
-    after: str = ""  # the step whose builds this one takes over
+    after: str = ""  # step whose builds this one uses
     when: When = When.ALWAYS
 
 
@@ -50,7 +50,7 @@ class Outcome:
 
 
 def run_in_order(steps: Iterable[Step]) -> list[Outcome]:
-    """Each with its output as it comes."""
+    """Run the steps one after the other, and show their output at once."""
     outcomes = []
     for step in steps:
         print(f"\n===== {step.name}", flush=True)
@@ -61,7 +61,7 @@ def run_in_order(steps: Iterable[Step]) -> list[Outcome]:
 
 
 def run_side_by_side(steps: Sequence[Step]) -> list[Outcome]:
-    """Each in a process of its own, whose output is kept in build/log; in the order given."""
+    """Run each step in its own process, with its output in build/log. Return outcomes in the given order."""
     LOGS.mkdir(parents=True, exist_ok=True)
     waiting = list(steps)
     running: list[tuple[Step, ForkProcess, float]] = []
@@ -84,7 +84,7 @@ def run_side_by_side(steps: Sequence[Step]) -> list[Outcome]:
 
 
 def show_what_failed(outcomes: Iterable[Outcome]) -> None:
-    """The end of what each step printed that failed or was not tested; of steps that passed, nothing."""
+    """Show the end of the output of each step that failed or was not tested."""
     for outcome in outcomes:
         if outcome.word != PASSED:
             lines = (LOGS / outcome.name).read_text(errors="replace").splitlines()
@@ -92,7 +92,7 @@ def show_what_failed(outcomes: Iterable[Outcome]) -> None:
 
 
 def show(outcomes: Sequence[Outcome], seconds: float) -> None:
-    """Prints a table; seconds: of all together, by the clock. Raises StepError if a step failed."""
+    """Print a table. seconds: wall time of all steps. Raises StepError if a step failed."""
     print("\n===== summary")
     for outcome in (*outcomes, Outcome("all", "", seconds)):
         print(f"{outcome.name:24} {outcome.word:10} {outcome.seconds:6.0f} s")
@@ -117,15 +117,15 @@ def _word_of(step: Step) -> str:
 
 
 def _run_apart(step: Step) -> None:
-    """In a process of its own, which ends with the step."""
+    """Run the step in its own process, which ends with it."""
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     with (LOGS / step.name).open("w", buffering=1) as log:
-        os.dup2(log.fileno(), 1)  # for the programs it runs
+        os.dup2(log.fileno(), 1)  # for programs that it starts
         os.dup2(log.fileno(), 2)
         sys.stdout = sys.stderr = log
         try:
             word = _word_of(step)
-        except Exception:  # a fault of ours: the log, which ends here, is where it is looked for
+        except Exception:  # a fault of this program: show it at the end of the log, where it is looked for
             traceback.print_exc()
             word = FAILED
     sys.exit(next(code for code, name in EXIT_CODES.items() if name == word))

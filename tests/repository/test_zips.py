@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The zips of each platform hold its own wheels, and the manifest says no more than what is inside."""
+"""The zips of each platform contain its own wheels, and the manifest lists exactly what is inside."""
 
 import tomllib
 import zipfile
@@ -27,18 +27,18 @@ def make_wheels(folder: Path, *tags: str) -> None:
 
 @pytest.fixture
 def libraries(tmp_path):
-    """Wheels of a package for each Python, and of one for all."""
+    """Return wheels of a package for each Python, and of one for all."""
     folder = tmp_path / "libraries"
     folder.mkdir()
 
     def found(platform: str, tag: str) -> list[Path]:
         paths = [folder / f"clipper-1-{tag}-{tag}-{platform}.whl", folder / "writer-2-py3-none-any.whl"]
         for path in paths:
-            if path.exists():  # a wheel holds the time at which it was written
+            if path.exists():  # a wheel contains the time at which it was written
                 continue
             with zipfile.ZipFile(path, "w") as wheel:
                 package = path.name.split("-")[0]
-                wheel.writestr(zipfile.ZipInfo(f"{package}/__init__.py"), tag)  # which has no time of its own
+                wheel.writestr(zipfile.ZipInfo(f"{package}/__init__.py"), tag)  # without the present time
                 wheel.writestr(zipfile.ZipInfo(f"{package}.dist-info/METADATA"), "")
         return paths
 
@@ -103,7 +103,7 @@ def test_the_same_wheels_give_the_same_bytes(tmp_path, libraries):
 @pytest.mark.parametrize("tag", ["cp311-cp311-linux_x86_64", "cp311-cp311-musllinux_1_2_x86_64"])
 def test_a_wheel_that_would_run_on_some_systems_only_is_refused(tmp_path, tag, libraries):
     make_wheels(tmp_path, tag)
-    with pytest.raises(StepError, match=f"{tag}.whl is for a platform that Blender has no word for"):
+    with pytest.raises(StepError, match=f"{tag}.whl is for a platform that Blender does not name"):
         write_zips(tmp_path, libraries)
 
 
