@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the extension platform demands, of the zips in dist/: its manifest's schema, and what its reviewers look for.
+"""The zips in dist/ meet the rules of the extension platform: the manifest's schema, and the checks of its reviewers.
 
 https://developer.blender.org/docs/features/extensions/schema/1.0.0/
 https://developer.blender.org/docs/features/extensions/moderation/guidelines/
@@ -28,7 +28,7 @@ REQUIRED = {
     "blender_version_min",
 }
 OPTIONAL = {"tags", "platforms", "wheels", "permissions", "blender_version_max", "website", "copyright"}
-# Blender's scripts/modules/_bpy_internal/extensions/tags.py, those for add-ons.
+# From Blender's scripts/modules/_bpy_internal/extensions/tags.py, the tags for add-ons.
 TAGS = {
     *("3D View", "Add Curve", "Add Mesh", "Animation", "Bake", "Camera", "Compositing", "Development", "Game Engine"),
     *("Geometry Nodes", "Grease Pencil", "Import-Export", "Lighting", "Material", "Mesh", "Modeling", "Node", "Object"),
@@ -43,12 +43,12 @@ NETWORK = {"socket", "ssl", "urllib", "http", "ftplib", "smtplib", "asyncio", "x
 THREADS = {"threading", "_thread", "concurrent", "multiprocessing", "queue"}
 NATIVE = {"ctypes", "cffi"}
 INSTALLERS = {"pip", "ensurepip", "venv", "site", "pkg_resources"}
-# spyrrow, where the user has it, runs in a process of its own: a program that Blender never imports, and its starter.
+# spyrrow, if the user has installed it, runs in a separate process: a program that Blender never imports.
 PROGRAM, STARTER = "wirewarp/pattern/nest/spyrrow_process.py", "wirewarp/pattern/nest/spyrrow_nesting.py"
 TEXTS = {".py", ".md", ".toml", ""}  # "": LICENSE
 ZSTANDARD = b"\x28\xb5\x2f\xfd"  # how Blender packs its files
 BINARIES = (".so", ".pyd", ".dll", ".dylib", ".a", ".lib", ".exe", ".pyc")
-# Five times what it is: more would be a build with symbols to debug with, or something that nobody wanted in there.
+# Five times the present size. A larger file has debug symbols or unintended contents.
 MOST_BYTES = 30e6
 
 extensions = pytest.mark.parametrize("path", EXTENSIONS, ids=lambda path: path.name)
@@ -59,12 +59,12 @@ def test_there_is_an_extension():
 
 
 def sha256(content: bytes) -> str:
-    """As wheels write it."""
+    """Return the hash in the form of wheels."""
     return "sha256=" + base64.urlsafe_b64encode(hashlib.sha256(content).digest()).rstrip(b"=").decode()
 
 
 def is_short_sentence(text: str) -> bool:
-    """As Blender checks taglines and reasons."""
+    """Return whether Blender accepts a tagline or reason."""
     return 0 < len(text) <= 64 and text == text.strip() and text[-1].isalnum() and text.isascii()
 
 
@@ -80,7 +80,7 @@ def test_the_manifest_keeps_to_the_schema(path):
     assert set(manifest["tags"]) <= TAGS
     assert manifest["license"] == ["SPDX:GPL-3.0-or-later"]
     oldest = tuple(map(int, manifest["blender_version_min"].split(".")))
-    assert len(oldest) == 3 and oldest >= (4, 2, 0)  # the first with extensions
+    assert len(oldest) == 3 and oldest >= (4, 2, 0)  # the first version with extensions
 
 
 @extensions
@@ -120,12 +120,12 @@ def test_nothing_compiled_lies_outside_of_wheels_and_nothing_is_obscure(path):
     for name, content in files_of(path).items():
         if name.endswith(".whl"):
             continue
-        if name.startswith("samples/"):  # which Blender opens without running anything in them
+        if name.startswith("samples/"):  # Blender opens these without running scripts in them
             assert name.endswith(".blend") and content.startswith((b"BLENDER", ZSTANDARD)), name
             continue
         assert "." + name.rpartition(".")[2] in TEXTS or "." not in name, name
         assert not name.endswith(BINARIES)
-        assert max(map(len, content.decode("utf-8").splitlines()), default=0) < 1000, name  # people can read it
+        assert max(map(len, content.decode("utf-8").splitlines()), default=0) < 1000, name  # readable by people
 
 
 @extensions
@@ -169,8 +169,8 @@ def test_no_network_no_threads_no_installers(path):
 
 @extensions
 def test_no_tricks_with_paths_and_names(path):
-    """sys.path and sys.modules stay as they are, nothing is written beside the add-on, and whatever its repository is
-    called it finds itself by __package__.
+    """sys.path and sys.modules do not change, nothing is written beside the add-on, and it finds itself by __package__,
+    whatever its repository is called.
     """
     for name, tree in sources_of(path).items():
         if name in (PROGRAM, STARTER):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""THIRD_PARTY.md names everything that others wrote in each zip, with its license."""
+"""THIRD_PARTY.md lists all code of others in each zip, with its license."""
 
 import email
 import re
@@ -7,7 +7,7 @@ import re
 import pytest
 from zips_in_dist import ROOT, ZIPS, files_of, wheels_of
 
-# What tells in a compiled file that the library is in it.
+# Texts in a compiled file that prove that it contains the library.
 MARKS = {
     "OpenMesh": b"OpenMesh",
     "pybind11": b"pybind11",
@@ -26,19 +26,19 @@ zips = pytest.mark.parametrize("path", ZIPS, ids=lambda path: path.name)
 
 
 def table() -> dict[str, str]:
-    """The license of each library."""
+    """Return the license of each library."""
     rows = [
         line.strip("|").split("|") for line in (ROOT / "THIRD_PARTY.md").read_text().splitlines() if line[:1] == "|"
     ]
     found = {}
     for names, _, license in rows[2:]:
-        for name in re.sub(r"\]\(.*?\)|\[", "", names).split(","):  # without the addresses
+        for name in re.sub(r"\]\(.*?\)|\[", "", names).split(","):  # without addresses
             found[re.match(r"\s*([\w+-]+)", name)[1]] = license.strip()
     return found
 
 
 def compiled(path) -> dict[str, bytes]:
-    """The compiled files of a zip, those in its wheels too."""
+    """Return the compiled files of a zip, including those in its wheels."""
     files = dict(files_of(path))
     for wheel in wheels_of(path).values():
         files |= wheel
@@ -68,7 +68,7 @@ def test_packages_are_listed_under_their_license(path):
         package = name.removeprefix("wheels/").split("-")[0]
         if package != "wirewarp":
             license = said["License-Expression"] or said["License"] or " ".join(said.get_all("Classifier", []))
-            word = re.match(r"\[?(\w+)", table()[package])[1]  # BSD, MIT, Apache
+            word = re.match(r"\[?(\w+)", table()[package])[1]  # BSD, MIT or Apache
             assert word in license, (package, license)
 
 
@@ -76,13 +76,13 @@ def test_packages_are_listed_under_their_license(path):
 def test_libraries_in_compiled_files_are_listed(path):
     assert compiled(path)
     found = {name for name, mark in MARKS.items() if any(mark in content for content in compiled(path).values())}
-    assert found >= {"OpenMesh", "pybind11"}  # the marks are right
+    assert found >= {"OpenMesh", "pybind11"}  # proves that the marks are right
     assert found <= set(table())
 
 
 @zips
 def test_no_compiled_file_comes_from_elsewhere(path):
-    """All are modules of ours or of a package that is listed: none brings others, in a folder PACKAGE.libs."""
+    """All compiled files are our modules or those of a listed package; none comes from a folder PACKAGE.libs."""
     for name in compiled(path):
         package = name.removeprefix("_core/").removeprefix("libraries/").split("/")[0]
         assert package in {"wirewarp", *table()}, name

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Run with a Python that has bpy: a user adds a repository's address, installs, flattens, and updates through Blender.
+"""Runs in a Python with bpy: adds a repository's address, installs, flattens, and updates through Blender, as users do.
 
 Usage: python update_in_blender.py REPOSITORY GENERATOR, with dist/repository/ and Blender's program for extensions.
 BLENDER_USER_RESOURCES must name an empty folder.
@@ -15,8 +15,8 @@ from pathlib import Path
 
 import bpy
 
-NEXT_VERSION = "99.0.0"  # above any that this project will have
-MODULE = "bl_ext.WireWarpupdates.wirewarp"  # as Blender names it after the repository
+NEXT_VERSION = "99.0.0"  # above any future version of this project
+MODULE = "bl_ext.WireWarpupdates.wirewarp"  # Blender's name, which contains that of the repository
 SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "half_cylinder.blend"
 
 
@@ -52,7 +52,7 @@ def main() -> None:
     shutil.copytree(original, folder)
 
     preferences = bpy.context.preferences
-    preferences.system.use_online_access = True  # what the splash screen asks; nothing here goes online
+    preferences.system.use_online_access = True  # the question of the splash screen; nothing here goes online
     address = (folder / "index.json").as_uri()
     bpy.ops.preferences.extension_repo_add(name="WireWarp updates", remote_url=address, type="REMOTE")
     index, repository = next((i, r) for i, r in enumerate(preferences.extensions.repos) if r.remote_url == address)
@@ -84,4 +84,4 @@ except Exception:
 sys.stdout.flush()
 sys.stderr.flush()
 shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
-os._exit(code)  # the module may wait for ever for a thread of its own when Python ends
+os._exit(code)  # the module could wait forever for one of its threads when Python ends

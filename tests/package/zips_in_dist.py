@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The zips that ./dev package has left in dist/, whatever platforms they are for."""
+"""The zips that ./dev package has left in dist/, for all platforms."""
 
 import ast
 import io
@@ -16,7 +16,7 @@ EXTENSIONS = [path for path in ZIPS if "legacy" not in path.name]
 
 @cache
 def files_of(path: Path) -> dict[str, bytes]:
-    """By their path inside the one folder of the zip."""
+    """Return the files by their path inside the one folder of the zip."""
     with zipfile.ZipFile(path) as archive:
         assert archive.testzip() is None
         return {name.split("/", 1)[1]: archive.read(name) for name in archive.namelist()}
@@ -24,7 +24,7 @@ def files_of(path: Path) -> dict[str, bytes]:
 
 @cache
 def wheels_of(path: Path) -> dict[str, dict[str, bytes]]:
-    """The files of each wheel inside, by its path."""
+    """Return the files of each wheel inside, by the path of the wheel."""
     found = {}
     for name, content in files_of(path).items():
         if name.endswith(".whl"):
@@ -39,7 +39,7 @@ def manifest_of(path: Path) -> dict:
 
 
 def sources_of(path: Path) -> dict[str, ast.Module]:
-    """What Blender runs of ours: the add-on's modules, and the library's but for its command line."""
+    """Return the sources that Blender runs: the add-on's modules, and the library's except for the command line."""
     sources = {name: content for name, content in files_of(path).items() if name.endswith(".py")}
     for wheel, files in wheels_of(path).items():
         if wheel.startswith("wheels/wirewarp-"):
@@ -49,7 +49,7 @@ def sources_of(path: Path) -> dict[str, ast.Module]:
 
 
 def imports(tree: ast.Module) -> Iterator[str]:
-    """Top-level names of all absolute imports, those inside functions too."""
+    """Yield the top-level names of all absolute imports, including those inside functions."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from (alias.name.split(".")[0] for alias in node.names)
@@ -58,7 +58,7 @@ def imports(tree: ast.Module) -> Iterator[str]:
 
 
 def at_import(tree: ast.AST) -> Iterator[ast.AST]:
-    """The nodes that run when the module is imported: not what is inside functions."""
+    """Yield the nodes that run when the module is imported, not those inside functions."""
     for node in ast.iter_child_nodes(tree):
         if not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
             yield node

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the add-on's files import, read from their text."""
+"""Finds the imports of the add-on's files in their text."""
 
 import ast
 from collections.abc import Iterator
@@ -9,7 +9,7 @@ ADDON = Path(__file__).resolve().parents[2] / "addon" / "wirewarp"
 
 
 def imported(file: Path) -> Iterator[Path | str]:
-    """The files of our own modules, and the top-level names of all others; imports inside functions too."""
+    """Yield files for our own modules and top-level names for others, including imports inside functions."""
     for node in ast.walk(ast.parse(file.read_text())):
         if isinstance(node, ast.Import):
             yield from (alias.name.split(".")[0] for alias in node.names)
@@ -21,17 +21,17 @@ def imported(file: Path) -> Iterator[Path | str]:
 
 
 def own_imports(file: Path) -> set[Path]:
-    """Our own modules alone."""
+    """Return only our own modules."""
     return {each for each in imported(file) if isinstance(each, Path)}
 
 
 def room_of(file: Path) -> str:
-    """The package that a file is in, or its own name in the root."""
+    """Return the package that contains a file, or the file's name in the root."""
     first = file.relative_to(ADDON).parts[0]
     return first.removesuffix(".py")
 
 
 def _module_file(base: Path, name: str) -> Path:
-    """Of `from base import name`: the module of this name, or the one that holds it."""
+    """Return the module for `from base import name`: the one with this name, or the one that defines the name."""
     choices = [base / f"{name}.py", base / name / "__init__.py", base.with_suffix(".py"), base / "__init__.py"]
     return next(choice for choice in choices if choice.is_file())

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on is a house of few rooms: each package says which others it may import.
+"""The add-on consists of a few packages, each of which states which others it may import.
 
-That no imports form a circle is a contract in pyproject.toml, which `./dev test lint` checks.
+A contract in pyproject.toml, which `./dev test lint` checks, forbids circular imports.
 """
 
 import ast
@@ -12,15 +12,15 @@ from addon_imports import ADDON, own_imports, room_of
 
 MOST_PACKAGES = 10
 GROUND = {"core", "issues", "names", "words"}  # modules of the root that packages may import and that import none
-ROOF = {"__init__", "properties", "registration", "without_library"}  # those that put the packages together
+ROOF = {"__init__", "properties", "registration", "without_library"}  # modules that connect the packages
 
 
 def packages() -> list[str]:
     return sorted(folder.parent.name for folder in ADDON.glob("*/__init__.py"))
 
 
-def promised(package: str) -> set[str]:
-    """What the sentence of a package says it may import: "May import: model, blender, issues.", or "nothing"."""
+def may_import(package: str) -> set[str]:
+    """Return what the docstring of a package allows: "May import: model, blender, issues.", or "nothing"."""
     sentence = ast.get_docstring(ast.parse((ADDON / package / "__init__.py").read_text())) or ""
     match = re.search(r"May import: ([\w,\s]+)\.", sentence)
     assert match, f"{package}/__init__.py does not say what the package may import"
@@ -43,7 +43,7 @@ def test_the_root_holds_only_what_blender_and_a_newcomer_meet_first() -> None:
 
 @pytest.mark.parametrize("package", packages())
 def test_a_package_imports_what_it_says_and_nothing_else(package: str) -> None:
-    assert imports_of(package) == promised(package)
+    assert imports_of(package) == may_import(package)
 
 
 @pytest.mark.parametrize("module", sorted(GROUND))

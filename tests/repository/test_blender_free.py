@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What says "No Blender in here" may run without it: it imports none on any way."""
+"""Files that state "No Blender in here" run without it: they do not import it, not even indirectly."""
 
 import ast
 from pathlib import Path
@@ -12,7 +12,7 @@ SAYS_SO = "No Blender in here"
 
 
 def says_so(file: Path) -> bool:
-    """Of a package, its __init__ says it of all its modules."""
+    """Return whether the file states it. The __init__ of a package states it for all its modules."""
     files = [file, file.parent / "__init__.py"]
     return any(SAYS_SO in (ast.get_docstring(ast.parse(each.read_text())) or "") for each in files)
 
@@ -22,7 +22,7 @@ def claiming() -> list[str]:
 
 
 def way_to_blender(file: Path, seen: set[Path]) -> list[str]:
-    """The modules from this one to one that imports Blender; none if it cannot be reached."""
+    """Return the modules from this one to one that imports Blender, or nothing."""
     seen.add(file)
     for each in imported(file):
         if each in BLENDER:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The layers of the code: includes and imports point one way, and every source file names its license."""
+"""The layers of the code: includes and imports have one direction, and every source file names its license."""
 
 import ast
 import re
@@ -50,12 +50,12 @@ LAYERS = [
 
 
 def listed(*patterns: str) -> list[Path]:
-    """The files that match, in order; none that Python has cached."""
+    """Return the files that match, in order, without Python's caches."""
     return sorted(p for pattern in patterns for p in ROOT.glob(pattern) if p.is_file() and p.suffix != ".pyc")
 
 
 def sources() -> list[Path]:
-    """All C++ and Python sources."""
+    """Return all C++ and Python sources."""
     return listed(*(f"{folder}/**/*.{kind}" for folder in SOURCE_FOLDERS for kind in ("py", "h", "cpp")), "dev")
 
 
@@ -64,7 +64,7 @@ def includes(file: Path) -> list[str]:
 
 
 def imports(file: Path) -> Iterator[str]:
-    """Top-level names of all absolute imports, those inside functions too."""
+    """Yield the top-level names of all absolute imports, including those inside functions."""
     for node in ast.walk(ast.parse(file.read_text())):
         if isinstance(node, ast.Import):
             yield from (alias.name.split(".")[0] for alias in node.names)
@@ -97,7 +97,7 @@ def test_native_includes_point_one_way(folder: str) -> None:
 
     def includes_upward(file: Path) -> bool:
         ours = [name for name in includes(file) if (CORE / name).is_file()]
-        # Cuts are evaluated by flattening the pieces.
+        # Cuts are evaluated by flattening pieces.
         ours = [name for name in ours if (folder, name) != ("cuts/propose", "flatten.h")]
         return any(Path(name).parent.as_posix() not in allowed for name in ours)
 
@@ -124,7 +124,7 @@ def test_bindings_and_public_headers_see_the_public_api_only() -> None:
 
 def test_bpy_is_imported_in_the_add_on_only() -> None:
     elsewhere = listed("python/**/*.py", "tests/bindings/**/*.py", "tools/**/*.py", "bench/**/*.py", "dev")
-    elsewhere = [file for file in elsewhere if not file.name.endswith("_in_blender.py")]  # what Blender itself runs
+    elsewhere = [file for file in elsewhere if not file.name.endswith("_in_blender.py")]  # scripts that Blender runs
     blender = {"bpy", "bmesh", "bl_ui", "mathutils", "gpu", "blf"}
     assert offenders(elsewhere, lambda file: not blender.isdisjoint(imports(file))) == []
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which places of a source ./dev mutants changes."""
+"""Tests which places of a source ./dev mutants changes."""
 
 import pytest
 

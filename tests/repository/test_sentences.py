@@ -9,7 +9,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 MOST_WORDS = 25
 PAGES = ("README.md", "docs/**/*.md")
-GENERATED = {"results.md", "benchmarks.md", "cuts.md"}  # by programs that measure; their readers are researchers
+# Written by programs that measure; their readers are researchers.
+GENERATED = {"results.md", "benchmarks.md", "cuts.md"}
 CODE = re.compile(r"```.*?```", re.DOTALL)
 PICTURE = re.compile(r"!\[[^]]*\]\([^)]*\)")
 LINK = re.compile(r"\[([^]]*)\]\([^)]*\)")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Old words: documents, comments, messages and the window use one word for one thing.
+"""Documents, comments, messages and the window use one word for one thing, and no old words.
 
-Files that still have old words are listed in old_words.txt. The list only becomes shorter:
-python3 tests/repository/test_style_words.py writes it anew, as after moves.
+Files that still have old words are listed in old_words.txt. The list only becomes shorter. To write it again, for
+example after files have moved, run python3 tests/repository/test_style_words.py.
 """
 
 import io
@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 READ = ("*.md", "docs/**/*.md", "*/README.md", "addon/**/*.py", "python/**/*.py", "native/**/*.h", "native/**/*.cpp")
-OLD_WORDS = {  # with what to write instead
+OLD_WORDS = {  # with their replacements
     "promis(e|es|ed|ing)": "guarantee",
     "aims?": "target",
     "tells?|told": "report, name, show",
@@ -56,7 +56,7 @@ def read_by_people(file: Path) -> str:
 
 
 def old_words() -> dict[str, list[str]]:
-    """By file."""
+    """Return the old words of each file."""
     files = sorted({file for pattern in READ for file in ROOT.glob(pattern)})
     found = {file: sorted({match[0].lower() for match in PATTERN.finditer(read_by_people(file))}) for file in files}
     return {file.relative_to(ROOT).as_posix(): words for file, words in found.items() if words}

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What users read is written in one way."""
+"""Texts for users have one style."""
 
 import re
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 READ = ("README.md", "CHANGELOG.md", "docs/**/*.md", "addon/**/*.py", "python/**/*.py", "native/src/**/*.cpp")
-# A number, or what is filled in for one, and a percent sign that no operand follows: that would be a remainder.
+# A number or placeholder before a percent sign, unless an operand follows it as in a remainder.
 APART = re.compile(r"[0-9}] %(?! ?[\w(])")
 
 
