@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Attributes of ours on meshes: read, written, and whether their names are free; data as sealed text.
+"""Reads and writes the add-on's mesh attributes, checks that their names are free, and seals data as text.
 
-Attributes, UV maps, color attributes and vertex groups share one room. Where a name is taken, Blender gives what is new
-another one, or makes nothing at all.
+Attributes, UV maps, color attributes and vertex groups share their names. If a name is taken, Blender renames the new
+item or does not create it.
 """
 
 import hashlib
@@ -16,7 +16,7 @@ from ..issues import object_error
 from ..names import Attribute
 from .mesh import read_attribute
 
-DIGITS = 24  # of the digest
+DIGITS = 24  # of the digest that seals the text
 
 
 def sealed(data: dict[str, Any]) -> str:
@@ -41,9 +41,9 @@ _PLURALS = {"POINT": "vertices", "EDGE": "edges", "FACE": "faces", "CORNER": "fa
 
 
 def find_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray | None:
-    """Returns (k,) int32 or float32, any numbers; None if the mesh has no such attribute of this type on this domain.
+    """Returns (k,) int32 or float32, of any values; None if the mesh has no such attribute of this type on this domain.
 
-    The mesh is not in Edit Mode, here and below.
+    This and all functions below need a mesh that is not in Edit Mode.
     """
     return read_attribute(mesh, attribute.name, attribute.data_type, attribute.domain)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Faults of a mesh before it is flattened: found by kind, and repaired with Blender's own tools."""
+"""Finds the faults of a mesh by kind before it is flattened, and repairs them with Blender's own tools."""
 
 import math
 from collections import defaultdict
@@ -26,7 +26,7 @@ class Fault:
     many: str
     verb: str  # on a button
     done: str  # in the report
-    find: Callable[[bmesh.types.BMesh, float], Found]  # elements closer than the distance count as one
+    find: Callable[[bmesh.types.BMesh, float], Found]  # maximum distance of elements that count as one
     repair: Callable[[bmesh.types.BMesh, float, Found], object]
 
     def text(self, count: int) -> str:
@@ -89,7 +89,7 @@ def _found(fault: Fault, edit: bmesh.types.BMesh, close: float) -> Found:
 
 
 def _close_distance(edit: bmesh.types.BMesh) -> float:
-    """Return the distance by the size of the model, but no less than the rounding of its coordinates."""
+    """Return a distance in proportion to the model's size, but at least the rounding of its coordinates."""
     places = np.array([vertex.co for vertex in edit.verts]).reshape(-1, 3)
     if not len(places):
         return 0.0
@@ -131,7 +131,7 @@ def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 
 
 def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
-    """As Select > Select All by Trait > Interior Faces, but for those that can be seen from outside.
+    """Return the faces of Select > Select All by Trait > Interior Faces, except those visible from outside.
 
     The faces divide space into rooms. A room is open if a straight line leads out of it, as from the notch of a block.
     A face is interior if neither of its sides belongs to an open room.
@@ -146,7 +146,7 @@ def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 
 
 def _rooms(edit: bmesh.types.BMesh) -> dict[tuple[int, int], tuple[int, int]]:
-    """For each side (face, 1 or -1) one that stands for its room: the sides that meet around edges."""
+    """Return for each side (face, 1 or -1) the side that represents its room. Sides that meet at an edge share it."""
     parent = {(face.index, side): (face.index, side) for face in edit.faces for side in (1, -1)}
 
     def root(side: tuple[int, int]) -> tuple[int, int]:
@@ -163,7 +163,7 @@ def _rooms(edit: bmesh.types.BMesh) -> dict[tuple[int, int], tuple[int, int]]:
 
 
 def _around(edge: bmesh.types.BMEdge) -> list[tuple[int, int, int]]:
-    """Its faces by their angles around it, each with its side that looks to the next one, and that to the last one."""
+    """Return the faces around the edge by angle, each with its sides toward the next and the previous face."""
     axis = (edge.verts[1].co - edge.verts[0].co).normalized()
     first = axis.orthogonal().normalized()
     second, faces = axis.cross(first), []
@@ -176,9 +176,11 @@ def _around(edge: bmesh.types.BMEdge) -> list[tuple[int, int, int]]:
 
 
 def _leads_out(surface: BVHTree, face: bmesh.types.BMFace, side: int) -> bool:
-    """Whether no face lies before the middle of the face on this side."""
+    """Return whether a ray from the middle of the face on this side meets no face."""
     toward = side * face.normal
-    begin = face.calc_center_median() + toward * 1e-4 * face.calc_perimeter()  # off the face itself
+    begin = (
+        face.calc_center_median() + toward * 1e-4 * face.calc_perimeter()
+    )  # so that the ray does not hit its own face
     return surface.ray_cast(begin, toward)[0] is None
 
 
@@ -225,7 +227,7 @@ def _recalculate(edit: bmesh.types.BMesh, _close: float, _found: Found) -> None:
     bmesh.ops.recalc_face_normals(edit, faces=edit.faces)
 
 
-FAULTS = (  # in the order of repair: merging makes faces without area and duplicates, deleting leaves loose edges
+FAULTS = (  # in the order of repair: merging creates zero-area and duplicate faces, and deleting leaves loose edges
     Fault("MERGE", "overlapping vertex", "overlapping vertices", "Merge", "merged", _overlapping_vertices, _merge),
     Fault("DISSOLVE", "zero-area face", "zero-area faces", "Dissolve", "dissolved", _faces_without_area, _dissolve),
     Fault("DUPLICATES", "duplicate face", "duplicate faces", "Delete", "deleted", _duplicate_faces, _delete_faces),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that users and scripts name, written whole or not at all."""
+"""Checks the files that users and scripts name, and writes them completely or not at all."""
 
 import os
 import re
@@ -12,8 +12,8 @@ import bpy
 # Options of a property that may be a relative path; Blender before 4.5 needs none.
 OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4, 5, 0) else {"SKIP_SAVE"}
 LONGEST_NAME = 200  # bytes; most systems allow 255
-DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\.|$)", re.IGNORECASE)  # on Windows, whatever its ending is
-NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # on one system or another
+DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\.|$)", re.IGNORECASE)  # on Windows, with any suffix
+NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # on at least one system
 
 
 def given_file(path: str) -> Path:
@@ -35,7 +35,7 @@ def unwritten(path: str | Path, error: OSError) -> str:
 
 
 def check_file(path: Path) -> None:
-    """Raises OSError if our file cannot be there. A model is never overwritten, whatever name was clicked."""
+    """Raises OSError if the file cannot be written there. A model is never overwritten."""
     path = path.resolve()
     if not path.parent.is_dir():
         raise OSError(f'there is no folder "{path.parent}"')

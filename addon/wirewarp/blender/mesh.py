@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender's meshes to numpy arrays."""
+"""Reads and writes Blender's meshes as numpy arrays."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -14,7 +14,7 @@ SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"  # absent where
 
 
 def read(collection: bpy.types.bpy_prop_collection, name: str, dtype: type, columns: int = 1) -> np.ndarray:
-    """One property of all elements: (k,), or (k, columns). The dtype must be the property's own to be fast."""
+    """Return one property of all elements, (k,) or (k, columns). Reading is fast only with the property's own dtype."""
     values: np.ndarray = np.empty(len(collection) * columns, dtype=dtype)
     collection.foreach_get(name, values)
     return values.reshape(-1, columns) if columns > 1 else values
@@ -31,9 +31,9 @@ _VALUES = {
 
 
 def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str) -> np.ndarray | None:
-    """(k,), (k,3) or (k,4), the values of an attribute; None if there is none of this type on this domain.
+    """Return the values of an attribute, (k,), (k,3) or (k,4); None if there is none of this type on this domain.
 
-    Of a mesh that is not in Edit Mode.
+    The mesh is not in Edit Mode.
     """
     attribute = mesh.attributes.get(name)
     if attribute is None or (attribute.data_type, attribute.domain) != (data_type, domain):
@@ -176,7 +176,7 @@ def _set_edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str, edges: np.n
         found = mesh.attributes.get(attribute) or mesh.attributes.new(attribute, "BOOLEAN", "EDGE")
         found.data.foreach_set("value", flags)
     else:
-        for edge in edges.tolist():  # few of all: to write all takes longer
+        for edge in edges.tolist():  # if few change, because writing all takes longer
             setattr(mesh.edges[edge], name, flag)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects and their names, matrices and sizes; lengths as the scene shows them."""
+"""Functions for objects, their names, matrices and sizes, and for lengths in the scene's units."""
 
 from collections.abc import Iterator, Sequence
 
@@ -59,7 +59,7 @@ def check_local(target: bpy.types.Object, written: bpy.types.Object | bpy.types.
 
 
 def linear_part(source: bpy.types.Object) -> np.ndarray:
-    """Rotation, scale and shear of the object, (3,3). Raises ObjectError if it squashes the mesh flat."""
+    """Return rotation, scale and shear of the object, (3,3). Raises ObjectError if it flattens the mesh."""
     linear = np.array(source.matrix_world, dtype=np.float64)[:3, :3]
     lengths = np.linalg.norm(linear, axis=0)
     if not np.isfinite(linear).all() or lengths.min() == 0 or abs(np.linalg.det(linear / lengths)) < 1e-6:
@@ -72,7 +72,7 @@ def linear_part(source: bpy.types.Object) -> np.ndarray:
 
 
 def metric(source: bpy.types.Object) -> np.ndarray:
-    """What the object's matrix does to lengths, and whether it mirrors: the same for all rotations."""
+    """Return how the object's matrix changes lengths, and whether it mirrors. Rotations do not change the result."""
     linear = np.array(source.matrix_world, dtype=np.float64)[:3, :3]
     return np.append((linear.T @ linear).ravel(), np.linalg.det(linear))
 
@@ -86,7 +86,7 @@ _UNITS = {
     "INCHES": "in",
     "THOU": "thou",
 }
-# Cutters work in these: also in a new file, where Blender shows meters or feet.
+# Cutters work in millimeters and inches, although Blender shows meters or feet in a new file.
 _CUTTERS = {"METRIC": "mm", "IMPERIAL": "in"}
 
 
@@ -104,10 +104,10 @@ def meters_per_blender_unit(scene: bpy.types.Scene) -> float:
     return scene.unit_settings.scale_length if scene.unit_settings.system != "NONE" else 1.0
 
 
-SMALLEST, LARGEST = 0.02, 5.0  # meters: from a doll's glove to a sofa's cover
-# What one Blender unit may mean, in meters: the units that files are written in, and a tenth, a hundredth and a
-# thousandth of a model that was scaled down when it was imported.
-# A decimeter is that of MakeHuman.
+SMALLEST, LARGEST = 0.02, 5.0  # meters, from a doll's glove to the cover of a sofa
+# Possible lengths of one Blender unit, in meters: the usual units of files, and factors for models that were scaled
+# down by 10, 100 or 1000 when they were imported.
+# MakeHuman uses decimeters.
 UNITS = {1.0: "Meters", 0.1: "Decimeters", 0.01: "Centimeters", 0.001: "Millimeters", 0.0254: "Inches"}
 UNITS |= {10.0: "10 m", 100.0: "100 m", 1000.0: "1000 m"}
 SHOWN = 3  # number of possible units shown

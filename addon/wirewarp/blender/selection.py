@@ -13,7 +13,7 @@ from .mesh import corner_edges, current_mesh, edge_vertices, face_sizes, read
 from .objects import check_local
 from .views import show_place, work_area
 
-WORKING_MODES = {"OBJECT", "EDIT_MESH"}  # in which models are read and results written; in_object_mode switches to one
+WORKING_MODES = {"OBJECT", "EDIT_MESH"}  # modes in which the operators work; in_object_mode switches to Object Mode
 
 
 @contextmanager
@@ -39,11 +39,11 @@ def _select_only(context: bpy.types.Context, objects: list[bpy.types.Object]) ->
 
 
 def hold_whole_file() -> None:
-    """Makes the operator's undo step one of the whole file. To be called while it writes.
+    """Makes the operator's undo step contain the whole file. Call it while the operator writes.
 
-    In Edit Mode Blender's steps hold the edited meshes only, and undo would leave the flat pieces behind. But whenever
-    a data-block has come or gone since the whole file was last kept, Blender keeps it again, hidden, with the next
-    such step; going back before that step brings back both. So one comes and goes.
+    In Edit Mode, Blender's undo steps contain only the edited meshes, and undo would leave the flat pieces behind. But
+    if a data-block was added or removed since the last full step, Blender stores a hidden full step with the next one,
+    and undo restores both. This function therefore adds a data-block and removes it.
     """
     bpy.data.meshes.remove(bpy.data.meshes.new("WireWarp"))
 
@@ -51,7 +51,7 @@ def hold_whole_file() -> None:
 Indices = Sequence[int] | np.ndarray  # (k,)
 Pairs = Sequence[tuple[int, int]] | np.ndarray  # (k,2) vertices
 
-LEAST_SHARE = 0.3  # of the size of an object: nearer, a single face says nothing of where it is
+LEAST_SHARE = 0.3  # share of the object's size: a closer view of a single face does not show where it is
 
 
 def select_elements(
@@ -99,9 +99,9 @@ def select_elements(
 
 
 def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np.ndarray) -> None:
-    """Move the 3D view with the button, or the largest one; without a window there is none."""
+    """Move the 3D view that has the button, or the largest one. Without a window, do nothing."""
     area = work_area(context)
-    if area is None or bpy.app.background:  # where the views of the file are not drawn, and cannot be turned
+    if area is None or bpy.app.background:  # in the background the views are not drawn and cannot be turned
         return
     matrix = np.array(target.matrix_world)
     linear = matrix[:3, :3]
@@ -160,10 +160,10 @@ def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, ind
 
 
 def deselect_all(mesh: bpy.types.Mesh) -> None:
-    """Of a mesh in Object Mode. New elements are selected.
+    """Deselect all elements of a mesh in Object Mode, for new elements are selected.
 
-    The attributes themselves go: Blender 5.0 gives that of the edges of new meshes a wrong type, and crashes as soon as
-    it is written or Edit Mode is entered.
+    The selection attributes are removed: Blender 5.0 gives the one on the edges of new meshes a wrong type, and crashes
+    when it is written or when Edit Mode begins.
     """
     for name in (".select_vert", ".select_edge", ".select_poly"):
         if attribute := mesh.attributes.get(name):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""3D views: redraws them, and moves them so that given points are visible."""
+"""Redraws 3D views, and moves them so that given points are visible."""
 
 import math
 from collections.abc import Sequence
@@ -9,10 +9,10 @@ import bpy
 import numpy as np
 from mathutils import Quaternion, Vector
 
-LEGEND_WIDTH = 150  # in Blender's own pixels, with the names of lines that it mostly has
-MARGIN = 1.15  # factor of the visible area over the points
-ONE_SIDE = 0.3  # length of the mean normal of what has one side that can be looked at; a ring around a body has none
-SEEN = 0.3  # cosine of the angle between that normal and the way to the eye, from which on it can be seen well
+LEGEND_WIDTH = 150  # width of the legend with the usual names of lines, in pixels at interface scale 1
+MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
+ONE_SIDE = 0.3  # shortest mean normal of a surface with one visible side; that of a ring around a body is nearly zero
+SEEN = 0.3  # smallest cosine between that normal and the direction to the eye of a visible surface
 LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # elevation of the eye above flat pieces
 
 
@@ -34,7 +34,7 @@ def redraw_sidebars() -> None:
 
 
 def is_over_sidebar(event: bpy.types.Event) -> bool:
-    """Whether the mouse is over the sidebar of a 3D view of the event's window."""
+    """Return whether the mouse is over the sidebar of a 3D view in the event's window."""
     return any(
         region.x <= event.mouse_x < region.x + region.width and region.y <= event.mouse_y < region.y + region.height
         for area in bpy.context.window.screen.areas
@@ -55,9 +55,9 @@ class Projection:
 
 
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
-    """Return the point to look at (3,), and the distance to it; orthographic: the zoom factor.
+    """Return the point to look at (3,), and the distance to it; for orthographic views, the zoom factor.
 
-    points (n,3): all are visible then, and to the left of the covered part.
+    From there all points (n,3) are visible, left of the covered part.
     """
     seen = points @ view.axes
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
@@ -81,7 +81,7 @@ def show_place(
 ) -> None:
     """Move this 3D view so that the points (n,3) of a surface are visible, from the front.
 
-    normals (n,3): of the surface there; least: smallest visible extent, which shows the surroundings.
+    normals (n,3): normals of the surface; least: smallest visible extent, so that the surroundings are visible.
     """
     view = _free_view(area)
     normal = Vector(normals.mean(axis=0))
@@ -94,7 +94,7 @@ def show_place(
 
 
 def _free_view(area: bpy.types.Area) -> bpy.types.RegionView3D:
-    """That of the area, and not through its camera."""
+    """Return the view of the area, after leaving its camera."""
     view = area.spaces.active.region_3d
     if view.view_perspective == "CAMERA":
         view.view_perspective = "PERSP"
@@ -103,7 +103,7 @@ def _free_view(area: bpy.types.Area) -> bpy.types.RegionView3D:
 
 
 def _look_at(context: bpy.types.Context, area: bpy.types.Area, points: np.ndarray) -> None:
-    """From where the view looks now."""
+    """Return the position from which the view looks."""
     view, region = area.spaces.active.region_3d, next(each for each in area.regions if each.type == "WINDOW")
     is_perspective = view.view_perspective == "PERSP"
     projection = Projection(
@@ -119,7 +119,7 @@ def _look_at(context: bpy.types.Context, area: bpy.types.Area, points: np.ndarra
 
 
 def _rise(view: bpy.types.RegionView3D) -> None:
-    """In a view from the side (Numpad 1 or 3) flat pieces are lines: look down on them."""
+    """Look down on flat pieces, which are lines in a view from the side (Numpad 1 or 3)."""
     right, _, toward = view.view_rotation.to_matrix().col
     elevation = math.asin(max(-1.0, min(1.0, toward.z)))
     if abs(elevation) < LEAST_ELEVATION:
@@ -128,7 +128,7 @@ def _rise(view: bpy.types.RegionView3D) -> None:
 
 
 def _covered(context: bpy.types.Context, area: bpy.types.Area) -> float:
-    """Pixels on the right of the view that lie below the sidebar and the legend beside it."""
+    """Return the width in pixels that the sidebar and the legend cover on the right of the view."""
     sidebar, system = next(each for each in area.regions if each.type == "UI"), context.preferences.system
     overlaps = system.use_region_overlap and sidebar.width > 1
     return LEGEND_WIDTH * system.ui_scale + (sidebar.width if overlaps else 0)
@@ -143,10 +143,10 @@ def work_area(context: bpy.types.Context) -> bpy.types.Area | None:
 
 
 def send_mouse_move(window: bpy.types.Window) -> None:
-    """Makes Blender send a movement of the mouse to where it is, so that handlers get one as if a user had moved it.
+    """Makes Blender send a mouse movement to the current position, so that modal operators handle an event.
 
-    After a region is scrolled Blender does so, because another button may lie under the mouse. So one is scrolled by
-    nothing.
+    Blender sends one after a region is scrolled, because another button may be under the mouse. This function therefore
+    scrolls a region by zero.
     """
     for area in window.screen.areas:
         for region in area.regions:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The overlay: seams, wires and failures on models, on flat pieces and in the UV editor, with names and a legend; maps.
+"""Draws seams, wires, failures, names, a legend and maps on models, on flat pieces and in the UV editor.
 
 shown (which objects) -> objects, failures (arrays and names, kept in cache) -> view3d, uv_editor (the handlers).
 May import: export, ui, state, solve, blender, core, issues, names, words.

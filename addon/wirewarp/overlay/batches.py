@@ -31,7 +31,7 @@ class Layer(Enum):
 def draw_lines(
     owner: bpy.types.Object, space: str, lines: Lines | None, failed: Failures | None, unit: float, layer: Layer
 ) -> None:
-    """One layer of the lines; unit: pixels in a pixel at interface scale 1."""
+    """Draw one layer of the lines. unit: pixels in a pixel at interface scale 1."""
     is_rim = layer == Layer.RIMS
     shader = gpu.shader.from_builtin(LINES)
     shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
@@ -41,7 +41,7 @@ def draw_lines(
         if (kind in CORES) != (layer == Layer.CORES):
             continue
         shader.uniform_float("color", (*style.rim, RIM_ALPHA) if is_rim else (*style.color, 1.0))
-        # The dashes first: of two surfaces at one depth the later is seen in spots.
+        # Dashes come first: of two lines at the same depth, the later one shows only in spots.
         for what, arrays, width in ((f"{kind} dashes", dashes, style.width), (kind, places, style.line_width)):
             if kind in arrays:
                 batch = _batch(owner, f"{space} {what}", arrays[kind], LINES, "LINES", pos=arrays[kind])
@@ -74,7 +74,7 @@ def _batch(
 
 @contextmanager
 def blending() -> Iterator[None]:
-    """Draws see-through colors as such; leaves the state as it was."""
+    """Draws with transparency, and restores the state afterwards."""
     before = gpu.state.blend_get()
     gpu.state.blend_set("ALPHA")
     try:

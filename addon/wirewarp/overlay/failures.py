@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the last report complains about, what would fix it, and the suggested cut: arrays, no GPU."""
+"""Collects the failures of the last report, their fixes and the suggested cut as arrays, without the GPU."""
 
 from dataclasses import dataclass
 
@@ -27,13 +27,13 @@ class Failures:
 
     @property
     def kinds(self) -> set[str]:
-        """Return the kinds for the legend. A closed piece has no line around it, but its faces are tinted."""
+        """Return the kinds for the legend. A closed piece has tinted faces, because it has no outline."""
         return {*self.lines, "failed"} if len(self.triangles) else set(self.lines)
 
 
 @dataclass(frozen=True)
 class _Elements:
-    """Of the object's own mesh."""
+    """Failed elements and fixes, on the object's own mesh."""
 
     edges: dict[str, np.ndarray]  # (e,) bool for each kind of line
     faces: np.ndarray  # (f,) polygons
@@ -53,7 +53,7 @@ def failures(target: bpy.types.Object) -> Failures | None:
 
 
 def uv_failures(model: bpy.types.Object) -> Failures | None:
-    """In the map of the pieces. Of an object in Object Mode."""
+    """Return the failures in the map of the pieces, for an object in Object Mode."""
     found = _elements(model)
     if found is None:
         return None
@@ -69,7 +69,7 @@ def uv_failures(model: bpy.types.Object) -> Failures | None:
 
 
 def _elements(target: bpy.types.Object) -> _Elements | None:
-    """Return None without elements, or if the report's are not those of this mesh."""
+    """Return the elements; None if there are none, or if they belong to another mesh."""
     report = current_report(target)
     if report is None or report.with_modifiers or not report.issues:
         return None
@@ -78,7 +78,7 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
         if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
         source = find_values(mesh, SOURCE_VERTEX)
-    # Of a model that is only closed nothing has failed.
+    # A closed model has not failed.
     closed = [issue for issue in report.issues if issue.code == CLOSED_CODE]
     issues = [] if len(closed) == len(report.pieces) else report.issues
     faces = _failed_faces(mesh, issues)
@@ -115,12 +115,12 @@ def _named(pairs: np.ndarray, edges: list) -> np.ndarray:
     return np.isin(edge_keys(pairs, count), edge_keys(wanted, count))
 
 
-SIDES = [0, 1, 1, 2, 2, 0]  # of a triangle: a cut may run across faces
+SIDES = [0, 1, 1, 2, 2, 0]  # barycentric, because a cut may run across faces
 NO_LINES = np.zeros((0, 3), dtype=np.float32)
 
 
 def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
-    """What failed and would fix it, and the ends (2k,3) of the cut, which looks like that."""
+    """Return the failures with the ends (2k,3) of the cut, which is drawn like a fix."""
     if not len(ends):
         return failed
     failed = failed or Failures({}, NO_LINES)
@@ -146,7 +146,7 @@ def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) ->
 def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
     """Return (2k,3) in the map of the pieces, for an object in Object Mode."""
     pairs = _pairs(model)
-    if not pairs or is_modified(model):  # which gets no map
+    if not pairs or is_modified(model):  # a piece without a map
         return NO_LINES
     triangles = gather_triangles(model.data)
     is_cut = _are_among(triangles.vertices[:, SIDES].reshape(-1, 2), pairs)
@@ -154,7 +154,7 @@ def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
 
 
 def _pairs(target: bpy.types.Object) -> list[tuple[int, int]]:
-    """The vertices of the model; none where these are not to be seen, as on the cage of what modifiers shape."""
+    """Return vertex pairs of the model; none if they are not visible, such as those of a mesh that modifiers shape."""
     source = model_or_self(target)
     found = current_suggestions(source)
     if found is None:
@@ -169,6 +169,6 @@ def _pairs(target: bpy.types.Object) -> list[tuple[int, int]]:
 
 
 def _are_among(sides: np.ndarray, pairs: list[tuple[int, int]]) -> np.ndarray:
-    """(k,) bool, of sides (k,2)"""
+    """Return a mask (k,) of the sides (k,2)."""
     count = max(int(sides.max(initial=0)), int(np.max(pairs))) + 1
     return np.isin(edge_keys(sides, count), edge_keys(pairs, count))

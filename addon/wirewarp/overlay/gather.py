@@ -38,7 +38,7 @@ Extremes = tuple[float, float]  # the smallest and the largest value of a map, w
 
 @dataclass(frozen=True)
 class Triangles:
-    """Triangles of a whole mesh."""
+    """All triangles of a mesh."""
 
     positions: np.ndarray  # (n,3) float32
     vertices: np.ndarray  # (m,3) int32
@@ -54,7 +54,7 @@ class ColoredTriangles:
 
 
 def colored(triangles: Triangles, corner_colors: np.ndarray, extremes: Extremes | None) -> ColoredTriangles:
-    """corner_colors (l,4): linear."""
+    """Return the triangles with these linear colors (l,4) of their corners."""
     colors = screen_colors(corner_colors)[triangles.corners.ravel()]
     return ColoredTriangles(triangles.positions[triangles.vertices.ravel()], np.ascontiguousarray(colors), extremes)
 
@@ -68,14 +68,14 @@ def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> 
 
 
 def screen_colors(linear: np.ndarray) -> np.ndarray:
-    """float32 sRGB of linear RGBA."""
+    """Return linear RGBA as float32 sRGB."""
     rgb = np.clip(linear[:, :3], 0, 1)
     shown = np.where(rgb <= 0.0031308, 12.92 * rgb, 1.055 * rgb ** np.float32(1 / 2.4) - 0.055)
     return np.column_stack([shown, linear[:, 3]]).astype(np.float32)
 
 
 def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> LineEdges:
-    """Raises ObjectError if an attribute of our name is not ours."""
+    """Return the marked lines. Raises ObjectError if another add-on or a user made an attribute of the same name."""
     with shown_mesh(target, depsgraph) as mesh:
         return _lines(mesh, target.data.is_editmode)
 
@@ -141,7 +141,7 @@ def _piece_of_edge(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
-    """Of a mesh that is not in Edit Mode."""
+    """Return the triangles of a mesh that is not in Edit Mode."""
     mesh.calc_loop_triangles()
     return Triangles(
         positions=vertex_places(mesh),
@@ -152,7 +152,7 @@ def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
 
 
 def shows_our_map(mesh: bpy.types.Mesh) -> bool:
-    """Whether the UV editor shows the layer that flattening writes."""
+    """Return whether the UV editor shows the layer that Flatten writes."""
     return mesh.uv_layers.active is not None and mesh.uv_layers.active.name == UV_LAYER
 
 
@@ -166,7 +166,7 @@ def gather_uv_lines(target: bpy.types.Object) -> LineEdges:
 
 
 def uv_places(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(l,3) float32, the place of each corner. Of a mesh in Object Mode."""
+    """Return the place of each corner in the map, (l,3) float32, for a mesh in Object Mode."""
     places = np.zeros((len(mesh.loops), 3), dtype=np.float32)
     places[:, :2] = read(mesh.uv_layers[UV_LAYER].data, "uv", np.float32, 2)
     return places

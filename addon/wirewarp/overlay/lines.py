@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marked lines as they are drawn: looks, dashes, places of names, and arrows to the side with an ease."""
+"""Prepares marked lines for drawing: styles, dashes, places of names, and arrows to the side with an ease."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from ..core import pattern
 from ..solve.chains import EdgeMarks, chains_of_marks
 from ..words import ease_text, wire_text
 
-ALONG = (0.25, 0.5, 0.75)  # of the edges of a line, nearest to its middle first: other places for its name
+ALONG = (0.25, 0.5, 0.75)  # number of edges of a line, nearest to its middle first, that are places for its name
 HEAD = 0.25  # share of half an arrow's length
 _TURNS = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in np.radians(range(0, 90, 15))]
 VIEW_SIZE = 800  # usual width or height of an object in pixels: dashes have the length of their style at this size
@@ -25,7 +25,7 @@ class LineStyle:
 
     @property
     def line_width(self) -> float:
-        """Of the line that goes through."""
+        """Return the width of the solid line."""
         return THIN if self.dash else self.width
 
     @property
@@ -41,7 +41,7 @@ def _hex(text: str) -> tuple[float, float, float]:
 
 
 THIN = 1.0  # pixels
-RIM, RIM_ALPHA = 1.5, 0.6  # of the rim: pixels wider than the line
+RIM, RIM_ALPHA = 1.5, 0.6  # pixels by which the rim is wider than the line
 # In drawing order: a wire is visible on a seam or a failed area.
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
@@ -63,7 +63,7 @@ CORES = {"selected"}  # drawn on another line, which is visible on both sides
 
 @dataclass(frozen=True)
 class WireRun:
-    """One wire wherever it is drawn: an edge on a seam of flat pieces has a row on each side."""
+    """A wire in all places where it is drawn. On flat pieces, an edge on a seam has a row on each side."""
 
     wire_id: int
     tolerance: float
@@ -170,7 +170,7 @@ def dashes_by_kind(lines: LineEdges, runs: Sequence[WireRun]) -> dict[str, np.nd
 
 
 def _members(lines: LineEdges) -> dict[str, np.ndarray]:
-    """A mask of each kind's edges."""
+    """Return a mask of the edges of each kind."""
     wires, tolerances = lines.marks.are_wires, lines.marks.tolerances
     return {
         "outline": lines.outlines & ~lines.seams,
@@ -220,9 +220,9 @@ def piece_rooms(lines: LineEdges) -> Rooms:
 
 
 def arrow(lines: LineEdges, piece: int, middle: np.ndarray, direction: np.ndarray, length: float) -> np.ndarray | None:
-    """The ends (6,3) of an arrow of at most this length, beside the middle (2,) of a flat piece where its name stands.
+    """Return the ends (6,3) of an arrow of at most this length, beside the name in the middle (2,) of a flat piece.
 
-    direction (2,), a unit vector. None where there is no room.
+    direction: a unit vector (2,). Returns None if there is no room.
     """
     a, b = (
         lines.ends[(lines.pieces == piece) & (lines.seams | lines.outlines)][:, :, :2].astype(np.float64).swapaxes(0, 1)
@@ -246,12 +246,12 @@ def _reach(point: np.ndarray, way: np.ndarray, a: np.ndarray, b: np.ndarray) -> 
 
 
 def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, rooms: Rooms) -> Name:
-    """At the edge nearest to the mean of all, so that it is on the line, however that bends; or farther along it."""
+    """Return places for a name on the line: the edge nearest to the mean of all edges, then edges farther along."""
     middles = lines.ends[rows].mean(axis=1)
     place = middles[np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))]
     by_distance = np.argsort(np.linalg.norm(middles - place, axis=1), kind="stable")
     first = (np.array([0, *ALONG]) * len(rows)).astype(int)
-    best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]  # one to either side
+    best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]  # one on each side
     reach = float(np.linalg.norm(lines.ends[rows] - place, axis=2).max())
     piece = int(lines.pieces[rows[0]])
     return Name(
@@ -265,9 +265,11 @@ def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, ro
     )
 
 
-SHARE = 0.25  # length of an arrow as a share of the eased line
-LONGEST = 0.12  # of the object's size
-BEYOND = 2.2  # arrow's lengths from the edge to the middle of the text, which then hides no arrow
+SHARE = 0.25  # length of an arrow, as a share of the eased line
+LONGEST = 0.12  # as a share of the object's size
+BEYOND = (
+    2.2  # distance from the edge to the middle of the text in lengths of the arrow, so that the text does not hide it
+)
 
 
 @dataclass(frozen=True)
@@ -301,7 +303,7 @@ def ease_arrows(eases: SideEases) -> tuple[np.ndarray, list[Name]]:
 
 
 def _lines(eases: SideEases) -> Iterator[list[int]]:
-    """Rows of one ratio, one after the other along the outline of the side."""
+    """Yield runs of rows with one ratio, in order along the outline of the side."""
     begins = {(int(start), float(ratio)): row for row, (start, ratio) in enumerate(_keys(eases, 0))}
     after = [begins.get((int(end), float(ratio)), -1) for end, ratio in _keys(eases, 1)]
     waiting = dict.fromkeys([*sorted(set(range(len(after))) - set(after)), *range(len(after))])

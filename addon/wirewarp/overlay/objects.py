@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The drawings of one object: arrays, no GPU."""
+"""Makes the drawings of one object as arrays, without the GPU."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -53,7 +53,7 @@ class Lines:
 
 
 def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
-    """Seams and wires of a model or of flat pieces. Raises ObjectError as gather_lines does."""
+    """Return the seams and wires of a model or of flat pieces. Raises ObjectError as gather_lines does."""
     edges = gather_lines(target, depsgraph)
     is_flat = model_of(target) is not None
     lines = lines_of(target, edges, is_flat)
@@ -75,7 +75,7 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
     if report and report.pieces:
         texts = partial(_seam_texts, report, model_of(target) is not None)
         names += seam_line_names(edges, _seams_of_report(edges, report), texts, rooms)
-    else:  # the model has changed or was refused: the joined pieces are unknown, but the seam keeps its name
+    else:  # if the model has changed or was refused, the seam keeps its name without the joined pieces
         given = seam_names(model_or_self(target))
         numbers = np.where(edges.seams & np.isin(edges.seam_ids, list(given)), edges.seam_ids, 0)
         names += seam_line_names(edges, numbers, lambda seam_id, _: (given[seam_id],), rooms)
@@ -126,12 +126,12 @@ class _Middle:
 
     piece_id: int
     place: np.ndarray  # (3,) the face nearest to its middle
-    reach: float  # to its farthest face
+    reach: float  # distance to its farthest face
     around: np.ndarray  # (4,3) corners of the box around it
 
 
 def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
-    """By index of the piece in the report."""
+    """Return the middles by index of the piece in the report."""
     pieces, ids = find_values(mesh, PIECE_INDEX), find_values(mesh, PIECE)
     centers, corners = read(mesh.polygons, "center", np.float32, 3), corner_vertices(mesh)
     piece_of_corner, places = np.repeat(pieces, face_sizes(mesh)), vertex_places(mesh)
@@ -210,7 +210,7 @@ def colored_surface(
 
 
 def map_extremes(flat: bpy.types.Mesh, color_map: ColorMap) -> Extremes | None:
-    """None if a user or a script has removed them."""
+    """Return the extremes; None if a user or a script has removed them."""
     record = read_record(flat)
     if record is None or color_map.attribute not in record.ranges:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cut lines of flat pieces, and the pages for printing them: arrays, no GPU."""
+"""Computes cutting lines of flat pieces and their pages as arrays, without the GPU."""
 
 from dataclasses import dataclass, field
 
@@ -15,12 +15,12 @@ from ..words import counted
 from .lines import Name
 
 BELOW = 50.0  # millimeters from the pieces to pages for another arrangement
-INSET = np.array([0.06, 0.05])  # of a page: where its name stands
+INSET = np.array([0.06, 0.05])  # place of a page's name, in its corner
 
 
 @dataclass(frozen=True)
 class CutLines:
-    """Cut lines of the pieces in their places, in millimeters."""
+    """Cutting lines of the pieces in their places, in millimeters."""
 
     made: pattern.Pattern | None  # None if the pieces make no pattern: Export reports why
     has_allowance: bool
@@ -67,9 +67,9 @@ def cut_places(cut: CutLines, millimeters: float) -> np.ndarray:
 @dataclass(frozen=True)
 class PageChoices:
     paper: str  # a key of PAPERS
-    roll_width: float  # of "ROLL", in millimeters
+    roll_width: float  # width of the paper "ROLL", in millimeters
     arrangement: str  # "IN_ROWS", "AS_LAID_OUT" or "MARKER"
-    cloth: Cloth  # the cloth of a marker
+    cloth: Cloth  # the fabric of a marker
     marker: str  # the stored marker, see export.markers
 
 
@@ -120,7 +120,7 @@ def _outlines(made: pattern.Pattern) -> list[np.ndarray]:
 
 
 def _in_space(outlines: list[np.ndarray], offset: np.ndarray, millimeters: float) -> np.ndarray:
-    """(2k,3) float32 the ends of the edges of closed lines (k,2)."""
+    """Return the ends (2k,3), float32, of the edges of closed lines (k,2)."""
     ends = [np.stack([line, np.roll(line, -1, axis=0)], axis=1).reshape(-1, 2) for line in outlines]
     places = (np.concatenate([np.empty((0, 2)), *ends]) + offset) / millimeters
     return np.column_stack([places, np.zeros(len(places))]).astype(np.float32)

@@ -41,7 +41,7 @@ class Text:
 
 @dataclass
 class Legend:
-    boxes: list[Box] = field(default_factory=list)  # in the order to draw them, the background first
+    boxes: list[Box] = field(default_factory=list)  # in drawing order, the background first
     texts: list[Text] = field(default_factory=list)
 
 
@@ -62,7 +62,7 @@ def lay_out(
     labels = [style.label for style in styles]
     widths = [(SAMPLE + 8) * unit + text_width(label) for label in labels] + [text_width(note) for note in notes]
     if color_map:
-        beside = text_width(f"≥ {color_map.number(color_map.high)}")  # half of the outermost numbers, left and right
+        beside = text_width(f"≥ {color_map.number(color_map.high)}")  # half the width of the outermost numbers
         widths += [SCALE_WIDTH * unit + beside, text_width(_title(color_map, extremes))]
     if not widths:
         return Legend()
@@ -108,7 +108,7 @@ def _add_sample(legend: Legend, style: LineStyle, left: float, base: float, unit
 def _add_scale(
     legend: Legend, color_map: ColorMap, left: float, base: float, unit: float, text_width: Callable[[str], float]
 ) -> float:
-    """The colors with numbers below, and room for a title above; returns where the next row begins."""
+    """Add the color scale with numbers below and room for a title above. Return the y of the next row."""
     bar, width = base + ROW * unit, SCALE_WIDTH * unit
     values = np.linspace(color_map.low, color_map.high, SCALE_STEPS)
     colors = screen_colors(color_map.colors(values))[:, :3].tolist()
@@ -126,11 +126,11 @@ def _add_scale(
 FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
 NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of its line
-COVERED = 0.25  # of the area of a piece: most that its labels may hide
-LONG_COVERED = 0.03  # of that area: most that one label may hide to show more than its short text
+COVERED = 0.25  # maximum share of a piece that all its labels may hide
+LONG_COVERED = 0.03  # maximum share that one label may hide with more than its short text
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
-TEXT_MARGIN = LABEL_MARGIN = 0.3  # around each text, in its heights
-ABOVE, BELOW = 0.5, -1.5  # its lower edge from the point where it stands, in its heights
+TEXT_MARGIN = LABEL_MARGIN = 0.3  # margin around each text, in text heights
+ABOVE, BELOW = 0.5, -1.5  # distance from a point to the lower edge of its text, in text heights
 Corner = tuple[float, float]
 Size = tuple[float, float]  # width and height
 Span = tuple[float, float]
@@ -138,7 +138,7 @@ EVERYWHERE = (-np.inf, np.inf)
 
 
 class PlacedName(NamedTuple):
-    """In pixels of the region."""
+    """A name with its possible places, in pixels of the region."""
 
     texts: tuple[str, ...]  # one is written: the first that fits
     points: np.ndarray  # (c,2) possible places, the best first
@@ -282,7 +282,7 @@ def _write(texts: list[Text], color: tuple[float, float, float]) -> None:
 
 
 class Taken:
-    """Places that texts occupy."""
+    """Boxes that texts occupy."""
 
     def __init__(self, pieces: np.ndarray, span: Span = EVERYWHERE) -> None:
         """pieces (p,4): boxes around flat pieces, left, bottom, right, top, which names of others must not cover."""
@@ -301,7 +301,7 @@ class Taken:
         return self._take(np.column_stack([left, bottom]), size, self._texts)
 
     def _within(self, middles: np.ndarray, size: Size) -> np.ndarray:
-        """The left ends of texts with these middles: into the span where their middles are in it."""
+        """Return the left ends of texts with these middles, moved into the span if the middle is in it."""
         (width, height), (low, high) = size, self._span
         aside = LABEL_MARGIN * height
         pushed = np.clip(middles - width / 2, low + aside, max(low, high - width) - aside)
@@ -322,7 +322,7 @@ class Taken:
 
     def _take(self, corners: np.ndarray, size: Size, others: np.ndarray) -> Corner | None:
         """Return the first of the lower left corners (c,2) at which the text does not meet the others (k,4)."""
-        room = TEXT_MARGIN * size[1] * (1 - 1e-9)  # so that what stands right beside a piece is clear of it
+        room = TEXT_MARGIN * size[1] * (1 - 1e-9)  # so that a text right beside a piece does not touch it
         boxes = np.column_stack([corners - room, corners + size + room])
         overlap = (boxes[:, None, :2] < others[:, 2:]) & (others[:, :2] < boxes[:, None, 2:])
         free = np.flatnonzero(~np.any(np.all(overlap, axis=2), axis=1))

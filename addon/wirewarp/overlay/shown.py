@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The objects that are drawn, in 3D views and in UV editors."""
+"""Finds the objects to draw in 3D views and UV editors."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -46,7 +46,7 @@ def shown_map(context: bpy.types.Context) -> ColorMap | None:
 
 
 def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Return sentences on why the chosen map is missing on some of them."""
+    """Return sentences on why the chosen map is missing on some objects."""
     without = [each.target for each in shown if each.surface is None and not each.target.data.is_editmode]
     reports = [last_report(model_or_self(target)) for target in without]
     whys = {"Not flattened: no map": any(report is None or report.flat_object is None for report in reports)}
@@ -60,7 +60,7 @@ def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
 
 
 def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Return why the map is missing somewhere, and below a map of stretch the figure of the verdict."""
+    """Return why the map is missing on some objects and, for a map of stretch, the verdict's figure."""
     notes = missing_maps(shown, color_map)
     reports = [last_report(model_or_self(each.target)) for each in shown if each.surface is not None]
     pieces = [piece for report in reports if report for piece in report.pieces if piece.ok]
@@ -76,7 +76,7 @@ def _has_cloth(report: ObjectReport) -> bool:
 
 
 def extremes(shown: Sequence[Drawing]) -> Extremes | None:
-    """Return the smallest and the largest value of the map on all of them."""
+    """Return the smallest and the largest value of the map on all objects."""
     found = [each.surface.extremes for each in shown if each.surface and each.surface.extremes]
     return (min(low for low, _ in found), max(high for _, high in found)) if found else None
 
@@ -106,7 +106,7 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
     wires = [(entry.wire_id, entry.name) for entry in source.data.wirewarp_names]
     names = wires, piece_names(source), seam_names(source)
     report = Same(last_report(source))
-    scale = metric(source).tobytes()  # what is shown of the last report and of suggestions is of a model of this scale
+    scale = metric(source).tobytes()  # report and suggestions are valid only for this scale
     made_of = stamp(target), stamp(target.data), target.data.is_editmode, report, source.name_full, names, scale
     depsgraph = context.view_layer.depsgraph
     if context.scene.wirewarp.show_lines:
@@ -151,7 +151,7 @@ def _cut_lines(
     pairs: bool = False,
     on_fold: bool = False,
 ) -> CutLines:
-    """Allowances are the model's: they are read whenever it changes, but laid anew only where they are others.
+    """Return the cutting lines. Allowances are read when the model changes, and laid out again only if they differ.
 
     pairs and on_fold: see PatternChoices.
     """
@@ -241,4 +241,4 @@ def _uv_lines(target: bpy.types.Object) -> Lines:
     try:
         return lines_of(target, gather_uv_lines(target), in_plane=True)
     except ObjectError:
-        return Lines({}, {}, [])  # an attribute of our name is another's; the list of wires says so
+        return Lines({}, {}, [])  # the name of an attribute is taken; the list of wires reports it

@@ -17,11 +17,11 @@ from .shown import Drawing, UvDrawing, drawings, extremes, map_notes, shown_map,
 # How much nearer to the eye, as a share of its distance, lines on a surface are drawn, so that it does not hide them.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
-# What differs less, of the distance, is at one depth: twice the step of a buffer of 24 bits where the view begins at
-# one unit of length, in perspective. Views begin at 0.01 units, so it is 1e-5 of each unit of distance.
+# Smallest difference in depth, as a share of the distance: two steps of a 24-bit buffer in perspective if the near
+# plane is at one unit. Views have it at 0.01 units, hence 1e-5 per unit of distance.
 DEPTH_STEP = 2 / 2**24
-HIDDEN_BY = 0.005  # of the distance from the eye: what is nearer to a place than this is its own surface
-MOST_APART = 8.0  # times the usual: lines on the back of a cushion must not shine through
+HIDDEN_BY = 0.005  # share of the distance from the eye: anything closer to a place belongs to its own surface
+MOST_APART = 8.0  # largest factor: lines on the back of a cushion must stay hidden
 
 
 def draw_space() -> None:
@@ -44,7 +44,7 @@ def draw_space() -> None:
 
 @contextmanager
 def _hidden_by_what_is_in_front() -> Iterator[None]:
-    """Leave the state as it was."""
+    """Draws behind closer surfaces, and restores the state afterwards."""
     before = gpu.state.depth_test_get()
     gpu.state.depth_test_set("LESS_EQUAL")
     try:
@@ -84,7 +84,7 @@ def _draw_surfaces(drawing: Drawing) -> None:
 
 
 def draw_screen() -> None:
-    """The handler for POST_PIXEL."""
+    """Write names and legend over the view: the handler for POST_PIXEL."""
     context = bpy.context
     shown = list(drawings(context))
     if shown:
@@ -137,7 +137,10 @@ def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bo
 def _are_behind(
     context: bpy.types.Context, target: bpy.types.Object, places: np.ndarray, toward_eye: np.ndarray
 ) -> np.ndarray:
-    """A mask (n,) of the places (n,3) of the model's surface that other parts of it hide; toward_eye: see caller."""
+    """Return a mask (n,) of the places (n,3) of the surface that other parts of the model hide.
+
+    toward_eye: directions from the places to the eye.
+    """
     surface, inverse = target.evaluated_get(context.view_layer.depsgraph), target.matrix_world.inverted_safe()
     if context.region_data.is_perspective:
         eyes = np.tile(context.region_data.view_matrix.inverted_safe().translation, (len(places), 1))
@@ -156,13 +159,13 @@ def _are_behind(
 
 
 def _chosen_piece(target: bpy.types.Object) -> int | None:
-    """Return the chosen flat piece of the list, of which all names are written however small it is."""
+    """Return the flat piece that is chosen in the list. All its names are written, even on a small piece."""
     model = model_of(target)
     return model.wirewarp_active_piece if model else None
 
 
 def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The pixels (n,2) of places (n,3) in the world, and a mask of those that are inside the region."""
+    """Return the pixels (n,2) of places (n,3) in the world, and a mask of the pixels inside the region."""
     size = np.array([context.region.width, context.region.height])
     projected = np.column_stack([places, np.ones(len(places))]) @ np.array(context.region_data.perspective_matrix).T
     in_front = projected[:, 3] > 0
@@ -172,7 +175,7 @@ def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarr
 
 
 def draw_map() -> None:
-    """The handler for POST_VIEW: what is drawn has the coordinates of the map."""
+    """Draw in the coordinates of the map: the handler for POST_VIEW."""
     context = bpy.context
     shown = list(uv_drawings(context))
     if not shown:
@@ -188,7 +191,7 @@ def draw_map() -> None:
 
 
 def draw_map_names() -> None:
-    """The handler for POST_PIXEL."""
+    """Write names and legend over the map: the handler for POST_PIXEL."""
     context = bpy.context
     shown = list(uv_drawings(context))
     if shown:
@@ -199,7 +202,7 @@ def _names_in_region(context: bpy.types.Context, drawing: UvDrawing) -> Iterator
     """Return texts with those of their places that are in the region."""
     region, to_region = context.region, context.region.view2d.view_to_region
     origin = np.array(to_region(0, 0, clip=False))
-    pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000  # it rounds
+    pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000  # view_to_region rounds
     for name in drawing.lines.names:
         points = origin + name.places[:, :2] * pixels
         seen = np.all((points >= 0) & (points <= (region.width, region.height)), axis=1)

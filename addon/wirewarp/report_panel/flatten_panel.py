@@ -34,7 +34,7 @@ from .next_step import (
     wants_seams,
 )
 
-OTHER_SHAPE = 1.5  # leather must stretch 11% in the fitted top, of which woven cotton must stretch 7.6%
+OTHER_SHAPE = 1.5  # in the fitted top, leather must stretch 11% and woven cotton 7.6%
 ICON = "MATCLOTH"
 NONE_CAN = "No fabric in the list surely stretches far enough"
 
@@ -141,7 +141,7 @@ def _draw_state(
     for line in verdict.lines:
         draw_sentence(context, layout, line.text, LEVEL_ICONS[line.kind.level])
     step = next_step(report, left_out, has_suggestions=are_shown(context))
-    is_looked_at = step is not None and step.operator == SHOW  # which is less than to do something
+    is_looked_at = step is not None and step.operator == SHOW  # less urgent than something to do
     if step and not is_looked_at:
         _draw_step(context, layout, step)
     if any(line.kind in FABRIC_HELPS for line in verdict.lines):
@@ -157,14 +157,14 @@ def _draw_state(
         _draw_step(context, layout, step)
     if report.issues and not (step and step.operator == CHECK):
         layout.operator(CHECK, icon="TOOL_SETTINGS")
-    # Of the last run, though it may have left the earlier pieces: to flatten again would change nothing.
+    # The last run counts, even if it kept the earlier pieces: flattening again would change nothing.
     sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if sentence:
         draw_sentence(context, layout, sentence, "INFO")
 
 
 def _may_use_uv_seams(source: bpy.types.Object) -> bool:
-    """Whether nothing is marked yet and the model's own UV map has islands. In Edit Mode seams are being marked."""
+    """Return whether nothing is marked yet and the model's own UV map has islands; False in Edit Mode."""
     mesh = source.data
     if mesh.is_editmode or source.library or mesh.library:
         return False
@@ -191,7 +191,7 @@ def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: 
 
 
 def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
-    """As it is now, where that can be seen; else as it was in the run."""
+    """Return the note on modifiers as they are now if that is known, otherwise as they were in the run."""
     if report.with_modifiers or not shows_modified(source):
         return report.left_out
     if not source.modifiers and not source.data.shape_keys:
@@ -205,7 +205,7 @@ def _has_loose_wires(active: bpy.types.Object) -> bool:
     try:
         return not model_of(active) and any(wire.tolerance > 0 for _, wire in shown_wires(active))
     except ObjectError:
-        return False  # the list of wires says what is wrong
+        return False  # the list of wires reports the fault
 
 
 class VIEW3D_PT_wirewarp_settings(SidebarPanel, bpy.types.Panel):

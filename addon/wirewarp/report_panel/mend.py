@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fixes: what the report suggests, done and flattened again, and what Check and Repair finds."""
+"""Operators that apply what the report suggests and flatten again, and Check and Repair."""
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty
@@ -27,7 +27,7 @@ from .operators import PROPOSALS, take_proposals
 
 KINDS = [(fault.kind, fault.many.capitalize(), f"All {fault.many} of the model") for fault in FAULTS]
 NOT_UNASKED = "INTERIOR"  # interior walls may be intended, and some look like faces of the shell
-WIDTH = 340  # of the dialog, in Blender's own pixels
+WIDTH = 340  # width of the dialog, in pixels at interface scale 1
 
 
 def _chosen_by_default(fault: Fault) -> object:
@@ -129,7 +129,7 @@ def _count(found: Elements) -> int:
     return len(found.vertices) + len(found.edges) + len(found.faces)
 
 
-WORTH_WORDS = 0.001  # of the length of outlines: a millimeter on a meter
+WORTH_WORDS = 0.001  # smallest change, as a share of the outlines' length: a millimeter on a meter
 NOTHING = {  # by kind
     "SEAMS": "Already marked. Flatten again.",
     "SUGGESTION": "Already marked. Flatten again.",
@@ -191,7 +191,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         return self.begin_run(context, [self._model(context)]) if self._mend(context) else {"CANCELLED"}
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """In a script and for Adjust Last Operation."""
+        """Fix and flatten at once, in a script and for Adjust Last Operation."""
         if not self._mend(context):
             return {"CANCELLED"}
         self.flatten_now(context, [self._model(context)])
@@ -228,7 +228,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
                     longer = "longer" if change > 0 else "shorter"
                     self.report({"WARNING"}, f"Subdivision makes the outlines {percent_text(abs(change))} {longer}.")
                 return True
-            if self.what == "FABRIC":  # its own maximum stretch, not that of another fabric
+            if self.what == "FABRIC":  # so that it has its own maximum stretch
                 settings = context.scene.wirewarp
                 settings.cloth = self.cloth
                 self.gives_across = self.gives_along = settings.gives_across = settings.gives_along = 0.0

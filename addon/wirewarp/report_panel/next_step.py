@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the user does best, before the first run and after each."""
+"""Chooses and draws the best next step before the first run and after each run."""
 
 from collections.abc import Sequence
 from importlib.resources import files
@@ -19,7 +19,7 @@ from ..state.settings import FlattenSettings
 from ..words import counted
 
 FOLDER = Path(str(files(__package__.rpartition(".")[0]))) / "samples"  # in the add-on's folder
-SAMPLES = [  # files of that folder, the plainest first
+SAMPLES = [  # files of that folder, the simplest first
     ("CUSHION", "Cushion", "Six pieces that any fabric can do"),
     ("FITTED_TOP", "Fitted Top", "Four pieces of jersey, with lines that keep their length"),
     ("JEANS", "Jeans", "Seven pieces of woven cotton"),
@@ -34,11 +34,11 @@ STEPS = (
     "5. Read the sentence below Flatten. If it is not green, press a button below it.",
     "6. Press Export Pattern, and print at 100%.",
 )
-WIDTH = 480  # of the guide, in Blender's own pixels
+WIDTH = 480  # width of the guide, in pixels at interface scale 1
 
 
 class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
-    """Add a sample model with its seams and wires to this file; to one without patterns with its settings, too"""
+    """Add a sample model with its seams and wires to this file. A file without patterns also gets its settings"""
 
     bl_idname = "object.wirewarp_open_sample"
     bl_label = "Open Sample"
@@ -61,7 +61,7 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
             return {"CANCELLED"}
         (sample_scene,) = loaded.scenes
         (model,) = sample_scene.objects
-        if is_first or _is_new(scene):  # which may have Blender's cube in it
+        if is_first or _is_new(scene):  # the scene may contain Blender's cube
             _take_settings(scene, sample_scene)
         if is_first:
             _take_units(scene, sample_scene)
@@ -82,7 +82,7 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
 
 
 def _free_place(scene: bpy.types.Scene, model: bpy.types.Object) -> float:
-    """Where on the x axis it lies beside the meshes of the scene, with half its width between."""
+    """Return the x at which the sample is beside the scene's meshes, with half its width between them."""
     meshes = [each for each in scene.objects if each.type == "MESH"]
     right = max((each.matrix_world @ Vector(corner)).x for each in meshes for corner in each.bound_box)
     edges = [corner[0] * model.scale.x for corner in model.bound_box]
@@ -90,7 +90,7 @@ def _free_place(scene: bpy.types.Scene, model: bpy.types.Object) -> float:
 
 
 def _is_new(scene: bpy.types.Scene) -> bool:
-    """Whether nothing was flattened in the scene, and no setting of Flatten was changed."""
+    """Return whether nothing was flattened in the scene and no setting of Flatten was changed."""
     settings = scene.wirewarp
     changed = any(settings.is_property_set(name) for name in FlattenSettings.__annotations__)
     return not changed and not any(last_report(each) for each in scene.objects if each.type == "MESH")
@@ -131,7 +131,7 @@ def draw_first_steps(layout: bpy.types.UILayout) -> None:
 
 MEND = "object.wirewarp_mend"
 SHOW = "mesh.wirewarp_select_result"
-# By the kind of proposal, the most needed first: what its button says, and does.
+# Button text and action by the kind of proposal, the most urgent first.
 REMEDIES = {
     "SEAMS": ("Mark and Flatten", "EDGESEL"),
     "TOLERANCES": ("Loosen and Flatten", "FIXED_SIZE"),
@@ -141,7 +141,11 @@ REMEDIES = {
 }
 APPLY_FIRST = "The fix is about edges that modifiers make. Mark others on the model, or:"
 CHECK = "object.wirewarp_check"
-FAULTY_CODES = {"non_manifold_edge", "repeated_face", "repeated_vertex_in_face"}  # with the buttons of Check and Repair
+FAULTY_CODES = {
+    "non_manifold_edge",
+    "repeated_face",
+    "repeated_vertex_in_face",
+}  # whether Check and Repair has buttons for it
 OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_orientation": "NORMALS"}
 
 
@@ -167,7 +171,7 @@ def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: boo
         if what not in remedies:
             continue
         is_closed = {issue.code for issue in report.issues if remedy_of(issue) == what} == {CLOSED_CODE}
-        if what == "SEAMS" and (has_suggestions or is_closed):  # one slit opens a closed model, and does no more
+        if what == "SEAMS" and (has_suggestions or is_closed):  # one slit only opens a closed model
             return None
         return NextStep(_reason(report.issues, what), text, icon, MEND, {"what": what})
     if {issue.code for issue in report.issues} & FAULTY_CODES and not report.with_modifiers:
@@ -188,7 +192,7 @@ def uv_step(found: UvSeams) -> NextStep:
 
 
 def untried_uv_step() -> NextStep:
-    """Before the first run, for a model without seams."""
+    """Return the step before the first run of a model without seams."""
     return NextStep("", "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
 
 
@@ -198,7 +202,7 @@ def wants_seams(report: ObjectReport) -> bool:
 
 
 def piece_to_cut(report: ObjectReport, step: NextStep | None) -> int | None:
-    """Return the piece for which darts or seams are suggested beside the next step: the worst, if there is none."""
+    """Return the piece for which the next step suggests darts or seams; the worst piece if there is no next step."""
     if step:
         return report.hints[step.settings["index"]].piece if step.settings.get("what") == "HINT" else None
     strained = [piece for piece in report.pieces if piece.is_strained]
@@ -206,17 +210,17 @@ def piece_to_cut(report: ObjectReport, step: NextStep | None) -> int | None:
 
 
 def _show(what: str, text: str, places: list[int]) -> NextStep | None:
-    """The first of these lines of the report."""
+    """Return the step that shows the first of these report lines."""
     return NextStep("", text, "RESTRICT_SELECT_OFF", SHOW, {"what": what, "index": places[0]}) if places else None
 
 
 def _shown(report: ObjectReport, entries: Sequence[Issue]) -> list[int]:
-    """Return those that have a place, in their order: the worst first."""
+    """Return the lines that have a place, the worst first."""
     return [index for index, entry in enumerate(entries) if is_shown(report, entry)]
 
 
 def _strained_places(report: ObjectReport) -> list[int]:
-    """Of the worst piece, the largest first: the very worst may be a single face, in which nobody finds the way."""
+    """Return the strained places of the worst piece, the largest first: the most strained may be a single face."""
     hints = report.hints
     places = [index for index in _shown(report, hints) if hints[index].code in {STRAINED, BEYOND_FABRIC}]
     own = [index for index in places if hints[index].piece == hints[places[0]].piece]
@@ -224,14 +228,14 @@ def _strained_places(report: ObjectReport) -> list[int]:
 
 
 def remedy_of(issue: Issue) -> str | None:
-    """The kind of fix."""
+    """Return the kind of fix."""
     if issue.proposed_seams:
         return "SEAMS"
     return "TOLERANCES" if issue.proposed_tolerances else OF_CODES.get(issue.code)
 
 
 def is_shown(report: ObjectReport, entry: Issue) -> bool:
-    """Whether an issue or a hint has a place that can be selected: made by modifiers, on its flat piece only."""
+    """Return whether an issue or hint has a place to select. With modifiers, only a flat piece can have one."""
     if not entry.has_place:
         return False
     if not report.with_modifiers:
@@ -243,7 +247,7 @@ def _reason(issues: Sequence[Issue], what: str) -> str:
     if what == "SEAMS":
         edges = {
             (min(edge), max(edge)) for issue in issues for edge in issue.proposed_seams
-        }  # mirrored pieces share theirs
+        }  # mirrored pieces share their places
         return f"Suggested seam: {counted(len(edges), 'edge')}."
     if what == "TOLERANCES":
         wires = {wire.name for issue in issues for wire in issue.proposed_tolerances}

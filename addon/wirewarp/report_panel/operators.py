@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons beside the report: select and show its elements, apply its proposals, copy it, and view all."""
+"""Operators beside the report: select and show its elements, apply its suggestions, copy it, and view all."""
 
 import bpy
 from bpy.props import EnumProperty, IntProperty
@@ -39,13 +39,13 @@ def check_indices(target: bpy.types.Object, report: ObjectReport) -> None:
 
 
 class ReportOperator:
-    """Acts on a report of the active model, or of the model of active flat pieces. Subclasses say how."""
+    """Base of operators that act on a report of the active model, or of the model of active flat pieces."""
 
     bl_options = {"REGISTER", "UNDO"}
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
-        """Of the chosen item; "" where there is no choice, for Blender to show the class's own sentence."""
+        """Return the description of the chosen item; "" without a choice, so that Blender shows the docstring."""
         what = properties.rna_type.properties.get("what")
         return what.enum_items[properties.what].description if what else ""
 
@@ -55,7 +55,7 @@ class ReportOperator:
         return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
 
     def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
-        """The one that is shown."""
+        """Return the shown report."""
         return last_report(source)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
@@ -78,7 +78,7 @@ class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
     bl_options = {"REGISTER"}
 
     def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
-        """Of the flat pieces, if there are any."""
+        """Return the report of the flat pieces if there are any, otherwise the shown report."""
         return pieces_report(source) or last_report(source)
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
@@ -93,7 +93,7 @@ class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_select_issues(ReportOperator, bpy.types.Operator):
-    """Select, in Edit Mode, the vertices, edges and faces that the last run complained about"""
+    """Select the vertices, edges and faces of the last run's problems in Edit Mode"""
 
     bl_idname = "mesh.wirewarp_select_issues"
     bl_label = "Select Problems"
@@ -134,14 +134,14 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
     index: IntProperty(name="Index", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
 
     def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
-        """Of the list of pieces, or of all else in the panel."""
+        """Return the report of the flat pieces for the list of pieces, otherwise the shown one."""
         return (pieces_report if self.what in {"PIECE", "STRETCH", "EASE"} else last_report)(source)
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
         elements = elements_of(report, self.what, self.index)
         if elements is None:
             raise object_error("not_in_report", "That line is gone. Flatten again.")
-        # The elements of a mesh with modifiers are to be had on the flat pieces only.
+        # If modifiers made the elements, only the flat pieces have them.
         wants_flat = context.active_object != source or report.with_modifiers
         if wants_flat and self._lies_flat(report, elements):
             with in_object_mode(context):
@@ -157,7 +157,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         return {"FINISHED"}
 
     def _lies_flat(self, report: ObjectReport, elements: Elements) -> bool:
-        """Return whether the model has a flat piece; a fault may concern a piece, or a whole model, without one."""
+        """Return whether there is a flat piece; a failed piece or model has none."""
         if self.what != "ISSUE":
             return True
         return elements.piece is not None and report.pieces[elements.piece].has_layout
@@ -216,7 +216,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
 
 
 class VIEW3D_OT_wirewarp_frame(bpy.types.Operator):
-    """Move the view so that the model and its flat pieces are in sight"""
+    """Move the view so that the model and its flat pieces are visible"""
 
     bl_idname = "view3d.wirewarp_frame"
     bl_label = "Show Model and Pieces"

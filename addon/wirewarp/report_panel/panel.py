@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report of the active object: what failed, and a table of lengths, worst first."""
+"""Draws the report of the active object: what failed, and tables of lengths, the worst first."""
 
 from collections.abc import Mapping, Sequence
 
@@ -33,7 +33,7 @@ from ..words import LengthText, counted, tolerance_text
 from .next_step import is_shown
 
 SHOWN_ROWS = 8
-MOST_ROWS = 100  # more make Blender slow to draw
+MOST_ROWS = 100  # more rows slow down drawing
 
 
 def draw_table(
@@ -67,7 +67,7 @@ def shown_rows(context: bpy.types.Context) -> int:
 
 
 def draw_more(context: bpy.types.Context, layout: bpy.types.UILayout, count: int) -> None:
-    """The switch that shows more of a long list."""
+    """Draw the switch that shows more of a long list."""
     if count > SHOWN_ROWS:
         text = f"Show all {count}" if count <= MOST_ROWS else f"Show {MOST_ROWS} of {count}"
         layout.prop(context.scene.wirewarp, "show_all", text=text)
@@ -131,7 +131,7 @@ def _flat_numbers(side: Side, text: LengthText) -> tuple[str, str, str]:
 
 
 def longer_sides(sides: Sequence[Side], units: LengthText, meters: float) -> list[str]:
-    """ "Sleeve 12 mm longer, ease between notches", as it stands on the paper; of the sides of a seam.
+    """Return what the pattern prints on an eased seam, such as "Sleeve 12 mm longer, ease between notches".
 
     meters: in a Blender unit.
     """
@@ -160,7 +160,9 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
     issues = report.issues
     for index, issue in enumerate(issues[:SHOWN_ROWS]):
         _draw_entry(context, layout, issue_text(report, issue), "ISSUE", index, is_shown(report, issue))
-        if not report.with_modifiers and (len(issues) > 1 or issue.code == CLOSED_CODE):  # else the panel has it
+        if not report.with_modifiers and (
+            len(issues) > 1 or issue.code == CLOSED_CODE
+        ):  # otherwise the panel has the button
             _draw_proposals(context, layout, index, issue)
     if len(issues) > SHOWN_ROWS:
         layout.label(text=f"and {len(issues) - SHOWN_ROWS} more")
@@ -235,7 +237,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, f"Method: {report.method_name}")
         if report.issues:
             box = layout.box()
-            # Gray, but the next proposal can be taken without a run between.
+            # Gray, although the next suggestion can be taken without another run.
             box.active = not has_changed_since(source, report)
             draw_issues(context, box, report)
         if report.hints:
@@ -245,7 +247,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
 
 
 class ReportSection(SidebarPanel):
-    """A sub-panel with one table, whose header shows the worst row. Subclasses choose the rows."""
+    """Base of sub-panels with one table, whose header shows the worst row."""
 
     bl_parent_id = "VIEW3D_PT_wirewarp_report"
     bl_options = {"DEFAULT_CLOSED"}

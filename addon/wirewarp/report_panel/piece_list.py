@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The list of flat pieces, the worst first: a double click renames, the arrow selects. Below it, the chosen one."""
+"""Draws the list of flat pieces, the worst first, and the chosen piece below it."""
 
 import bpy
 
@@ -13,12 +13,12 @@ from ..ui.settings import shown_report, shown_source
 from .flatten_panel import offered_piece
 from .panel import draw_select
 
-NO_STRAIN = 5e-4  # what is shown as 0.0%
-WORTH_A_CUT = 0.005  # of the strain: with less the library proposes nothing (CutWishes::strain)
+NO_STRAIN = 5e-4  # shown as 0.0%
+WORTH_A_CUT = 0.005  # smallest strain for which the library proposes cuts
 
 
 class WIREWARP_UL_pieces(bpy.types.UIList):
-    """Entries of the report's pieces, in its order."""
+    """Entries of the report's pieces, in the order of the report."""
 
     def draw_item(
         self,
@@ -40,7 +40,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row.has_layout:
             figure = columns.row()
             figure.alignment = "RIGHT"
-            figure.label(text=percent_text(row.needed) if row.needed < 1 else ">100%")  # which fits
+            figure.label(text=percent_text(row.needed) if row.needed < 1 else ">100%")  # a name that fits the column
             draw_select(line, "PIECE", index)
 
     def filter_items(
@@ -66,7 +66,7 @@ def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
 
 
 def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
-    """Return the row; None if the report is of other pieces than the list."""
+    """Return the row; None if the report and the list have different pieces."""
     return next((row for row in shown_pieces(context).tables.pieces if row.index == index), None)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Data stored on models and flat pieces and in memory: read, compared with earlier data, and named.
+"""Reads, compares and names the data stored on models, on flat pieces and in memory.
 
 May import: solve, blender, core, issues, names, words.
 """

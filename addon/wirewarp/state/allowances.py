@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks of one side of an edge alone, and seam allowances. Of meshes in Object Mode.
+"""Marks on one side of an edge, and seam allowances, for meshes in Object Mode.
 
 A value on the face's corner, as scripts may write it, is blended when the edge is split, and comes to lie on another
 edge when the face is flipped or mirrored. What is on edges and faces goes with them whole. So the side that differs
@@ -89,7 +89,7 @@ class SidedMark:
         return np.where(is_set(corners) | (marked == 0), corners, marked)
 
     def mark(self, mesh: bpy.types.Mesh, corners: Sequence[int] | np.ndarray, values: np.ndarray | float) -> None:
-        """Gives these values to the sides that begin at these corners, one for each edge. Clears the others."""
+        """Sets these values on the sides that begin at these corners, one for each edge, and clears the other sides."""
         rows, faces = corner_edges(mesh)[corners], faces_of_corners(mesh)[corners]
         self.clear(mesh, rows)
         numbers = number_faces(mesh, faces)
@@ -109,7 +109,7 @@ class SidedMark:
         return had
 
     def _on_edges(self, mesh: bpy.types.Mesh) -> np.ndarray:
-        """Returns (l,) float32: as read, of the values that lie on edges."""
+        """Returns (l,) float32, like read, from the values on edges alone."""
         marked, counts = marked_corners(mesh, self.side)
         loop_edges = corner_edges(mesh)
         return np.where(marked & (counts[loop_edges] == 1), read_values(mesh, self.value)[loop_edges], np.float32(0))
@@ -124,7 +124,7 @@ def is_set(values: np.ndarray) -> np.ndarray:
 
 
 def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
-    """Numbers these faces, and those anew that share a number. Returns (f,) the numbers of all faces, 0 for none.
+    """Numbers these faces, and renumbers faces that share a number. Returns the numbers of all faces (f,), 0 for none.
 
     Known sides stay known. The mesh is in Object Mode.
     """
@@ -147,9 +147,9 @@ def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
 
 
 def marked_corners(mesh: bpy.types.Mesh, side: Mark) -> tuple[np.ndarray, np.ndarray]:
-    """(l,) bool: corners of faces with the number that is on the edge which begins there; (e,) how many each edge has.
+    """Return a mask (l,) of corners whose face has the number on the edge that begins there, and counts by edge (e,).
 
-    side: the attribute of this number.
+    side: the attribute with the number.
     """
     loop_edges = corner_edges(mesh)
     of_loops = read_values(mesh, side)[loop_edges]
@@ -210,7 +210,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
     first = beside[np.searchsorted(loop_edges[beside], rows)]
     last = beside[np.searchsorted(loop_edges[beside], rows, side="right") - 1]
     own, shared = np.where(widths[first] != 0, first, last), np.where(widths[first] != 0, last, first)
-    both[rows] = widths[shared]  # only the default, which is 0, can be shared
+    both[rows] = widths[shared]  # more than two faces can share only the default
     write_marked(mesh, ALLOWANCE, both)
     SIDE_ALLOWANCES.clear(mesh, rows)
     one_sided = own[widths[own] != widths[shared]]
@@ -247,13 +247,13 @@ def widest_allowance(mesh: bpy.types.Mesh) -> float:
 
 
 def _on_outlines(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,) bool"""
+    """Return a mask (e,)."""
     faces = faces_at_edges(mesh)
     return (faces > 0) & (read_seams(mesh) | (faces != 2))
 
 
 def _where_set(widths: np.ndarray) -> np.ndarray:
-    """0 where they are none."""
+    """Return the widths, 0 where they are NONE."""
     return np.where(is_set(widths), widths, np.float32(0))
 
 

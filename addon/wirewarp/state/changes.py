@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A summary of everything that the flat pieces of a model depend on, by which a report detects changes."""
+"""Summarizes everything that the flat pieces of a model depend on, so that a report detects changes."""
 
 import hashlib
 
@@ -13,7 +13,7 @@ from .memory import Take, kept, read_anew
 
 SHAPE, MARKS, SCALE = "shape", "marks", "metric"
 MODIFIED = "modified"  # of reports with modifiers
-BLOCKS = 64  # number of blocks of vertices: one sum for each of them and each axis
+BLOCKS = 64  # number of blocks of vertices, each with one sum per axis
 ROUNDING = 1e-6  # relative rounding of single-precision coordinates after transformations
 
 
@@ -23,7 +23,7 @@ def model_state(source: bpy.types.Object, base: MarkedMesh, with_modifiers: bool
 
 
 def present_state(source: bpy.types.Object, with_modifiers: bool, take: Take = read_anew) -> dict:
-    """As model_state, in Edit Mode too; take: read_anew, or kept. Raises ObjectError."""
+    """Return the model_state, also in Edit Mode. take: read_anew, or kept. Raises ObjectError."""
     digests = take(source.data, "digests", lambda _: _digests(marked_mesh(source, take)))
     return _state(source, digests, with_modifiers, take)
 
@@ -36,7 +36,7 @@ def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: 
 def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept) -> bool:
     """Return whether geometry, seams, wires or scale differ from a report's model_state. take: kept, or read_anew.
 
-    For a report with modifiers, also whether these make another mesh, unless that cannot be seen: see shows_modified.
+    For a report with modifiers, also whether they make another mesh, if Blender evaluates them: see shows_modified.
     """
     return state is not None and bool(_changes(source, state, take))
 
@@ -50,7 +50,7 @@ def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
 
 
 def shows_modified(source: bpy.types.Object) -> bool:
-    """Whether what modifiers make can be seen: Blender makes nothing of hidden objects, and less in Edit Mode."""
+    """Return whether Blender evaluates the modifiers. It skips hidden objects, and some modifiers in Edit Mode."""
     return source.mode == "OBJECT" and source.visible_get()
 
 
@@ -60,7 +60,7 @@ def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
         return {SCALE} if _is_scaled(source, then) else set()
     try:
         now = present_state(source, MODIFIED in then, take)
-    except ObjectError:  # an attribute of our name that was none then
+    except ObjectError:  # a user or another add-on made an attribute of this name since
         return {SHAPE, MARKS}
     changes = {part for part in (SHAPE, MARKS) if then.get(part) != now[part]}
     if _is_scaled(source, then):
@@ -80,15 +80,15 @@ def _digests(mesh: MarkedMesh) -> dict[str, str]:
 
 
 def _modified(source: bpy.types.Object, take: Take) -> dict | None:
-    """Of the mesh as modifiers and shape keys leave it; None where that cannot be seen."""
+    """Return the state of the mesh with modifiers and shape keys; None if Blender does not evaluate them."""
     return take(source, MODIFIED, _modified_state) if shows_modified(source) else None
 
 
 def _modified_state(source: bpy.types.Object) -> dict:
-    """From what Blender has made already: evaluated_mesh would make it once more, for layers that are not asked for.
+    """Return the state from the existing evaluated mesh; evaluated_mesh would evaluate again for unneeded layers.
 
-    Its places are no digest: where a modifier refers to another object they are rounded anew when both are moved, and
-    up to Blender 3.6 those along normals are other ones each time, for threads sum these up as they come.
+    Coordinates are summed and not hashed: if a modifier refers to another object, moving both changes their rounding.
+    Up to Blender 3.6, threads also sum normals in varying order, which changes coordinates along normals.
     """
     evaluated = source.evaluated_get(bpy.context.view_layer.depsgraph)
     try:
@@ -120,7 +120,7 @@ def _faces(mesh: MarkedMesh) -> list[np.ndarray]:
 
 
 def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
-    """Seams, wires and eases."""
+    """Return a digest of seams, wires and eases."""
     seams, rows, eased = (np.flatnonzero(each) for each in (mesh.seams, mesh.marks.wire_ids, mesh.side_eases))
     wires = mesh.marks.take(rows)
     numbers = (each.astype(np.int32) for each in (seams, rows, eased))
@@ -128,17 +128,19 @@ def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
 
 
 def place_sums(points: np.ndarray) -> list[float]:
-    """Of points (n,3): numbers that move by at least half as much as any one of them."""
+    """Return sums of the points (n,3) that change by at least half as much as any single point."""
     numbers = np.arange(len(points))
     blocks = numbers * BLOCKS // max(len(points), 1)
     wave = np.cos(2.4 * numbers)
-    weights = (wave + np.sign(wave)) / 2  # none near 0, and together near 0: what rounding does to all alike cancels
+    weights = (
+        wave + np.sign(wave)
+    ) / 2  # no weight is near 0, and their sum is near 0, so that a common rounding error cancels
     sums = [np.bincount(blocks, weights * column, minlength=BLOCKS) for column in _finite(points).T]
     return np.concatenate(sums).tolist()
 
 
 def rounding_of_sums(points: np.ndarray, distance: float) -> float:
-    """Return how far rounding of the points (n,3) may move their sums.
+    """Return how much rounding of the points (n,3) can change their sums.
 
     distance: of the object from the world's origin.
     """

@@ -13,11 +13,11 @@ from ..blender.views import redraw_views
 from .memory import all_states, state_of
 
 T = TypeVar("T")
-IDLE_SHARE = 9  # after a build there is none for so many times as long: building takes a tenth of the time, or
-MAX_IDLE = 1.0  # more where it is slow, for after so many seconds what is seen would be old
-FELT = 0.03  # seconds: what took longer to build is seen one redraw later, so that the screen moves with the hand
+IDLE_SHARE = 9  # pause after a build as a multiple of its time, so that building takes a tenth of all time
+MAX_IDLE = 1.0  # seconds; the longest pause, because a drawing older than this is outdated
+FELT = 0.03  # seconds; a slower drawing is built one redraw later, so that the view follows the mouse
 SOON = 0.01  # seconds until that redraw
-REST = 0.2  # seconds without a change until it is built in Edit Mode, where the user may be dragging
+REST = 0.2  # seconds without a change before a build in Edit Mode, where the user may be dragging
 
 
 @dataclass(frozen=True)
@@ -39,15 +39,15 @@ class _Entry:
     rests_until: float  # seconds of the monotonic clock
     is_slow: bool
     awaited: tuple | None = None  # data of the postponed drawing
-    since: float = 0.0  # when
+    since: float = 0.0  # time of postponing, on the monotonic clock
 
 
 def kept_drawing(
     owner: bpy.types.Object, what: str, made_of: tuple, build: Callable[[], T], model: bpy.types.Object | None = None
 ) -> T:
-    """build(), from the last time if `made_of` is the same as then, or if building again just now would be felt.
+    """Return build(), or its last result if `made_of` is unchanged or if a build now would delay the user.
 
-    model: in whose Edit Mode that is, too.
+    model: another object whose Edit Mode counts.
     """
     drawings, now = state_of(owner).drawings, time.monotonic()
     entry: _Entry | None = drawings.get(what)
@@ -84,7 +84,7 @@ def reused(old: Any, new: Any) -> Any:  # noqa: ANN401
 
 
 def is_same(first: Any, second: Any) -> bool:  # noqa: ANN401
-    """Equal, arrays in dataclasses, dicts and lists included."""
+    """Return whether the values are equal, also arrays in dataclasses, dicts and lists."""
     if type(first) is not type(second):
         return False
     if isinstance(first, np.ndarray):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A flat mesh read back: of which elements of the model it is, and whether it is still true."""
+"""Reads a flat mesh: its elements on the model, and whether it is still valid."""
 
 import bpy
 import numpy as np
@@ -39,24 +39,24 @@ def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
 
 
 def faces_of_piece(piece: int, flat: FlatPieces) -> np.ndarray:
-    """On the model."""
+    """Return the faces of the piece on the model."""
     return flat.source_face[flat.face_piece == piece]
 
 
 OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # attributes that a flat mesh always has
-# Of lengths in single precision, relative to the length and to the largest coordinate: pieces may have been moved.
+# Relative to the length and to the largest coordinate in single precision, because pieces may have been moved.
 LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
 
 
 def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
-    """Return whether it contains flat pieces and nothing else, whatever happened to their model. Not in Edit Mode."""
+    """Return whether the mesh contains only flat pieces, even if their model changed. Not in Edit Mode."""
     if not len(mesh.polygons) or not has_attributes(mesh, *OF_ELEMENTS):
         return False
     return not vertex_places(mesh)[:, 2].any()
 
 
 def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
-    """In Blender units times `scale`. Of a mesh in Object Mode; what is gone is None. Raises ObjectError."""
+    """Return the pieces in Blender units times `scale`, None for missing ones, in Object Mode. Raises ObjectError."""
     return FlatPieces(
         vertices=vertex_places(mesh)[:, :2].astype(np.float64) * scale,
         source_vertex=find_values(mesh, SOURCE_VERTEX),
@@ -76,7 +76,7 @@ def no_pieces_sentence(source: bpy.types.Object) -> str:
 
 
 def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bpy.types.Object, FlatPieces]:
-    """The flat object of the model, in Object Mode. Raises ObjectError if there is none to this report."""
+    """Return the flat object of the model in Object Mode. Raises ObjectError if the report has none."""
     flat = find_flat_object(source)
     if (
         not has_flat_object(source)
@@ -88,7 +88,7 @@ def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bp
 
 
 def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
-    """Return whether no vertex, edge or face is gone or new, no edge longer or shorter, and no piece flipped.
+    """Return whether all elements still exist, no edge has another length, and no piece is flipped.
 
     The mesh has the attributes of flat pieces.
     """
@@ -130,7 +130,7 @@ def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Ob
 
 
 def _has_changed(source: bpy.types.Object, report: ObjectReport) -> bool:
-    """Blender makes nothing of the modifiers of hidden objects, and less in Edit Mode."""
+    """Return whether the model differs. Blender evaluates no modifiers of hidden objects, and few in Edit Mode."""
     if report.with_modifiers and not shows_modified(source):
         raise object_error(
             "not_visible",
@@ -151,5 +151,5 @@ def _is_edited(mesh: bpy.types.Mesh, report: ObjectReport) -> bool:
 
 
 def is_true_size(flat: bpy.types.Object) -> bool:
-    """Return whether the object is shown as its mesh is, neither scaled nor mirrored."""
+    """Return whether the object is neither scaled nor mirrored."""
     return np.allclose(flat.matrix_world.to_scale(), 1, rtol=0, atol=1e-5)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which wire, piece and seam is which: their ids and names on the model, its object and the flat mesh."""
+"""Identifies wires, pieces and seams by their ids and names on the model, its object and the flat mesh."""
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -24,12 +24,12 @@ def find_name(mesh: bpy.types.Mesh, wire_id: int) -> bpy.types.PropertyGroup | N
 
 
 def list_places(mesh: bpy.types.Mesh) -> dict[int, int]:
-    """The place of each id in the list, for sorting."""
+    """Return the place of each id in the list, for sorting."""
     return {entry.wire_id: place for place, entry in enumerate(mesh.wirewarp_names)}
 
 
 def names_of(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> dict[int, str]:
-    """The name of each id."""
+    """Return the name of each id."""
     present = dict.fromkeys(wire_ids)
     names = {entry.wire_id: entry.name for entry in mesh.wirewarp_names if entry.wire_id in present}
     taken = set(names.values())
@@ -50,7 +50,7 @@ def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
 
 
 def present_names(mesh: bpy.types.Mesh, report: Report) -> dict[int, str]:
-    """What the wires of a report are called now, by their own ids; none as another, copies as what they are copied of.
+    """Return the present names of a report's wires by their own ids, all different; copies have the original's name.
 
     mesh: of the model.
     """
@@ -65,7 +65,7 @@ def present_names(mesh: bpy.types.Mesh, report: Report) -> dict[int, str]:
 
 
 def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
-    """One entry for each of the ids that are on the mesh; entries of vanished wires go."""
+    """Make one entry for each id on the mesh, and remove the entries of other wires."""
     write_names(mesh, names_of(mesh, wire_ids))
 
 
@@ -81,7 +81,7 @@ def write_names(mesh: bpy.types.Mesh, names: Mapping[int, str]) -> None:
 
 
 def _names_elsewhere(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> dict[int, str]:
-    """Joining keeps one mesh's list of names; the others' meshes are there until the file is saved."""
+    """Return names of joined objects. Joining keeps one list; the other meshes exist until the file is saved."""
     return {
         entry.wire_id: entry.name
         for other in bpy.data.meshes
@@ -108,7 +108,7 @@ def _free_name(taken: Collection[str]) -> str:
 
 
 def write_brought_names(*_: object) -> None:
-    """Before the file is saved: names that joined wires brought along, for the meshes that have them are not saved."""
+    """Write the names of joined wires before the file is saved, because the meshes with these names are not saved."""
     for mesh in bpy.data.meshes:
         if mesh.library is None and not mesh.is_editmode and has_marks(mesh):
             update_names(mesh, wires_on(mesh))
@@ -116,14 +116,14 @@ def write_brought_names(*_: object) -> None:
 
 @dataclass(frozen=True)
 class WireSummary:
-    """A wire as flattening will see it: one run of edges with one id, one tolerance and one ease."""
+    """A wire as Flatten reads it: a run of edges with one id, one tolerance and one ease."""
 
     wire_id: int
     tolerance: float
     ease: float
     edges: list[int]  # of the mesh, in order along the wire
     edge_vectors: np.ndarray  # (k,3) in the mesh's own space
-    shares_id: bool  # shared with an earlier wire: this one was copied or cut in two
+    shares_id: bool  # whether an earlier wire has the same id: this one was copied or cut in two
 
     def length(self, linear: np.ndarray) -> float:
         """Return the length in Blender units, for an object with this linear part."""
@@ -144,7 +144,7 @@ def listed_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
 
 
 def editable_name(mesh: bpy.types.Mesh, wire: WireSummary) -> bpy.types.PropertyGroup | None:
-    """The entry in the list of names that is this wire's and no other's."""
+    """Return the entry in the list of names that belongs to this wire alone."""
     return None if wire.shares_id else find_name(mesh, wire.wire_id)
 
 
@@ -161,7 +161,7 @@ def find_wires(target: bpy.types.Object, take: Take = read_anew) -> list[WireSum
 
 
 def repair_names(target: bpy.types.Object) -> dict[int, int]:
-    """Write the names, and return the ids still to be written, by edge. In either mode."""
+    """Write the names in either mode, and return the ids that must still be written, by edge."""
     wires, mesh = find_wires(target), target.data
     ids = [wire.wire_id for wire in wires]
     own = own_ids(ids)
@@ -190,7 +190,7 @@ def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
     ids, record = np.zeros(face_count, dtype=np.int32), read_record(mesh)
     if record and record.source_faces == face_count and has_attributes(mesh, SOURCE_FACE, PIECE):
         faces = find_values(mesh, SOURCE_FACE)
-        inside = (faces >= 0) & (faces < face_count)  # new faces, made by hand, carry none or any
+        inside = (faces >= 0) & (faces < face_count)  # faces made by hand have no id or any id
         ids[faces[inside]] = find_values(mesh, PIECE)[inside]
     return ids
 
@@ -210,7 +210,7 @@ def write_pieces(
     identities: Sequence[PieceIdentity],
     on_model: bool,
 ) -> None:
-    """on_model: the arrays are those of the base mesh, and it may be written."""
+    """Write ids and names of pieces. on_model: the arrays belong to the base mesh, which may be written."""
     source.wirewarp_pieces.clear()
     for identity in identities:
         entry = source.wirewarp_pieces.add()
@@ -220,7 +220,7 @@ def write_pieces(
 
 
 def seam_names(source: bpy.types.Object) -> dict[int, str]:
-    """Return the names by id, of all seams there ever were."""
+    """Return the names of all present and former seams by id."""
     return {entry.seam_id: entry.name for entry in source.wirewarp_seams}
 
 
@@ -240,7 +240,7 @@ def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.nda
     marked = np.flatnonzero(found)
     count = len(arrays.vertices)
     sources = find_values(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[marked]]
-    inside = ((sources >= 0) & (sources < count)).all(axis=1)  # new edges, made by hand, may carry any
+    inside = ((sources >= 0) & (sources < count)).all(axis=1)  # edges made by hand may have any id
     keys, own = edge_keys(sources[inside], count), edge_keys(arrays.seams, count)
     keys, first = np.unique(keys, return_index=True)
     if len(keys):
@@ -252,12 +252,12 @@ def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.nda
 def write_seams(
     source: bpy.types.Object, arrays: MeshArrays, identities: Sequence[SeamIdentity], on_model: bool
 ) -> None:
-    """arrays: with the new ids; on_model: they are those of the base mesh, and it may be written.
+    """Write ids and names of seams. Names that the user has changed since the model was read stay.
 
-    Names that the user has given since the model was read stay.
+    arrays: the model with the new ids; on_model: the arrays belong to the base mesh, which may be written.
     """
     places = {entry.seam_id: place for place, entry in enumerate(source.wirewarp_seams)}
-    for identity in identities:  # by place, because add() moves the entries in memory
+    for identity in identities:  # by index, because add() moves the entries in memory
         place = places.get(identity.seam_id)
         entry = source.wirewarp_seams.add() if place is None else source.wirewarp_seams[place]
         if not entry.name or GIVEN.fullmatch(entry.name):

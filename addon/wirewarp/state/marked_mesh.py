@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A mesh with its wires and ids as arrays: all that flat pieces depend on, read alike in either mode."""
+"""Reads a mesh with its wires and ids as arrays, in either mode: everything that flat pieces depend on."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -40,7 +40,7 @@ def has_marks(mesh: bpy.types.Mesh) -> bool:
 
 
 def read_marks(mesh: bpy.types.Mesh) -> EdgeMarks:
-    """The marks of a mesh that is not in Edit Mode."""
+    """Return the marks of a mesh that is not in Edit Mode."""
     check_attributes(mesh)
     return EdgeMarks(*(read_values(mesh, each) for each in OF_WIRES))
 
@@ -60,11 +60,10 @@ def wires_on(mesh: bpy.types.Mesh) -> list[int]:
 
 
 def edit_layers(mesh: bpy.types.Mesh) -> tuple:
-    """(bmesh, wire layer, tolerance layer, ease layer) of a mesh in Edit Mode; missing layers are made.
+    """Return (bmesh, wire layer, tolerance layer, ease layer) of a mesh in Edit Mode. Creates missing layers.
 
-    But for that of eases, which is None where no wire has had one.
-
-    Making a layer invalidates every edge reference taken before. Attributes of our names are ours: check_attributes.
+    The ease layer is not created; it is None if no wire ever had an ease. A new layer invalidates edge references.
+    Call check_attributes first.
     """
     edit = bmesh.from_edit_mesh(mesh)
     layers = edit.edges.layers
@@ -78,7 +77,7 @@ def edit_layers(mesh: bpy.types.Mesh) -> tuple:
 def own_ids(wire_ids: Sequence[int]) -> list[int]:
     """Return an id for each wire: its own if it is the first with that, because copied or cut wires share one.
 
-    The others get the next unused numbers, always the same ones.
+    The other wires get the next unused numbers, which are deterministic.
     """
     taken, own = set(wire_ids), dict[int, None]()
     for wire_id in wire_ids:
@@ -90,13 +89,13 @@ def own_ids(wire_ids: Sequence[int]) -> list[int]:
 
 
 def check_id_room(target: bpy.types.Object) -> None:
-    """Raises ObjectError where the ids of pieces and seams cannot be written to the object's mesh."""
+    """Raises ObjectError if the ids of pieces and seams cannot be written to the object's mesh."""
     check_room(target, PIECE, "the id of pieces")
     check_room(target, SEAM, "the id of seams")
 
 
 def read_ids(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
-    """PIECE: (f,), SEAM: (e,) int32, 0 none, of a mesh that is not in Edit Mode. Raises ObjectError."""
+    """Return the ids of a mesh that is not in Edit Mode: PIECE (f,), SEAM (e,), int32, 0 none. Raises ObjectError."""
     check_attribute(mesh, attribute)
     return read_values(mesh, attribute)
 
@@ -128,11 +127,11 @@ def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
 
 
 def marked_mesh(target: bpy.types.Object, take: Take = read_anew) -> MarkedMesh:
-    """The object's own mesh in either mode, as read_marked; take: read_anew, or kept."""
+    """Return the object's own mesh in either mode, like read_marked. take: read_anew, or kept."""
 
     def gather(_mesh: bpy.types.Mesh) -> MarkedMesh:
         with current_mesh(target) as mesh:
             return read_marked(mesh)
 
-    # Outside Edit Mode reading is quick, and not worth the memory.
+    # Outside Edit Mode reading is fast, so nothing is kept.
     return take(target.data, "marked mesh", gather) if target.data.is_editmode else gather(target.data)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Everything that is kept in memory of objects, meshes and scenes: it is dropped with each of them, and with the file.
+"""Keeps data about objects, meshes and scenes in memory until they or the file are removed.
 
-Data gathered from geometry is kept until that changes, so that drawing need not read it again. Only objects that
-Blender has updated are checked again: a file may have thousands of others.
+Data read from geometry is kept until the geometry changes, so that drawing does not read it again. Only objects that
+Blender has updated are checked again, because a file may contain thousands of objects.
 """
 
 from collections.abc import Callable, Iterator
@@ -24,31 +24,33 @@ class ObjectState:
     """Data about one object, mesh or scene."""
 
     name: str  # Blender's name_full at the last call of state_of
-    gathered: dict[str, Any] = field(default_factory=dict)  # from its geometry, by what it is; see kept
-    drawings: dict[str, Any] = field(default_factory=dict)  # by what they are; see state.drawings
-    parsed: Any = None  # the stored report: its text and what that says; see state.reports
+    gathered: dict[str, Any] = field(
+        default_factory=dict
+    )  # data read from its geometry, by the function that reads it; see kept
+    drawings: dict[str, Any] = field(default_factory=dict)  # by kind; see state.drawings
+    parsed: Any = None  # the stored report as text and parsed; see state.reports
     failure: Any = None  # the report of a run that wrote nothing; see state.reports
     suggestions: Any = None  # see state.suggestions
     solved: Any = None  # the wirewarp.Cache of its solved pieces; see flatten.read
-    solved_by_map: Any = None  # that of the pieces by the seams of its UV map
-    tried: dict | None = None  # the model when Auto left its pieces as they were; see flatten.auto_update
-    is_due: bool = False  # of a scene: Auto has to look for changes; see state.due
-    is_undone: bool = False  # of a scene: the last change was taken back
+    solved_by_map: Any = None  # the Cache for the trial of its UV seams
+    tried: dict | None = None  # state of the model when Auto was canceled; see flatten.auto_update
+    is_due: bool = False  # for a scene: Auto has to look for changes; see note_change
+    is_undone: bool = False  # for a scene: the last change was an undo
 
 
 @dataclass
 class _Memory:
     states: dict[object, ObjectState] = field(default_factory=dict)  # by _key
-    counts: tuple[int, ...] = ()  # numbers of objects and meshes when the states of removed ones were last dropped
-    ours: set[Place] | None = None  # the objects that concern us; None: find_objects asks all of them
-    updated: set[Place] = field(default_factory=set)  # the objects that find_objects asks again
+    counts: tuple[int, ...] = ()  # counts of objects and meshes when states of removed ones were last dropped
+    ours: set[Place] | None = None  # the objects of interest; None: find_objects checks all objects
+    updated: set[Place] = field(default_factory=set)  # the objects that find_objects checks again
 
 
 _memory = _Memory()
 
 
 def state_of(owner: bpy.types.ID) -> ObjectState:
-    """Returns the state that is kept of this data-block, a new one if there is none."""
+    """Returns the state of this data-block, a new one if there is none."""
     key, name = _key(owner), owner.name_full
     state = _memory.states.get(key)
     if state is None:
@@ -65,12 +67,12 @@ def all_states() -> Iterator[ObjectState]:
 
 
 def _key(owner: bpy.types.ID) -> object:
-    """Returns what stays the same when the data-block is renamed. Before Blender 4.1 a later one may get it, too."""
+    """Returns a key that renaming does not change. Before Blender 4.1, a later data-block may get the same key."""
     return owner.session_uid if hasattr(owner, "session_uid") else owner.as_pointer()
 
 
 def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
-    """Returns gather(owner), from the last time if the geometry has not changed since. A selection may count as one."""
+    """Returns gather(owner), or its last result if the geometry is unchanged. A new selection may count as a change."""
     found = state_of(owner).gathered
     if what not in found:
         found[what] = gather(owner)
@@ -78,12 +80,12 @@ def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
 
 
 def read_anew(owner: Owner, _what: str, gather: Callable[[Owner], T]) -> T:
-    """Returns gather(owner), whatever was kept: scripts may change a mesh behind Blender's back."""
+    """Returns a new gather(owner), because scripts may change a mesh without Blender's notice."""
     return gather(owner)
 
 
 def stamp(owner: bpy.types.Mesh | bpy.types.Object) -> object:
-    """Returns the same object until the owner's geometry changes, and never again the same after that."""
+    """Returns an object that is replaced by a new one when the owner's geometry changes."""
     return kept(owner, "stamp", lambda _: object())
 
 
@@ -102,7 +104,7 @@ def find_objects(concerns_us: Callable[[bpy.types.Object], bool]) -> list[bpy.ty
 
 
 def note(target: bpy.types.Object) -> None:
-    """Notes that something of ours on the object has changed that Blender need not know of."""
+    """Notes that the add-on's data on the object has changed, of which Blender sends no update."""
     _memory.updated.add(_place(target))
 
 
@@ -123,7 +125,7 @@ def note_updates(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None
 
 
 def drop_changed(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
-    """Handler after an update or another frame: in playback only what is animated is read again."""
+    """Handler after an update or a change of frame: during playback only animated objects are read again."""
     for update in depsgraph.updates:
         changed = update.id.original
         if isinstance(changed, bpy.types.Mesh):
@@ -150,7 +152,7 @@ def forget(*_: object) -> None:
     _memory = _Memory()
 
 
-SECONDS = 0.2  # between two looks: soon enough to be felt as at once, and a tool that goes on is not disturbed by it
+SECONDS = 0.2  # between two checks: short enough to feel immediate, and it does not disturb a running tool
 
 
 def is_due(scene: bpy.types.Scene) -> bool:
@@ -158,14 +160,14 @@ def is_due(scene: bpy.types.Scene) -> bool:
 
 
 def note_change(scene: bpy.types.Scene) -> None:
-    """Notes that something may have changed in this scene, for Auto to look into it soon."""
+    """Notes that something may have changed in this scene, so that Auto checks it soon."""
     state_of(scene).is_due = True
     if not bpy.app.background and not bpy.app.timers.is_registered(_nudge):
         bpy.app.timers.register(_nudge, first_interval=SECONDS)
 
 
 def _nudge() -> float | None:
-    """The timer: until nothing is due in the scenes that windows show. Returns the seconds until the next time."""
+    """Timer that runs while a visible scene is due. Returns the seconds until the next call."""
     windows = [window for window in bpy.context.window_manager.windows if is_due(window.scene)]
     for window in windows:
         send_mouse_move(window)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finds the model of flat pieces and the flat pieces of a model.
 
-Scripts and users may have changed the pointer, and converted or exchanged the objects.
+Scripts and users may have changed the pointer, and converted or replaced the objects.
 """
 
 import bpy
@@ -23,7 +23,7 @@ def model_of(target: bpy.types.Object) -> bpy.types.Object | None:
 
 
 def model_or_self(target: bpy.types.Object) -> bpy.types.Object:
-    """The model of flat pieces; any other object itself."""
+    """Return the model of flat pieces, or any other object itself."""
     return model_of(target) or target
 
 
@@ -33,9 +33,9 @@ def is_deleted(model: bpy.types.Object) -> bool:
 
 
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
-    """The object that remembers `source`: the one with our name first, should the user have copied it."""
+    """Return the object that points to `source`. If it was copied, the one with the add-on's name comes first."""
     named = bpy.data.objects.get(flat_name(source.name))
-    if named and model_of(named) == source:  # found without checking all others, of which there may be thousands
+    if named and model_of(named) == source:  # found without checking all objects, of which there may be thousands
         return named
     return next((candidate for candidate in bpy.data.objects if model_of(candidate) == source), None)
 
@@ -51,7 +51,7 @@ def has_flat_object(source: bpy.types.Object) -> bool:
 
 
 def is_earlier(target: bpy.types.Object) -> bool:
-    """Whether these are flat pieces that the next run leaves as they are: a copy, or parts separated from them."""
+    """Return whether these are flat pieces that the next run does not change: a copy, or separated parts."""
     model = model_of(target)
     return model is not None and target != find_flat_object(model) and bool(target.users_scene)
 
@@ -62,7 +62,7 @@ def earlier_sentence(target: bpy.types.Object) -> str:
 
 
 def check_not_edited(target: bpy.types.Object) -> None:
-    """Raises ObjectError if the model's or the results' mesh is in Edit Mode: Blender hides its attributes then.
+    """Raises ObjectError if the mesh of the model or of its pieces is in Edit Mode, which hides attributes.
 
     in_object_mode leaves the Edit Mode of one view layer; other scenes and windows have theirs.
     """

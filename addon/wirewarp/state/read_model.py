@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An object's mesh to plain arrays, with its seams, wires and regions; and notes on its modifiers."""
+"""Reads an object's mesh with its seams, wires and regions into arrays, and examines its modifiers."""
 
 from dataclasses import replace
 
@@ -27,9 +27,9 @@ from .allowances import SIDE_EASES, widest_allowance
 from .identities import chain_names
 from .marked_mesh import MarkedMesh, own_ids, read_ids, read_marked
 
-LEVELS = 2  # a turn of 60 degrees, the largest of a curve, becomes four of 15
-MOST_LEVELS = 4  # each has four times the faces of the one before
-ROUNDING = 1e-5  # of the model's size: error of single-precision matrices for vertices that an armature at rest moves
+LEVELS = 2  # two levels divide a turn of 60 degrees, the largest in a curve, into four of 15
+MOST_LEVELS = 4  # each level has four times as many faces
+ROUNDING = 1e-5  # as a share of the model's size: error of single-precision matrices of an armature at rest
 
 
 def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers: bool) -> list[Note]:
@@ -61,7 +61,7 @@ def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[
 
 
 def subdivide(source: bpy.types.Object, is_used: bool) -> None:
-    """Adds a level of subdivision, by a modifier; corners of outlines stay. is_used: the last run had modifiers."""
+    """Adds a level of subdivision with a modifier. Corners of outlines stay. is_used: the last run had modifiers."""
     found = [modifier for modifier in source.modifiers if modifier.type == "SUBSURF" and modifier.show_viewport]
     if found and is_used:
         found[-1].levels = max(found[-1].levels, min(found[-1].levels + 1, MOST_LEVELS))
@@ -72,7 +72,7 @@ def subdivide(source: bpy.types.Object, is_used: bool) -> None:
 
 
 def outline_change(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> float:
-    """By which share modifiers make the outlines longer; below 0 shorter, as subdivision does. In Object Mode."""
+    """Return the relative change of the outlines' length by modifiers, below 0 for shorter, in Object Mode."""
     before = _outline_length(source.data)
     with evaluated_mesh(source, depsgraph) as mesh:
         return _outline_length(mesh) / before - 1 if before else 0.0
@@ -84,7 +84,7 @@ def _outline_length(mesh: bpy.types.Mesh) -> float:
 
 
 def check_modifiers(source: bpy.types.Object) -> None:
-    """Raises ObjectError where Blender cannot apply them."""
+    """Raises ObjectError if Blender cannot apply them."""
     if source.data.shape_keys or source.data.users > 1:
         why = "has shape keys" if source.data.shape_keys else "shares its mesh with other objects"
         raise object_error("modifiers", f'"{source.name}" {why}, so modifiers cannot be applied.')
@@ -113,13 +113,13 @@ def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
 
 
 LARGEST = 1e18  # Blender units
-SAMPLE = 5_000  # number of faces checked: Blender lists groups only vertex by vertex, which is slow on large meshes
-NO_REGIONS = {NO_SEAM, "sharp_face"}  # boolean attributes of faces that name no part of a model
+SAMPLE = 5_000  # maximum number of faces: Blender lists groups only vertex by vertex, which is slow on large meshes
+NO_REGIONS = {NO_SEAM, "sharp_face"}  # boolean face attributes that do not name a part of a model
 CARRIED = 0.5  # weight from which a vertex is in its group
 
 
 def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:
-    """The object's base mesh, or with a depsgraph the mesh that its modifiers make. Raises ObjectError."""
+    """Return the object's base mesh or, with a depsgraph, the mesh with modifiers. Raises ObjectError."""
     linear = linear_part(source)
     if depsgraph is None:
         return _to_arrays(source.data, base, source, linear, has_modifiers=False)
@@ -128,7 +128,7 @@ def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.
 
 
 def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
-    """Raises ObjectError unless areas are numbers in single precision. The core names vertices that are not numbers."""
+    """Raises ObjectError unless areas are finite in single precision. The core reports vertices that are not finite."""
     if LARGEST < np.abs(vertices).max(initial=0) < np.inf:
         raise object_error(
             "too_large",
@@ -139,10 +139,10 @@ def _check_size(source: bpy.types.Object, vertices: np.ndarray) -> None:
 def _to_arrays(
     mesh: bpy.types.Mesh, marked: MarkedMesh, source: bpy.types.Object, linear: np.ndarray, *, has_modifiers: bool
 ) -> MeshArrays:
-    """marked: what is read of the mesh already; has_modifiers: it is what they made."""
+    """Return the arrays. marked: data already read from the mesh; has_modifiers: modifiers made the mesh."""
     mirrored = bool(np.linalg.det(linear) < 0)
     mesh.calc_loop_triangles()
-    # A mirrored object's faces still look outward in Blender, but their corners run the other way round.
+    # Faces of a mirrored object still face outward in Blender, but the order of their corners is reversed.
     loops = triangle_corners(mesh)
     if mirrored:
         loops = np.ascontiguousarray(loops[:, ::-1])
@@ -152,7 +152,7 @@ def _to_arrays(
     edges, sizes = marked.edges, marked.face_sizes
     face_count = np.bincount(marked.corner_edges, minlength=len(edges))
     in_face = face_count > 0
-    seams = np.flatnonzero(marked.seams & in_face)  # a loose edge cuts nothing
+    seams = np.flatnonzero(marked.seams & in_face)  # a loose edge does not cut a face
     return MeshArrays(
         vertices=vertices,
         triangles=marked.corner_vertices[loops],
@@ -184,9 +184,9 @@ def _to_arrays(
 
 
 def own_uv_map(mesh: bpy.types.Mesh) -> bpy.types.MeshUVLoopLayer | None:
-    """The active map, which after Flatten is that of the flat pieces: then the user's own that renders, or the first.
+    """Return the user's active UV map; None if there is only the map of the flat pieces.
 
-    None if there is no other than that of the flat pieces.
+    If that map is active, as after Flatten, return the user's map that renders, or the first.
     """
     active, others = mesh.uv_layers.active, [each for each in mesh.uv_layers if each.name != UV_LAYER]
     if active is None or active.name != UV_LAYER:
@@ -212,13 +212,13 @@ def face_regions(source: bpy.types.Object, mesh: bpy.types.Mesh) -> FaceRegions:
 
 
 def _slots(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(f,) int32"""
+    """Return the material slot of each face, (f,) int32."""
     slots = read_attribute(mesh, "material_index", "INT", "FACE")
     return np.zeros(len(mesh.polygons), dtype=np.int32) if slots is None else slots
 
 
 def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
-    """Return the groups of faces: those that all their vertices are in."""
+    """Return the vertex groups of each face, to which all its vertices belong."""
     if not source.vertex_groups:
         return []
     groups_of: dict[int, set[int]] = {}
@@ -230,14 +230,14 @@ def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) 
                 elements = mesh.vertices[vertex].groups
                 groups_of[vertex] = {element.group for element in elements if element.weight >= CARRIED}
         for group in set.intersection(*(groups_of[vertex] for vertex in corners)):
-            if group < len(members):  # a group that was removed may have left weights
+            if group < len(members):  # weights may refer to a removed group
                 members[group].append(face)
     named = zip(source.vertex_groups, members, strict=True)
     return [Region(group.name, np.array(faces, dtype=np.int64)) for group, faces in named if faces]
 
 
 def _face_attributes(mesh: bpy.types.Mesh, sample: np.ndarray) -> list[Region]:
-    """Boolean attributes of faces, which took the place of face maps; those with a dot are Blender's own."""
+    """Return boolean face attributes, which replace face maps. Names with a dot are Blender's own."""
     found = []
     for attribute in mesh.attributes:
         if (attribute.data_type, attribute.domain) != ("BOOLEAN", "FACE") or attribute.name in NO_REGIONS:

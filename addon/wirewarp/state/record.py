@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a run writes on a flat mesh beside its shape: how the pieces were laid out, and measures as maps."""
+"""Writes the layout of pieces and measures as maps on a flat mesh, and reads them."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
@@ -32,7 +32,7 @@ def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
 
 
 def map_values(flat: FlatMesh) -> dict[ColorMap, np.ndarray]:
-    """(f,) by their map; (e,) for the variation of lengths."""
+    """Return the values by map: (f,), or (e,) for the variation of lengths."""
     of_threads = {each: getattr(flat.threads, name) for each, name in OF_THREADS.items()} if flat.threads else {}
     measures = {ASPECT_RATIO: flat.aspect_ratio, STRETCH: flat.stretch, ARAP_ENERGY: flat.energy_density}
     return measures | of_threads | {LENGTH_VARIATION: flat.length_variation}
@@ -53,7 +53,7 @@ def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorM
         (LENGTH_VARIATION, at_vertex, flat.loop_vertices),
     ):
         own = color_map.colors(values).view(np.complex128).ravel()
-        np.take(own, at_corner, out=taken, mode="clip")  # with the default mode it would use memory of its own
+        np.take(own, at_corner, out=taken, mode="clip")  # the default mode allocates memory
         attribute = mesh.color_attributes.new(color_map.attribute, "FLOAT_COLOR", "CORNER")
         attribute.data.foreach_set("color", taken.view(np.float32))
 
@@ -64,9 +64,11 @@ UPRIGHT = np.array([0.0, 1.0])
 @dataclass(frozen=True)
 class FlatRecord:
     layout: dict[str, Any]  # options that change the layout
-    up: list[float]  # (3,) direction in the model's own space that was up
+    up: list[float]  # (3,) upward direction of that run, in the model's own space
     away: list[list[float]]  # places of pieces without a shape, see solve.places.NONE_AWAY
-    grain: list[list[float]]  # of each piece: its index, two vertices, and the grain seen from their line, see grains
+    grain: list[
+        list[float]
+    ]  # for each piece: its index, two vertices, and the grain relative to the line between them; see grains
     counts: list[int]  # numbers of vertices, edges and faces
     areas: list[float]  # signed area of each piece
     source_faces: int  # faces of the flattened mesh
@@ -76,7 +78,7 @@ class FlatRecord:
 def new_record(
     options: dict, up: np.ndarray, away: np.ndarray, upright: FlatMesh, placed: FlatMesh, arrays: MeshArrays
 ) -> FlatRecord:
-    """upright: the pieces as laid out; placed: the same where they were put since."""
+    """Return the record. upright: the pieces as laid out; placed: the pieces where they are now."""
     return FlatRecord(
         layout=layout_of(options),
         up=up.tolist(),

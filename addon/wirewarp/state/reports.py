@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The reports of each object: that of its flat pieces, and that of a later run that wrote nothing.
+"""Stores the reports of each object: that of its flat pieces, and that of a later run that wrote nothing.
 
 A run that wrote pieces stores its report on the object, so that the file keeps it. A run that wrote nothing does not
 change the file: its report stays in memory until the next run or file. A report that anything else changed is not
@@ -63,7 +63,7 @@ def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectR
 
 
 def _failure(source: bpy.types.Object) -> ObjectReport | None:
-    """Before Blender 4.1 a later object may be at the same address: their meshes differ."""
+    """Return the report of a run that wrote nothing. Before Blender 4.1, counts detect a later object at its address."""
     failure = state_of(source).failure
     if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):
         return None
@@ -98,7 +98,7 @@ def _parse(text: str, seal: str) -> ObjectReport:
 
 
 def forget_incomparable(*_: object) -> None:
-    """After undo: a report stays if the model is still, or again, the one it describes."""
+    """Forget reports after undo, except those that describe the present model."""
     for state in all_states():
         if state.failure and state.failure.model_state is None:
             state.failure = None

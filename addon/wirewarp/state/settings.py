@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings of a run and a search, from the scene or the operator, as the solver takes them."""
+"""Converts the settings of a run and a search, from the scene or the operator, for the solver."""
 
 import math
 from collections.abc import Callable
@@ -37,7 +37,7 @@ LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WI
 MEASURE = (
     "The percentage is the maximum stretch. To measure yours, mark 10 cm on it and pull until it resists: 12 cm is 20%"
 )
-CUSTOM = 1000  # number that files store: behind all fabrics that the library's table will have
+CUSTOM = 1000  # number stored in files, higher than any index in the library's table
 
 
 def fabric_label(name: str) -> str:
@@ -279,17 +279,17 @@ class Setting:
     to_choice: Callable[[FlattenSettings, float], Any] | None = None
     is_advanced: bool = False  # rarely needed
     is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # above Flatten
-    is_wide: bool = False  # its name does not fit half a narrow sidebar
+    is_wide: bool = False  # whether its name does not fit half a narrow sidebar
     is_shown: Callable[[FlattenSettings], bool] = lambda _: True
     is_used: Callable[[FlattenSettings], bool] = lambda _: True  # otherwise it is gray
 
     def part(self, settings: FlattenSettings) -> str:
-        """Return in which of PARTS it is drawn."""
+        """Return the one of PARTS in which it is drawn."""
         return "FRONT" if self.is_in_front(settings) else "ADVANCED" if self.is_advanced else "MAIN"
 
     @property
     def label(self) -> str:
-        """For sentences."""
+        """Return its name for sentences."""
         return FlattenSettings.__annotations__[self.name].keywords["name"].removesuffix(" (mm)")
 
     @property
@@ -298,13 +298,13 @@ class Setting:
 
 
 def _setting(name: str, choice: str = "", **others: Any) -> Setting:  # noqa: ANN401
-    """A setting that goes to the field as it is, in the library's lower case."""
+    """Return a setting whose value is that of the field, in the library's lower case."""
     as_it_is = lambda settings, _: value.lower() if isinstance(value := getattr(settings, name), str) else value  # noqa: E731
     return Setting(name, choice or name, **{"to_choice": as_it_is} | others)
 
 
 def _in_units(name: str) -> Callable[[FlattenSettings, float], float]:
-    """From millimeters."""
+    """Return a function that converts millimeters to the model's units."""
     return lambda settings, meters: getattr(settings, name) / (1000 * meters)
 
 
@@ -365,7 +365,7 @@ class TargetSettings:
         min=1,
         max=100,
         soft_max=10,
-        default=4,  # on either side a dart at the bust and one at the waist
+        default=4,  # a dart at the bust and one at the waist on either side
     )
     aim_length: FloatProperty(
         name="Max Length",
@@ -377,7 +377,7 @@ class TargetSettings:
 
 
 def choices_of(settings: FlattenSettings, meters: float) -> FlattenChoices:
-    """Return the choices from the scene's settings or an operator's. meters: in a Blender unit."""
+    """Return the choices from the settings of the scene or an operator. meters: in a Blender unit."""
     return FlattenChoices(**{each.choice: each.to_choice(settings, meters) for each in SETTINGS if each.choice})
 
 

@@ -19,16 +19,16 @@ OTHER_KIND = (
     'The attribute "{}" of mesh "{}" is not of type BOOLEAN, INT8, INT or FLOAT on faces. '
     "Rename or delete it under Object Data > Attributes."
 )
-LEAST_WEIGHT = 0.5  # of a vertex in the group: painted with half the strength, or more
+LEAST_WEIGHT = 0.5  # weight from which a vertex is in the group: painted with half the strength
 
 
 def read_no_seam(source: bpy.types.Object) -> NoSeam:
-    """Of an object in Object Mode. Raises ObjectError if the attribute is of another type or domain."""
+    """Return the edges without cuts, in Object Mode. Raises ObjectError for an attribute of another type or domain."""
     return no_seam_of(source, source.data)
 
 
 def no_seam_of(source: bpy.types.Object, mesh: bpy.types.Mesh) -> NoSeam:
-    """mesh: the object's own, or what its modifiers make of it. Raises ObjectError as above."""
+    """Return the edges without cuts. mesh: the object's own, or the one with modifiers. Raises ObjectError as above."""
     group = source.vertex_groups.get(NO_SEAM)
     found = (read_attribute(mesh, NO_SEAM, kind, "FACE") for kind in NUMBERS)
     values = next((each for each in found if each is not None), None)
@@ -48,16 +48,16 @@ def no_seam_of(source: bpy.types.Object, mesh: bpy.types.Mesh) -> NoSeam:
 @dataclass(frozen=True)
 class Suggestions:
     kind: str  # DARTS or SEAMS
-    cuts: list[Cut]  # to choose from; for a target, each includes all before it
+    cuts: list[Cut]  # for a target, each includes all earlier ones
     target: Target | None
-    names: list[str]  # name of the piece that each of them cuts
-    choices: FlattenChoices  # with which they were measured
-    grain_wire: int  # the id that the mesh had for it; 0: none
-    wire_ids: set[int]  # of the wires that there were
+    names: list[str]  # name of the piece that each cut is in
+    choices: FlattenChoices  # settings of the search
+    grain_wire: int  # id on the mesh; 0 for none
+    wire_ids: set[int]  # ids of the wires during the search
     state: dict  # of the model, see model_state
-    no_seam: NoSeam  # where the user wants none, on the model's own mesh
+    no_seam: NoSeam  # edges on which the user wants no cut, on the model's own mesh
     chosen: int  # of the cuts
-    with_modifiers: bool = False  # the cuts are edges of what modifiers make, which are applied when one is marked
+    with_modifiers: bool = False  # whether modifiers made the edges of the cuts; they are applied when a cut is marked
 
 
 def keep(source: bpy.types.Object, suggestions: Suggestions) -> None:
@@ -77,7 +77,7 @@ def drop(source: bpy.types.Object) -> None:
 
 
 def suggestions_of(source: bpy.types.Object) -> Suggestions | None:
-    """Return the last suggestions, whatever has changed since."""
+    """Return the last suggestions, even if the model has changed."""
     return state_of(source).suggestions
 
 
@@ -88,12 +88,12 @@ def current_suggestions(source: bpy.types.Object, take: Take = kept) -> Suggesti
 
 
 def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept) -> bool:
-    """Whether the model is as it was, and so is where no seam is wanted: in Edit Mode that is not seen."""
+    """Return whether the model and its areas without cuts are unchanged; Edit Mode hides these areas."""
     if has_changed(source, found.state, take):
         return False
     if source.data.is_editmode:
         return True
     try:
         return found.no_seam.is_same(take(source, "no seam", read_no_seam))
-    except ObjectError:  # it was readable then
+    except ObjectError:  # it could be read during the search
         return False
