@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tests of the Python package, on the installed wheel."""
+"""The tests of the Python package, and of what the add-on does without Blender, on the installed wheel."""
 
 from pathlib import Path
 
@@ -30,7 +30,7 @@ def bindings_python(version: str) -> Path:
 def bindings_tests(version: str, *options: str) -> None:
     """Run all tests in Debian's Python; in others, without those of the core's results. options: of pytest."""
     chosen = [] if version == DEBIAN_VERSION else ["-m", "not core"]
-    run([bindings_python(version), "-m", "pytest", "-q", *chosen, *options, "tests/bindings"])
+    run([bindings_python(version), "-m", "pytest", "-q", *chosen, *options, "tests/bindings", "tests/without_blender"])
 
 
 def search_arguments() -> None:

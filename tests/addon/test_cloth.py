@@ -73,10 +73,6 @@ def test_maps_of_threads_are_there_with_a_cloth_alone(source, addon):
     }
 
 
-def test_shear_is_written_in_degrees(addon):
-    assert addon.solve.maps.SHEAR.number(math.radians(18)) == "18°"
-
-
 def test_a_cloth_that_does_not_give_enough_is_told_with_its_place(source, addon, capfd):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=1.0, gives_along=1.0)
     report = last_report(addon, source)

@@ -167,11 +167,6 @@ def test_a_linked_mesh_of_the_name_of_the_results_is_no_hindrance(tmp_path):
     assert linked.meshes[0].name == "Sleeve Flat"
 
 
-def test_a_ring_around_the_middle_of_the_model_is_around(addon):
-    normals, offsets = np.zeros((2, 3)), np.array([[0, 0, 0], [0, 0, 0.4]])
-    assert addon.solve.identity.side_names(normals, offsets) == ["Around", "Top"]
-
-
 def test_more_than_two_of_one_side_are_numbered():
     """By the order from front to back in the middle; left and right, a pair has one number."""
     for axis, names in ((1, ["Top 1", "Top 2", "Top 3", "Top 4"]), (0, FOUR_HALVES)):
@@ -180,28 +175,6 @@ def test_more_than_two_of_one_side_are_numbered():
             mark_seam(target, on_line(axis, line))
         assert sorted(flatten(target)) == names
     assert middle_of(target, "Top Left 1")[0] == pytest.approx(-middle_of(target, "Top Right 1")[0])
-
-
-def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
-    """Two pairs on the front and two at the sides, with a piece in the middle of the front."""
-    normals = np.array([[0, -1, 0]] * 5 + [[1, 0, 0], [-1, 0, 0]] * 2, dtype=float)
-    places = [(0.2, -0.1, 0.3), (-0.2, -0.1, -0.3), (0.2, -0.1, -0.3), (-0.2, -0.1, 0.3), (0, -0.1, 0)]
-    places += [(0.4, 0, -0.2), (-0.4, 0, 0.2), (0.4, 0, 0.2), (-0.4, 0, -0.2)]
-    offsets = np.array(places, dtype=float)
-    identity = addon.solve.identity
-    order, names = identity.from_top(offsets), identity.side_names(normals, offsets)
-    names = dict(zip(order, identity.numbered([names[index] for index in order], []), strict=True))
-    assert [names[index] for index in range(9)] == [
-        "Front Left 1",
-        "Front Right 2",
-        "Front Left 2",
-        "Front Right 1",
-        "Front",
-        "Left Lower",
-        "Right Upper",
-        "Left Upper",
-        "Right Lower",
-    ]
 
 
 @pytest.mark.parametrize("kind", ["group", "material", "attribute"])

@@ -272,11 +272,3 @@ def test_what_is_no_wire_any_more_gets_no_tolerance(loosen):
     loosen.data.attributes.remove(loosen.data.attributes["wirewarp_wire"])
     assert take("TOLERANCES") == {"CANCELLED"}
     assert np.all(tolerances_on(loosen, 0.0) == 0)
-
-
-@pytest.mark.parametrize(
-    ("needed", "proposed"),
-    [(0.03, 0.03), (0.012341, 0.0124), (0.9991, 1.0), (1.0004e-5, 1.01e-5), (2.5, 2.5), (math.inf, math.inf)],
-)
-def test_tolerances_are_rounded_up(addon, needed, proposed):
-    assert addon.solve.flatten.round_up(needed) == pytest.approx(proposed, rel=1e-12)

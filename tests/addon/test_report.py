@@ -4,7 +4,6 @@
 import copy
 import itertools
 import json
-import math
 from types import SimpleNamespace
 
 import bpy
@@ -105,11 +104,6 @@ def test_a_wire_short_of_its_limit_is_not_marked(source, addon, tmp_path, kind, 
     (row,) = addon.state.reports.last_report(source).tables.wires
     assert (row.ok, row.at_limit) == (True, False)
     assert row.note.split("; ")[1:] == ([text] if text else [])
-
-
-@pytest.mark.parametrize(("tolerance", "text"), [(0.0, "rigid"), (0.03, "±3%"), (0.0125, "±1.25%"), (math.inf, "free")])
-def test_tolerances_are_shown_in_percent(addon, tolerance, text):
-    assert addon.words.tolerance_text(tolerance) == text
 
 
 def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):

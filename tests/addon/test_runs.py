@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs beside Blender, and what is made again by itself. The window's part of both: tests/window."""
 
-import inspect
 import subprocess
 import sys
 import weakref
@@ -155,26 +154,6 @@ def test_extra_work_that_is_canceled_leaves_the_result_that_was_there(addon):
     run.go_on()
     window_run.cancel()
     assert run.is_done and run.result() == "the pieces"
-
-
-@pytest.mark.parametrize("driver", ["in_one_go", "in_slices", "told_as"])
-def test_steps_are_closed_where_what_hears_of_them_raises(addon, driver):
-    def working():
-        while True:
-            yield 0.5
-
-    def fail(_told):
-        raise ZeroDivisionError
-
-    steps, work = addon.solve.steps, working()  # which this function keeps alive
-    drive = {
-        "in_one_go": lambda: steps.in_one_go(work, fail),
-        "in_slices": lambda: steps.in_one_go(steps.in_slices(work), fail),
-        "told_as": lambda: steps.in_one_go(steps.told_as(work, fail)),
-    }
-    with pytest.raises(ZeroDivisionError):
-        drive[driver]()
-    assert inspect.getgeneratorstate(work) == inspect.GEN_CLOSED
 
 
 def test_a_run_that_cannot_clean_up_ends_and_says_so_where_the_result_is_asked_for(addon):

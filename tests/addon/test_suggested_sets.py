@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Suggested cuts of models that are closed or have modifiers: sets to choose from, and what marking one does."""
 
-import math
 from itertools import pairwise
 
 import bpy
@@ -52,17 +51,6 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     pieces = addon.state.reports.last_report(source).pieces
     assert pieces and all(piece.ok for piece in pieces)
     assert widespread(addon, source) <= chosen.strain * 1.05  # of all pieces; that of the worst one is claimed
-
-
-def test_the_chosen_set_is_of_the_fewest_pieces_that_the_fabric_can_do(addon):
-    suggest = addon.solve.suggest
-    sets = [
-        suggest.Cut([], [], 0, [1.0], strain, math.inf, pieces) for pieces, strain in ((9, 0.04), (3, 0.3), (5, 0.1))
-    ]
-    sets.append(suggest.Cut([], [], 0, [1.0], 0.2, math.inf, 6))  # more pieces than the third, and more stretch
-    sets = suggest.from_few_pieces(sets)
-    assert [each.num_pieces for each in sets] == [3, 5, 9]
-    assert [suggest.set_for(sets, limit) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
 
 
 def test_where_all_is_painted_there_are_no_first_cuts(addon):

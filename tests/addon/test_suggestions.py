@@ -2,7 +2,6 @@
 """Suggested darts and seams: what the list says is what flattening with them gives; shown, taken, undone, refused."""
 
 import math
-import types
 
 import bpy
 import numpy as np
@@ -95,26 +94,6 @@ def test_the_least_strain_is_first_and_rows_differ(addon):
     assert [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
     rows = [addon.solve.suggest.cut_text(cut, addon.blender.objects.length_text(bpy.context.scene)) for cut in cuts]
     assert len(rows) == len(set(rows))
-
-
-def test_twins_without_common_figures_are_one_row(addon):
-    def proposal(strain, twin, together):
-        edges = np.array([[0, 1]])
-        return types.SimpleNamespace(
-            edges=edges,
-            piece=0,
-            length=1.0,
-            num_pieces=1,
-            strain=strain,
-            strain_before=0.5,
-            twin=twin,
-            strain_with_twin=together,
-        )
-
-    apart = [proposal(0.3, 1, None), proposal(0.3, 0, None)]
-    together = [proposal(0.4, 3, 0.2), proposal(0.4, 2, 0.2)]
-    cuts = addon.solve.suggest._with_mirror_images([*apart, *together], set())
-    assert [(cut.strain, len(cut.lengths)) for cut in cuts] == [(0.3, 1), (0.2, 2)]
 
 
 def test_the_list_is_of_the_chosen_piece_and_goes_when_the_model_changes(addon):

@@ -12,7 +12,7 @@ from pathlib import Path
 import atheris
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "addon" / "wirewarp" / "pattern"))
+sys.path.insert(0, str(Path(__file__).parents[2] / "addon" / "wirewarp" / "solve"))
 with atheris.instrument_imports():
     import chains  # knows no Blender
 

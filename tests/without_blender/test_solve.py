@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Parts of the solve package by themselves: names of pieces, steps, and what is made of the core's suggestions."""
+
+import inspect
+import math
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+
+def test_a_ring_around_the_middle_of_the_model_is_around(addon):
+    normals, offsets = np.zeros((2, 3)), np.array([[0, 0, 0], [0, 0, 0.4]])
+    assert addon.solve.identity.side_names(normals, offsets) == ["Around", "Top"]
+
+
+def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
+    """Two pairs on the front and two at the sides, with a piece in the middle of the front."""
+    normals = np.array([[0, -1, 0]] * 5 + [[1, 0, 0], [-1, 0, 0]] * 2, dtype=float)
+    places = [(0.2, -0.1, 0.3), (-0.2, -0.1, -0.3), (0.2, -0.1, -0.3), (-0.2, -0.1, 0.3), (0, -0.1, 0)]
+    places += [(0.4, 0, -0.2), (-0.4, 0, 0.2), (0.4, 0, 0.2), (-0.4, 0, -0.2)]
+    offsets = np.array(places, dtype=float)
+    identity = addon.solve.identity
+    order, names = identity.from_top(offsets), identity.side_names(normals, offsets)
+    names = dict(zip(order, identity.numbered([names[index] for index in order], []), strict=True))
+    assert [names[index] for index in range(9)] == [
+        "Front Left 1",
+        "Front Right 2",
+        "Front Left 2",
+        "Front Right 1",
+        "Front",
+        "Left Lower",
+        "Right Upper",
+        "Left Upper",
+        "Right Lower",
+    ]
+
+
+def test_the_chosen_set_is_of_the_fewest_pieces_that_the_fabric_can_do(addon):
+    suggest = addon.solve.suggest
+    sets = [
+        suggest.Cut([], [], 0, [1.0], strain, math.inf, pieces) for pieces, strain in ((9, 0.04), (3, 0.3), (5, 0.1))
+    ]
+    sets.append(suggest.Cut([], [], 0, [1.0], 0.2, math.inf, 6))  # more pieces than the third, and more stretch
+    sets = suggest.from_few_pieces(sets)
+    assert [each.num_pieces for each in sets] == [3, 5, 9]
+    assert [suggest.set_for(sets, limit) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
+
+
+def test_twins_without_common_figures_are_one_row(addon):
+    def proposal(strain, twin, together):
+        edges = np.array([[0, 1]])
+        return SimpleNamespace(
+            edges=edges,
+            piece=0,
+            length=1.0,
+            num_pieces=1,
+            strain=strain,
+            strain_before=0.5,
+            twin=twin,
+            strain_with_twin=together,
+        )
+
+    apart = [proposal(0.3, 1, None), proposal(0.3, 0, None)]
+    together = [proposal(0.4, 3, 0.2), proposal(0.4, 2, 0.2)]
+    cuts = addon.solve.suggest._with_mirror_images([*apart, *together], set())
+    assert [(cut.strain, len(cut.lengths)) for cut in cuts] == [(0.3, 1), (0.2, 2)]
+
+
+@pytest.mark.parametrize(
+    ("needed", "proposed"),
+    [(0.03, 0.03), (0.012341, 0.0124), (0.9991, 1.0), (1.0004e-5, 1.01e-5), (2.5, 2.5), (math.inf, math.inf)],
+)
+def test_tolerances_are_rounded_up(addon, needed, proposed):
+    assert addon.solve.flatten.round_up(needed) == pytest.approx(proposed, rel=1e-12)
+
+
+@pytest.mark.parametrize(("tolerance", "text"), [(0.0, "rigid"), (0.03, "±3%"), (0.0125, "±1.25%"), (math.inf, "free")])
+def test_tolerances_are_shown_in_percent(addon, tolerance, text):
+    assert addon.words.tolerance_text(tolerance) == text
+
+
+@pytest.mark.parametrize("driver", ["in_one_go", "in_slices", "told_as"])
+def test_steps_are_closed_where_what_hears_of_them_raises(addon, driver):
+    def working():
+        while True:
+            yield 0.5
+
+    def fail(_told):
+        raise ZeroDivisionError
+
+    steps, work = addon.solve.steps, working()  # which this function keeps alive
+    drive = {
+        "in_one_go": lambda: steps.in_one_go(work, fail),
+        "in_slices": lambda: steps.in_one_go(steps.in_slices(work), fail),
+        "told_as": lambda: steps.in_one_go(steps.told_as(work, fail)),
+    }
+    with pytest.raises(ZeroDivisionError):
+        drive[driver]()
+    assert inspect.getgeneratorstate(work) == inspect.GEN_CLOSED
+
+
+def test_shear_is_written_in_degrees(addon):
+    assert addon.solve.maps.SHEAR.number(math.radians(18)) == "18°"
