@@ -4,6 +4,7 @@
 import re
 import xml.etree.ElementTree as ElementTree
 
+import bpy
 import numpy as np
 
 SVG, LABEL = "{http://www.w3.org/2000/svg}", "{http://www.inkscape.org/namespaces/inkscape}label"
@@ -37,3 +38,12 @@ def points_of(path):
 
 def steps(points):
     return np.linalg.norm(np.diff(points, axis=0), axis=1)
+
+
+def export_dialog(addon, **settings):
+    """The dialog with these settings, all others as they are at first."""
+    module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
+    defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
+    defaults["drawn"] = module.operators.ALL_DRAWN
+    bases = vars(module.steps.PatternExport) | vars(module.operators.OBJECT_OT_wirewarp_export)
+    return type("Dialog", (), {**bases, **defaults, **settings})()

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from drawing import Drawing
 from everything import draw_panels
-from surfaces import grid, half_cylinder, mark, on_line, read
+from surfaces import mark, read
 from two_sided import HEM, SEAM, ease, lengths, shares, two_pieces
 
 
@@ -47,31 +47,6 @@ def test_the_ease_of_all_sides_is_in_the_table_for_spreadsheets(source, addon):
     bpy.ops.object.wirewarp_flatten()
     report = addon.state.reports.last_report(source)
     assert sorted(eases_of(addon, report, "Seam")) == pytest.approx([-10, 100 * (0.9 * 1.05 - 1)], abs=1e-4)
-
-
-def test_the_stretch_of_worn_cloth_is_asked_for(addon):
-    """A half cylinder with the grain on its axis: all lines across by 1/1.2, along by 1/1.1."""
-    target = grid("Half", half_cylinder, size=16)
-    mark(target, on_line(0, 0.0))
-    mark(target, on_line(1, 0.0), kind="ELASTIC", tolerance=0.02)
-    bpy.ops.object.wirewarp_flatten(orientation="UP", cloth="SWIM", worn_across=20.0, worn_along=10.0)
-    report = addon.state.reports.last_report(target)
-    (elastic, rigid) = sorted(report.tables.wires, key=lambda row: row.note == "")
-    shares = sorted(wire.length_asked[0] / wire.length_3d for wire in report.wires)
-    assert shares == pytest.approx([1 / 1.2, 1 / 1.1], abs=1e-6)
-    for row in (elastic, rigid, *report.tables.outlines):
-        assert abs(row.sides[0].off) < 1e-6
-    assert addon.core.largest_difference(report.tables.outlines) < 1e-6
-    notes = {row.note.removeprefix("Half; ") for row in (elastic, rigid)}
-    assert len(notes & {"ease -16.7%", "ease -9.09%"}) == 1
-    assert len(notes & {"within ±2% about -16.7%", "within ±2% about -9.09%"}) == 1
-
-
-def test_an_elastic_line_is_off_by_what_its_tolerance_allowed(source, addon):
-    mark(source, SEAM, kind="ELASTIC", tolerance=0.001)
-    bpy.ops.object.wirewarp_flatten()
-    (wire,) = addon.state.reports.last_report(source).tables.wires
-    assert abs(wire.sides[0].off) == pytest.approx(0.001 * wire.sides[0].length_3d, rel=1e-3)
 
 
 @pytest.mark.parametrize(

@@ -7,6 +7,7 @@ How patterns are drawn is tested where they are drawn, in tests/bindings.
 import bpy
 import numpy as np
 import pytest
+from drawing import export_dialog
 from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, select_edges
 
 SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
@@ -74,7 +75,7 @@ def test_allowances_of_edges_sides_and_folds_are_in_millimeters(addon, source):
     assert all(model[vertex][0] == pytest.approx(1.0) for a, b, _ in both for vertex in (a, b))
     assert folds and all(model[vertex][0] == pytest.approx(-1.0) for pair in folds for vertex in pair)
     made = addon.export.export.made_pattern(
-        addon.export.read.read_pattern(bpy.context.scene, source), chosen(addon, allowance=10.0)
+        addon.export.read.read_pattern(bpy.context.scene, source), export_dialog(addon, allowance=10.0).choices()
     )
     widths = {round(line.width) for piece in made.pieces for line in piece.of_role("sew")}
     assert widths == {10, 30} and any(piece.on_fold for piece in made.pieces)
@@ -93,20 +94,11 @@ def test_imperial_scenes_and_pieces_turned_by_hand(addon, source):
         assert now.vertices == pytest.approx(then.vertices @ [[0, 1], [-1, 0]] + (300, 100), abs=0.01)
 
 
-def chosen(addon, **settings):
-    """The choices of a dialog with these settings, all others as they are at first."""
-    module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
-    defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
-    defaults["drawn"] = module.operators.ALL_DRAWN
-    bases = vars(module.steps.PatternExport) | vars(module.operators.OBJECT_OT_wirewarp_export)
-    return type("Dialog", (), {**bases, **defaults, **settings})().choices()
-
-
 def test_each_choice_of_the_dialog_reaches_the_pattern(addon, source):
     parts = parts_of(addon, source)
 
     def made(**settings):
-        return addon.export.export.made_pattern(parts, chosen(addon, **settings))
+        return addon.export.export.made_pattern(parts, export_dialog(addon, **settings).choices())
 
     plain = made()
     assert plain.allowance_text == "10 mm"
@@ -137,7 +129,7 @@ def test_darts_are_closed_cut_or_slit(addon):
     parts = parts_of(addon, source)
     points = {}
     for darts in ("CLOSE", "CUT", "SLIT"):
-        (piece,) = addon.export.export.made_pattern(parts, chosen(addon, darts=darts)).pieces
+        (piece,) = addon.export.export.made_pattern(parts, export_dialog(addon, darts=darts).choices()).pieces
         points[darts] = sum(len(line.points) for line in piece.of_role("cut", "inner_cut"))
     assert points["CUT"] > points["CLOSE"]
     assert points["SLIT"] != points["CLOSE"]
@@ -147,7 +139,7 @@ def test_each_format_gets_its_options(addon):
     options = {
         (suffix, name): value
         for suffix, each in addon.core.pattern.FORMATS.items()
-        for name, value in chosen(addon, format=suffix[1:].upper()).options.items()
+        for name, value in export_dialog(addon, format=suffix[1:].upper()).choices().options.items()
     }
     expected = {
         (".pdf", "proof"): False,
@@ -158,6 +150,10 @@ def test_each_format_gets_its_options(addon):
         (".dxf", "control_square"): False,
     }
     assert {key: options.get(key) for key in expected} == expected
-    assert chosen(addon, format="PDF", paper="ROLL", roll_width=900.0).options["paper"] == 900.0
-    assert chosen(addon, format="PDF", arrangement="MARKER").options["paper"] is None
-    assert chosen(addon, format="PDF", arrangement="AS_LAID_OUT").options["keep_places"]
+
+    def pdf(**settings):
+        return export_dialog(addon, format="PDF", **settings).choices().options
+
+    assert pdf(paper="ROLL", roll_width=900.0)["paper"] == 900.0
+    assert pdf(arrangement="MARKER")["paper"] is None
+    assert pdf(arrangement="AS_LAID_OUT")["keep_places"]

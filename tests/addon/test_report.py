@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The JSON report and what is kept for the panel."""
 
-import copy
+import csv
+import io
 import itertools
 import json
 from types import SimpleNamespace
 
 import bpy
+import numpy as np
 import pytest
 from everything import draw_panels
 from surfaces import (
@@ -18,8 +20,6 @@ from surfaces import (
     mark,
     mark_seam,
     on_line,
-    read,
-    select_only,
 )
 
 WIRE, SEAM = on_line(1, 0.0), on_line(0, 0.0)
@@ -45,65 +45,43 @@ def length_on(target, line):
     return edge_lengths(target)[mask].sum()
 
 
-def test_the_report_states_every_length_in_blender_units_and_metres(source, tmp_path):
+def test_the_report_states_lengths_in_blender_units_and_meters(source, tmp_path):
     bpy.context.scene.unit_settings.scale_length = 0.001
     report = flatten_with_report(tmp_path)
     assert report["units"]["meters_per_blender_unit"] == pytest.approx(0.001)
     (entry,) = report["objects"]
     assert (report["ok"], entry["ok"], entry["object"], entry["method"]) == (True, True, "Bump", "refined")
-    (seam,) = entry["seams"]
+    (seam,), (wire,) = entry["seams"], entry["wires"]
     expected = length_on(source, SEAM)
-    assert seam["length_3d"] == pytest.approx(expected, rel=1e-6)
-    assert seam["length_3d_m"] == pytest.approx(0.001 * expected, rel=1e-6)
-    assert sorted(seam["pieces"]) == [0, 1]
-    assert seam["length_2d"] == pytest.approx([seam["length_3d"]] * 2, rel=1e-9)
-    assert seam["mismatch"] < 1e-9
-    (wire,) = entry["wires"]
+    assert (seam["length_3d"], seam["length_3d_m"]) == pytest.approx((expected, 0.001 * expected), rel=1e-6)
+    assert sorted(seam["pieces"]) == [0, 1] and seam["mismatch"] < 1e-9
     assert wire["name"] == "Wire 1"
     assert wire["length_2d"][0] == pytest.approx(length_on(source, WIRE), rel=1e-6)
-    assert [len(piece["wires"]) for piece in entry["pieces"]] == [1, 1]
-    # Every piece's outline: its side of the seam and one open stretch.
-    assert [sorted(chain["seam"] is None for chain in piece["outline"]) for piece in entry["pieces"]] == [
-        [False, True],
-        [False, True],
-    ]
-
-
-def test_tolerances_that_the_method_does_not_use_are_said(source, addon, tmp_path):
-    mark(source, WIRE, kind="SUPER_ELASTIC")
-    (entry,) = flatten_with_report(tmp_path, method="WIREWARPING")["objects"]
-    assert entry["method"] == "wirewarping"
-    text = "This method keeps every wire rigid, so tolerances were not used."
-    assert entry["notes"] == [{"text": text, "is_warning": False, "piece": None}]
-    assert entry["wires"][0]["length_2d"][0] == pytest.approx(entry["wires"][0]["length_3d"], rel=1e-9)
-    (row,) = addon.state.reports.last_report(source).tables.wires
-    assert row.note.endswith("; free, kept rigid")
-
-
-def test_an_elastic_wire_at_its_limit_is_marked(source, addon, tmp_path):
-    mark(source, WIRE, kind="ELASTIC", tolerance=0.001)
-    (entry,) = flatten_with_report(tmp_path)["objects"]
-    parts = [part for piece in entry["pieces"] for part in piece["wires"]]
-    assert [part["at_limit"] for part in (*parts, *entry["wires"])] == [True, True, True]
-    assert [part["tolerance"] for part in parts] == [0.001, 0.001]
-    assert [abs(part["percent"][0]) for part in parts] == pytest.approx([0.1, 0.1], abs=1e-4)
-    (row,) = addon.state.reports.last_report(source).tables.wires
-    assert (row.ok, row.at_limit) == (True, True)
-    assert row.note.endswith("; at its limit of ±0.1%")
+    for piece in entry["pieces"]:  # a part of the wire; and of the outline its side of the seam and one open section
+        assert len(piece["wires"]) == 1
+        assert sorted(chain["seam"] is None for chain in piece["outline"]) == [False, True]
 
 
 @pytest.mark.parametrize(
-    ("kind", "tolerance", "text"),
-    [("ELASTIC", 0.5, "within ±50%"), ("SUPER_ELASTIC", 0.03, "free"), ("RIGID", 0, None)],
+    ("kind", "tolerance", "method", "note"),
+    [
+        ("RIGID", 0, "REFINED", ""),
+        ("SUPER_ELASTIC", 0.03, "REFINED", "; free"),
+        ("SUPER_ELASTIC", 0.03, "WIREWARPING", "; free, kept rigid"),
+        ("ELASTIC", 0.5, "REFINED", "; within ±50%"),
+        ("ELASTIC", 0.001, "REFINED", "; at its limit of ±0.1%"),
+    ],
 )
-def test_a_wire_short_of_its_limit_is_not_marked(source, addon, tmp_path, kind, tolerance, text):
+def test_the_row_of_a_wire_says_what_became_of_its_tolerance(source, addon, kind, tolerance, method, note):
     mark(source, WIRE, kind=kind, tolerance=tolerance)
-    (entry,) = flatten_with_report(tmp_path)["objects"]
-    assert entry["ok"]
-    assert not [hint for hint in entry["hints"] if hint["code"] == "wire_at_limit"]
-    (row,) = addon.state.reports.last_report(source).tables.wires
-    assert (row.ok, row.at_limit) == (True, False)
-    assert row.note.split("; ")[1:] == ([text] if text else [])
+    bpy.ops.object.wirewarp_flatten(method=method)
+    report = addon.state.reports.last_report(source)
+    (row,) = report.tables.wires
+    assert row.note == f"Top Right, Top Left{note}"
+    is_at_limit = "limit" in note
+    assert (report.ok, row.ok, row.at_limit) == (True, True, is_at_limit)
+    assert [hint.code for hint in report.hints].count("wire_at_limit") == is_at_limit
+    assert [part.at_limit for piece in report.pieces for part in piece.wires] == [is_at_limit] * 2
 
 
 def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):
@@ -190,22 +168,12 @@ def test_the_report_is_saved_with_the_object(source, addon, tmp_path):
     assert bpy.data.objects["Bump Flat"].wirewarp_source == bpy.data.objects["Bump"]
 
 
-@pytest.mark.parametrize("stored", ["{", "[]", '{"schema": "older"}', 7])
-def test_a_stored_report_that_cannot_be_read_is_a_sentence(source, addon, stored):
-    source["wirewarp_report"] = stored
-    report = addon.state.reports.last_report(source)
-    assert not report.ok
-    assert "Flatten again" in report.issues[0].sentence
-    assert bpy.ops.mesh.wirewarp_select_issues() == {"CANCELLED"}
-
-
 @pytest.mark.parametrize(
     ("system", "unit", "scale", "length", "area"),
     [
         ("METRIC", "MILLIMETERS", 1.0, "571.23 mm", "5712.3 cm²"),
         ("METRIC", "CENTIMETERS", 0.1, "5.712 cm", "57.1 cm²"),
         ("METRIC", "METERS", 1.0, "571.23 mm", "5712.3 cm²"),
-        ("IMPERIAL", "FEET", 1.0, "22.489 in", "885.41 in²"),
         ("IMPERIAL", "INCHES", 1.0, "22.489 in", "885.41 in²"),
         ("NONE", None, 1.0, "0.5712", "0.5712"),
     ],
@@ -217,26 +185,6 @@ def test_lengths_and_areas_are_shown_in_the_scenes_units(addon, system, unit, sc
         settings.length_unit = unit
     text = addon.blender.objects.length_text(bpy.context.scene)
     assert (text(0.57123), text.area(0.57123)) == (length, area)
-
-
-def test_without_a_report_file_nothing_is_written_to_disk(source, tmp_path):
-    bpy.ops.object.wirewarp_flatten()
-    assert list(tmp_path.iterdir()) == []
-    assert sum(read(source.data.edges, "use_seam", bool)) == 8
-
-
-def test_joined_wires_have_the_names_they_had_in_the_report_and_in_the_list(source, addon):
-    source.data.wirewarp_names[0].name = "Bust"
-    other, third = grid("Other", bump), grid("Third", bump)
-    for target, name in ((other, "Hip"), (third, "Bust")):
-        mark(target, WIRE)
-        target.data.wirewarp_names[0].name = name
-    select_only(source, other, third)
-    bpy.ops.object.join()  # keeps the names of the first mesh only
-    bpy.ops.object.wirewarp_flatten()
-    wires = [wire.name for wire in addon.state.reports.last_report(source).wires]
-    assert wires == [entry.name for entry in source.data.wirewarp_names]
-    assert sorted(wires) == ["Bust", "Bust (2)", "Hip"]
 
 
 def test_the_report_says_what_stood_upright(source, tmp_path):
@@ -252,36 +200,75 @@ def test_the_report_says_what_stood_upright(source, tmp_path):
 
 
 def test_the_report_follows_the_names_of_wires(addon):
-    """In tables, in advice and on the flat pieces; swapped names too."""
+    """In tables, in advice and on the flat pieces; swapped names too, and equal ones stay apart."""
     source = grid("Bump", bump)
     for line, tolerance in ((0.0, 0.001), (0.5, 0.002)):
         mark(source, on_line(1, line), kind="ELASTIC", tolerance=tolerance)
     bpy.ops.object.wirewarp_flatten()
-    before = copy.deepcopy(addon.state.reports.last_report(source))
+
+    def names():
+        report = addon.state.reports.last_report(source)
+        assert [part.name for part in report.pieces[0].wires] == [wire.name for wire in report.wires]
+        return {addon.core.hint_text(report, hint) for hint in report.hints if hint.code == "wire_at_limit"}
+
+    assert names() == {'"Wire 1" ±0.1%', '"Wire 2" ±0.2%'}
     for entry in source.data.wirewarp_names:
         entry.name = {"Wire 1": "Wire 2", "Wire 2": "Hip \\1"}[entry.name]
-    report = addon.state.reports.last_report(source)
-
-    def swapped(text):
-        return text.replace("Wire 2", "Hip \\1").replace("Wire 1", "Wire 2")
-
-    assert [wire.name for wire in report.wires] == [swapped(wire.name) for wire in before.wires]
-    parts = [part.name for part in report.pieces[0].wires]
-    assert parts == [swapped(part.name) for part in before.pieces[0].wires]
-    told = [addon.core.hint_text(report, hint) for hint in report.hints]
-    assert told == [swapped(addon.core.hint_text(before, hint)) for hint in before.hints]
-    assert [hint.code for hint in before.hints].count("wire_at_limit") == 2
+    assert names() == {'"Wire 2" ±0.1%', '"Hip \\1" ±0.2%'}
     words = draw_panels(addon)
     assert "Hip \\1" in words and "Wire 1" not in words
-    select_only(flat_of(source))
     drawn = addon.overlay.objects.marked_lines(flat_of(source), bpy.context.evaluated_depsgraph_get())
     assert sorted(name.texts[-1] for name in drawn.names) == ["Bump", "Hip \\1 ±0.2%", "Wire 2 ±0.1%"]
-
-
-def test_two_wires_renamed_alike_stay_apart(addon, source):
-    mark(source, on_line(0, 0.5))
-    bpy.ops.object.wirewarp_flatten()
     for entry in source.data.wirewarp_names:
         entry.name = "Waist"
-    names = [wire.name for wire in addon.state.reports.last_report(source).wires]
-    assert names == ["Waist", "Waist (2)"]
+    assert [wire.name for wire in addon.state.reports.last_report(source).wires] == ["Waist", "Waist (2)"]
+
+
+def test_the_report_is_parsed_and_its_rows_are_made_once(addon, source):
+    bpy.ops.object.wirewarp_flatten()
+    report = addon.state.reports.last_report(source)
+    tables = report.tables
+    assert addon.state.reports.last_report(source) is report and report.tables is tables
+    assert [side.label for side in tables.seams[0].sides] == ["Top Right", "Top Left"]
+    report.pieces[0].name = "Front"  # as the user renames it
+    assert report.tables.seams[0].note == "Front – Top Left"
+
+
+def test_the_table_for_spreadsheets_is_in_the_scenes_units_and_told_from_a_true_one(addon, source, capfd):
+    settings = bpy.context.scene.unit_settings
+    with pytest.raises(RuntimeError, match='"Bump" has not been flattened yet'):
+        bpy.ops.object.wirewarp_copy_report()
+    settings.system, settings.length_unit, settings.scale_length = "METRIC", "CENTIMETERS", 0.1
+    bpy.ops.object.wirewarp_flatten()
+    report = addon.state.reports.last_report(source)
+    text = addon.core.report_csv(report, addon.blender.objects.length_text(bpy.context.scene))
+    lines = list(csv.DictReader(io.StringIO(text)))
+    assert [line["Kind"] for line in lines] == ["Seam", "Seam", "Wire", "Open edge", "Open edge", "Piece", "Piece"]
+    assert lines[0]["Name"] == "Seam 1: Top Right – Top Left"
+    assert float(lines[0]["Length on model (cm)"]) == pytest.approx(10 * report.seams[0].length_3d, rel=1e-6)
+    assert float(lines[-1]["Area on model (cm²)"]) == pytest.approx(100 * report.pieces[1].area_3d, rel=1e-6)
+    bpy.ops.object.wirewarp_copy_report()
+    assert "7 lines copied\n" in capfd.readouterr().out
+    source.data.vertices[40].co.z += 1
+    source.data.update()
+    bpy.ops.object.wirewarp_copy_report()
+    assert '7 lines copied. "Bump" has changed since' in capfd.readouterr().out
+
+
+def test_the_list_of_pieces_has_the_worst_first(addon):
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.5))
+    bpy.ops.object.wirewarp_flatten()
+    listed = bpy.types.WIREWARP_UL_pieces
+    this = SimpleNamespace(filter_name="", bitflag_filter_item=1 << 30, use_filter_sort_alpha=False)
+    shown, places = listed.filter_items(this, bpy.context, source, "wirewarp_pieces")
+    strains = [p.needed for p in addon.state.reports.last_report(source).pieces]
+    assert shown == []
+    assert sorted(places) == [0, 1]
+    assert places.index(0) == np.argmax(strains)
+    this.use_filter_sort_alpha = True
+    source.wirewarp_pieces[0].name, source.wirewarp_pieces[1].name = "b", "A"
+    assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [1, 0])
+    this.use_filter_sort_alpha = False
+    source.wirewarp_pieces.add()  # none of the report's
+    assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [])
