@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested cuts of models that are closed or have modifiers: sets to choose from, and what marking one does."""
+"""Suggested cuts of models that are closed, have modifiers, or are painted where no cut is to run."""
 
 from itertools import pairwise
 
@@ -53,16 +53,9 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     assert widespread(addon, source) <= chosen.strain * 1.05  # of all pieces; that of the worst one is claimed
 
 
-def test_where_all_is_painted_there_are_no_first_cuts(addon):
-    source = ball()
-    source.vertex_groups.new(name="wirewarp_no_seam").add(range(len(source.data.vertices)), 1.0, "REPLACE")
-    with pytest.raises(RuntimeError, match='no seams were found.* Nor may a seam run where "wirewarp_no_seam"'):
-        SUGGEST["SEAMS"]()
-
-
 @pytest.mark.parametrize("take", ["SUGGESTION", "SMOOTH"])
 def test_a_cut_of_what_modifiers_make_applies_them_when_it_is_marked(addon, take):
-    source = grid("Bump", bump)
+    source = grid("Bump", bump, size=4)
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.context.scene.wirewarp.use_modifiers = True
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
@@ -80,18 +73,85 @@ def test_a_cut_of_what_modifiers_make_applies_them_when_it_is_marked(addon, take
     assert addon.state.reports.last_report(source).pieces[0].needed < before
 
 
-def test_faces_that_a_modifier_splits_apart_need_no_cut():
-    source = grid("Bump", bump)
+def test_faces_split_apart_need_no_cut_and_modifiers_that_cannot_be_applied_are_named():
+    source = grid("Bump", bump, size=6)
     source.modifiers.new("Apart", "EDGE_SPLIT").split_angle = 0
     bpy.context.scene.wirewarp.use_modifiers = True
     with pytest.raises(RuntimeError, match="The piece is flat enough"):
         SUGGEST["DARTS"]()
-
-
-def test_modifiers_that_cannot_be_applied_are_named_before_the_search():
-    source = grid("Bump", bump)
+    source.modifiers.clear()
     source.shape_key_add(name="Basis")
     source.modifiers.new("Finer", "SUBSURF").levels = 1
-    bpy.context.scene.wirewarp.use_modifiers = True
     with pytest.raises(RuntimeError, match="has shape keys, so modifiers cannot be applied"):
+        SUGGEST["DARTS"]()
+
+
+def paint(source, data_type="BOOLEAN", domain="FACE"):
+    """All that there is."""
+    attribute = source.data.attributes.new("wirewarp_no_seam", data_type, domain)
+    attribute.data.foreach_set("value", np.ones(len(attribute.data), dtype=np.int32))
+    source.data.update()
+    bpy.context.view_layer.update()
+
+
+def test_cuts_go_when_their_way_is_painted(addon):
+    source = grid("Bump", bump, size=6)
+    SUGGEST["DARTS"]()
+    source.vertex_groups.new(name="Keep Whole").add([0], 1.0, "REPLACE")
+    bpy.context.view_layer.update()
+    assert found(addon, source)
+    source.vertex_groups[0].name = "wirewarp_no_seam"
+    bpy.context.view_layer.update()
+    assert found(addon, source) is None
+    with pytest.raises(RuntimeError, match="Nothing is suggested"):
+        bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    source.vertex_groups.clear()  # an attribute cannot have the name beside it
+    source.update_tag()
+    bpy.context.view_layer.update()
+    SUGGEST["DARTS"]()
+    assert found(addon, source)
+    paint(source)
+    assert found(addon, source) is None
+
+
+def test_paint_during_the_search_is_noticed(addon):
+    source = grid("Bump", bump, size=6)
+    search = addon.suggest.operators.begin_search(bpy.context, source, "DARTS", None)
+    cuts = addon.solve.steps.in_one_go(search.steps)
+    paint(source)
+    with pytest.raises(addon.issues.ObjectError, match='"Bump" changed during the search'):
+        addon.suggest.operators.keep_found(search, cuts)
+
+
+@pytest.mark.parametrize(("data_type", "domain"), [("BOOLEAN", "POINT"), ("INT", "EDGE"), ("FLOAT", "CORNER")])
+def test_an_attribute_of_another_kind_is_refused(data_type, domain):
+    source = grid("Bump", bump, size=6)
+    paint(source, data_type, domain)
+    with pytest.raises(RuntimeError, match='"wirewarp_no_seam" of mesh "Bump" is not of type BOOLEAN, INT8, INT or'):
+        SUGGEST["DARTS"]()
+
+
+@pytest.mark.parametrize("kind", ["FACES", "GROUP"])
+def test_no_cut_runs_where_none_is_wanted(addon, kind):
+    source = grid("Bump", bump, size=6, faces="triangles")
+    SUGGEST["DARTS"]()
+    cut = found(addon, source).cuts[0].edges
+    mesh = source.data
+    if kind == "FACES":
+        attribute = mesh.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
+        painted = [bool(set(face.vertices) & set(np.unique(cut).tolist())) for face in mesh.polygons]
+        attribute.data.foreach_set("value", painted)
+    else:
+        source.vertex_groups.new(name="wirewarp_no_seam").add(np.unique(cut).tolist(), 1.0, "REPLACE")
+    SUGGEST["DARTS"]()
+    for other in found(addon, source).cuts:
+        assert not pairs(cut) & pairs(other.edges)
+
+
+@pytest.mark.parametrize("data_type", ["INT8", "INT", "FLOAT"])
+def test_a_painted_model_leaves_no_way(data_type):
+    paint(grid("Bump", bump, size=6), data_type)
+    with pytest.raises(
+        RuntimeError, match='no room for a dart.*Nor may a seam run where "wirewarp_no_seam" is painted'
+    ):
         SUGGEST["DARTS"]()
