@@ -2,7 +2,7 @@
 """Small surfaces to flatten, and the ways to select and measure their edges."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import bmesh
 import bpy
@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 
-def make_object(name: str, vertices: list, faces: list) -> bpy.types.Object:
+def make_object(name: str, vertices: list, faces: list, edges: Sequence = ()) -> bpy.types.Object:
     """A new mesh object in the scene, active and the only one selected."""
     mesh = bpy.data.meshes.new(name)
-    mesh.from_pydata(vertices, [], faces)
+    mesh.from_pydata(vertices, edges, faces)
     target = bpy.data.objects.new(name, mesh)
     bpy.context.scene.collection.objects.link(target)
     select_only(target)

@@ -7,7 +7,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, read, select_only, wire_marks
+from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_only, wire_marks
 
 pytestmark = pytest.mark.api
 
@@ -28,13 +28,7 @@ FAULTY = {  # vertices, faces, loose edges, and the number of elements at fault
 
 def faulty(kind):
     vertices, faces, edges, count = FAULTY[kind]
-    mesh = bpy.data.meshes.new(kind)
-    mesh.from_pydata(vertices, edges, faces)
-    target = bpy.data.objects.new(kind, mesh)
-    bpy.context.collection.objects.link(target)
-    bpy.context.view_layer.objects.active = target
-    target.select_set(True)
-    return target, count
+    return make_object(kind, vertices, faces, edges), count
 
 
 def repair(kind):
@@ -51,6 +45,11 @@ def counts(addon, target):
 def test_each_kind_is_found_and_repaired(addon, kind, capfd):
     target, count = faulty(kind)
     assert counts(addon, target)[kind] == count
+    before = counts(addon, target)
+    assert repair("LOOSE" if kind != "LOOSE" else "MERGE") == {
+        "FINISHED"
+    }  # others may be chosen afterwards
+    assert counts(addon, target) == before
     assert repair(kind) == {"FINISHED"}
     assert kind not in counts(addon, target)
     fault = next(each for each in addon.blender.faults.FAULTS if each.kind == kind)
@@ -58,8 +57,12 @@ def test_each_kind_is_found_and_repaired(addon, kind, capfd):
 
 
 @pytest.mark.parametrize("kind", FAULTY)
-def test_all_repairs_leave_a_model_that_flattens(addon, kind):
+def test_a_fault_is_shown_and_all_repairs_leave_a_model_that_flattens(addon, kind):
     target, _ = faulty(kind)
+    assert bpy.ops.object.wirewarp_show_fault(kind=kind) == {"FINISHED"}
+    assert target.mode == "EDIT"
+    assert any(vertex.select for vertex in bmesh.from_edit_mesh(target.data).verts)
+    bpy.ops.object.mode_set(mode="OBJECT")
     assert CHECK() == {"FINISHED"}
     assert counts(addon, target) == {}
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
@@ -124,14 +127,13 @@ def test_a_repair_keeps_seams_wires_and_maps(addon):
     mark(source, on_line(1, 0.0))
     source.data.uv_layers.new(name="Own")
     source.data.vertices.add(1)  # loose
-    seams, wires = count_seams(source), len(wire_marks(source.data))
-    assert CHECK() == {"FINISHED"}
-    assert (count_seams(source), len(wire_marks(source.data))) == (seams, wires)
+
+    def marked():
+        return sum(edge.use_seam for edge in source.data.edges), len(wire_marks(source.data))
+
+    before = marked()
+    assert CHECK() == {"FINISHED"} and marked() == before
     assert source.data.uv_layers[0].name == "Own" and len(source.data.vertices) == 25
-
-
-def count_seams(source):
-    return sum(edge.use_seam for edge in source.data.edges)
 
 
 def test_a_repair_from_edit_mode_of_the_pieces_leaves_it_so_that_undo_has_the_model(addon):
@@ -144,26 +146,12 @@ def test_a_repair_from_edit_mode_of_the_pieces_leaves_it_so_that_undo_has_the_mo
     assert bpy.context.mode == "OBJECT" and len(source.data.vertices) == 25
 
 
-def test_only_the_kinds_that_are_chosen_are_repaired(addon):
-    target, _ = faulty("MERGE")
-    assert repair("LOOSE") == {"FINISHED"}  # so that other kinds can be chosen in Adjust Last Operation
-    assert len(target.data.vertices) == 8
-
-
 def test_a_good_model_is_not_touched(addon):
     source = grid("Bump", bump)
     before = read(source.data.vertices, "co", np.float32, 3)
     assert counts(addon, source) == {}
     assert CHECK() == {"CANCELLED"}
     assert np.array_equal(read(source.data.vertices, "co", np.float32, 3), before)
-
-
-@pytest.mark.parametrize("kind", FAULTY)
-def test_a_fault_is_shown(addon, kind):
-    target, _ = faulty(kind)
-    assert bpy.ops.object.wirewarp_show_fault(kind=kind) == {"FINISHED"}
-    assert target.mode == "EDIT"
-    assert any(vertex.select for vertex in bmesh.from_edit_mesh(target.data).verts)
 
 
 def test_duplicate_faces_have_check_and_repair_as_the_next_step(addon):
@@ -175,3 +163,12 @@ def test_duplicate_faces_have_check_and_repair_as_the_next_step(addon):
     CHECK()
     bpy.ops.object.wirewarp_flatten()
     assert flat_of(target)
+
+
+@pytest.mark.parametrize(("shift", "apart", "merged"), [(1000.0, 0.005, 0), (1000.0, 0.00012, 2), (0.0, 1e-5, 2)])
+def test_vertices_are_merged_by_the_size_of_the_model_wherever_it_lies(addon, shift, apart, merged):
+    """Two squares of side 1, with a gap between them, which ends on two vertices on either side."""
+    corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))
+    source = make_object("Squares", left + right, [(0, 1, 2, 3), (4, 5, 6, 7)])
+    assert addon.blender.faults.repair_faults(source.data, ["MERGE"]).get("MERGE", 0) == merged

@@ -7,8 +7,8 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, grid, make_object, mark, on_line, read, select_only, tube
-from test_proposals import flatten_fails, inside, seams_of
+from surfaces import bump, flat_of, flatten_fails, grid, make_object, mark, on_line, read, select_only, tube
+from test_proposals import CUT, inside, joined, seams_of
 
 MEND = bpy.ops.object.wirewarp_mend
 
@@ -30,11 +30,9 @@ def buttons(addon):
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
 def test_proposed_seams_are_marked_and_flattened_with_one_click(addon, mode):
-    source, other = tube(), tube("Other", place=4.0)
-    select_only(source, other)
-    bpy.ops.object.join()
+    source = joined(tube(), tube("Other", place=4.0))
     assert "object.wirewarp_mend" not in buttons(addon)
-    flatten_fails()
+    flatten_fails(CUT)
     bpy.ops.object.mode_set(mode=mode)
     assert "object.wirewarp_mend" in buttons(addon)
     step = step_of(addon, source)
@@ -160,10 +158,8 @@ def test_flat_pieces_stand_for_their_model(addon):
 
 def test_edges_proposed_for_twins_are_counted_once(addon):
     """Sleeves of which each issue proposes the seams of both."""
-    source, other = tube(place=-2.0), tube("Other", place=2.0)
-    select_only(source, other)
-    bpy.ops.object.join()
-    flatten_fails()
+    source = joined(tube(place=-2.0), tube("Other", place=2.0))
+    flatten_fails(CUT)
     issues = addon.state.reports.last_report(source).issues
     assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # each of both, of six rows
     assert step_of(addon, source).sentence == "Suggested seam: 12 edges."
@@ -176,15 +172,6 @@ def test_what_flatten_refuses_is_refused(addon):
     with pytest.raises(RuntimeError, match='"Bump" is hidden'):
         MEND(what="MODIFIERS")
     assert not bpy.context.scene.wirewarp.use_modifiers
-
-
-@pytest.mark.parametrize(("shift", "apart", "merged"), [(1000.0, 0.005, 0), (1000.0, 0.00012, 2), (0.0, 1e-5, 2)])
-def test_vertices_are_merged_by_the_size_of_the_model_wherever_it_lies(addon, shift, apart, merged):
-    """Two squares of side 1, with a gap between them, which ends on two vertices on either side."""
-    corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
-    left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))
-    source = make_object("Squares", left + right, [(0, 1, 2, 3), (4, 5, 6, 7)])
-    assert addon.blender.faults.repair_faults(source.data, ["MERGE"]).get("MERGE", 0) == merged
 
 
 def test_faces_that_look_to_opposite_sides_are_turned_and_flattened(addon):
@@ -204,8 +191,7 @@ def test_modifiers_are_applied_so_that_what_is_proposed_can_be_marked(addon, mod
     source = tube()
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.context.scene.wirewarp.use_modifiers = True
-    with pytest.raises(RuntimeError, match="mark a seam"):
-        bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    flatten_fails(CUT, use_modifiers=True)
     bpy.ops.object.mode_set(mode=mode)
     step = step_of(addon, source)
     assert step.text == "Apply Modifiers and Flatten"

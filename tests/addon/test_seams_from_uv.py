@@ -5,7 +5,18 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import bump, edge_vertices, flatten, grid, mark_seam, on_line, read, select_edges, select_only
+from surfaces import (
+    bump,
+    edge_vertices,
+    flatten,
+    flatten_fails,
+    grid,
+    mark_seam,
+    on_line,
+    read,
+    select_edges,
+    select_only,
+)
 
 pytestmark = pytest.mark.api
 
@@ -67,15 +78,9 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
     assert '8 edges marked as seam, from the UV map "Map"' in capfd.readouterr().out
     bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == edges_on(target.data, CUT)
-
-
-def test_of_several_own_maps_the_one_to_render_with_is_read_after_a_run(capfd):
-    target = with_islands()
-    first = target.data.uv_layers.new(name="Plain", do_init=False)
-    target.data.uv_layers["Map"].name, first.name = "Lightmap", "Islands"
-    for name, active in (("Lightmap", False), ("Islands", True)):
-        target.data.uv_layers[name].active_render = active
-    flatten(target)
+    target.data.uv_layers["Map"].name = "Lightmap"
+    target.data.uv_layers.new(name="Islands", do_init=False).active_render = True  # of several own ones
+    target.data.uv_layers.active = target.data.uv_layers["WireWarp"]
     select_edges(target)
     bpy.ops.mesh.wirewarp_seams_from_uv_islands()
     assert 'the UV map "Islands"' in capfd.readouterr().out
@@ -114,18 +119,13 @@ def cube(*, with_map=True):
     return bpy.context.active_object
 
 
-def flatten_fails():
-    with pytest.raises(RuntimeError, match="is closed"):
-        bpy.ops.object.wirewarp_flatten()
-
-
 def uv_seams_of(addon, source):
     return addon.state.reports.last_report(source).uv_seams
 
 
 def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addon):
     source = cube()
-    flatten_fails()
+    flatten_fails("is closed")
     found = uv_seams_of(addon, source)
     assert (found.pieces, found.failed, found.is_good) == (1, 0, True)
     assert found.stretch == pytest.approx(0, abs=1e-6)
@@ -156,13 +156,12 @@ def test_before_the_first_run_the_seams_of_the_map_are_a_button(addon):
 
 def test_without_a_map_or_with_modifiers_no_seams_of_a_map_are_tried(addon):
     source = cube(with_map=False)
-    flatten_fails()
+    flatten_fails("is closed")
     assert uv_seams_of(addon, source) is None
     bpy.ops.object.delete()
     source = cube()
     source.modifiers.new("Finer", "SUBSURF").levels = 1
-    with pytest.raises(RuntimeError, match="is closed"):
-        bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    flatten_fails("is closed", use_modifiers=True)
     assert uv_seams_of(addon, source) is None
 
 
