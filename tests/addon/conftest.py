@@ -2,17 +2,13 @@
 """The tests run inside Blender on the installed add-on, whichever way it was installed."""
 
 import itertools
-import sys
 from types import ModuleType
 
 import bpy
 import numpy as np
 import pytest
 from everything import COMMANDS, use_everything
-from surfaces import bump, grid, join_cube, mark, mark_seam, on_line, read
-
-# The legacy add-on, and the extension in Blender's repository for local files.
-MODULE_NAMES = ("wirewarp_addon", "bl_ext.user_default.wirewarp")
+from surfaces import addon_module, bump, grid, join_cube, mark, mark_seam, on_line, read
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -22,7 +18,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.fixture(scope="session")
 def addon() -> ModuleType:
-    return next(sys.modules[name] for name in MODULE_NAMES if name in sys.modules)
+    return addon_module()
 
 
 @pytest.fixture(autouse=True)

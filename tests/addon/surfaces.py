@@ -2,12 +2,22 @@
 """Small surfaces to flatten, and the ways to select and measure their edges."""
 
 import math
+import sys
 from collections.abc import Callable, Sequence
+from types import ModuleType
 
 import bmesh
 import bpy
 import numpy as np
 import pytest
+
+# The legacy add-on, and the extension in Blender's repository for local files.
+MODULE_NAMES = ("wirewarp_addon", "bl_ext.user_default.wirewarp")
+
+
+def addon_module() -> ModuleType:
+    """The installed add-on."""
+    return next(sys.modules[name] for name in MODULE_NAMES if name in sys.modules)
 
 
 def make_object(name: str, vertices: list, faces: list, edges: Sequence = ()) -> bpy.types.Object:

@@ -46,9 +46,7 @@ def test_each_kind_is_found_and_repaired(addon, kind, capfd):
     target, count = faulty(kind)
     assert counts(addon, target)[kind] == count
     before = counts(addon, target)
-    assert repair("LOOSE" if kind != "LOOSE" else "MERGE") == {
-        "FINISHED"
-    }  # others may be chosen afterwards
+    assert repair("LOOSE" if kind != "LOOSE" else "MERGE") == {"FINISHED"}  # others may be chosen afterwards
     assert counts(addon, target) == before
     assert repair(kind) == {"FINISHED"}
     assert kind not in counts(addon, target)
