@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""WireWarp: flat pieces with exact seam and wire lengths. addon/README.md is the map of the packages in here."""
+"""WireWarp: flat pieces with exact seam and wire lengths. addon/README.md is the map of its packages."""
 
 from collections.abc import Callable
 
@@ -33,7 +33,7 @@ def register() -> None:
     except core.LibraryError as error:
         _unregister = without_library.register(str(error))
         return
-    from . import registration  # not earlier, because it needs numpy, like the library
+    from . import registration  # only now, because it needs numpy, like the library
 
     _unregister = registration.register()
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The only place that imports the core library, the package wirewarp.
+"""Imports the core library, the package wirewarp; no other module does.
 
-The legacy add-on carries it inside (_core/wirewarp), with what it needs; for the extension Blender installs all of them
-from wheels.
+The legacy add-on contains it with its requirements (_core/wirewarp). For the extension, Blender installs them from
+wheels.
 """
 
 import importlib
@@ -31,7 +31,7 @@ _AGAIN = "Remove WireWarp, restart Blender, and install the zip for your Blender
 
 
 class LibraryError(Exception):
-    """There is no usable library; str() is a sentence for the user."""
+    """No library can be used; str() is a sentence for the user."""
 
 
 def load(addon_version: str) -> None:
@@ -44,9 +44,9 @@ def load(addon_version: str) -> None:
         found = importlib.import_module(f".{_INSIDE}.wirewarp" if inside else "wirewarp", __package__)
         library_version = getattr(found, "__version__", "of an unknown version")
         if library_version == addon_version:
-            for part in ("pattern", "report"):  # which import all that they need
+            for part in ("pattern", "report"):  # these import everything they need
                 importlib.import_module(f"{found.__name__}.{part}")
-    except Exception as error:  # errors of a damaged library, or of one for another numpy, are unknown
+    except Exception as error:  # a damaged library, or one for another numpy, may raise anything
         traceback.print_exc()
         raise LibraryError(loading_problem(error, folder_of("wirewarp", places))) from error
     if library_version != addon_version:
@@ -131,15 +131,15 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name: str) -> object:
-        """The library's own names and those of its report, as in `from ..core import Piece, Report`."""
-        if name.startswith("_"):  # which Python asks every module for
+        """Return a name of the library or of its report, for `from ..core import Piece, Report`."""
+        if name.startswith("_"):  # Python looks these up in every module
             raise AttributeError(name)
         package = library()
         return getattr(package if hasattr(package, name) else package.report, name)
 
 
 def folder_of(package: str, places: list[str] | None = None) -> Path | None:
-    """Return the folder from which the package would be imported; None if there is none. Runs none of its code.
+    """Return the folder from which the package would be imported, without running its code; None if there is none.
 
     places: folders to search, instead of Python's.
     """
@@ -148,7 +148,7 @@ def folder_of(package: str, places: list[str] | None = None) -> Path | None:
 
 
 def loading_problem(error: Exception, folder: Path | None) -> str:
-    """error: what importing the library raised; folder: where its files are, None if there are none."""
+    """Return a sentence. error: raised by the import; folder: that of the library's files, None if there are none."""
     if isinstance(error, ModuleNotFoundError) and error.name == "numpy":
         return (
             "Blender's Python has no numpy, which WireWarp needs: install it (on Debian and Ubuntu the package "
@@ -161,7 +161,7 @@ def loading_problem(error: Exception, folder: Path | None) -> str:
         made_for = " and ".join(_made_for(module.name) for module in modules)
         here = f"Python {sys.version_info.major}.{sys.version_info.minor} on {platform.system()}"
         return f"The WireWarp library that is installed is made for {made_for}; this Blender has {here}. {_AGAIN}"
-    if "incompatible architecture" in str(error):  # says macOS, where file names are the same for all processors
+    if "incompatible architecture" in str(error):  # macOS says this; its file names do not contain the processor
         return f"The WireWarp library that is installed is made for another kind of Mac's processor. {_AGAIN}"
     if newer := _NEWER_GLIBC.search(str(error)):
         return (

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Faults of an object, and notes on it, in the form of the library's report."""
+"""Faults of an object and notes about it, in the form of the library's report."""
 
 from .core import Hint as Hint
 from .core import Issue as Issue
@@ -20,7 +20,7 @@ def object_error(code: str, sentence: str) -> ObjectError:
 
 
 def changed_error(name: str) -> ObjectError:
-    """name: of an object whose report is of another shape."""
+    """Return the error for the object of this name, whose report describes another shape."""
     return object_error("changed", f'"{name}" has changed since it was flattened. Flatten it again.')
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every name under which we store something in a Blender file, except the properties of properties.py.
+"""All names under which the add-on stores data in Blender files, except the properties of properties.py.
 
 Scripts and earlier files rely on these names; the table in addon/README.md describes them.
 """
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Attribute:
-    """An attribute of a mesh: one number for each element, 0 where none was written."""
+    """A mesh attribute with one number per element; 0 if none was written."""
 
     name: str
     data_type: str  # "INT" or "FLOAT"
@@ -24,10 +24,10 @@ class Mark(Attribute):
     is_drawn: bool = False  # the overlay draws it on the model
 
 
-# Marks on the model's mesh, from which all else follows.
+# Marks on the model's mesh, which determine everything else.
 WIRE = Mark("wirewarp_wire", "INT", "EDGE", is_drawn=True)  # random 31-bit id of the wire, 0 none
 TOLERANCE = Mark("wirewarp_tolerance", "FLOAT", "EDGE")  # 0 rigid, finite elastic, inf super-elastic
-EASE = Mark("wirewarp_ease", "FLOAT", "EDGE")  # how much longer the wire becomes, as a fraction: 0.05 is 5%
+EASE = Mark("wirewarp_ease", "FLOAT", "EDGE")  # relative change of the wire's length: 0.05 is 5%
 SIDE_EASE = Mark("wirewarp_side_ease", "FLOAT", "CORNER", is_drawn=True)  # as EASE; of the edge that begins there
 SIDE_RATIO = Mark("wirewarp_side_ratio", "FLOAT", "EDGE", is_drawn=True)  # like EASE, for one side, see state.sides
 EASED_SIDE = Mark("wirewarp_eased_side", "INT", "EDGE")  # the number of the face on that side, 0 none

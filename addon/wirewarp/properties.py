@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings of the scene, names of wires on the mesh, names of pieces on the object, and links between objects."""
+"""Declares settings of the scene, names of wires on the mesh, names of pieces on the object, and links of objects."""
 
 from collections.abc import Callable
 
@@ -25,11 +25,11 @@ def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> 
     redraw_views()
 
 
-LEAST_EASE = -0.99  # a line needs some length
+LEAST_EASE = -0.99  # so that a line keeps some length
 
 
 class EaseAmount:
-    """How much longer lines become: shared by the scene's settings and the operator."""
+    """Change of a line's length: shared by the scene's settings and the operator."""
 
     ease_unit: EnumProperty(
         name="Unit",
@@ -168,9 +168,9 @@ class PatternSettings:
 
 
 def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
-    """Take settings that the caller left out from the scene; kind: FlattenSettings or PatternSettings.
+    """Copy settings that the caller did not set from the scene. kind: FlattenSettings or PatternSettings.
 
-    Only values that this version knows are used: see mend_settings.
+    Values that this version does not know are skipped: see mend_settings.
     """
     mend_settings(settings, kind)
     for name in kind.__annotations__:
@@ -191,7 +191,7 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
 
 
 def _aim_at_fabric(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
-    """The fabric's maximum stretch is the first target of suggested cuts."""
+    """Make the fabric's maximum stretch the target of suggested cuts."""
     if settings.cloth not in {"NONE", "CUSTOM"}:
         settings.aim_stretch = 100 * max(Cloth.preset(settings.cloth.lower()).limits)
 

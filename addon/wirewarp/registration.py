@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Everything that the add-on registers in Blender: classes, properties, menus, drawing, handlers."""
+"""Registers the add-on's classes, properties, menus, drawing and handlers in Blender."""
 
 from collections.abc import Callable
 from contextlib import ExitStack
@@ -25,8 +25,15 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
 )
 OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)
 CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
-PARTS = (properties, overlay, ui.layout, ui.menus, auto_update, memory)  # attach() of each returns what takes it back
-HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
+PARTS = (
+    properties,
+    overlay,
+    ui.layout,
+    ui.menus,
+    auto_update,
+    memory,
+)  # attach() of each returns a function that detaches it
+HANDLERS: dict[str, tuple[Callable, ...]] = {  # by the name of Blender's list
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
     "frame_change_post": (memory.drop_changed,),
     "undo_post": (memory.drop_gathered, reports.forget_incomparable, auto_update.note_undo),
@@ -35,7 +42,10 @@ HANDLERS: dict[str, tuple[Callable, ...]] = {  # by Blender's list of them
     "load_pre": (window_run.stop, drop_jobs),
     "load_post": (drawings.forget, memory.forget),
 }
-FORGET = (*HANDLERS["load_pre"], *HANDLERS["load_post"])  # memory is cleared with the add-on as with the file
+FORGET = (
+    *HANDLERS["load_pre"],
+    *HANDLERS["load_post"],
+)  # clears the memory when the add-on is disabled or another file is opened
 
 
 def register() -> Callable[[], None]:
@@ -54,12 +64,12 @@ def register() -> Callable[[], None]:
                 getattr(bpy.app.handlers, name).append(bpy.app.handlers.persistent(function))
                 undo.callback(_remove_handler, name, function)
         undo.callback(auto_update.forget_joining)
-        for forget in reversed(FORGET):  # what is registered last goes first
+        for forget in reversed(FORGET):  # in reverse order
             undo.callback(forget)
         return undo.pop_all().close
 
 
 def _remove_handler(name: str, function: Callable) -> None:
-    """Another add-on may have cleared the list."""
+    """Remove a handler, unless another add-on has cleared the list."""
     if function in getattr(bpy.app.handlers, name):
         getattr(bpy.app.handlers, name).remove(function)

@@ -159,4 +159,4 @@ def test_a_piece_that_fails_may_do_so_for_its_tears():
     source = grid("Bump", bump)
     split(source, on_line(0, 0.0))
     source.data.polygons[0].flip()
-    flatten_fails("look to opposite sides(.|\\n)*Some edges overlap but are not joined")
+    flatten_fails("point to opposite sides(.|\\n)*Some edges overlap but are not joined")

@@ -177,7 +177,7 @@ def test_what_flatten_refuses_is_refused(addon):
 def test_faces_that_look_to_opposite_sides_are_turned_and_flattened(addon):
     source = grid("Bump", bump, size=4)
     source.data.polygons[5].flip()
-    flatten_fails("look to opposite sides")
+    flatten_fails("point to opposite sides")
     step = step_of(addon, source)
     assert step.text == "Recalculate Normals and Flatten"
     assert MEND(**step.settings) == {"FINISHED"}

@@ -66,7 +66,7 @@ REFUSED = {  # how a model is spoiled, settings, and the sentence
     "a face turned over": (
         lambda s: s.data.polygons[0].flip(),
         {},
-        "look to opposite sides.* In Edit Mode, use Mesh > Normals > Recalculate Outside",
+        "point to opposite sides.* In Edit Mode, use Mesh > Normals > Recalculate Outside",
     ),
     "a faulty wire": (break_a_wire, {}, 'Bump: Wire "Dart Line" has an invalid tolerance. Click it'),
     "modifiers that leave no face": (mask_everything, {"use_modifiers": True}, "Bump: "),

@@ -10,7 +10,7 @@ import numpy as np
 
 HAS_UV_ATTRIBUTES = bpy.app.version >= (3, 5, 0)
 HAS_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
-SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"  # absent where there is no seam
+SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"  # absent if no edge is a seam
 
 
 def read(collection: bpy.types.bpy_prop_collection, name: str, dtype: type, columns: int = 1) -> np.ndarray:

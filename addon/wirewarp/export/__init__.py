@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pattern of flat pieces, and the object for sewing simulations.
+"""Makes the pattern of flat pieces, and the object for sewing simulations.
 
 May import: ui, state, solve, blender, properties, core, issues, names, words.
 """

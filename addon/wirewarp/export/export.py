@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the data of flat pieces to a file. No Blender in here."""
+"""Writes the data of flat pieces to a file, without Blender."""
 
 from collections.abc import Generator, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -11,7 +11,7 @@ from ..core import FlattenError, pattern
 from ..issues import object_error
 from ..solve.steps import Steps, T, in_one_go, in_slices, told_as
 
-Stages = Generator[tuple[str, float], None, T]  # steps of the library: the stage, and the share of it that is done
+Stages = Generator[tuple[str, float], None, T]  # steps of the library: the stage, and its completed share
 
 
 @dataclass(frozen=True)
@@ -31,11 +31,11 @@ GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FRE
 
 @dataclass(frozen=True)
 class Cloth:
-    """On which pieces are nested; lengths are in millimeters."""
+    """Fabric on which pieces are nested; lengths are in millimeters."""
 
     width: float
     gap: float  # between pieces
-    grain: Grain  # how they may be turned
+    grain: Grain  # how pieces may be turned
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ class KeptMarker:
 
 
 class Allowances(NamedTuple):
-    """Where they are marked, as Pattern.from_pieces takes them."""
+    """Marked allowances, in the form of Pattern.from_pieces."""
 
     both: list[tuple[int, int, float]]
     sides: list[tuple[int, int, float]]
@@ -101,7 +101,7 @@ class PatternParts:
 
     @property
     def _marked(self) -> dict[str, Any]:
-        """What is marked on the model, and the units, as the library's options."""
+        """Return the marks on the model and the units as options of the library."""
         both, sides, folds = self.allowances
         return {"units": self.units, "allowances": both, "side_allowances": sides, "folds": folds}
 
@@ -116,7 +116,7 @@ def _errors_of_library() -> Iterator[None]:
 
 
 def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -> pattern.Pattern | None:
-    """Return the stored layout; None if its marker is of another cloth or other pieces."""
+    """Return the stored layout; None if its marker has another fabric or other pieces."""
     if kept is None or kept.cloth != cloth:
         return None
     try:
@@ -125,7 +125,7 @@ def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -
         return None
 
 
-SEARCH = 0.9  # of the whole: share of the search for a marker, which takes seconds
+SEARCH = 0.9  # share of the search for a marker in the whole run, because it takes seconds
 
 
 @dataclass(frozen=True)
@@ -133,10 +133,10 @@ class ExportChoices:
     made: PatternChoices
     drawn: frozenset[str]  # kinds of lines, marks and texts as Pattern.with_only has them
     options: Mapping[str, Any] = field(default_factory=dict)  # of Pattern.write
-    in_rows: bool = False  # else as the pieces lie
-    cloth: Cloth | None = None  # on which they are nested instead
-    seconds: float = 0.0  # to seek one
-    anew: bool = False  # also where one is kept
+    in_rows: bool = False  # otherwise as the pieces lie
+    cloth: Cloth | None = None  # fabric on which they are nested instead
+    seconds: float = 0.0  # seconds to search for a marker
+    anew: bool = False  # search even if one is stored
 
 
 @dataclass(frozen=True)
@@ -152,10 +152,10 @@ def made_pattern(parts: PatternParts, choices: ExportChoices) -> pattern.Pattern
 
 
 def export(parts: PatternParts, choices: ExportChoices, path: Path) -> Steps[Exported]:
-    """Writes the file, whole or not at all.
+    """Writes the file completely or not at all.
 
-    Raises ObjectError, FlattenError, OSError and RuntimeError as the library does; the file is then as it was, as when
-    the steps are closed.
+    Raises ObjectError, FlattenError, OSError and RuntimeError like the library. The file is then unchanged, also if the
+    steps are closed.
     """
     has_search = choices.cloth is not None
     return in_slices(told_as(_exporting(parts, choices, path), lambda told: _share(*told, has_search)))

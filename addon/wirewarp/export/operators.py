@@ -23,7 +23,7 @@ DRAWN = [  # kinds of the library, upper case and with underscores
     ("TEXTS", "Texts", "Name, number and how often to cut the piece"),
     ("LINE_NAMES", "Line Names", "Numbers of seams, which are the same on both sides, and names of wires"),
 ]
-PROPERTIES = {"proof": "proof_sheet"}  # of the operator, for options of formats where it has another name
+PROPERTIES = {"proof": "proof_sheet"}  # properties of the operator whose names differ from the format's option
 ALL_DRAWN = {kind for kind, _, _ in DRAWN}
 ALL_KINDS = frozenset(kind.lower().replace("_", " ") for kind in ALL_DRAWN)
 
@@ -76,7 +76,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         return super().invoke(context, event)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        ending = Path(bpy.path.abspath(self.filepath)).suffix[1:].upper()  # Windows takes what follows // for a server
+        ending = Path(bpy.path.abspath(self.filepath)).suffix[1:].upper()  # on Windows, // begins the name of a server
         if not self.properties.is_property_set("format") and ending in FORMATS:
             self.format = ending
         if self._has_dialog:
@@ -127,13 +127,13 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         chosen = FORMATS[self.format]
         options: dict[str, Any] = {option.name: self._chosen(option.name) for option in chosen.options}
         if chosen.has_pages:
-            # A marker comes on a roll that is as wide as it takes.
+            # A marker is printed on a roll of its own width.
             paper = None if self.arrangement == "MARKER" else library_paper(self.paper, self.roll_width)
             options |= {"paper": paper, "keep_places": self.arrangement == "AS_LAID_OUT"}
         return options
 
     def _chosen(self, name: str) -> str | bool:
-        """The value of an option of the format, as the library has it."""
+        """Return the value of an option of the format, for the library."""
         value = getattr(self, _property_name(name))
         return value.lower() if isinstance(value, str) else value
 

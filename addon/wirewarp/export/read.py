@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pattern of a model's flat pieces, as they lie in their object; only of pieces that may be cut."""
+"""Reads the pattern of a model's flat pieces as they lie in their object, if they may be cut."""
 
 import datetime
 from collections.abc import Mapping, Sequence
@@ -42,7 +42,7 @@ def kept_marker(text: str) -> KeptMarker | None:
         return None
     try:
         return KeptMarker(Cloth(**stored["cloth"]), pattern.Marker.from_dict(stored["marker"]))
-    except (KeyError, TypeError):  # another version keeps other things
+    except (KeyError, TypeError):  # another version stores other data
         return None
 
 
@@ -52,7 +52,7 @@ EDITED = "The flat pieces were edited by hand, and a seam of the model is missin
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternParts:
     """Return the pattern data of a model in Object Mode.
 
-    Raise ObjectError if there are no pieces or if none is up to date.
+    Raise ObjectError if no piece exists or is up to date.
     """
     report, flat = current_pieces(source)
     return _parts(scene, source, report, flat, bpy.context.evaluated_depsgraph_get())
@@ -61,9 +61,9 @@ def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternPar
 def read_outlines(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> PatternParts | None:
-    """As read_pattern, but whatever was changed since the pieces were made; the model may be in Edit Mode.
+    """Return the data like read_pattern, even if something has changed since. The model may be in Edit Mode.
 
-    None if these pieces have no report. Raises ObjectError.
+    Returns None if these pieces have no report. Raises ObjectError.
     """
     report = pieces_report(source)
     if report is None or not has_attributes(flat.data, PIECE_INDEX, SOURCE_VERTEX):
@@ -102,7 +102,7 @@ def _parts(
 def _pieces(
     report: ObjectReport, flat: FlatPieces, wire_names: Mapping[int, str], grains: Mapping[int, np.ndarray]
 ) -> list[pattern.FlatPiece]:
-    """grains: by index of the piece; upright where there is none."""
+    """Return the pieces. grains: by index of the piece; upright if there is none."""
     outline = outline_of(flat)
     wires = _inner_wires(flat, outline, wire_names)
     found = []
@@ -111,7 +111,7 @@ def _pieces(
         chains = [pattern.Chain(np.array(chain.vertices), chain.seam) for chain in piece.outline]
         edges = set(map(tuple, flat.source_vertex[own].tolist()))
         steps = [step for chain in chains for step in zip(chain.sources[:-1], chain.sources[1:], strict=True)]
-        if not edges.issuperset(steps):  # of a mirrored object faces run the other way round
+        if not edges.issuperset(steps):  # faces of a mirrored object have the opposite order
             own = own[:, ::-1]
             if not edges.issuperset(step[::-1] for step in steps):
                 raise object_error("edited_pieces", EDITED)
@@ -123,7 +123,7 @@ def _pieces(
 def _inner_wires(
     flat: FlatPieces, outline: OutlineEdges, names: Mapping[int, str]
 ) -> dict[int, list[pattern.FlatWire]]:
-    """By piece."""
+    """Return the wires inside each piece."""
     count, marks = len(flat.vertices), flat.marks.take(flat.marks.rows)
     edges = flat.edges[flat.marks.rows]
     on_outline = np.isin(edge_keys(edges, count), edge_keys(outline.edges, count))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A copy of the flat pieces for cloth simulation: loose edges between the sides of seams, and shapes flat and worn."""
+"""Copies the flat pieces for cloth simulation: with sewing edges between seam sides and with flat and worn shapes."""
 
 from collections.abc import Iterable, Iterator
 
@@ -28,7 +28,7 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
     """
     report, flat = current_pieces(source)
     pieces = read_flat_pieces(flat.data)
-    is_flat = [piece.has_layout for piece in report.pieces]  # of the others there is nothing to sew
+    is_flat = [piece.has_layout for piece in report.pieces]  # other pieces have nothing to sew
     seams = [seam.edges for seam in report.seams if any(is_flat[piece] for piece in seam.pieces)]
     sewn = sewing_edges(pieces, seams)
     worn = _worn(source, flat, pieces, report.with_modifiers)
@@ -41,7 +41,7 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
         target.shape_key_add(name=FLAT, from_mix=False)
         key = target.shape_key_add(name=WORN, from_mix=False)
         key.data.foreach_set("co", worn.astype(np.float32).ravel())
-        key.value = 0.0  # Blender 5 begins with 1
+        key.value = 0.0  # Blender 5 starts at 1
         for collection in flat.users_collection:
             collection.objects.link(target)
     except BaseException:
@@ -51,7 +51,7 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
 
 
 def sewing_edges(pieces: FlatPieces, seams: Iterable[list]) -> np.ndarray:
-    """Return pairs (k,2) of vertices of the pieces that are one on the model. seams: vertex pairs of the model.
+    """Return pairs (k,2) of piece vertices that are the same vertex of the model. seams: vertex pairs of the model.
 
     If several sides meet, each is joined to the next. Raises ObjectError if a seam is not found on the pieces.
     """
@@ -75,7 +75,7 @@ def _joining(sides: dict[tuple[int, int], list[tuple[int, int]]], edge: tuple[in
 
 
 def _worn(source: bpy.types.Object, flat: bpy.types.Object, pieces: FlatPieces, with_modifiers: bool) -> np.ndarray:
-    """(n,3) where the vertices of the pieces are on the model, in the space of the flat object."""
+    """Return the places (n,3) of the pieces' vertices on the model, in the space of the flat object."""
     if with_modifiers:
         with evaluated_mesh(source, bpy.context.evaluated_depsgraph_get()) as mesh:
             places = vertex_places(mesh)
@@ -86,7 +86,7 @@ def _worn(source: bpy.types.Object, flat: bpy.types.Object, pieces: FlatPieces, 
 
 
 def _forget_origin(mesh: bpy.types.Mesh) -> None:
-    """Of a copy of the flat mesh: or it would be taken for flat pieces itself."""
+    """Remove the attributes by which a copy of the flat mesh would count as flat pieces."""
     for attribute in OURS:
         if attribute.name in mesh.attributes:
             mesh.attributes.remove(mesh.attributes[attribute.name])
@@ -122,8 +122,8 @@ class OBJECT_OT_wirewarp_sewing(bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         with in_object_mode(context):
             target = add_sewing_object(model_or_self(context.active_object))
-        context.view_layer.update()  # which does not know the new object yet
-        if target.name not in context.view_layer.objects:  # as its flat pieces, whose collection is not shown here
+        context.view_layer.update()  # so that it knows the new object
+        if target.name not in context.view_layer.objects:  # like its flat pieces, if their collection is not shown here
             context.scene.collection.objects.link(target)
         for each in context.selected_objects:
             each.select_set(False)

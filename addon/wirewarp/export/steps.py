@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The common part of exporting operators: a dialog that shows sizes beforehand, and a run that writes the file."""
+"""Common part of the export operators: a dialog that shows sizes beforehand, and a run that writes the file."""
 
 import json
 from dataclasses import replace
@@ -75,16 +75,16 @@ FAULTS = (ObjectError, FlattenError, OSError, RuntimeError)  # with a sentence f
 
 
 class _Beforehand(NamedTuple):
-    """What the dialog says, and with which settings."""
+    """Sentences of the dialog, and the settings they are valid for."""
 
     settings: tuple
     sentences: list[tuple[str, str]]  # with their icons
 
 
 class PatternExport(WindowSteps, ExportHelper):
-    """Mixed into operators. Each has `filename_ext`, and says what it writes."""
+    """Mixin of operators, which define `filename_ext` and what they write."""
 
-    # Skipped when settings are kept for the next time: the next model gets a name of its own.
+    # Not kept with the other settings, because the next model has its own name.
     filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
     report_path: StringProperty(
         name="Report File",
@@ -108,7 +108,7 @@ class PatternExport(WindowSteps, ExportHelper):
         description="Also export failed pieces, for inspection only",
         default=False,
     )
-    _has_dialog = False  # in a script there is none
+    _has_dialog = False  # a script has no event
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -137,7 +137,7 @@ class PatternExport(WindowSteps, ExportHelper):
         return super().invoke(context, event)
 
     def check(self, context: bpy.types.Context) -> bool:
-        """Blender calls it whenever a setting in the dialog has changed."""
+        """Update the dialog: Blender calls this after each change of a setting."""
         super().check(context)
         self._look_ahead()
         return True
@@ -167,7 +167,7 @@ class PatternExport(WindowSteps, ExportHelper):
             draw_sentence(context, self.layout, sentence, icon)
 
     def draw_lengths(self, context: bpy.types.Context, *names: str) -> None:
-        """Settings in millimeters."""
+        """Draw settings in millimeters."""
         column, properties = self.layout.column(align=True), self.properties.bl_rna.properties
         for name in names:
             column.prop(self, name, text=f"{properties[name].name} (mm)")
@@ -175,7 +175,7 @@ class PatternExport(WindowSteps, ExportHelper):
                 column.label(text=f"That is {getattr(self, name) / INCH:.2f} in")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """Read again, because the user may have changed the model behind the dialog. A script waits for the end."""
+        """Read the model again, because it may have changed behind the dialog. A script waits for the end."""
         if window_run.is_running():
             self.report({"ERROR"}, window_run.busy_sentence())
             return {"CANCELLED"}
@@ -206,7 +206,7 @@ class PatternExport(WindowSteps, ExportHelper):
             return self._failed(error)
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """All but what stops it: everything it needs has been read."""
+        """Return whether the event passes: all except Esc, because all data has been read."""
         return event.type != "ESC"
 
     def finish_run(self, context: bpy.types.Context) -> set[str]:
@@ -224,7 +224,7 @@ class PatternExport(WindowSteps, ExportHelper):
 
     def _tell(self, exported: Exported) -> set[str]:
         made, written, cloth = exported.made, exported.written, exported.cloth
-        source = bpy.data.objects.get(self._source_name)  # unless it was deleted or renamed meanwhile
+        source = bpy.data.objects.get(self._source_name)  # unless it was deleted or renamed during the run
         if made.marker and source is not None and source.library is None:
             keep_marker(source, KeptMarker(cloth, made.marker))
         only, settings = self._notes
@@ -235,7 +235,7 @@ class PatternExport(WindowSteps, ExportHelper):
             try:
                 with replaced_file(given_file(self.report_path)) as unfinished:
                     unfinished.write_text(json.dumps({"warnings": warnings}), encoding="utf-8")
-            except OSError as error:  # the pattern is written all the same
+            except OSError as error:  # the pattern is written anyway
                 warnings.append(unwritten(self.report_path, error))
         lines = [*warnings, f"{said} {only}".rstrip(), settings]
         self.report({"WARNING" if warnings else "INFO"}, "\n".join(filter(None, lines)))

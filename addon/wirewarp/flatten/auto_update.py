@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""When flat pieces are to be made again by themselves, and the operators that do so.
+"""Updates flat pieces automatically after changes of the model.
 
-A handler only notes that something changed. The next movement of the mouse reaches the operator wm.wirewarp_watch by
-the keymap, unless a tool that is still going on (moving vertices, a knife) keeps it to itself: leaving Edit Mode under
-such a tool crashes Blender, and before 4.2 Python cannot ask whether there is one; timers do run under it. The operator
-runs the update, with an undo step like any other operator, and the update ends by the same rule. Nobody has to move the
-mouse: while something is due, the timer of state.due makes Blender send such an event for where the mouse is.
+A handler only notes that something changed. The next mouse movement starts the operator wm.wirewarp_watch through the
+keymap, unless a running tool (moving vertices, a knife) consumes the event. Leaving Edit Mode under such a tool would
+crash Blender, timers do run under it, and before 4.2 Python cannot detect it. The operator runs the update with an undo
+step, and the update ends by the same rule. Nobody has to move the mouse: while an update is due, a timer in
+state.memory makes Blender send a mouse movement to the current position.
 """
 
 from collections.abc import Callable
@@ -28,7 +28,7 @@ from .operators import FlattenSteps
 from .read import find_source
 
 WATCH = "wm.wirewarp_watch"
-EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, for to leave it and come back is felt
+EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, because leaving and entering it is slow
 
 
 def forget_change(scene: bpy.types.Scene) -> None:
@@ -39,7 +39,7 @@ def forget_change(scene: bpy.types.Scene) -> None:
 def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
     """Return the models that differ from their flat pieces, each once for each of its states.
 
-    After undo there are none: an update would restore what the user has undone.
+    After an undo there are none, because an update would restore what was undone.
     """
     undone = state_of(context.scene).is_undone
     forget_change(context.scene)
@@ -50,7 +50,7 @@ def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
 
 
 def _present_state(source: bpy.types.Object) -> dict | None:
-    """None if an attribute of our name is another's."""
+    """Return the state; None if the name of an attribute is taken."""
     try:
         return present_state(source, last_report(source).with_modifiers, kept)
     except ObjectError:
@@ -58,7 +58,7 @@ def _present_state(source: bpy.types.Object) -> dict | None:
 
 
 def put_back(sources: list[bpy.types.Object], scene: bpy.types.Scene) -> None:
-    """What was taken in this scene is due there again, though it is in the same state."""
+    """Make the models taken from this scene due again, although their states are unchanged."""
     for source in sources:
         state_of(source).tried = None
     note_change(scene)
@@ -122,11 +122,11 @@ def attach() -> Callable[[], None]:
 
 LABEL = "Update Flat Pieces"
 JOINING = "OBJECT_OT_wirewarp_update_{}"  # names of the operators of updating_in, by number
-MOST = 32  # of them: more kinds of operators than a session uses; after that, updates have undo steps of their own
+MOST = 32  # more than the kinds of operators in a session; beyond that, updates have their own undo steps
 
 
 class UpdateSteps(FlattenSteps):
-    """Mixed into the operators that update: one for each undo step that an update has joined, see updating_in."""
+    """Mixin of the operators that update: one for each undo step that an update has joined, see updating_in."""
 
     bl_label = LABEL
     bl_options = {"INTERNAL", "UNDO_GROUPED"}
@@ -137,7 +137,7 @@ class UpdateSteps(FlattenSteps):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Also for scripts: a second run in the window would leave the first without its end."""
+        """Forbid a second run in the window, also for scripts, because the first would not end."""
         return context.mode in WORKING_MODES and not window_run.is_running()
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
@@ -146,14 +146,14 @@ class UpdateSteps(FlattenSteps):
         return self.begin_run(context, sources) if sources else {"CANCELLED"}
 
     def lets_pass(self, _event: bpy.types.Event) -> bool:
-        """Everything: if the user goes on marking, this run ends without a result and the next one begins."""
+        """Let every event pass: if the user continues marking, this run ends without a result."""
         return True
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
         """Show nothing: the user is working in this view."""
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
-        """Do nothing for a changed model, which is due again already; one that could not be written becomes due."""
+        """Make a model due again if it could not be written. A changed model is already due."""
         if code == "elsewhere":
             sources = filter(None, map(find_source, self._models))
             put_back(list(sources), bpy.data.scenes.get(self._scene, context.scene))
@@ -172,7 +172,7 @@ class OBJECT_OT_wirewarp_update(UpdateSteps, bpy.types.Operator):
 
 
 class WM_OT_wirewarp_watch(bpy.types.Operator):
-    """Look whether flat pieces are to be made again"""
+    """Check whether flat pieces need an update"""
 
     bl_idname = "wm.wirewarp_watch"
     bl_label = "Watch for Changes"
@@ -193,11 +193,11 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
 
 
 def updating_in(group: str) -> Callable:
-    """The operator that updates within the last undo step, if that is of this name.
+    """Return the operator that updates within the last undo step, if the step has this name.
 
-    With a step of its own, undo would first take back the pieces alone, and leave them at odds with the marks. Blender
-    joins steps of one undo group, and takes an operator's group when it is registered. To register one anew would take
-    Adjust Last Operation from the user, for Blender forgets all operations when an operator goes; so there is one more.
+    With an undo step of its own, undo would first remove only the pieces, which would then not match the marks. Blender
+    joins steps of one undo group, and reads an operator's group when it is registered. Each group has its own operator,
+    because unregistering one makes Blender forget all operations, and with them Adjust Last Operation.
     """
     if group == LABEL:
         return bpy.ops.object.wirewarp_update

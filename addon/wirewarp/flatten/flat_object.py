@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pieces as the object "<name> Flat" in the collection "WireWarp", and UV maps of them."""
+"""Writes the pieces as the object "<name> Flat" in the collection "WireWarp", and as UV maps."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -42,7 +42,7 @@ MAX_UV_LAYERS = 8
 
 
 def check_uv_room(target: bpy.types.Object) -> None:
-    """Raise ObjectError if there is no room for our layer."""
+    """Raise ObjectError if there is no room for another UV map."""
     mesh = target.data
     if UV_LAYER in mesh.uv_layers:
         return
@@ -56,9 +56,9 @@ def check_uv_room(target: bpy.types.Object) -> None:
 
 
 def write_uv(mesh: bpy.types.Mesh, flat: FlatMesh, corner_count: int) -> float:
-    """Writes the pieces as they were packed into the unit square. Faces without a layout go to (0,0).
+    """Writes the packed pieces into the unit square. Faces without a layout get (0,0).
 
-    Returns the scale, Blender units in one UV unit; it is kept on the mesh, too.
+    Returns the scale in Blender units per UV unit, which is also stored on the mesh.
     """
     places, scale = _in_unit_square(flat.vertices)
     layer = mesh.uv_layers.get(UV_LAYER) or mesh.uv_layers.new(name=UV_LAYER, do_init=False)
@@ -71,31 +71,31 @@ def write_uv(mesh: bpy.types.Mesh, flat: FlatMesh, corner_count: int) -> float:
 
 
 def _in_unit_square(vertices: np.ndarray) -> tuple[np.ndarray, float]:
-    """float32 of vertices (p,2), and the side of the square that became the unit."""
+    """Return vertices (p,2) as float32 in the unit square, and the side of the original square."""
     low, high = ([pick(column) for column in vertices.T] for pick in (np.min, np.max))
     scale = float(np.subtract(high, low).max()) or 1.0
     return ((vertices - low) / scale).astype(np.float32), scale
 
 
 def _pairs(places: np.ndarray) -> np.ndarray:
-    """(k,) of rows (k,2) of float32: one complex number each, for these are far faster to take than rows."""
+    """Return rows (k,2) of float32 as complex numbers (k,), because indexing these is much faster."""
     return places.view(np.complex64)[:, 0]
 
 
 def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
-    """On a flat mesh without maps: the source's own, by which a print is checked, and the pieces as they lie."""
+    """Write the source's own maps, for checking a print, and a map of the pieces on a flat mesh without maps."""
     for name, places in list(arrays.uv_maps.items())[: MAX_UV_LAYERS - 1]:
         _write_new(mesh, name, _pairs(places)[flat.source_corner])
     places, _ = _in_unit_square(flat.vertices)
     _write_new(mesh, UV_LAYER, _pairs(places)[flat.loop_vertices])
-    mesh.uv_layers.active = mesh.uv_layers[0]  # the source's first, where it has one
+    mesh.uv_layers.active = mesh.uv_layers[0]  # the source's own maps come first
 
 
 def _write_new(mesh: bpy.types.Mesh, name: str, pairs: np.ndarray) -> None:
     write_layer(mesh.uv_layers.new(name=name, do_init=False), pairs.view(np.float32).reshape(-1, 2))
 
 
-OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # in a second scene, or beside one of another file
+OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # with a suffix in a second scene, or beside a linked one
 RED = (0.8, 0.02, 0.02, 1.0)
 
 
@@ -107,10 +107,10 @@ def write_flat_object(
     record: FlatRecord,
     models: Sequence[bpy.types.Object],
 ) -> bpy.types.Object:
-    """Makes the flat object of `source`, or replaces the data of the one it has. True scale, in its own z = 0 plane.
+    """Makes the flat object of `source`, or replaces its data. It has actual size, in its own z = 0 plane.
 
-    models: flattened with it, its own included; a new flat object lies clear of all of them.
-    If it raises, the pieces there were are there again.
+    models: all models of the run; a new flat object does not overlap them.
+    If it raises, the earlier pieces are restored.
     """
     target = find_flat_object(source)
     if target is None:
@@ -121,7 +121,7 @@ def write_flat_object(
         _write_mesh(target, source, flat, arrays, record)
     if scene not in target.users_scene:
         our_collection(scene).objects.link(target)
-    target.scale = target.delta_scale = (1, 1, 1)  # the user's place and rotation stay, the size must be true
+    target.scale = target.delta_scale = (1, 1, 1)  # place and rotation stay, but the scale must be 1
     return target
 
 
@@ -189,7 +189,7 @@ def _write_mesh(
     target.shape_key_clear()
     target.vertex_groups.clear()
     _write_faces(mesh, flat)
-    deselect_all(mesh)  # in Edit Mode L is to take one piece, not one more
+    deselect_all(mesh)  # so that L in Edit Mode selects one piece only
     _write_attributes(mesh, flat)
     write_record(mesh, record)
     write_maps(mesh, flat)
@@ -226,7 +226,7 @@ def _write_attributes(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
 
 
 def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
-    """Seams are red in Edit Mode as on the model, and wires, for which Blender has no color, blue as sharp edges."""
+    """Mark seams, which are red in Edit Mode, and wires as sharp edges, which are blue."""
     add_seams(mesh, np.flatnonzero(marks.seams))
     add_sharp_edges(mesh, marks.wires.rows)
     write_marks(mesh, marks.wires)
@@ -234,7 +234,7 @@ def _write_marks(mesh: bpy.types.Mesh, marks: FlatMarks) -> None:
 
 
 def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
-    """The scene's collection for flat pieces."""
+    """Return the scene's collection for flat pieces."""
     for collection in scene.collection.children_recursive:
         if OUR_NAMES.fullmatch(collection.name) and not (collection.library or collection.override_library):
             return collection
@@ -244,7 +244,7 @@ def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
 
 
 def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
-    """Those of the model, on the faces that have them there; on failed ones ours. A model without leaves the user's."""
+    """Assign the model's materials to its faces, and the add-on's to failed ones. Without any, the user's stay."""
     kept = [material for material in mesh.materials if not (material and material.name == FAILED_MATERIAL)]
     own = [slot.material for slot in source.material_slots]
     shown = own or kept
@@ -255,7 +255,7 @@ def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatM
     mesh.materials.clear()
     for material in shown:
         mesh.materials.append(material)
-    if slots.any():  # new faces have the first
+    if slots.any():  # new faces have the first material
         indices = mesh.attributes.get("material_index") or mesh.attributes.new("material_index", "INT", "FACE")
         indices.data.foreach_set("value", slots.astype(np.int32))
 
@@ -267,7 +267,7 @@ def _new_material() -> bpy.types.Material:
 
 
 def follow_name(source: bpy.types.Object, earlier: str) -> None:
-    """Rename the pieces with the model. earlier: its former name. Names that the user chose stay."""
+    """Rename the pieces with the model, unless the user has renamed them. earlier: the model's former name."""
     flat = find_flat_object(source)
     for each in (flat, flat.data) if flat and earlier != source.name else ():  # the mesh has the object's name
         if each.name == flat_name(earlier) and each.library is None:

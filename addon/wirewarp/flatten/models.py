@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From models as read to results to be written. No Blender in here."""
+"""Solves the models that were read, without Blender."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
@@ -30,7 +30,7 @@ NO_ANGLE = "Grain Angle was not used: it needs Upright: Grain Wire and a grain w
 
 @dataclass(frozen=True)
 class Model:
-    """One object as read, by its name: the object itself may be gone before the results are there."""
+    """An object as it was read, by name, because the object may be deleted before the results exist."""
 
     name: str  # with the library's, Object.name_full
     facts: Facts
@@ -40,30 +40,30 @@ class Model:
     known: KnownPieces | None = None
     seams: KnownSeams | None = None
     solved: Cache | None = None  # wirewarp.Cache, the pieces of the last run
-    solved_by_map: Cache | None = None  # those of the last try with the seams of the UV map
+    solved_by_map: Cache | None = None  # pieces of the last trial of UV seams
     issue: Issue | None = None  # why it cannot be flattened
 
 
 @dataclass
 class Outcome:
-    """The result of one model; without one it could not be flattened at all."""
+    """The result of one model, which may be only a report."""
 
     model: Model
     report: ObjectReport
     result: FlattenResult | None = None
     identities: Sequence[PieceIdentity] = ()
     seams: Sequence[SeamIdentity] = ()
-    arrays: MeshArrays | None = None  # the model's, with the ids that its seams have now
-    pieces: FlatMesh | None = None  # None: there is no layout to write
-    is_elsewhere: bool = False  # written: some pieces lie where the user has not seen any yet
+    arrays: MeshArrays | None = None  # of the model, with the present ids of its seams
+    pieces: FlatMesh | None = None  # None if there is no layout
+    is_elsewhere: bool = False  # whether some pieces are in a place that had none
 
 
 def solve_models(
     library: ModuleType, models: list[Model], choices: FlattenChoices, meters: float, *, tries_uv_seams: bool = True
 ) -> Steps[list[Outcome]]:
-    """Flattens every model; meters: in a Blender unit; tries_uv_seams: if the marked ones fail.
+    """Flattens every model. meters: in a Blender unit; tries_uv_seams: whether to try UV seams if the marked ones fail.
 
-    Who cancels while UV seams are tried has the pieces nevertheless.
+    Canceling the trial of UV seams keeps the pieces.
     """
     outcomes: list[Outcome] = []
     with_map = [model for model in models if tries_uv_seams and _may_have_uv_seams(model)]
@@ -84,7 +84,7 @@ def solve_models(
 
 
 def failed_report(model: Model, issue: Issue) -> ObjectReport:
-    """The report of a model that was not flattened."""
+    """Return the report of a model that was not flattened."""
     return replace(failure_report(issue, model.facts), model_state=model.state)
 
 
@@ -93,12 +93,12 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         if model.issue:
             raise ObjectError(model.issue)
         result = yield from flatten_arrays(library, model.arrays, choices, model.solved)
-        yield 1.0  # what follows is one step
+        yield 1.0  # the rest is one step
     except ObjectError as error:
         outcome = Outcome(model, failed_report(model, error.issue))
     else:
         outcome = _outcome(model, result, choices, meters)
-    if model.arrays:  # of what could not be read nobody knows the grain wire
+    if model.arrays:  # the grain wire of a model that could not be read is unknown
         used = used_choices(choices, model.arrays)
         if choices.thickness > 0 and choices.surface != "middle":
             outcome.report.notes.append(note(MIDDLE))
@@ -106,7 +106,7 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
             outcome.report.notes.append(note(NO_ANGLE))
         outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report.notes += model.notes
-    if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored, they are as seen from outside
+    if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored pieces show the outside
         outcome.report.notes.append(warning(INWARD))
     if model.arrays:
         outcome.report.hints += torn_hints(model.arrays.vertices, model.arrays.outline)
@@ -114,16 +114,16 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
 
 
 def _may_have_uv_seams(model: Model) -> bool:
-    """Whether the model's own UV map has seams to add. Modifiers make edges of their own, which nobody can mark."""
+    """Return whether the model's own UV map has seams to add. Edges made by modifiers cannot be marked."""
     return model.arrays is not None and not model.facts.with_modifiers and len(new_seams(model.arrays)) > 0
 
 
 def _try_uv_seams(
     library: ModuleType, model: Model, choices: FlattenChoices, meters: float, report: ObjectReport
 ) -> Steps[UvSeams | None]:
-    """If pieces failed, or the model has no seams and cannot be cut from every fabric, its own UV map may do better.
+    """Return the result with the seams of the model's own UV map; None if it is not better.
 
-    None if it does not do better.
+    Tried if pieces failed, or if the model has no seams and cannot be cut from every fabric.
     """
     arrays = model.arrays
     is_strained = not len(arrays.seams) and any(piece.is_strained for piece in report.pieces)
@@ -135,7 +135,7 @@ def _try_uv_seams(
     try:
         result = yield from flatten_arrays(library, tried, choices, model.solved_by_map)
     except ObjectError:
-        return None  # what is wrong with the model as a whole is in the report
+        return None  # faults of the whole model are in the report
     found = uv_seams(result, tried, meters, choices.cloth)
     if not report.issues:
         is_better = not found.failed and found.stretch < max(piece.needed for piece in report.pieces)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The button Flatten, and what it has in common with the automatic update: read, solve, write."""
+"""The operator Flatten, and its common part with the automatic update: read, solve, write."""
 
 import json
 from pathlib import Path
@@ -25,7 +25,7 @@ from .models import Model, Outcome, failed_report, solve_models
 from .read import active_target, check_current, find_source, mesh_targets, nothing_to_flatten, read_models
 from .write import write_results
 
-# What a user may do during a run: look around.
+# Events during a run that only move the view.
 HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_PERIOD"} | {
     f"NUMPAD_{digit}" for digit in range(10)
 }
@@ -39,9 +39,9 @@ def write_json(path: Path, report: dict) -> None:
 
 
 class FlattenSteps(WindowSteps, FlattenSettings):
-    """Mixed into operators."""
+    """Mixin of operators that flatten."""
 
-    tries_uv_seams = True  # which takes as long as the run
+    tries_uv_seams = True  # whether to try UV seams, which takes as long as the run
 
     @property
     def report_file(self) -> Path | None:
@@ -49,7 +49,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         return None
 
     def begin_run(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
-        """Read now, and solve while modal() waits."""
+        """Read the models now, and solve them while modal() waits."""
         with in_object_mode(context):
             self._models = read_models(context, sources, self)
         self._scene, self._view_layer = _place(context)
@@ -59,11 +59,11 @@ class FlattenSteps(WindowSteps, FlattenSettings):
     def lets_pass(self, event: bpy.types.Event) -> bool:
         """Return whether the event passes; others would be lost or invalidate the result."""
         if event.type == "LEFTMOUSE":
-            return is_over_sidebar(event)  # where Cancel is
+            return is_over_sidebar(event)  # the button Cancel is there
         return event.type in HARMLESS or event.type.startswith(HARMLESS_KINDS)
 
     def flatten_now(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
-        """All at once; Blender waits."""
+        """Read, solve and write while Blender waits."""
         with in_object_mode(context):
             models = read_models(context, sources, self)
             outcomes = self.wait_for(context, self._solving(context, models))
@@ -96,19 +96,19 @@ class FlattenSteps(WindowSteps, FlattenSettings):
                 self._write(context, outcomes)
         except ObjectError as error:
             return self.give_up(context, error.issue.code, str(error), "ERROR")
-        except Exception as error:  # as on a full memory; with an undo step, so that the user can take it back
+        except Exception as error:  # for example if memory is full; the undo step removes what was written
             sentence = fault_sentence(error, "Flatten failed. Undo (Ctrl+Z) removes what was written")
             self.give_up(context, "internal_error", sentence, "ERROR")
             hold_whole_file()
             return {"FINISHED"}
         self.show(context, outcomes)
-        return self._tell(context, outcomes, "WARNING")  # the window of an error would cover Flatten and its sentence
+        return self._tell(context, outcomes, "WARNING")  # the popup of an error would cover Flatten and its sentence
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
-        """Bring results into view that the user cannot see yet."""
+        """Show results that are outside the view."""
         sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
         area = work_area(context)
-        # In Edit Mode the user is at work on the edges in this view.
+        # In Edit Mode the user works on edges in this view.
         if sources and area and preferences(context).moves_view and context.mode == "OBJECT":
             show_objects(context, area, [each for source in sources for each in (source, find_flat_object(source))])
 
@@ -124,8 +124,8 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         hold_whole_file()
 
     def _tell(self, context: bpy.types.Context, outcomes: list[Outcome], failed: str = "ERROR") -> set[str]:
-        """failed: the level of the message on pieces that failed."""
-        redraw_views()  # Blender does so by itself after a run that changed data, but not after one that failed
+        """Report the results. failed: the level of the message if pieces failed."""
+        redraw_views()  # Blender redraws by itself only after a run that changed data
         reports = [outcome.report for outcome in outcomes]
         self._write_report(context, reports)
         level, text = run_message(reports)
@@ -146,7 +146,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
 
 
 def _place(context: bpy.types.Context) -> tuple[str, str]:
-    """Where the results go, by name: undo may replace the scene."""
+    """Return the names of scene and view layer for the results, because undo may replace the scene."""
     return context.scene.name_full, context.view_layer.name
 
 
@@ -203,7 +203,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
         return given_file(self.report_path) if self.report_path else None
 
     def _is_refused(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> bool:
-        """Whether nothing can be done at all; says why."""
+        """Return whether nothing can be flattened, and report why."""
         refusal = window_run.busy_sentence() or nothing_to_flatten(context, sources)
         if not refusal and self.report_path:
             refusal = self._file_refusal()

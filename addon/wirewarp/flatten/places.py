@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Places of flat pieces: at first beside their model, later where the user moves them."""
+"""Chooses places of flat pieces: first beside their model, later where the user moves them."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -21,7 +21,7 @@ from ..state.owners import model_of
 from ..state.record import layout_of, read_record
 
 GAP = 0.1  # of the model's largest dimension
-LARGE = 5.0  # times that: a room or a landscape, in which the pieces may lie
+LARGE = 5.0  # largest size of an obstacle, as a multiple of the model's size: pieces may lie in a room or a landscape
 SOLID = {"MESH", "CURVE", "SURFACE", "META"}
 Box = np.ndarray  # (2,3), the lowest and the highest corner
 TURNED = 0.999  # cosine of 2.5 degrees: a larger change counts as another direction up
@@ -34,10 +34,10 @@ TURNED_TEXT = (
 def free_place(
     scene: bpy.types.Scene, source: bpy.types.Object, size: np.ndarray, models: Sequence[bpy.types.Object]
 ) -> Vector:
-    """For the lower left corner of pieces of this size (2,) in Blender units.
+    """Return the lower left corner for pieces of this size (2,) in Blender units.
 
-    Right of the source and of all flat pieces there are, on the level of the lowest point of the models, which are
-    those of this run, and under none of them.
+    It is right of the source and of all flat pieces, at the height of the lowest point of this run's models, and not
+    below a model.
     """
     own, largest = _world_box(source), max(source.dimensions)
     together = [_world_box(each) for each in models]
@@ -69,9 +69,9 @@ def _world_box(target: bpy.types.Object) -> Box:
 
 
 def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: float) -> tuple[FlatMesh, list[int]]:
-    """The pieces where they lie in the flat object `earlier`, if there is one.
+    """Return the pieces in their places in the flat object `earlier`, if there is one.
 
-    Also the ids of those that lie elsewhere now because they have grown into others. spacing: see find_places.
+    Also return the ids of pieces that had to move because they would overlap others. spacing: see find_places.
     """
     known = _read(earlier.data) if earlier else None
     if known is None:
@@ -94,7 +94,7 @@ def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
 def places_of_absent(
     flat: FlatMesh, earlier: bpy.types.Object | None, identities: Sequence[PieceIdentity]
 ) -> np.ndarray:
-    """(k,4), see NONE_AWAY: where those of the pieces that have no flat shape now lay in the flat object `earlier`."""
+    """Return the places in the flat object `earlier` of pieces without a flat shape now, (k,4), see NONE_AWAY."""
     present = set(np.unique(flat.piece_id).tolist())
     absent = [identity.piece_id for identity in identities if identity.piece_id not in present]
     known = _read(earlier.data) if earlier and absent else None
@@ -102,19 +102,19 @@ def places_of_absent(
 
 
 def present_up(source: bpy.types.Object) -> np.ndarray:
-    """(3,) of length 1: the direction in the model's own space that is up in the world."""
+    """Return the unit vector (3,) in the model's own space that is up in the world."""
     up = linear_part(source)[2]
     return up / np.linalg.norm(up)
 
 
 def up_when_laid_out(flat: bpy.types.Object, now: np.ndarray) -> np.ndarray:
-    """(3,) what was up when the pieces were laid out; what is up now, where there is no such note."""
+    """Return the upward direction (3,) when the pieces were laid out; the present one if none was stored."""
     record = read_record(flat.data)
     return np.array(record.up) if record else now
 
 
 def is_turned(up: np.ndarray, then: np.ndarray, options: dict) -> bool:
-    """Return whether pieces that are upright as the model was would change if they were laid out again."""
+    """Return whether a new layout would turn pieces because the model was turned."""
     return options["orientation"] == "up" and not float(up @ then) > TURNED
 
 
@@ -130,7 +130,7 @@ def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:
         return None
     try:
         pieces = read_flat_pieces(mesh)
-    except ObjectError:  # an attribute of our name is another's
+    except ObjectError:  # the name of an attribute is taken
         return None
     return pieces if np.isfinite(pieces.vertices).all() else None
 

@@ -28,7 +28,7 @@ CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
 
 
 def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Every selected mesh and every mesh in Edit Mode, or else the active one; of flat pieces, their model."""
+    """Return every selected mesh and mesh in Edit Mode, or the active mesh; for flat pieces, their model."""
     edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
     models = (_model(context, each) for each in [*edited, *context.selected_objects])
     chosen = list(dict.fromkeys(filter(None, models)))
@@ -50,7 +50,7 @@ def _model(context: bpy.types.Context, target: bpy.types.Object) -> bpy.types.Ob
 
 
 def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:
-    """Why nothing can be flattened, as a sentence; empty if it can."""
+    """Return a sentence on why nothing can be flattened; empty if something can."""
     if context.scene.library:
         return (
             f'Nothing to flatten: the scene "{context.scene.name}" is linked from another file and cannot take flat '
@@ -72,9 +72,9 @@ def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Objec
 
 
 def check_target(target: bpy.types.Object, writes_model: bool) -> None:
-    """Raises ObjectError if the results cannot be written. writes_model: to the base mesh too.
+    """Raises ObjectError if the results cannot be written. writes_model: whether also to the base mesh.
 
-    All that can refuse is asked here, before the first of them is written. Of an object in Object Mode.
+    All conditions are checked here before the first result is written. The object is in Object Mode.
     """
     linear_part(target)
     check_not_edited(target)
@@ -95,10 +95,10 @@ def check_target(target: bpy.types.Object, writes_model: bool) -> None:
 
 
 def _check_users(target: bpy.types.Object) -> None:
-    """One UV layer cannot be true for objects of different scale."""
+    """Raise ObjectError for objects of different scale with one mesh, because they cannot share a UV map."""
     own = metric(target)
     for other in bpy.data.objects:
-        shares = other.data == target.data and other.users_scene  # what is in no scene has no true scale
+        shares = other.data == target.data and other.users_scene  # objects outside all scenes do not count
         if shares and not np.allclose(metric(other), own, rtol=1e-5, atol=1e-5 * np.abs(own).max()):
             sentence = (
                 f'"{target.name}" and "{other.name}" share the mesh "{target.data.name}" but differ in scale, or one '
@@ -135,7 +135,7 @@ def is_current(model: Model) -> bool:
 
 
 def check_current(context: bpy.types.Context, models: list[Model], settings: RunSettings) -> None:
-    """Raises ObjectError if an object is no longer as it was read, or may not be written any more, in Object Mode."""
+    """Raises ObjectError if an object in Object Mode has changed since it was read, or cannot be written any more."""
     context.view_layer.update()
     changed = [model.facts.object for model in models if not is_current(model)]
     if changed:
@@ -157,7 +157,7 @@ def _read(
     allowance: float,
     settings: RunSettings,
 ) -> Model:
-    """allowance: where none is marked, in Blender units."""
+    """Read a model. allowance: the default, in Blender units."""
     use_modifiers = settings.use_modifiers
     facts = Facts(
         object=source.name,
@@ -187,7 +187,7 @@ def _read(
 
 
 def solved_pieces(source: bpy.types.Object) -> tuple[core.Cache, core.Cache]:
-    """The object's Caches: of its pieces, and of those by the seams of its UV map. What does not fit is not used."""
+    """Return the object's Caches: for its pieces, and for the trial of its UV seams."""
     state = state_of(source)
     if state.solved is None:
         state.solved, state.solved_by_map = core.library().Cache(), core.library().Cache()

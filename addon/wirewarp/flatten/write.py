@@ -87,14 +87,14 @@ def _notes_on_others(source: bpy.types.Object) -> list[Note]:
 
 
 def _kept_object(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> bpy.types.Object | None:
-    """Return the flat object whose pieces keep their places; None if all are laid out again."""
+    """Return the flat object whose pieces keep their places; None for a new layout."""
     earlier = find_flat_object(source)
     is_kept = keep_places and earlier and not wants_new_layout(outcome.report.options, earlier)
     return earlier if is_kept else None
 
 
 def _place(source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object | None) -> tuple[FlatMesh, np.ndarray]:
-    """The pieces where they lay in the flat object `earlier`, and what was up then (3,)."""
+    """Return the pieces in their places in the flat object `earlier`, and the upward direction (3,) of that layout."""
     options = outcome.report.options
     pieces, crowded = pieces_in_place(outcome.pieces, earlier, gap_between(outcome.arrays, options["spacing"]))
     outcome.is_elsewhere = bool(crowded) or earlier is None

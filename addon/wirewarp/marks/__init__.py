@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking seams, wires, eases and allowances: panel, operators and what they do.
+"""Marks seams, wires, eases and allowances: panel, operators and functions.
 
 May import: ui, state, solve, blender, properties, issues, names, words.
 """

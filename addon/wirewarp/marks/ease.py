@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking eases, and changing wires and seams that are there. Of models in Object Mode.
+"""Marks eases, and changes existing wires and seams, on models in Object Mode.
 
-What is planned writes nothing before it is called: of several objects none is changed where one is refused.
+A plan writes only when it is called, so that no object is changed if one of them is refused.
 """
 
 import math
@@ -102,7 +102,7 @@ def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def loosen_wires(mesh: bpy.types.Mesh, wires: list[LooserWire]) -> int:
-    """Give the edges of each proposed wire its tolerance, unless theirs is wider. Return how many edges changed."""
+    """Give the edges of each proposed wire its tolerance unless they have a wider one. Return how many changed."""
     marks = read_marks(mesh)
     before, tolerances = marks.tolerances.copy(), marks.tolerances
     for wire in wires:
@@ -117,16 +117,16 @@ def _mask(mesh: bpy.types.Mesh, pairs: list) -> np.ndarray:
     return np.isin(edge_keys(edge_vertices(mesh), count), edge_keys(pairs, count))
 
 
-SAME_AREA = 1e-3  # relative: pieces that mirror each other differ by rounding, sleeves and bodies by much more
-Amount = Callable[[float], float]  # the ease of a line as a fraction, by its length in Blender units
+SAME_AREA = 1e-3  # relative difference of areas: mirrored pieces differ by rounding, a sleeve and a body by much more
+Amount = Callable[[float], float]  # ease of a line as a fraction, from its length in Blender units
 
 
 @dataclass(frozen=True)
 class Change:
-    """Of one line; an ease that was cleared is 0."""
+    """Planned change of one line; a cleared ease is 0."""
 
     ratio: float
-    length: float  # how much longer the line is, in Blender units
+    length: float  # change of length, in Blender units
 
 
 @dataclass(frozen=True)
@@ -135,7 +135,7 @@ class Eased:
     left_out: int  # edges
 
 
-Planned = Callable[[], Eased]  # writes, and cannot fail
+Planned = Callable[[], Eased]  # writes the change, and cannot fail
 
 
 def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
@@ -180,7 +180,7 @@ def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side:
     """Plans to lengthen the lines of these edges on one side only; the other side keeps its ease.
 
     side: 0 for the smaller piece, 1 for the larger, so that the armholes of two sleeves are eased alike; an outline has
-    only one side. Skips edges that are no seam or outline, and sides with several faces.
+    only one side. Skips edges that are neither seams nor outlines, and sides with several faces.
     Raises ObjectError where a line would have no length left.
     """
     mesh = target.data
@@ -310,5 +310,5 @@ def _places(target: bpy.types.Object) -> np.ndarray:
 
 
 def _lengths(target: bpy.types.Object) -> np.ndarray:
-    """(e,) in Blender units."""
+    """Return the lengths (e,) of all edges in Blender units."""
     return edge_lengths(_places(target), edge_vertices(target.data))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons below Ease: lines that are sewn to shorter or longer ones."""
+"""Operators below Ease, for lines that are sewn to shorter or longer lines."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -77,7 +77,7 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         return (lambda line: length / line) if self.ease_unit == "LENGTH" else lambda _: share
 
     def _plan(self, target: bpy.types.Object, amount: Amount) -> Planned:
-        """On flat pieces, where sides lie apart, of the selected side."""
+        """Plan the ease; on flat pieces, for the selected side only."""
         planned: Callable[[], Eased]
         if model_of(target):
             found = selected_sides(target)

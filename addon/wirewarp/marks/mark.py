@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking and clearing edges of the model, from Edit Mode of the model or of its flat pieces."""
+"""Marks and clears edges of the model, from Edit Mode of the model or of its flat pieces."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -46,7 +46,7 @@ class Marked:
 def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> Marked:
     """Make the selected edges wires, one per chain, also along seams and outlines.
 
-    Raises ObjectError, with no mark on any object, for an edge without a face and for attributes that are not ours.
+    Raises ObjectError, and marks nothing, for an edge without a face and for taken names of attributes.
     """
     for target in targets:
         check_attributes(target.data)
@@ -85,7 +85,7 @@ def _mark_object(target: bpy.types.Object, tolerance: float) -> Marked:
 
 
 def clear_selected(targets: Sequence[bpy.types.Object]) -> int:
-    """Remove the selected edges from wires. Return how many. Raises ObjectError for attributes that are not ours."""
+    """Remove the selected edges from wires. Return how many. Raises ObjectError for taken names of attributes."""
     for target in targets:
         check_attributes(target.data)
     return sum(map(_clear_object, targets))
@@ -110,7 +110,7 @@ def _selected_edges(edit: bmesh.types.BMesh) -> list[bmesh.types.BMEdge]:
 
 
 def _refuse_loose(target: bpy.types.Object) -> None:
-    edit = bmesh.from_edit_mesh(target.data)  # its edges live as long as this does
+    edit = bmesh.from_edit_mesh(target.data)  # keeps its edges valid
     loose = [edge for edge in _selected_edges(edit) if not edge.link_faces]
     if loose:
         count = counted(len(loose), "selected edge")
@@ -151,7 +151,7 @@ class PlannedWire:
 def plan_wires(
     edges: np.ndarray, wire_ids: np.ndarray, edges_of_wire: Mapping[int, int], positions: np.ndarray
 ) -> list[PlannedWire]:
-    """Selected edges (k,2) with their present ids (k,) to one wire a chain.
+    """Plan one wire for each chain of selected edges (k,2) with their present ids (k,).
 
     A chain that contains all edges of one wire, and of no other, is that wire: it keeps its id and name and only
     changes its tolerance. edges_of_wire counts the edges of each id on the whole mesh.
@@ -177,7 +177,7 @@ def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
 
 
 def has_new_seams(mesh: bpy.types.Mesh) -> bool:
-    """Whether the user's own map has borders that are no seams yet. Of a mesh in Object Mode."""
+    """Return whether the user's own map has borders that are not seams yet, for a mesh in Object Mode."""
     layer = own_uv_map(mesh)
     return layer is not None and bool((_borders(mesh, layer) & ~read_seams(mesh)).any())
 
@@ -216,7 +216,7 @@ WITH_MODIFIERS = (
 
 @dataclass(frozen=True)
 class SelectedSides:
-    """Of the model: edges and the face on the selected side of each."""
+    """Edges of the model, and the face on the selected side of each."""
 
     model: bpy.types.Object
     edges: np.ndarray  # (k,)

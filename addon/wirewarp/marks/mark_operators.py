@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking and clearing seams, wires and allowances on the selected edges; setting the unit."""
+"""Operators that mark and clear seams, wires and allowances of selected edges, and one that sets the unit."""
 
 import math
 from collections.abc import Callable
@@ -221,11 +221,11 @@ class MESH_OT_wirewarp_seams_from_uv_islands(OnModel, bpy.types.Operator):
         return {"FINISHED"}
 
 
-WIDTH = 360  # of the question, in Blender's own pixels
+WIDTH = 360  # width of the dialog, in pixels at interface scale 1
 
 
 def has_every_edge(mesh: bpy.types.Mesh) -> bool:
-    """Whether all edges of a mesh in Edit Mode are selected, as they are in a model that was just imported."""
+    """Return whether all edges of a mesh in Edit Mode are selected, as in a newly imported model."""
     edges = bmesh.from_edit_mesh(mesh).edges
     return len(edges) > 0 and all(edge.select for edge in edges)
 
@@ -321,7 +321,7 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
 
 
 def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
-    """What is marked on the models stays as wide, in Blender units so many times. Raises ObjectError before any is."""
+    """Scale marked lengths in Blender units by this factor so that they stay. Raises ObjectError before any change."""
     models = [each for each in scene.objects if each.type == "MESH" and each.data.library is None]
     for model in models:
         check_not_edited(model)

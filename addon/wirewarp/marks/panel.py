@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marking, and the switches of the overlay."""
+"""Draws the panel of marks, with the switches of the overlay."""
 
 from collections.abc import Sequence
 
@@ -10,7 +10,7 @@ from ..ui.layout import SidebarPanel, draw_sentence
 from ..ui.settings import draw_ease
 
 SIDES = (("ALL", "All Sides"), ("NONE", "Clear Ease"), ("ONE", "One Side"), ("OTHER", "Other Side"))
-OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # labels if the selection is a side
+OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # labels for a selected side
 
 
 class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
@@ -64,7 +64,7 @@ class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
 def _draw_ease(
     layout: bpy.types.UILayout, context: bpy.types.Context, title: str, buttons: Sequence[tuple[str, str]]
 ) -> None:
-    """buttons: sides and text of each, two in a row."""
+    """Draw the ease. buttons: side and text of each, two in a row."""
     layout.label(text=title)
     column = layout.column(align=True)
     draw_ease(column, context.scene.wirewarp)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The list of wires: name, kind, length. A double click renames; the buttons beside act on the chosen one."""
+"""Draws the list of wires with name, kind and length, and its operators for the chosen wire."""
 
 import math
 
@@ -24,7 +24,7 @@ from .mark_operators import WireKind
 
 
 class WireOperator(OnModel):
-    """Acts on one wire of the active model, in Object Mode. Subclasses say how."""
+    """Base of operators for one wire of the active model, in Object Mode."""
 
     bl_options = {"REGISTER", "UNDO"}
     modes = frozenset({"OBJECT", "EDIT_MESH"})
@@ -80,7 +80,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
         return context.window_manager.invoke_props_dialog(self)
 
     def _start_from(self, context: bpy.types.Context) -> None:
-        """The settings are those of the wire as it is."""
+        """Take the settings from the wire."""
         wire = wire_at(context.active_object, self.edge)
         self.name = next(name for name, each in listed_wires(context.active_object) if self.edge in each.edges)
         if wire.tolerance == 0:
@@ -159,7 +159,7 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
         return [row for rows in found for row in rows]
 
 
-ROWS = 5  # rows of the list, however many wires there are, so that the buttons below do not move
+ROWS = 5  # fixed number of rows, so that the buttons below do not move
 SHOWN_UNLISTED = 3
 
 
@@ -241,7 +241,9 @@ class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         active = context.active_object
-        return active is not None and active.type == "MESH" and not model_of(active)  # the report has theirs
+        return (
+            active is not None and active.type == "MESH" and not model_of(active)
+        )  # the report has the names of these wires
 
     def draw(self, context: bpy.types.Context) -> None:
         target = context.active_object
@@ -278,7 +280,7 @@ def _draw_buttons(layout: bpy.types.UILayout, mesh: bpy.types.Mesh, wire: WireSu
 def _draw_unlisted(
     context: bpy.types.Context, layout: bpy.types.UILayout, wires: list[tuple[str, WireSummary]]
 ) -> None:
-    """Draw wires without an entry, such as copied, cut or joined ones; a click on one adds it."""
+    """Draw wires without an entry, such as copied, cut or joined ones. A click on a wire adds its entry."""
     column = layout.column(align=True)
     for name, wire in wires[:SHOWN_UNLISTED]:
         button = column.operator("mesh.wirewarp_change_wire", text=f"{name}  {_figures(context, wire)}")

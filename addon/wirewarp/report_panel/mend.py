@@ -158,7 +158,7 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
             ("SMOOTH", "Smooth Suggestion", "Cut the chosen suggestion into the faces as a smooth line, as seam"),
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge overlapping vertices of the model"),
-            ("NORMALS", "Normals", "Turn faces of the model so that all look to one side"),
+            ("NORMALS", "Normals", "Flip faces of the model so that all point to one side"),
             ("APPLY", "Apply Modifiers", "Make what modifiers show the model itself, with edges that can be marked"),
             ("UV_SEAMS", "Seams of the UV Map", "Mark the borders of the islands of the model's own UV map as seams"),
             ("FABRIC", "Fabric", "Choose this fabric"),

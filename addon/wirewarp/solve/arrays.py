@@ -8,7 +8,7 @@ import numpy as np
 from ..words import LengthText
 from .chains import WireChain
 
-# share of the area: if one side outweighs the others by more, inside and outside cannot be distinguished
+# largest mean normal, as a share of the area, of a surface for which inside and outside are known
 ALL_ROUND = 0.3
 INWARD = (
     "Normals point inward, so pieces show their inside. In Edit Mode use Mesh > Normals > Recalculate Outside, then "
@@ -33,14 +33,14 @@ class FaceRegions:
 class NamedWire:
     name: str
     chain: WireChain  # with an id that no other wire has
-    marked_id: int  # the id that its edges carry: a wire that was copied shares it with its copies
+    marked_id: int  # id on its edges, which copies of a wire share
 
 
 @dataclass(frozen=True)
 class MeshArrays:
     """Indices are Blender's.
 
-    Triangles are wound so that the surface is seen from outside, also for mirrored objects.
+    Triangles are counterclockwise seen from outside, also for mirrored objects.
     """
 
     vertices: np.ndarray  # (n,3) float64, Blender units, the object's rotation, scale and shear applied
@@ -62,13 +62,13 @@ class MeshArrays:
     piece_ids: np.ndarray  # (f,) int32, of the pieces that the polygons were in when last flattened; 0 none
     regions: FaceRegions
     materials: np.ndarray  # (f,) int32, the slot of each polygon
-    uv_maps: dict[str, np.ndarray]  # (l,2) float32 each, the model's own maps by name
+    uv_maps: dict[str, np.ndarray]  # (l,2) float32, the model's own maps by name
     own_map: str  # the one of these that seams can be taken from; "": none
-    allowance: float  # the widest that the cutting lines have anywhere, in Blender units
+    allowance: float  # the widest allowance, in Blender units
     loose_marks: int  # edges without a face that are marked as wires: they are ignored
     loose_eases: int  # edges with the ease of a wire that are not wires: it has no effect
     mirrored: bool
-    lengths: LengthText = LengthText("", 1.0)  # how sentences write lengths; without a unit unless the scene is known
+    lengths: LengthText = LengthText("", 1.0)  # format of lengths in sentences; no unit if the scene is unknown
 
 
 def area_vectors(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
@@ -80,13 +80,13 @@ def area_vectors(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """(m,)"""
+    """Return the areas (m,)."""
     x, y, z = area_vectors(vertices, triangles)
     return np.sqrt(x * x + y * y + z * z)
 
 
 def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """(k,) between points (n,2) or (n,3); coordinate by coordinate, for rows of two or three are slow to gather."""
+    """Return the lengths (k,) between points (n,2) or (n,3), by coordinate because gathering short rows is slow."""
     a, b = edges.T
     columns = (np.ascontiguousarray(column) for column in points.T)
     return np.sqrt(sum((column[a] - column[b]) ** 2 for column in columns))
@@ -103,11 +103,11 @@ def faces_inward(arrays: MeshArrays) -> bool:
     return bool(np.sum((centers - middle).T * vectors) < 0)
 
 
-TOGETHER = 1e-4  # of the UV square's side: corners nearer than this are one, as in Blender's own islands
+TOGETHER = 1e-4  # share of the UV square's side: closer corners count as one, as in Blender's islands
 
 
 def new_seams(arrays: MeshArrays) -> np.ndarray:
-    """(k,) the edges between islands of the model's own UV map that are not seams yet; none without such a map."""
+    """Return the edges (k,) between islands of the model's own UV map that are not seams yet; none without a map."""
     if not arrays.own_map:
         return np.empty(0, dtype=np.int32)
     following = np.arange(1, len(arrays.loop_edges) + 1)
@@ -120,7 +120,7 @@ def new_seams(arrays: MeshArrays) -> np.ndarray:
 def island_borders(
     loop_edges: np.ndarray, loop_vertices: np.ndarray, next_loops: np.ndarray, uv: np.ndarray, edge_count: int
 ) -> np.ndarray:
-    """A mask (e,) of the edges whose faces do not lie side by side in the map; edges of one face are none.
+    """Return a mask (e,) of the edges whose two faces are not side by side in the map.
 
     For each corner (loop): its edge, vertex, the next corner of its face, and its place uv (l,2) in the map.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Edges of a mesh: as numbers that can be searched, and put in order as chains."""
+"""Numbers the edges of a mesh for searching, and orders them as chains."""
 
 import math
 from dataclasses import dataclass
@@ -30,7 +30,7 @@ class EdgeMarks:
 
     wire_ids: np.ndarray  # (e,) int32, 0 none
     tolerances: np.ndarray  # (e,) float32: 0 rigid, finite elastic, inf super-elastic
-    eases: np.ndarray  # (e,) float32: by how much they are to be longer, 0.05 is 5%
+    eases: np.ndarray  # (e,) float32: relative change of length, 0.05 is 5%
 
     @classmethod
     def none(cls, count: int) -> "EdgeMarks":
@@ -57,7 +57,7 @@ class EdgeMarks:
 
 @dataclass(frozen=True)
 class WireChain:
-    """One run of the edges that carry one id, one tolerance and one ease."""
+    """A run of edges with one id, one tolerance and one ease."""
 
     wire_id: int
     tolerance: float
@@ -75,14 +75,14 @@ def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
     following, vertex_of_side = _pair_sides(edges, positions).tolist(), edges.ravel().tolist()
     used = [False] * len(edges)
     open_ends = [side for side, next_side in enumerate(following) if next_side < 0]
-    first_sides = range(0, 2 * len(edges), 2)  # closed chains, which no open end reaches: start anywhere
+    first_sides = range(0, 2 * len(edges), 2)  # closed chains start anywhere
     return [
         _walk(start, vertex_of_side, following, used) for start in [*open_ends, *first_sides] if not used[start // 2]
     ]
 
 
 def chains_of_marks(edges: np.ndarray, marks: EdgeMarks, positions: np.ndarray) -> list[WireChain]:
-    """All marked edges as wires: one id, one tolerance and one ease a wire, one wire for each run of its edges."""
+    """Return all marked edges as wires, one for each run with one id, one tolerance and one ease."""
     marked = marks.rows
     ids, tolerances = marks.wire_ids[marked].tolist(), _shortest_doubles(marks.tolerances[marked])
     groups: dict[tuple[int, float, float], list[int]] = {}
@@ -109,7 +109,7 @@ def _shortest_doubles(values: np.ndarray) -> list[float]:
 
 
 def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """For each side 2e+s (edge e at its vertex edges[e,s]) the side its chain goes on with, -1 where it ends."""
+    """Return for each side 2e+s (edge e at its vertex edges[e,s]) the next side of its chain, -1 at the end."""
     vertex_of_side = edges.ravel()
     following = np.full(len(vertex_of_side), -1, dtype=np.int64)
     order = np.argsort(vertex_of_side, kind="stable")

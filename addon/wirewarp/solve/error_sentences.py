@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The library's errors as sentences for Blender's users: faces, display units, wire names and Blender's commands.
+"""Words the library's errors for Blender's users: with faces, display units, wire names and Blender's commands.
 
-Elements are counted, because a button selects them. A piece is not named here, because its name is put in front.
+Elements are counted, because a button selects them. The caller puts the name of the piece in front.
 """
 
 import math
@@ -22,7 +22,7 @@ class ErrorFacts:
     """An error, and facts that only the add-on knows."""
 
     error: FlattenError
-    faces: int  # number of the mesh's faces that error.faces are part of
+    faces: int  # number of the mesh's faces that contain error.faces
     flipped: int  # number of flipped faces of the piece
     overlapping: int
     wires: list[str]  # names of all wires, in the library's order
@@ -112,7 +112,7 @@ def _non_manifold_vertex(facts: ErrorFacts) -> str:
 
 
 def _inconsistent_orientation(facts: ErrorFacts) -> str:
-    fault = f"The faces at {facts.edge_text} look to opposite sides"
+    fault = f"The faces at {facts.edge_text} point to opposite sides"
     if facts["is_one_sided"]:
         return f"{fault}, because the piece is one-sided like a Möbius strip. Mark these edges as seams."
     return f"{fault}. In Edit Mode, use Mesh > Normals > Recalculate Outside."

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The flat pieces as one mesh, with its measures.
+"""Makes one mesh of the flat pieces, with its measures.
 
 The flat mesh has the source's own faces, quads and n-gons included, so that its edges are the source's edges and
-nothing else. Measures taken per triangle are put together per face: energies add up, of ratios the worst counts.
+no others. Measures of triangles are combined by face: energies are added, and of ratios the worst counts.
 """
 
 from collections.abc import Sequence
@@ -21,9 +21,10 @@ from .identity import PieceIdentity
 def edge_length_variation(
     result: FlattenResult, arrays: MeshArrays, choices: FlattenChoices, flat: np.ndarray, places: np.ndarray
 ) -> np.ndarray:
-    """(e,) float32 of flat edges; flat (e,2): as vectors, places (e,2): the piece and the edge of the model of each.
+    """Return the variation of the flat edges, (e,) float32.
 
-    On lines what the library says. Inside of pieces the model's length is asked for, stretched as the cloth when worn.
+    flat (e,2): the edges as vectors; places (e,2): piece and model's edge of each. Lines have the library's value.
+    Inside pieces, the target is the length on the model, stretched like the fabric when worn.
     """
     worn = (choices.cloth.worn_across, choices.cloth.worn_along) if choices.cloth else (0.0, 0.0)
     spatial = _model_lengths(result, arrays, choices)[places[:, 1]]
@@ -35,7 +36,7 @@ def edge_length_variation(
 
 
 def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
-    """Of each piece and edge of the model on a wire or outline a number, ascending, and E_L; the worse of two sides."""
+    """Return ascending keys of piece and model edge on wires and outlines, and their E_L, the worse of two sides."""
     pieces = np.repeat(np.arange(len(result.pieces)), [len(piece.metrics.wire_edges) for piece in result.pieces])
     pairs = [np.reshape(piece.metrics.wire_edges, (-1, 2)) for piece in result.pieces]
     keys = pieces * len(arrays.edges) + _edges_at(np.concatenate(pairs), arrays)
@@ -46,10 +47,10 @@ def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np
 
 
 def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenChoices) -> np.ndarray:
-    """(k,) of the model's edges; of a thick material in the middle of its thickness.
+    """Return the lengths (k,) of the model's edges, for thick materials in the middle of the thickness.
 
-    These are as long as the flat ones are worn: dx f_u + dy f_v, where |f_u|, |f_v| and the angle between them are what
-    is measured of threads.
+    They are the worn lengths of the flat edges: dx f_u + dy f_v, where |f_u|, |f_v| and the angle between them are the
+    measures of threads.
     """
     lengths = edge_lengths(arrays.vertices, arrays.edges)
     if choices.thickness == 0 or choices.surface == "middle":
@@ -58,9 +59,9 @@ def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenCh
         _of_triangles(result, f"face_{name}", len(arrays.triangles))[:, None]
         for name in ("weft_strain", "warp_strain", "shear_angle")
     )
-    towards = -1 if choices.mirror else 1  # shear is measured as seen from outside
+    towards = -1 if choices.mirror else 1  # shear is measured from outside
     dx, dy = (np.roll(result.corner_uv, -1, axis=1) - result.corner_uv).transpose(2, 0, 1)  # (m,3), the sides
-    with np.errstate(invalid="ignore"):  # of triangles without a layout, or without an area
+    with np.errstate(invalid="ignore"):  # triangles without a layout or an area
         across, along = (1 + weft) * dx, (1 + warp) * dy
         worn = np.sqrt(across**2 + along**2 + 2 * towards * np.sin(shear) * across * along).ravel()
     rows = _edges_at(np.stack([arrays.triangles, np.roll(arrays.triangles, -1, axis=1)], axis=-1), arrays)
@@ -70,7 +71,7 @@ def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenCh
 
 
 def _of_triangles(result: FlattenResult, name: str, count: int) -> np.ndarray:
-    """Return a measure (m,) of all pieces."""
+    """Return a measure (m,) of the triangles of all pieces."""
     values = np.full(count, np.nan)
     for piece in result.pieces:
         values[piece.source_face] = getattr(piece.metrics, name)
@@ -78,7 +79,7 @@ def _of_triangles(result: FlattenResult, name: str, count: int) -> np.ndarray:
 
 
 def _edges_at(pairs: ArrayLike, arrays: MeshArrays) -> np.ndarray:
-    """(k,) the edges between these vertices (...,2); -1 for what runs across a face."""
+    """Return the edges (k,) between these vertices (...,2); -1 for the diagonal of a face."""
     count = len(arrays.vertices)
     keys, wanted = edge_keys(arrays.edges, count), edge_keys(pairs, count)
     order = np.argsort(keys)
@@ -103,7 +104,7 @@ class FlatMesh:
     side_eases: np.ndarray  # (l,) float32, as MeshArrays has them
     source_face: np.ndarray  # (f,) int32, face of the source
     face_piece: np.ndarray  # (f,) int32, index of the piece
-    piece_id: np.ndarray  # (f,) int32, by which the next run recognizes the piece
+    piece_id: np.ndarray  # (f,) int32, the piece's id for the next run
     failed: np.ndarray  # (f,) bool, the piece failed
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
@@ -116,7 +117,7 @@ class FlatMesh:
 
 @dataclass(frozen=True)
 class Threads:
-    """(f,) float32 each, of the worst triangle of the face."""
+    """Measures of threads by face, (f,) float32, from its worst triangle."""
 
     weft_strain: np.ndarray  # 0.1: the threads across the grain are stretched by 10%
     warp_strain: np.ndarray
@@ -183,7 +184,7 @@ def flat_mesh(
 
 
 def _threads(result: FlattenResult, first_triangle: np.ndarray, kept: np.ndarray) -> Threads:
-    """first_triangle (f,) and kept (f,): of the polygons of the model."""
+    """Return the measures. first_triangle (f,), kept (f,): for the polygons of the model."""
     count = sum(len(piece.source_face) for piece in result.pieces)
     measures = []
     for name in ("face_weft_strain", "face_warp_strain", "face_shear_angle"):
@@ -228,9 +229,9 @@ def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray,
 
 
 def _model_areas(result: FlattenResult, arrays: MeshArrays) -> np.ndarray:
-    """(m,) of the triangles that were flattened: of a thick material those in the middle of its thickness.
+    """Return the areas (m,) of the flattened triangles, for thick materials in the middle of the thickness.
 
-    p q cos γ is by how much the map from flat to model multiplies areas. Where a flat triangle has none, as modeled.
+    The map from flat to model multiplies areas by p q cos γ. Flat triangles without area have the model's area.
     """
     areas = triangle_areas(arrays.vertices, arrays.triangles)
     for piece in result.pieces:
@@ -251,7 +252,7 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
 
 
 def _following(sizes: np.ndarray) -> np.ndarray:
-    """(l,) the next corner of the same face; sizes (f,): of the faces."""
+    """Return the next corner (l,) in the same face. sizes (f,): of the faces."""
     starts = np.cumsum(sizes) - sizes
     following = np.arange(1, sizes.sum() + 1)
     following[starts + sizes - 1] = starts
@@ -259,9 +260,9 @@ def _following(sizes: np.ndarray) -> np.ndarray:
 
 
 def _edge_corners(source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """(l,) the corner of the source at which the side begins there that begins at each corner here.
+    """Return for each corner (l,) the source's corner at which its side begins.
 
-    Where faces are run through backwards, a side begins where it ends on the source.
+    In reversed faces, a side begins where it ends on the source.
     """
     return source_corner[_following(sizes)] if arrays.mirrored else source_corner
 
@@ -269,9 +270,9 @@ def _edge_corners(source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArra
 def _edges(
     loop_vertices: np.ndarray, source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(e,2) edges, (l,) the edge at each corner, and (e,) of which edge of the source each is, all int32.
+    """Return edges (e,2), the edge at each corner (l,), and the source's edge of each edge (e,), all int32.
 
-    Sides of faces are one edge where they are of one edge of the source and have the same ends.
+    Sides of faces with the same ends and the same edge of the source share an edge.
     """
     following = _following(sizes)
     source_edge = arrays.loop_edges[_edge_corners(source_corner, sizes, arrays)]
@@ -307,7 +308,7 @@ class FlatMarks:
 
 
 def flat_marks(source_edges: np.ndarray, arrays: MeshArrays) -> FlatMarks:
-    """source_edges (e,): of the flat edges."""
+    """Return the marks. source_edges (e,): the model's edge of each flat edge."""
     seams, seam_ids = np.zeros(len(arrays.edges), dtype=bool), np.zeros(len(arrays.edges), dtype=np.int32)
     seams[arrays.seam_edges], seam_ids[arrays.seam_edges] = True, arrays.seam_ids
     marks = EdgeMarks.none(len(arrays.edges))

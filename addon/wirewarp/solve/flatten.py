@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arrays of one object to the core library's result."""
+"""Flattens the arrays of one object with the core library."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -20,15 +20,15 @@ from .steps import Steps
 
 EASE_AGAIN = "Mark the ease again: anything above -100%, 0 for none."
 Result = TypeVar("Result")
-_ending: list[Job] = []  # canceled jobs, because dropping one waits for it
+_ending: list[Job] = []  # canceled jobs, which are kept because deleting one waits for it
 
 
 @dataclass(frozen=True)
 class ClothChoice:
-    """A cloth of the library by its name, or a custom one."""
+    """A fabric of the library by its name, or a custom one."""
 
     name: str  # "woven" and so on, or "custom"
-    gives_across: float  # as a fraction; 0: unknown
+    gives_across: float  # maximum stretch as a fraction; 0 for unknown
     gives_along: float
     worn_across: float = 0.0  # negative ease: stretch when worn, as a fraction
     worn_along: float = 0.0
@@ -57,7 +57,7 @@ class FlattenChoices:
     mirror: bool = field(metadata=LAYS_OUT)
 
 
-# Of a report's options: if one of them changes, all pieces are laid out again.
+# Options in a report that require a new layout if they change.
 LAYOUT_OPTIONS = (*(each.name for each in fields(FlattenChoices) if each.metadata), "grain_wire")
 
 
@@ -117,7 +117,7 @@ def drop_jobs(*_: object) -> None:
 
 
 def _library_options(library: ModuleType, choices: FlattenChoices, arrays: MeshArrays) -> Options:
-    """The library takes the gap as a share of the side of a square as large as all pieces."""
+    """Return the options. The gap becomes a share of the side of a square with the area of all pieces."""
     options = asdict(choices)
     side, gap = _side(arrays), gap_between(arrays, options.pop("spacing"))
     options |= {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}
@@ -172,7 +172,7 @@ def _grain_index(arrays: MeshArrays) -> int:
 def _library_wire(library: ModuleType, wire: NamedWire) -> Wire:
     try:
         return library.Wire(wire.chain.vertices, tolerance=wire.chain.tolerance, name=wire.name, ease=wire.chain.ease)
-    except library.FlattenError as error:  # it names neither the wire nor the place
+    except library.FlattenError as error:  # the library's error names neither the wire nor the place
         edges = list(pairwise(wire.chain.vertices))
         is_ease = str(error.code) == "invalid_ease"
         remedy = EASE_AGAIN if is_ease else "Click it in the list of wires and choose Rigid, Elastic or Free."
@@ -188,7 +188,7 @@ def _library_eases(library: ModuleType, arrays: MeshArrays) -> list[Ease]:
 
 
 def eased_half_edges(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
-    """(k,2) vertices of the sides that have an ease of their own, the face on their left, and (k,) these eases."""
+    """Return the sides (k,2) with an ease of their own as vertices with the face on the left, and the eases (k,)."""
     corners = np.flatnonzero(arrays.side_eases)
     starts = arrays.loop_vertices[corners]
     ends = arrays.edges[arrays.loop_edges[corners]].sum(axis=1, dtype=np.int32) - starts
@@ -198,7 +198,7 @@ def eased_half_edges(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
 def _library_ease(library: ModuleType, half_edges: np.ndarray, ratio: float) -> Ease:
     try:
         return library.Ease(half_edges, ratio)
-    except library.FlattenError as error:  # does not know where it is
+    except library.FlattenError as error:  # the library's error does not know its place
         edges = [tuple(pair) for pair in half_edges.tolist()]
         sentence = f"The ease of one side is invalid along {counted(len(edges), 'edge')}. {EASE_AGAIN}"
         raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error
@@ -213,7 +213,7 @@ def issue_of_piece(piece: Piece, index: int, arrays: MeshArrays) -> Issue:
 
 
 def issue_of_error(error: FlattenError, arrays: MeshArrays, flipped: int = 0, overlapping: int = 0) -> Issue:
-    """Return the library's error in the words of the add-on. flipped, overlapping: numbers of faces of its piece."""
+    """Return the library's error in the add-on's words. flipped, overlapping: counts of such faces in its piece."""
     faces = polygons_of(arrays, error.faces)
     names = [wire.name for wire in arrays.wires]
     return Issue(
@@ -232,19 +232,19 @@ def polygons_of(arrays: MeshArrays, triangles: Sequence[int] | np.ndarray) -> li
 
 
 def has_layout(corner_uv: np.ndarray) -> np.ndarray:
-    """(m,) bool: triangles with coordinates."""
+    """Return a mask (m,) of triangles with coordinates."""
     return np.isfinite(corner_uv.reshape(-1, 6) @ np.ones(6))  # a sum is finite if its terms are
 
 
 def has_cloth(result: FlattenResult) -> bool:
-    """Return whether it was made for a cloth, and a piece has a layout."""
+    """Return whether the result is for a fabric and has a layout."""
     return any(math.isfinite(piece.metrics.cloth_energy) for piece in result.pieces)
 
 
 def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> list[tuple[int, int]]:
-    """The proposed vertex pairs as edges of the mesh, each once.
+    """Return the proposed vertex pairs as edges of the mesh, each once.
 
-    The library sees triangles: a pair that is the diagonal of a face goes round the face instead, the shorter way.
+    The library sees triangles, so a pair may be the diagonal of a face. The shorter way around the face replaces it.
     """
     pairs = np.asarray(list(proposed), dtype=np.int64).reshape(-1, 2)
     count = len(arrays.vertices)
@@ -282,7 +282,7 @@ def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> l
 
 
 def round_up(tolerance: float) -> float:
-    """Round up to three digits, as the panel shows tolerances, so that they suffice. inf (free) stays."""
+    """Round up to the three digits that the panel shows, so that the tolerance suffices. inf (free) stays."""
     if math.isinf(tolerance):
         return tolerance
     step = 10.0 ** (math.floor(math.log10(tolerance)) - 2)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which piece and which seam is which: the ids and names of those of a result.
+"""Assigns ids and names to the pieces and seams of a result.
 
-A seam is numbered once. It is known again by the ids on the edges of the model, whatever its place in the result has
-become, and a number that was given is never given again.
+A seam keeps its number. The ids on the model's edges identify it, even if its index in the result changes, and a
+number is never used again.
 """
 
 import random
@@ -19,15 +19,17 @@ from .chains import edge_keys
 
 # By axis, towards minus and plus. As on a person who looks along -Y, Blender's front: the left hand is at +X.
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
-HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # of two pieces on one side
-FACES_ONE_WAY = 0.3  # of 1, a flat piece; one that winds around (a sleeve) is named by its place
-BESIDE = 0.05  # of the model's size; one that winds around its middle (a ball) has no side
-ROUNDED = 3  # digits of offsets that are compared: models are seldom mirrored to the last bit
+HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # of two pieces on the same side
+FACES_ONE_WAY = (
+    0.3  # shortest mean normal of a piece that faces one side; a sleeve winds around and is named by its place
+)
+BESIDE = 0.05  # share of the model's size; a piece around the middle (a ball) has no side
+ROUNDED = 3  # compared digits of offsets, because models are seldom exactly mirrored
 NO_SIDE = "Around"
 
 
 def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
-    """ "Front", or "Front Left" beside "Front Right"; several pieces may be called the same.
+    """Return "Front", or "Front Left" beside "Front Right". Several pieces may have the same name.
 
     normals (p,3): the mean normal of each piece, of length 1 if it is flat. offsets (p,3): from the middle of the
     model to that of the piece, as a share of the model's size.
@@ -41,7 +43,7 @@ def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
 
 
 def region_side_names(regions: Sequence[str | None], normals: np.ndarray, offsets: np.ndarray) -> list[str | None]:
-    """The names of regions; where pieces share one, with their sides: "Left Sleeve" beside "Right Sleeve"."""
+    """Return the names of regions, with the side if pieces share one: "Left Sleeve" beside "Right Sleeve"."""
     names = list(regions)
     for region in filter(None, dict.fromkeys(regions)):
         own = [index for index, name in enumerate(regions) if name == region]
@@ -62,9 +64,9 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
 
 
 def _halves(side: str, offsets: np.ndarray) -> list[str]:
-    """How the pieces of one side differ: two by where one lies of the other, more by left and right; "" if by nothing.
+    """Return how pieces on one side differ: two by their relative place, more by left and right, or "".
 
-    Of many pieces a mirrored pair so has one name but for its side.
+    The names in a mirrored pair therefore differ only in the side.
     """
     if len(offsets) != 2:
         if len(offsets) == 1 or side in SIDES[0]:
@@ -79,7 +81,7 @@ def _halves(side: str, offsets: np.ndarray) -> list[str]:
 
 
 def from_top(offsets: np.ndarray) -> list[int]:
-    """The pieces from top to bottom and front to back: by this order those of a mirrored pair get the same number."""
+    """Return the pieces from top to bottom and front to back, which numbers both pieces of a mirrored pair alike."""
     x, y, z = offsets.T.round(ROUNDED)
     return np.lexsort((x, np.abs(x), y, -z)).tolist()
 
@@ -103,10 +105,10 @@ def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
 
 
 def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegions) -> list[str | None]:
-    """For each piece the region that most of its faces are in. None if no region distinguishes pieces."""
+    """Return the region with most faces of each piece; None if no region distinguishes pieces."""
     faces_in_piece = np.bincount(piece_of_face[regions.sample], minlength=piece_count)
     names: list[str | None] = [None] * piece_count
-    for kind in (regions.materials, regions.groups):  # a group says more, and comes last
+    for kind in (regions.materials, regions.groups):  # groups come last, because they say more
         for piece, name in _names_by(kind, piece_of_face, faces_in_piece):
             names[piece] = name
     return names
@@ -131,7 +133,7 @@ MAX_ID = 2**31 - 1  # of an INT attribute
 
 @dataclass(frozen=True)
 class KnownPieces:
-    """Ids and names from before a run."""
+    """Ids and names of pieces before a run."""
 
     ids: np.ndarray  # (f,) int32, one per face of the model; 0 on faces that were in no piece yet
     names: Mapping[int, str]  # of the pieces of the last run, by id
@@ -146,7 +148,7 @@ class PieceIdentity:
 
 @dataclass(frozen=True)
 class _Shape:
-    """Shapes of the pieces, one row each, and of their triangles."""
+    """Measures of the pieces' shapes, one row each, and of their triangles."""
 
     triangle_areas: np.ndarray  # (m,)
     normals: np.ndarray  # (p,3), the mean over the area
@@ -168,7 +170,7 @@ def identify_pieces(
     ids = assign_ids(piece_of_triangle, known.ids[arrays.triangle_polygons], shape.triangle_areas, count, set())
     old = [known.names.get(piece_id, "") for piece_id in ids]
     if list(known.names.values()) == [known.model_name]:
-        old = [""] * count  # what was the whole model may be a part now, and the model may have another name
+        old = [""] * count  # a piece that was the whole model may be a part now, or the model was renamed
     names = _first_of_each(old)
     new = [index for index in from_top(shape.offsets) if not names[index]]
     outward = -shape.normals if faces_inward(arrays) else shape.normals
@@ -182,7 +184,7 @@ def identify_pieces(
 
 
 def ids_by_face(result: FlattenResult, arrays: MeshArrays, identities: Sequence[PieceIdentity]) -> np.ndarray:
-    """(f,) int32, for the model."""
+    """Return the piece ids of the model's faces, (f,) int32."""
     ids = np.zeros(len(arrays.polygon_starts), dtype=np.int32)
     for piece, identity in zip(result.pieces, identities, strict=True):
         ids[arrays.triangle_polygons[piece.source_face]] = identity.piece_id
@@ -190,17 +192,17 @@ def ids_by_face(result: FlattenResult, arrays: MeshArrays, identities: Sequence[
 
 
 def assign_ids(owners: np.ndarray, ids: np.ndarray, weights: np.ndarray, count: int, taken: set[int]) -> list[int]:
-    """The id that most of each owner's weight carries; of two owners with one id the heavier keeps it.
+    """Return for each owner the id with most of its weight; of two owners with one id, the heavier keeps it.
 
-    owners (k,) from 0 to count - 1, ids (k,) 0 or less for none, and weights (k,) of the elements; taken: ids that no
-    owner may get anew, besides these.
+    owners (k,) from 0 to count - 1, ids (k,), 0 or less for none, and weights (k,) of the elements; taken: further ids
+    that new ones must not repeat.
     """
-    marked = ids > 0  # others are not ours
+    marked = ids > 0  # other values are not ids
     pairs = owners[marked].astype(np.int64) << 32 | ids[marked].astype(np.int64)
     present, place = np.unique(pairs, return_inverse=True)
     order = np.argsort(np.bincount(place, weights[marked], minlength=len(present)), kind="stable")
     carried = np.zeros(count, dtype=np.int64)
-    carried[present[order] >> 32] = present[order] & 0xFFFFFFFF  # the last one written is the largest
+    carried[present[order] >> 32] = present[order] & 0xFFFFFFFF  # the last assignment, the largest, wins
     taken, given = taken | set(np.unique(ids).tolist()), set()
     assigned = carried.tolist()
     for owner in np.argsort(-np.bincount(owners, weights, minlength=count), kind="stable").tolist():
@@ -212,7 +214,7 @@ def assign_ids(owners: np.ndarray, ids: np.ndarray, weights: np.ndarray, count: 
 
 
 def new_id(taken: Collection[int] = ()) -> int:
-    """Return an id of a piece, a seam or a wire: random, so that joined and appended meshes keep theirs apart."""
+    """Return a random id of a piece, seam or wire, so that ids of joined and appended meshes differ."""
     while True:
         number = random.randint(1, MAX_ID)
         if number not in taken:
@@ -226,7 +228,7 @@ def _measure(piece_of_triangle: np.ndarray, count: int, arrays: MeshArrays) -> _
     centers = arrays.vertices[arrays.triangles].mean(axis=1)
     low, high = centers.min(axis=0), centers.max(axis=0)
     size = max(float(np.linalg.norm(high - low)), np.finfo(float).tiny)
-    divided = np.maximum(areas, np.finfo(float).tiny)  # a piece without area is refused, but has a name
+    divided = np.maximum(areas, np.finfo(float).tiny)  # a piece without area is refused but still has a name
 
     def mean(rows: np.ndarray) -> np.ndarray:
         return np.array([np.bincount(piece_of_triangle, row, minlength=count) / divided for row in rows]).T
@@ -246,15 +248,15 @@ def _first_of_each(names: list[str]) -> list[str]:
     return [name if first[name] == index else "" for index, name in enumerate(names)]
 
 
-GIVEN = re.compile(r"(?:Seam|Dart) (\d+)")  # a name of ours, that the user has not changed
+GIVEN = re.compile(r"(?:Seam|Dart) (\d+)")  # a name that the user has not changed
 
 
 @dataclass(frozen=True)
 class KnownSeams:
-    """What is known before a run."""
+    """Ids and names of seams before a run."""
 
     ids: np.ndarray  # (k,) int32, one per seam edge of the model; 0 on edges that were in no seam yet
-    names: Mapping[int, str]  # of all seams there ever were, by id
+    names: Mapping[int, str]  # names of all present and former seams by id
 
 
 @dataclass(frozen=True)
@@ -265,7 +267,7 @@ class SeamIdentity:
 
 
 def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams) -> list[SeamIdentity]:
-    """Of each seam of a FlattenResult, in their order."""
+    """Return the identity of each seam of a FlattenResult."""
     seam_of_edge, lengths = _seam_of_edge(result.seams, arrays), edge_lengths(arrays.vertices, arrays.seams)
     inside = seam_of_edge >= 0
     taken = {*known.names, *known.ids.tolist()}
@@ -287,14 +289,14 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
 
 
 def ids_by_edge(result: FlattenResult, arrays: MeshArrays, identities: Sequence[SeamIdentity]) -> np.ndarray:
-    """(k,) int32, for the seam edges of the model."""
+    """Return the seam ids of the model's seam edges, (k,) int32."""
     seam_of_edge = _seam_of_edge(result.seams, arrays)
     ids = np.array([identity.seam_id for identity in identities] + [0], dtype=np.int32)
     return ids[seam_of_edge]
 
 
 def _seam_of_edge(seams: Sequence[SeamReport], arrays: MeshArrays) -> np.ndarray:
-    """(k,) index of the seam that each seam edge of the model is in, -1 where it is in none."""
+    """Return the index of the seam that contains each seam edge of the model (k,), -1 for none."""
     count = len(arrays.vertices)
     keys = [edge_keys(seam.edges, count) for seam in seams]
     own = edge_keys(arrays.seams, count)
@@ -310,14 +312,14 @@ def _seam_of_edge(seams: Sequence[SeamReport], arrays: MeshArrays) -> np.ndarray
 
 
 def _ends_at(arrays: MeshArrays) -> np.ndarray:
-    """(n,) how many edges of seams and outlines there are at each vertex."""
+    """Return the number of seam and outline edges at each vertex (n,)."""
     edges = np.concatenate([arrays.seams, arrays.outline])
     unique = np.unique(np.sort(edges, axis=1), axis=0)  # an edge of the outline may be marked as a seam, too
     return np.bincount(unique.ravel(), minlength=len(arrays.vertices))
 
 
 def _is_dart(seam: SeamReport, edges_at: np.ndarray) -> bool:
-    """Both sides in one piece, and an end inside it."""
+    """Return whether both sides are in one piece, and an end is inside it."""
     if len(set(seam.pieces)) > 1:
         return False
     vertices, counts = np.unique(np.asarray(seam.edges), return_counts=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Colors for values, which differ by lightness, or by warm and cold, but not by hue."""
+"""Maps values to colors that differ in lightness, or as warm and cold, so that color-blind people can read them."""
 
 import math
 from dataclasses import dataclass
@@ -11,12 +11,12 @@ import numpy as np
 _RISING = ((0.93, 0.93, 0.90), (0.98, 0.80, 0.35), (0.93, 0.42, 0.10), (0.65, 0.07, 0.08), (0.18, 0.01, 0.09))
 # From eased in over unchanged to stretched: blue, near white, orange.
 _TWO_SIDED = ((0.002, 0.08, 0.33), (0.10, 0.33, 0.66), (0.92, 0.90, 0.86), (0.89, 0.35, 0.05), (0.38, 0.05, 0.002))
-STEPS = 4096  # of a scale: more than a screen shows
+STEPS = 4096  # steps of a scale, more than a screen can show
 
 
 @cache
 def _colors(stops: tuple[tuple[float, float, float], ...]) -> np.ndarray:
-    """(STEPS + 1,4) float32 at equal steps; to look them up takes a twentieth of the time of interpolation."""
+    """Return colors (STEPS + 1,4), float32, at equal steps; a lookup takes a twentieth of the time of interpolation."""
     colors, place = np.ones((STEPS + 1, 4), dtype=np.float32), np.linspace(0, len(stops) - 1, STEPS + 1)
     for channel, values in enumerate(np.array(stops).T):
         colors[:, channel] = np.interp(place, np.arange(len(stops)), values)
@@ -36,12 +36,12 @@ class ColorMap:
     stops: tuple[tuple[float, float, float], ...] = _RISING
 
     def colors(self, values: np.ndarray) -> np.ndarray:
-        """(k,4) float32 linear RGBA; values beyond the scale get its end's color."""
+        """Return linear RGBA (k,4), float32. Values beyond the scale get the color of its end."""
         steps = (values - self.low) * (STEPS / (self.high - self.low)) + 0.5
         return _colors(self.stops).take(np.fmin(np.fmax(steps, 0), STEPS).astype(np.intp), axis=0)
 
     def number(self, value: float, digits: int = 4) -> str:
-        """Return a value as the scale writes it, with its sign if the scale has two sides."""
+        """Return the text of a value, with a sign if the scale has two sides."""
         sign = "+" if self.low < 0 < value else ""
         if self.is_angle:
             return f"{math.degrees(value):.{digits}g}°"
@@ -54,7 +54,9 @@ LENGTH_VARIATION = ColorMap("length_variation_color", "Change of length", 0.0, 0
 ARAP_ENERGY = ColorMap("arap_energy_color", "Distortion", 0.0, 0.1)
 WEFT = ColorMap("weft_strain_color", "Across the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
 WARP = ColorMap("warp_strain_color", "Along the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
-SHEAR = ColorMap("shear_angle_color", "Shear", 0.0, math.radians(45), is_angle=True)  # wovens lock from there on
+SHEAR = ColorMap(
+    "shear_angle_color", "Shear", 0.0, math.radians(45), is_angle=True
+)  # woven fabric locks at a larger shear
 CLOTH_MAPS = (WEFT, WARP, SHEAR)
 COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY, *CLOTH_MAPS)
 NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # not a color of the scales

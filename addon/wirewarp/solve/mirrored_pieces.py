@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Failed mirrored pieces, such as two sleeves: a proposal for one is made for both, as mirror images."""
+"""Mirrors the fix proposed for one of two failed mirrored pieces, such as sleeves, to the other."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -12,15 +12,15 @@ from ..issues import Issue, LooserWire
 from .arrays import MeshArrays, triangle_areas
 from .chains import edge_keys
 
-ALIKE = 1e-3  # relative difference of outlines and areas up to which two pieces are taken for mirror images
-IN_PLACE = 1e-4  # of the size of a piece: nearer than this to its mirror image a vertex is that
+ALIKE = 1e-3  # maximum relative difference between outlines and areas of mirrored pieces
+IN_PLACE = 1e-4  # share of a piece's size: maximum distance between a vertex and its mirror image
 Pairs = list[tuple[int, int]]  # vertices
 
 
 def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:
-    """The issues; those of mirrored pieces propose what fixes both.
+    """Return the issues; those of mirrored pieces propose fixes for both.
 
-    The first proposal counts, and its mirror image, where the meshes are mirror images too; else each piece's own.
+    If the meshes are mirror images, too, both use the first proposal and its mirror image, otherwise their own.
     """
     found = list(issues)
     fixable = [index for index, issue in enumerate(issues) if issue.proposed_seams or issue.proposed_tolerances]
@@ -58,7 +58,7 @@ def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> I
     wanted = [*issue.proposed_seams, *(edge for wire in issue.proposed_tolerances for edge in wire.edges)]
     own = np.intersect1d(np.unique(piece.source_vertex), np.array(wanted).ravel())
     places, others = arrays.vertices[np.unique(piece.source_vertex)], np.unique(other.source_vertex)
-    for axis in range(3):  # across X on most models; others lie, or face to the side
+    for axis in range(3):  # most models are symmetric in X; others lie down or face sideways
         image = _images(arrays.vertices[own], places, arrays.vertices[others], axis)
         if image is None:
             continue
@@ -71,9 +71,9 @@ def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> I
 
 
 def _images(points: np.ndarray, own: np.ndarray, others: np.ndarray, axis: int) -> np.ndarray | None:
-    """(k,) the vertices of the other piece that mirror the points (k,3) of a piece; None if one has no mirror image.
+    """Return the vertices (k,) of the other piece that mirror the points (k,3); None if one has no mirror image.
 
-    own (n,3) and others (m,3): all vertices of both, by the middles of which they are laid on each other.
+    own (n,3), others (m,3): all vertices of both pieces, which are aligned by their middles.
     """
     mirror = np.where(np.arange(3) == axis, -1.0, 1.0)
     low, high = own.min(axis=0), own.max(axis=0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flat pieces as plain arrays, and their outlines: the edges that only one face has, and the loops they form."""
+"""Flat pieces as arrays, and their outlines: edges with one face, and the loops of such edges."""
 
 from dataclasses import dataclass
 
@@ -10,15 +10,15 @@ from .chains import EdgeMarks, edge_keys
 
 @dataclass(frozen=True)
 class FlatPieces:
-    """A flat mesh as it was made, or as read back after changes by users."""
+    """A flat mesh as it was made, or as it was read after changes by users."""
 
     vertices: np.ndarray  # (n,2) float64
     source_vertex: np.ndarray  # (n,) int32, vertex of the model
-    loop_vertices: np.ndarray  # (l,) int32, the corners of one face after those of the other
+    loop_vertices: np.ndarray  # (l,) int32, the corners face by face
     loop_edges: np.ndarray  # (l,) int32, the edge from each corner to the next of its face
     face_sizes: np.ndarray  # (f,) int32
     face_piece: np.ndarray  # (f,) int32, index of the piece in the report
-    piece_id: np.ndarray  # (f,) int32, by which the piece is known again in the next run
+    piece_id: np.ndarray  # (f,) int32, the piece's id for the next run
     source_face: np.ndarray  # (f,) int32, face of the model
     edges: np.ndarray  # (e,2) int32
     marks: EdgeMarks  # (e,)
@@ -27,7 +27,7 @@ class FlatPieces:
 def piece_of_vertices(
     count: int, loop_vertices: np.ndarray, face_sizes: np.ndarray, face_piece: np.ndarray
 ) -> np.ndarray:
-    """(count,) the piece of each vertex, by those of the faces; 0 for vertices without a face."""
+    """Return the piece of each vertex (count,) from its faces; 0 for vertices without a face."""
     piece_of_vertex = np.zeros(count, dtype=np.int64)
     piece_of_vertex[loop_vertices] = np.repeat(face_piece, face_sizes)
     return piece_of_vertex
@@ -35,7 +35,7 @@ def piece_of_vertices(
 
 @dataclass(frozen=True)
 class OutlineEdges:
-    """Directed as in their face. Of mirrored pieces too, the piece is on the side of `inward`."""
+    """Outline edges, directed as in their face. The piece is on the side of `inward`, also if it is mirrored."""
 
     edges: np.ndarray  # (b,2) int64, vertices
     piece: np.ndarray  # (b,) int32
@@ -49,9 +49,9 @@ def outline_edges(
     face_sizes: np.ndarray,
     face_piece: np.ndarray,
 ) -> OutlineEdges:
-    """vertices (n,2); the corners of one face after those of the other (l,): vertex, and edge to the next corner.
+    """Return the outline edges of vertices (n,2).
 
-    By face: size and piece.
+    Corners (l,), face by face, have a vertex and the edge to the next corner; faces have a size and a piece.
     """
     a, b = _face_sides(loop_vertices, face_sizes)
     lonely = np.flatnonzero(np.bincount(loop_edges)[loop_edges] == 1)
@@ -64,7 +64,7 @@ def outline_of(flat: FlatPieces) -> OutlineEdges:
 
 
 def number_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarray:
-    """(l,) a number for the edge from each corner to the next, where Blender has given none."""
+    """Return a number for the edge from each corner to the next (l,), for meshes without numbers of edges."""
     sides = np.column_stack(_face_sides(loop_vertices, face_sizes))
     return np.unique(edge_keys(sides, int(loop_vertices.max(initial=0)) + 1), return_inverse=True)[1]
 
@@ -83,10 +83,10 @@ def _face_sides(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> tuple[np.n
 
 
 def _areas(vertices: np.ndarray, a: np.ndarray, b: np.ndarray, piece: np.ndarray) -> np.ndarray:
-    """(p,) the signed area of the pieces 0, 1, ... by their edges from a (k,) to b (k,); piece (k,) says whose."""
+    """Return the signed areas (p,) of the pieces 0, 1, ... from their edges a (k,) to b (k,) of the pieces (k,)."""
     origin = np.zeros(piece.max(initial=-1) + 1, dtype=np.int64)
     origin[piece] = a
-    # The shoelace formula; relative to one point of each piece, which may lie far from the origin.
+    # Shoelace formula relative to a point of each piece, because pieces may be far from the origin.
     sides = []
     for column in map(np.ascontiguousarray, vertices.T):
         origins = column[origin][piece]
@@ -96,7 +96,7 @@ def _areas(vertices: np.ndarray, a: np.ndarray, b: np.ndarray, piece: np.ndarray
 
 
 def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.ndarray:
-    """Left of each edge; right in pieces that run clockwise: those seen from inside."""
+    """Return unit vectors to the left of each edge, or to the right in clockwise pieces, which show the inside."""
     along = vertices[edges[:, 1]] - vertices[edges[:, 0]]
     _, row = np.unique(piece, return_inverse=True)
     side = np.sign(_areas(vertices, edges[:, 0], edges[:, 1], row))[row]
@@ -105,7 +105,7 @@ def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.nd
 
 
 def outline_loops(outline: OutlineEdges, piece: int) -> list[np.ndarray]:
-    """The vertices (k,) of each closed run of one piece's outline, in order."""
+    """Yield the vertices (k,) of each closed loop of a piece's outline, in order."""
     following: dict[int, list[int]] = {}
     for a, b in outline.edges[outline.piece == piece].tolist():
         following.setdefault(a, []).append(b)

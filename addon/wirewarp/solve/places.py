@@ -12,14 +12,14 @@ from .flat_mesh import FlatMesh
 from .outlines import FlatPieces, OutlineEdges, number_edges, outline_edges, outline_loops, piece_of_vertices
 
 SAMPLE = 100  # points by which the place of a piece is stored
-# Points of pieces that have a place but no shape just now: (k,4) float64, piece id, source vertex and place.
+# Points of pieces that have a place but at present no shape: (k,4) float64, piece id, source vertex and place.
 NONE_AWAY = np.empty((0, 4))
-LIKE = 0.7  # correlation of a piece with the earlier one; below it, their vertices do not correspond
+LIKE = 0.7  # smallest correlation between a piece and the earlier one whose vertices correspond
 
 
 @dataclass(frozen=True)
 class Motion:
-    """A turn about the origin and then a shift; points of the plane are complex numbers."""
+    """A rotation about the origin followed by a translation. Points of the plane are complex numbers."""
 
     turn: complex = 1.0  # of length 1
     shift: complex = 0.0
@@ -30,7 +30,7 @@ class Motion:
         return np.column_stack([moved.real, moved.imag])
 
     def shifted(self, by: np.ndarray) -> "Motion":
-        """Return this motion followed by a shift (2,)."""
+        """Return this motion followed by a translation (2,)."""
         return Motion(self.turn, self.shift + complex(*by))
 
 
@@ -38,7 +38,7 @@ STAY = Motion()
 
 
 def fit_motion(points: np.ndarray, places: np.ndarray) -> Motion:
-    """Return the motion that brings points (k,2) nearest to their places (k,2) in the sum of squares."""
+    """Return the least-squares motion from points (k,2) to their places (k,2)."""
     start, goal = points.mean(axis=0), places.mean(axis=0)
     (x, y), (u, v) = (points - start).T, (places - goal).T
     spin = complex(x @ u + y @ v, x @ v - y @ u)  # the sum of conj(x + iy) (u + iv)
@@ -48,12 +48,12 @@ def fit_motion(points: np.ndarray, places: np.ndarray) -> Motion:
 
 @dataclass(frozen=True)
 class Places:
-    motions: dict[int, Motion]  # by piece id, from where the piece was laid out to where it goes
+    motions: dict[int, Motion]  # by piece id, from the layout to the piece's place
     crowded: list[int]  # ids of pieces that had to move because they would overlap another
 
 
 class _Pieces:
-    """Pieces one by one. Outlines are found only where they are asked for: that takes the longest."""
+    """Data of single pieces. Outlines are computed only on request, because they take longest."""
 
     def __init__(self, pieces: FlatMesh | FlatPieces, away: np.ndarray = NONE_AWAY) -> None:
         self._pieces = pieces
@@ -61,7 +61,7 @@ class _Pieces:
         order = np.argsort(ids, kind="stable")
         present, first = np.unique(ids[order], return_index=True)
         self._vertices = dict(zip(present.tolist(), np.split(order, first[1:]), strict=True))
-        self._vertices.pop(0, None)  # of no piece
+        self._vertices.pop(0, None)  # of vertices without a piece
         away_ids = away[:, 0].astype(np.int64)
         self._away = {piece_id: away[away_ids == piece_id] for piece_id in np.unique(away_ids).tolist()}
 
@@ -72,7 +72,7 @@ class _Pieces:
         return piece_id in self._vertices or piece_id in self._away
 
     def is_away(self, piece_id: int) -> bool:
-        """Return whether it has a place but no shape."""
+        """Return whether the piece has a place but no shape."""
         return piece_id not in self._vertices
 
     def points(self, piece_id: int) -> np.ndarray:
@@ -88,7 +88,7 @@ class _Pieces:
         return self._pieces.source_vertex[self._vertices[piece_id]]
 
     def box(self, piece_id: int, motion: Motion = STAY) -> np.ndarray:
-        """(2,2) the lowest and the highest corner."""
+        """Return the lowest and the highest corner, (2,2)."""
         points = motion(self.points(piece_id))
         return np.array([points.min(axis=0), points.max(axis=0)])
 
@@ -106,7 +106,7 @@ class _Pieces:
 
 
 def points_of(earlier: FlatPieces, away: np.ndarray, piece_ids: Sequence[int]) -> np.ndarray:
-    """(k,4), see NONE_AWAY: some points of each of these pieces that is there, or away already."""
+    """Return some points (k,4) of each of these pieces, also those without a shape; see NONE_AWAY."""
     pieces = _Pieces(earlier, away)
     rows = [NONE_AWAY]
     for piece_id in piece_ids:
@@ -119,7 +119,7 @@ def points_of(earlier: FlatPieces, away: np.ndarray, piece_ids: Sequence[int]) -
 
 
 def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing: float) -> Places:
-    """Of the pieces, where those that were there earlier lie; others go to the free room right of them.
+    """Return the earlier places of pieces; new pieces are placed in the free room to their right.
 
     away: see NONE_AWAY; spacing: between pieces in the free room.
     """
@@ -138,7 +138,7 @@ def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing
 
 
 def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
-    """Return the motion by the vertices that both pieces have once; None if these are too few or too far off."""
+    """Return the motion from vertices that occur once in both pieces; None if they are too few or fit badly."""
     rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
     here, there = (pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True))
     _, first, second = np.intersect1d(here, there, assume_unique=True, return_indices=True)
@@ -157,7 +157,7 @@ def _only_once(sources: np.ndarray) -> np.ndarray:
 
 
 def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
-    """Return pieces that overlap another and did not before; of two, the one that has grown more."""
+    """Return pieces that newly overlap another; of two, the one that has grown more."""
     overlap = pattern.geometry.overlap
     close = _close(kept, now)
     growth = {piece_id: now.area(piece_id) / max(then.area(piece_id), 1e-300) for piece_id in close}
@@ -187,7 +187,7 @@ def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
 
 
 def _beside(kept: dict[int, Motion], homeless: list[int], now: _Pieces, room: float) -> dict[int, Motion]:
-    """Right of the kept pieces, in columns as high as these, the highest pieces first."""
+    """Place pieces right of the kept ones, in columns of the same height, the tallest first."""
     boxes = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()])
     corner, top = np.array([boxes[:, 1, 0].max() + room, boxes[:, 0, 1].min()]), boxes[:, 1, 1].max()
     motions = {}

@@ -24,9 +24,9 @@ class SmoothLine:
 
 
 def smooth_line(library: ModuleType, arrays: MeshArrays, path: list[int], kept: Pairs, no_seam: NoSeam) -> SmoothLine:
-    """Beside a path of vertices inside a piece, with the same ends; it meets kept edges where the path does.
+    """Return a smooth line beside a path of vertices inside a piece, with the same ends and crossings of kept edges.
 
-    It enters no painted face but where the path does. The edges of the path are no seams. Raises ObjectError.
+    It enters only painted faces that the path enters. Edges of the path must not be seams. Raises ObjectError.
     """
     painted = (painted_at_edges(arrays, no_seam) > 0) | no_seam.vertices[arrays.edges].all(axis=1)
     painted &= ~np.isin(_keys(arrays.edges, arrays), _keys(list(pairwise(path)), arrays))

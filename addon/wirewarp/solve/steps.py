@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Work in steps, between which the window goes on: generators that yield the share of the work that is done.
+"""Runs work in steps, between which the window responds: generators that yield the completed share of the work.
 
-To stop one throw CanceledError into it: work that is extra then ends with the result that is there. To drop one close
-it. Files are then as they were. Whoever drives one closes it: the traceback of an error would keep it alive. There are
-no Python threads, which Blender does not allow; the solver has its own, in the core. No Blender here.
+To stop the steps, throw CanceledError into them: an optional part then ends with the result so far. To discard them,
+close them; files do not change. The caller always closes them, because the traceback of an error would keep them
+alive. There are no Python threads, which Blender does not allow; the core has its own. No Blender here.
 """
 
 import time

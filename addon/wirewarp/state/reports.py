@@ -63,7 +63,7 @@ def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectR
 
 
 def _failure(source: bpy.types.Object) -> ObjectReport | None:
-    """Return the report of a run that wrote nothing. Before Blender 4.1, counts detect a later object at its address."""
+    """Return the report of a run that wrote nothing. Before 4.1, counts detect a later object at its address."""
     failure = state_of(source).failure
     if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):
         return None

@@ -133,12 +133,12 @@ class WindowRun(Generic[T]):
 
 
 class WindowSteps:
-    """Mixed into operators. modal() belongs to what begin() has begun."""
+    """Mixin of operators that start a run with begin() and follow it in modal()."""
 
-    ends_on = "TIMER"  # the event upon which a run that is done is finished
+    ends_on = "TIMER"  # type of the event that finishes a completed run
 
     def begin(self, context: bpy.types.Context, task: Task, what: str, steps: Steps[object]) -> set[str]:
-        """modal() goes on with it; what: on which object or objects."""
+        """Start the steps, which modal() continues. what: names the object or the number of objects."""
         self._run: WindowRun = begin(context, task, what, steps)
         context.window_manager.modal_handler_add(self)
         return {"RUNNING_MODAL"}

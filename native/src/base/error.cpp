@@ -88,7 +88,7 @@ constexpr Entry kEntries[] = {
      {"non_manifold_vertex", "Parts of a piece touch in a single vertex, with no edge between them.",
       "Split the named vertices, or join the parts along an edge.", ""}},
     {ErrorCode::inconsistent_orientation,
-     {"inconsistent_orientation", "Neighboring faces look to opposite sides of the surface.",
+     {"inconsistent_orientation", "Neighboring faces point to opposite sides of the surface.",
       "Recalculate the normals, so that all faces of the piece look to the same side. If the piece is one-sided like a "
       "Mobius strip, mark the named edges as seams.",
       "is_one_sided: whether only a seam helps, because no turning of faces does"}},
