@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Many small models, flattened once in peace, and once with five kill -9 in between: the same files must come out.
+"""Many small models, flattened once in peace, and once with three kill -9 in between: the same files must come out.
 
-python tests/bindings/many_models.py COUNT FOLDER [--jobs N]         all of it, with the seconds (Linux)
-python tests/bindings/many_models.py COUNT FOLDER --compare-jobs     how much faster two jobs are than one
+python tests/bindings/many_models.py COUNT FOLDER [--jobs N] does all of it and tells the seconds, on Linux.
 """
 
 import argparse
@@ -20,7 +19,7 @@ from pathlib import Path
 import numpy as np
 import psutil
 
-KILLS = ("worker", "driver", "worker", "driver", "worker")
+KILLS = ("worker", "driver", "worker")
 SMALL_PIPE = 4096  # bytes, some ten lines: the run waits for whoever reads them, and cannot end before it is killed
 
 
@@ -149,37 +148,11 @@ def check_kills(folder, count, jobs):
     return between - begin, end - between, verdicts
 
 
-def compare_jobs(folder, count):
-    """The seconds with one job and with two, and those of a busy loop, alone and beside another."""
-    write_models(folder / "models", count)
-    seconds = [_seconds(lambda jobs=jobs: run(folder / "models", folder / f"jobs {jobs}", jobs)) for jobs in (1, 2)]
-    busy = [sys.executable, "-c", "for _ in range(10**8): pass"]
-    loops = [_seconds(lambda each=each: _wait(*(subprocess.Popen(busy) for _ in range(each)))) for each in (1, 2)]
-    return seconds, loops
-
-
-def _wait(*processes):
-    for process in processes:
-        process.wait()
-
-
-def _seconds(work):
-    begin = time.monotonic()
-    work()
-    return time.monotonic() - begin
-
-
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("count", type=int)
     parser.add_argument("folder", type=Path)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--compare-jobs", action="store_true", help="instead: seconds with one job and with two")
     given = parser.parse_args()
-    if given.compare_jobs:
-        (one, two), (alone, beside) = compare_jobs(given.folder, given.count)
-        print(f"{one:.1f} s with one job, {two:.1f} s with two: {one / two:.2f} times as fast")
-        print(f"(two busy loops on this computer: {2 * alone / beside:.2f} times as fast as one after the other)")
-        sys.exit()
     seconds, seconds_killed, found = check_kills(given.folder, given.count, given.jobs)
     print(f"{given.count} models, {dict(found)}: {seconds:.0f} s; {', '.join(KILLS)} killed: {seconds_killed:.0f} s")

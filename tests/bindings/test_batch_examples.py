@@ -8,9 +8,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from test_command import FOLDED
+from commands import FOLDED
 
-pytest.importorskip("trimesh")
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "batch"
 # What Flamenco has in the job types it runs, as far as ours uses it.
 FLAMENCO = """

@@ -14,6 +14,8 @@ import ezdxf
 import numpy as np
 import pypdfium2
 import pytest
+from commands import FOLDED
+from commands import flatten as run
 from PIL import Image
 from samples import SAMPLES, flattened
 from wirewarp.command import staged
@@ -23,20 +25,8 @@ from wirewarp.command.picture import strain
 from wirewarp.pattern import Marker
 
 trimesh = pytest.importorskip("trimesh")
-# A square of 100 mm with one corner lifted, cut in the middle; by the map in two islands.
-FOLDED = """v 0 0 0\nv .05 0 0\nv .1 0 0\nv 0 .1 0\nv .05 .1 0\nv .1 .1 .04
-vt 0 0\nvt .4 0\nvt .4 1\nvt 0 1\nvt .6 0\nvt 1 0\nvt 1 1\nvt .6 1
-f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n"""
 LOST_VERTEX = """ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z
 element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n3 0 0 9\n"""
-
-
-def run(*words, code=0, **variables):
-    """The lines that are printed, and what is said besides. variables: of the environment."""
-    command = [sys.executable, "-m", "wirewarp", "flatten", *map(str, words)]
-    done = subprocess.run(command, capture_output=True, text=True, env=os.environ | variables)
-    assert done.returncode == code, done.stderr
-    return [json.loads(line) for line in done.stdout.splitlines()], done.stderr
 
 
 @pytest.fixture
@@ -295,8 +285,9 @@ def test_what_was_done_before_is_found_from_any_folder(model, tmp_path, monkeypa
 
 def test_any_name_can_be_printed_on_any_console(model, tmp_path):
     named = model.rename(tmp_path / "Ärmel.obj")
-    ((line,), _) = run(named, "--out", tmp_path, "--format", "svg", PYTHONIOENCODING="ascii")
-    assert line["model"] == str(named)
+    command = [sys.executable, "-m", "wirewarp", "flatten", named, "--out", tmp_path, "--format", "svg"]
+    done = subprocess.run(command, capture_output=True, env=os.environ | {"PYTHONIOENCODING": "ascii"})
+    assert (done.returncode, done.stderr) == (0, b"") and json.loads(done.stdout)["model"] == str(named)
 
 
 def test_no_old_pattern_stays_of_a_model_that_is_not_ready_to_cut(tmp_path):

@@ -5,7 +5,8 @@ import json
 
 import numpy as np
 import pytest
-from test_command import FOLDED, run
+from commands import FOLDED
+from commands import flatten as run
 from wirewarp.report import percent_text
 
 

@@ -3,10 +3,8 @@
 
 import numpy as np
 import pytest
-from test_command import FOLDED
+from commands import FOLDED
 from wirewarp.command.model import read_model
-
-pytest.importorskip("trimesh")
 
 
 @pytest.mark.parametrize(

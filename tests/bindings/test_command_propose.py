@@ -2,10 +2,8 @@
 """python -m wirewarp propose: what propose_darts() and its kin find, one line of JSON a model."""
 
 import json
-import os
-import subprocess
-import sys
 
+import commands
 import numpy as np
 import pytest
 from surfaces import half_cylinder, spherical_patch
@@ -16,10 +14,7 @@ trimesh = pytest.importorskip("trimesh")
 
 
 def propose(*words, code=0):
-    command = [sys.executable, "-m", "wirewarp", "propose", *map(str, words)]
-    done = subprocess.run(command, capture_output=True, text=True, env=os.environ)
-    assert done.returncode == code, done.stderr
-    return [json.loads(line) for line in done.stdout.splitlines()]
+    return commands.propose(*words, code=code)[0]
 
 
 @pytest.fixture
@@ -51,22 +46,21 @@ def test_a_line_is_a_seam_of_flatten(dome, tmp_path):
     (line,) = propose(dome, "--unit", "mm", "--count", 1)
     first = line["proposals"][0]
     (tmp_path / "seams.json").write_text(json.dumps(first["lines"]))
-    command = [sys.executable, "-m", "wirewarp", "flatten", dome, "--out", tmp_path / "out", "--unit", "mm"]
-    done = subprocess.run([*command, "--seams", tmp_path / "seams.json", "--format", "svg"], capture_output=True)
-    assert json.loads(done.stdout)["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
+    words = (dome, "--out", tmp_path / "out", "--unit", "mm", "--seams", tmp_path / "seams.json", "--format", "svg")
+    ((told,), _) = commands.flatten(*words)
+    assert told["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
 
 
 def test_first_cuts_of_a_closed_model_are_lines_of_flatten(tmp_path):
-    trimesh.creation.icosphere(subdivisions=2).export(tmp_path / "ball.obj")
+    trimesh.creation.icosphere(subdivisions=1).export(tmp_path / "ball.obj")
     (line,) = propose(tmp_path / "ball.obj", "--cut", "seam", "--strain", "25%")
     model, first = read_model(tmp_path / "ball.obj"), line["proposals"][0]
     expected = propose_seams(model.vertices, model.faces, strain=0.25)[0]
     assert np.concatenate([edges(each) for each in first["lines"]]).tolist() == expected.edges.tolist()
     assert first["strain"] <= 0.25 and first["strain_before"] is None and first["energy_before"] is None
     (tmp_path / "seams.json").write_text(json.dumps(first["lines"]))
-    command = [sys.executable, "-m", "wirewarp", "flatten", tmp_path / "ball.obj", "--out", tmp_path / "out"]
-    done = subprocess.run([*command, "--seams", tmp_path / "seams.json", "--format", "svg"], capture_output=True)
-    told = json.loads(done.stdout)
+    words = (tmp_path / "ball.obj", "--out", tmp_path / "out", "--seams", tmp_path / "seams.json", "--format", "svg")
+    ((told,), _) = commands.flatten(*words)
     assert told["codes"] == []
     assert told["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
 
@@ -109,10 +103,7 @@ def test_the_energy_is_that_of_the_cloth(dome):
 
 
 def test_cuts_taken_together_are_of_no_chosen_piece(dome):
-    command = [sys.executable, "-m", "wirewarp", "propose", dome, "--together", "2", "--piece", "1"]
-    done = subprocess.run(command, capture_output=True, text=True)
-    assert done.returncode == 2
-    assert "without --piece and --count" in done.stderr
+    assert "without --piece and --count" in commands.propose(dome, "--together", 2, "--piece", 1, code=2)[1]
 
 
 @pytest.mark.parametrize("text", ["[" * 100_000, "[[0, 18446744073709551616]]"])

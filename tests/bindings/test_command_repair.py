@@ -6,7 +6,8 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from test_command import FOLDED, run
+from commands import FOLDED
+from commands import flatten as run
 from wirewarp import Options, Wire
 from wirewarp.command import proposals
 from wirewarp.command.lines import Lines

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python -m wirewarp within the process of the tests, which has loaded the libraries and started the server of
+processes; in a process of its own each command takes a second longer.
+"""
+
+import io
+import json
+from contextlib import redirect_stderr, redirect_stdout
+from functools import partial
+
+import pytest
+
+pytest.importorskip("trimesh")
+
+from wirewarp.command import run as command_run
+from wirewarp.command.arguments import parsed
+
+# A square of 100 mm with one corner lifted, cut in the middle; by the map in two islands.
+FOLDED = """v 0 0 0\nv .05 0 0\nv .1 0 0\nv 0 .1 0\nv .05 .1 0\nv .1 .1 .04
+vt 0 0\nvt .4 0\nvt .4 1\nvt 0 1\nvt .6 0\nvt 1 0\nvt 1 1\nvt .6 1
+f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n"""
+
+
+def printed(command, *words, code=0):
+    """The lines that are printed, and what is said besides."""
+    output, errors = io.StringIO(), io.StringIO()
+    with redirect_stdout(output), redirect_stderr(errors):
+        try:
+            ended = command_run.run(parsed([command, *map(str, words)]))
+        except SystemExit as refusal:  # of words that are none
+            ended = refusal.code
+    assert ended == code, errors.getvalue()
+    return [json.loads(line) for line in output.getvalue().splitlines()], errors.getvalue()
+
+
+flatten, batch, propose = (partial(printed, command) for command in ("flatten", "batch", "propose"))
