@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// With a cache, a piece with a hole had the shape of another one of the same geometry, whose hole is a slit: which rims
-// are the same edges of the input was not in the key.
+// The key of the cache did not contain which rims are the same edges of the input. So a piece with a hole got the shape
+// of another piece with equal geometry whose hole was a slit.
 #include <gtest/gtest.h>
 
 #include "test_meshes.h"
@@ -27,13 +27,13 @@ FlattenInput with_slit() {
   return input;
 }
 
-/// The slit cut in the mesh itself, its inner vertices doubled as flatten() doubles them; its lower rim is sewn to a
-/// third piece.
+/// Returns the mesh with the slit cut in it, its inner vertices doubled as flatten() doubles them. The lower rim is
+/// sewn to a third piece.
 FlattenInput with_sewn_hole() {
   const FlattenInput whole = dome();
   FlattenInput input;
   const auto is_doubled = [](int v) { return v > vertex(2, 4) && v < vertex(6, 4); };
-  std::vector<int> number;  // of the first of each vertex's copies
+  std::vector<int> number;  // number of the first copy of each vertex
   int count = 0;
   for (int v = 0; v < whole.vertices.rows(); ++v) {
     number.push_back(count);
@@ -47,7 +47,7 @@ FlattenInput with_sewn_hole() {
   }
   input.vertices.row(tip_of_flap) << 0, 0, 2;
   input.faces = whole.faces.unaryExpr([&](int v) { return number[v]; });
-  const int first_above = 2 * kQuads * 4;  // of the faces beyond the middle row
+  const int first_above = 2 * kQuads * 4;  // index of the first face beyond the middle row
   for (int f = first_above; f < input.faces.rows(); ++f) {
     for (int k = 0; k < 3; ++k) input.faces(f, k) += is_doubled(whole.faces(f, k)) ? 1 : 0;
   }
@@ -61,7 +61,7 @@ FlattenInput with_sewn_hole() {
   return input;
 }
 
-TEST(Bugs, ACachedSlitIsNoHoleOfTheSameGeometry) {
+TEST(Bugs, ACachedSlitIsNotReusedForAHoleOfTheSameGeometry) {
   const FlattenInput sewn = with_sewn_hole();
   const FlattenResult alone = flatten(sewn);
   Cache cache;

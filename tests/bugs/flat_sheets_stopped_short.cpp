@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flat sheets ended near their shape and not at it: strained, "stopped short", turned over or over themselves along a
-// slit. Edges of a millionth of the piece are stiffer against bending than doubles can hold beside the rest, and nets
-// of rigid wires are rigid only to second order where they lie flat.
+// Flat sheets stopped close to their shape: strained, "stopped short", flipped, or overlapping along a slit. For edges
+// of a millionth of the piece, bending is stiffer than doubles can represent beside the other terms; and flat nets of
+// rigid wires are rigid only to second order.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace wirewarp::flat_sheets_stopped_short_test {
 namespace {
 
-constexpr double kRounding = 1e-20;  // of E: strains of 1e-10
+constexpr double kRounding = 1e-20;  // of E, for strains of 1e-10
 
 void expect_flat_without_strain(const FlattenInput& input) {
   for (const Piece& piece : flatten(input).pieces) {
@@ -21,7 +21,7 @@ void expect_flat_without_strain(const FlattenInput& input) {
   }
 }
 
-/// Columns closer and closer together towards the left, the width 1.
+/// Returns a sheet of width 1 whose columns become narrower towards the left.
 FlattenInput graded_sheet(int n, double ratio, double height) {
   return test::make_grid(n, n, [=](double s, double t) -> Eigen::Vector3d {
     return {s > 0 ? std::pow(ratio, n * (1 - s)) : 0, height * t, 0};
@@ -38,13 +38,13 @@ TEST(Bugs, AFlatSheetWithASlitIsNotStrained) {
   expect_flat_without_strain(input);
 }
 
-TEST(Bugs, AFlatSheetDoesNotCoverItselfAlongASlit) {
+TEST(Bugs, AFlatSheetDoesNotOverlapItselfAlongASlit) {
   FlattenInput input = graded_sheet(8, 0.2, 1);
   test::add_seam(input, first_vertices(test::grid_column(8, 8, 5), 5));
   expect_flat_without_strain(input);
 }
 
-TEST(Bugs, AFlatSheetWithShortEdgesIsNotTurnedOver) {
+TEST(Bugs, AFlatSheetWithShortEdgesIsNotFlipped) {
   FlattenInput input = graded_sheet(10, 0.1, 20);
   test::add_seam(input, first_vertices(test::grid_row(10, 9), 7));
   test::add_wire(input, test::grid_column(10, 10, 1));

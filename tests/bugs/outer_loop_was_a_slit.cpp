@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// On a rough surface a slit may turn more to the left than the outline does. It was taken for the outer loop, so that
-// the other slits were sewn without it, its two rims became one edge all the same, and memory was written at index -1.
+// On a rough surface, a slit that turns more to the left than the outline was taken for the outer loop. The other slits
+// were sewn without it, its rims still became one edge, and memory was written at index -1.
 #include <gtest/gtest.h>
 
 #include "surface/charts/slits.h"
@@ -9,7 +9,8 @@
 namespace wirewarp::outer_loop_was_a_slit_test {
 namespace {
 
-/// A spike at one end of a slit of one edge and little between: a turn of nearly 2 pi around it.
+/// Returns a sheet with a spike at one end of a slit of one edge and hardly any at the other: the slit turns by nearly
+/// 2 pi.
 FlattenInput rough_sheet_with_two_slits() {
   FlattenInput input = test::make_grid(6, 6, [](double s, double t) {
     const bool is_spike = std::abs(s - 0.5) < 1e-9 && (std::abs(t - 0.5) < 1e-9 || std::abs(t - 1.0 / 3) < 1e-9);
@@ -21,7 +22,7 @@ FlattenInput rough_sheet_with_two_slits() {
   return input;
 }
 
-TEST(Bugs, TheOuterLoopIsNoSlit) {
+TEST(Bugs, TheOuterLoopIsNotASlit) {
   const FlattenInput input = rough_sheet_with_two_slits();
   const Chart chart = test::charts_of(input).charts.at(0);
   ASSERT_EQ(chart.boundary_loops.size(), 3U);
@@ -30,7 +31,7 @@ TEST(Bugs, TheOuterLoopIsNoSlit) {
   EXPECT_EQ(flatten(input).pieces.size(), 1U);
 }
 
-TEST(Bugs, AClosedSurfaceWithTwoSlitsHasOneForItsOutline) {
+TEST(Bugs, TheOutlineOfAClosedSurfaceWithTwoSlitsIsOneOfThem) {
   FlattenInput input = test::make_tube(6, 2, [](double s, double t) {
     const double angle = 2 * 3.141592653589793 * s;
     return Eigen::Vector3d(std::cos(angle), std::sin(angle), t);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A slit of one edge was taken for sewn up where cuts are tried, for its rims join the same two vertices: a cut was
-// proposed along the slit itself.
+// The search for cuts took a slit of one edge for a sewn one, because its rims connect the same two vertices. So it
+// proposed a cut along the slit itself.
 #include <gtest/gtest.h>
 
 #include <cmath>

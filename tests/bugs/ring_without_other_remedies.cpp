@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error of a ring that is flipped somewhere proposed the seam that opens it and nothing else, although a dart
-// or a wire with tolerance may do.
+// The error of a ring that is flipped somewhere proposed only the seam that opens it, although a dart or a wire with
+// tolerance may help.
 #include <gtest/gtest.h>
 
 #include "result/guarantee.h"
@@ -10,7 +10,7 @@
 namespace wirewarp::ring_without_other_remedies_test {
 namespace {
 
-TEST(Bugs, ARingIsToldEveryRemedy) {
+TEST(Bugs, TheErrorOfARingProposesEveryRemedy) {
   const int around = 16;
   FlattenInput input = test::flat_annulus(around, 4, 1, 3);
   const int inside = test::nearest_vertex(input, {0, 2, 0});
@@ -20,7 +20,7 @@ TEST(Bugs, ARingIsToldEveryRemedy) {
   const Chart& chart = charts.charts.at(0);
   const WireNetwork network = build_wire_network(chart);
   Positions2 uv = test::planar_positions(chart);
-  uv(inside, 1) -= 0.7;  // over the next ring
+  uv(inside, 1) -= 0.7;  // onto the next ring
   const auto error = check_guarantee(chart, network, input.wires, uv, std::vector<double>(chart.wire_parts.size(), 0),
                                      measure_metrics(chart, network, uv), {{begin, end}});
   ASSERT_TRUE(error);

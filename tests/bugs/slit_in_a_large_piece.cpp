@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A seam of one edge inside a large piece: both its sides join the same two vertices, coarsening took one for the other
-// and read past the end of the other's run.
+// A seam of one edge inside a large piece: both its sides connect the same two vertices. Coarsening confused them and
+// read past the end of the other one's run.
 #include <gtest/gtest.h>
 
 #include "test_meshes.h"

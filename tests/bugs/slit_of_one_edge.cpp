@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A seam of one edge inside a piece took all 100 factorizations: the boundary turns back at both its ends, where the
-// vertices before and after are the same, and the Hessian of the fairness missed their product.
+// A seam of one edge inside a piece took all 100 factorizations. The boundary turns back at both its ends, where the
+// previous and the next vertex are the same, and the Hessian of the fairness did not contain their product.
 #include <gtest/gtest.h>
 
 #include "test_meshes.h"

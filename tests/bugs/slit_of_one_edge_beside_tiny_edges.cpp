@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The two closures of a slit of one edge depend on each other, and what kept its pivot from zero was measured by the
-// edges' mean weight: with tiny edges elsewhere it drowned in rounding, and pieces were "not solvable".
+// The two closures of a slit of one edge depend on each other. The regularization of their pivot was scaled by the mean
+// weight of all edges: with tiny edges elsewhere it was lost in rounding, and pieces were "not solvable".
 #include <gtest/gtest.h>
 
 #include <array>
@@ -18,11 +18,11 @@ TEST(Bugs, ASlitOfOneEdgeBesideTinyEdgesHasAFactor) {
   for (int i = 0; i < 3 * (n - 2); ++i) {
     const int slit = i / 3, begin = n + 2 + slit;
     const int end = std::array{begin + 1, begin + n + 1, begin + n + 2}[static_cast<std::size_t>(i % 3)];
-    const auto graded = [](double s, double t) {  // columns of 1 to 3^-16
+    const auto graded = [](double s, double t) {  // columns from 1 down to 3^-16
       return Eigen::Vector3d(std::pow(3, -16 * s), t, 0.3 * t * t);
     };
     FlattenInput input = test::make_grid(n, 3, graded);
-    test::add_seam(input, {begin, end});  // along both axes, where a closure vanishes, and aslant
+    test::add_seam(input, {begin, end});  // along both axes, where a closure vanishes, and diagonally
     const Chart chart = test::process(input).refined;
     const WireNetwork network = build_wire_network(chart);
     const Eq1 eq1(network, NodeWeight::length);

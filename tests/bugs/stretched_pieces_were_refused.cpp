@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces of a stretched cloth were refused or covered themselves that were good without the stretch: where the sides of
-// a seam shrink by shares far apart, its mean was out of reach of one step; nothing kept a piece from covering itself;
-// and one that is turned over as it is lost its layout and what would mend it.
+// Pieces of a stretched cloth were refused or overlapped themselves although they were good without the stretch. If the
+// sides of a seam shrink by very different shares, their mean could not be reached in one step; nothing prevented
+// overlaps; and a piece that is flipped anyway lost its layout and its proposal.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Options stretched(double weft, double warp) {
   return options;
 }
 
-/// Two sheets of 2 by 2, one with its grain along the seam, the other across.
+/// Returns two sheets of 2 by 2, one with its grain along the seam, the other across.
 FlattenInput sheets_with_crossed_grain(double bump) {
   FlattenInput input = test::make_grid(8, 4, [=](double s, double t) -> Eigen::Vector3d {
     return {4 * s, 2 * t, bump * std::sin(3 * s) * std::sin(3 * t)};
@@ -36,7 +36,7 @@ FlattenInput sheets_with_crossed_grain(double bump) {
   return input;
 }
 
-/// A ruffle nearly all around: laid flat it would reach beyond where it began.
+/// Returns a ruffle nearly all around: flat, it would reach past its start.
 FlattenInput ruffle() {
   return test::make_grid(24, 3, [](double s, double t) -> Eigen::Vector3d {
     const double angle = 0.95 * 2 * kPi * s, radius = 1 + t;
@@ -49,7 +49,7 @@ void expect_good(const FlattenResult& result) {
   for (const SeamReport& seam : result.seams) EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);
 }
 
-TEST(Bugs, ASeamWhoseSidesShrinkByFarSharesIsReached) {
+TEST(Bugs, SidesOfASeamThatShrinkVeryDifferentlyGetCommonLengths) {
   for (const double bump : {0.0, 0.6}) {
     FlattenInput input = sheets_with_crossed_grain(bump);
     expect_good(flatten(input, stretched(1, -0.3)));
@@ -58,16 +58,16 @@ TEST(Bugs, ASeamWhoseSidesShrinkByFarSharesIsReached) {
   }
 }
 
-TEST(Bugs, AStretchedPieceDoesNotCoverItself) {
+TEST(Bugs, AStretchedPieceDoesNotOverlapItself) {
   expect_good(flatten(ruffle(), stretched(0, 0)));
   expect_good(flatten(ruffle(), stretched(0.25, 0.1)));
 }
 
-TEST(Bugs, StretchedSeamsThatGiveHaveTheirEaseWhereNoOtherLengthIsFound) {
+TEST(Bugs, StretchedElasticSeamsHaveTheirEaseIfNoOtherLengthIsFound) {
   FlattenInput input = sheets_with_crossed_grain(0);
   test::add_wire(input, test::grid_column(8, 4, 4), 0.2);
   Options options = stretched(0.3, -0.3);
-  options.max_factorizations = 2;  // too few for both pieces at once, enough for each
+  options.max_factorizations = 2;  // too few for both pieces together, enough for each
   const FlattenResult result = flatten(input, options);
   expect_good(result);
   EXPECT_NEAR(result.seams.at(0).length_2d[0], 2 * (1 / 1.3 + 1 / 0.7) / 2, 1e-8);
@@ -80,12 +80,12 @@ TEST(Bugs, StretchedSeamsThatGiveHaveTheirEaseWhereNoOtherLengthIsFound) {
   }
 }
 
-TEST(Bugs, APieceThatIsTurnedOverAnywayIsNoOtherUnderAStretch) {
+TEST(Bugs, APieceThatIsFlippedAnywayIsTheSameUnderAStretch) {
   FlattenInput input = test::make_grid(8, 4, [](double s, double t) -> Eigen::Vector3d {
     return {2 * s, t, 2 * std::exp(-12 * ((2 * s - 0.5) * (2 * s - 0.5) + (t - 0.5) * (t - 0.5)))};
   });
   test::add_seam(input, test::grid_column(8, 4, 4));
-  for (const int j : {1, 2, 3}) {  // too much for rigid wires on the left half
+  for (const int j : {1, 2, 3}) {  // too much for the rigid wires on the left half
     const std::vector<int> row = test::grid_row(8, j);
     test::add_wire(input, {row.begin(), row.begin() + 5});
   }

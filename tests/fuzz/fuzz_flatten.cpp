@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// libFuzzer on the whole of flatten(): bytes are a mesh with seams, wires, options and the moment of a cancellation.
-// Half of them are a small mesh that is changed a little, since hardly any list of faces is a surface; half are any
-// faces at all. What is not a typed error must keep every promise, and measure() must agree.
+// Fuzzes the whole of flatten() with libFuzzer: bytes become a mesh with seams, wires, options and the moment of a
+// cancellation. Half of them are a slightly changed small mesh, because random lists of faces are rarely a surface;
+// half are random faces. A result that is not a typed error must keep every guarantee, and measure() must agree.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ double any_coordinate(FuzzedDataProvider& bytes) {
   return bytes.ConsumeIntegral<std::int8_t>() / 16.0;
 }
 
-/// Mostly a vertex of the mesh.
+/// Returns mostly a vertex of the mesh.
 int any_vertex(FuzzedDataProvider& bytes, int num_vertices) { return bytes.ConsumeIntegralInRange(-1, num_vertices); }
 
 double any_tolerance(FuzzedDataProvider& bytes) {
@@ -46,7 +46,7 @@ double any_tolerance(FuzzedDataProvider& bytes) {
   }
 }
 
-/// Mostly legal; without further bytes the default.
+/// Returns mostly legal options; the default if no bytes are left.
 Options any_options(FuzzedDataProvider& bytes) {
   Options options;
   options.method = bytes.PickValueInArray({Method::refined, Method::wirewarp_plus_plus, Method::wirewarping});
@@ -83,7 +83,7 @@ FlattenInput any_input(FuzzedDataProvider& bytes) {
   return input;
 }
 
-/// Seams and wires are walks along edges. Without further bytes a flat sheet with none.
+/// Returns a mesh whose seams and wires are walks along edges; a flat sheet without them if no bytes are left.
 FlattenInput changed_mesh(FuzzedDataProvider& bytes) {
   RandomStream random([&] { return 1 - (bytes.ConsumeIntegral<std::uint16_t>() + 1) / 65536.0; });
   FlattenInput input = small_mesh(random);
@@ -100,21 +100,22 @@ Asked any_case(FuzzedDataProvider& bytes) {
   if (bytes.ConsumeBool()) asked.steps_until_cancelled = bytes.ConsumeIntegralInRange(0, 200);
   asked.options.grain = bytes.ConsumeIntegralInRange(-1, 3);
   asked.input = bytes.ConsumeBool() ? any_input(bytes) : changed_mesh(bytes);
-  asked.options.grain = std::min(asked.options.grain, static_cast<int>(asked.input.wires.size()));  // one is too many
+  // At most one too large.
+  asked.options.grain = std::min(asked.options.grain, static_cast<int>(asked.input.wires.size()));
   if (bytes.ConsumeBool()) asked.options.large_chart = bytes.ConsumeIntegralInRange(1, kMostVertices);
   return asked;
 }
 
-/// Pieces that keep every promise do so for measure() too.
-std::vector<std::string> doubts_of_measure(const Asked& asked, const FlattenResult& result) {
-  std::vector<std::string> doubts;
-  if (asked.options.mirror) return doubts;  // all faces turned over
+/// Returns what measure() reports differently: it must confirm every guarantee of the pieces.
+std::vector<std::string> differences_of_measure(const Asked& asked, const FlattenResult& result) {
+  std::vector<std::string> differences;
+  if (asked.options.mirror) return differences;  // all faces are flipped
   const FlattenResult measured = measure(asked.input, result.corner_uv);
   for (std::size_t p = 0; p < result.pieces.size(); ++p) {
     const auto& error = measured.pieces.at(p).error;
-    if (!result.pieces[p].error && error) doubts.push_back(std::string("measure() says: ") + error->what());
+    if (!result.pieces[p].error && error) differences.push_back(std::string("measure() says: ") + error->what());
   }
-  return doubts;
+  return differences;
 }
 
 void demand_none(const std::vector<std::string>& broken) {
@@ -128,8 +129,8 @@ void flatten_and_judge(const Asked& asked) {
   const Progress progress = [&](const std::string&, double) { return steps++ < asked.steps_until_cancelled; };
   try {
     const FlattenResult result = flatten_with(asked.input, asked.options, progress);
-    demand_none(broken_promises(asked.input, asked.options, result));
-    demand_none(doubts_of_measure(asked, result));
+    demand_none(broken_guarantees(asked.input, asked.options, result));
+    demand_none(differences_of_measure(asked, result));
   } catch (const FlattenError& error) {
     demand_none(faults_of_error(error, asked.input));
   }

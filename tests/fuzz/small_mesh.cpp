@@ -29,7 +29,7 @@ void take_out(FlattenInput& input, int face) {
   input.faces.conservativeResize(input.faces.rows() - 1, 3);
 }
 
-/// Into three, around a new vertex.
+/// Divides a face into three, around a new vertex.
 void split(FlattenInput& input, int face) {
   const int a = input.faces(face, 0), b = input.faces(face, 1), c = input.faces(face, 2);
   const int middle = add_vertex(input, (input.vertices.row(a) + input.vertices.row(b) + input.vertices.row(c)) / 3);
@@ -90,7 +90,7 @@ FlattenInput small_mesh(RandomStream& random) {
   for (int j = 0; j < ny; ++j) {
     for (int i = 0; i < nx; ++i) {
       const int a = index(i, j), b = index(i + 1, j), c = index(i + 1, j + 1), d = index(i, j + 1);
-      const bool turned = random.chance(0.5);  // the diagonal
+      const bool turned = random.chance(0.5);  // direction of the diagonal
       add_face(input, a, b, turned ? d : c);
       add_face(input, turned ? b : a, c, d);
     }

@@ -6,10 +6,10 @@
 
 namespace wirewarp::test {
 
-/// A sheet, tube or torus of a few quads, of any shape in space, without seams and wires. Legal.
+/// Returns a legal sheet, tube or torus of a few quads, of any shape in space, without seams and wires.
 FlattenInput small_mesh(RandomStream& random);
 
-/// Takes out, turns over, splits, welds and adds a few faces: any topology, legal or not.
+/// Removes, flips, splits, welds and adds a few faces: any topology, legal or not.
 void change_faces(RandomStream& random, FlattenInput& input);
 
 }  // namespace wirewarp::test

@@ -10,7 +10,7 @@
 namespace wirewarp::test {
 namespace {
 
-/// What the faces of a piece say of its topology.
+/// Topology of a piece, found from its faces.
 struct Topology {
   int num_loops = 0;
   int num_handles = 0;
@@ -25,7 +25,7 @@ Topology topology_of(const Judged& judged, const Piece& piece) {
     const Eigen::Vector3d a = position(corners[0]);
     topology.area += (position(corners[1]) - a).cross(position(corners[2]) - a).norm() / 2;
   }
-  std::map<int, int> next;  // along the outline
+  std::map<int, int> next;  // next vertex along the outline
   for (const auto& [a, b] : judged.outline_of(piece)) next[a] = b;
   const auto num_edges = (3 * static_cast<int>(piece.faces.rows()) + static_cast<int>(next.size())) / 2;
   while (!next.empty()) {
@@ -63,7 +63,7 @@ void check_named_elements(Judged& judged, int number) {
   }
 }
 
-/// Proposed tolerances: more than the wires have, on wires that the piece must hold.
+/// Checks proposed tolerances: larger than the wires' tolerances, on wires with fixed or elastic length.
 void check_tolerances(Judged& judged, int number) {
   for (const ProposedTolerance& proposed : judged.result.pieces[number].error->elements.proposed_tolerances) {
     const Wire& wire = judged.input.wires[proposed.wire];
@@ -74,7 +74,8 @@ void check_tolerances(Judged& judged, int number) {
     }
     if (!is_inside) judged.say("a tolerance is proposed for " + wire.name + ", which is not in the piece");
     const double has = judged.options.method == Method::wirewarping ? 0 : wire.tolerance;
-    if (!(proposed.tolerance > has)) judged.say("the tolerance proposed for " + wire.name + " is no more than it has");
+    if (!(proposed.tolerance > has))
+      judged.say("the tolerance proposed for " + wire.name + " is not larger than its own");
   }
 }
 
@@ -82,13 +83,13 @@ void check_flips(Judged& judged, const Piece& piece) {
   for (const int face : piece.error->elements.faces) {
     PlanarTriangle triangle{judged.uv(face, 0), judged.uv(face, 1), judged.uv(face, 2)};
     if (judged.options.mirror) std::swap(triangle[1], triangle[2]);
-    if (doubled_area(triangle) > 0) judged.say("face " + std::to_string(face) + " is said to be turned over");
+    if (doubled_area(triangle) > 0) judged.say("face " + std::to_string(face) + " is reported as flipped");
   }
 }
 
-/// Its lengths are others than those of the surface, so that a seam or a tolerance need not mend it: it has eases, or a
-/// shape without the stretch.
-bool asks_for_other_lengths(const Judged& judged, int number) {
+/// Whether the target lengths differ from those of the surface, so that a seam or a tolerance need not help: the piece
+/// has eases, or has a shape without the stretch.
+bool has_other_target_lengths(const Judged& judged, int number) {
   const bool is_of_stretch = judged.unstretched && !judged.unstretched->pieces[number].error;
   return is_of_stretch || has_other_outline(judged, judged.result.pieces[number]);
 }
@@ -113,18 +114,18 @@ void check_error(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
   const FlattenError& error = *piece.error;
   for (std::string& fault : faults_of_error(error, judged.input)) judged.say(std::move(fault));
-  if (error.has_layout != judged.has_layout(piece)) judged.say("has_layout does not say whether there is a layout");
-  if (is_of_mesh(error.code)) return;  // what follows from the topology does not hold
+  if (error.has_layout != judged.has_layout(piece)) judged.say("has_layout is wrong");
+  if (is_of_mesh(error.code)) return;  // the checks below need a sound topology
 
   check_named_elements(judged, number);
   const Topology topology = topology_of(judged, piece);
   const bool is_closed = error.code == ErrorCode::closed_chart, has_handles = error.code == ErrorCode::handles;
-  if (is_closed != (topology.num_loops == 0)) judged.say("an error is wrong about whether the piece is closed");
+  if (is_closed != (topology.num_loops == 0)) judged.say("an error reports the wrong topology: closed or open");
   if (has_handles != (topology.num_loops > 0 && topology.num_handles > 0))
-    judged.say("an error is wrong about handles");
+    judged.say("an error reports the wrong number of handles");
   const bool has_seams = !error.elements.proposed_seams.empty();
   const bool has_tolerances = !error.elements.proposed_tolerances.empty();
-  if (has_tolerances && error.code != ErrorCode::infeasible_lengths) judged.say("tolerances mend no lengths");
+  if (has_tolerances && error.code != ErrorCode::infeasible_lengths) judged.say("tolerances cannot fix this error");
   check_tolerances(judged, number);
   switch (error.code) {
     case ErrorCode::closed_chart:
@@ -132,7 +133,7 @@ void check_error(Judged& judged, int number) {
       if (!has_seams) judged.say("no seam is proposed");
       break;
     case ErrorCode::boundary_too_short: {
-      // An outline of this length holds more than so much of the area: not too short (see
+      // An outline of this length encloses more than the minimum share of the area, so it is not too short (see
       // native/src/surface/charts/isoperimetric.cpp).
       const double share = topology.longest_loop * topology.longest_loop / (4 * 3.141592653589793 * topology.area);
       if (share > (topology.num_loops > 1 ? 0.45 : 0.25) * (1 + 1e-9)) judged.say("the outline is not too short");
@@ -140,8 +141,8 @@ void check_error(Judged& judged, int number) {
       break;
     }
     case ErrorCode::infeasible_lengths:
-      if (has_seams && has_tolerances) judged.say("seams and tolerances are proposed at once");
-      if (judged.options.method == Method::refined && !asks_for_other_lengths(judged, number) && !has_seams &&
+      if (has_seams && has_tolerances) judged.say("both seams and tolerances are proposed");
+      if (judged.options.method == Method::refined && !has_other_target_lengths(judged, number) && !has_seams &&
           !has_tolerances) {
         judged.say("nothing is proposed");
       }

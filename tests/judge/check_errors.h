@@ -5,10 +5,10 @@
 
 namespace wirewarp::test {
 
-/// The error is of a fault in the mesh itself.
+/// Whether the error is about a fault of the mesh itself.
 bool is_of_mesh(ErrorCode code);
 
-/// The error of piece `number` fits it: its topology, its outline, its wires, and what it names.
+/// Checks that the error of piece `number` agrees with its topology, its outline, its wires and the elements it names.
 void check_error(Judged& judged, int number);
 
 }  // namespace wirewarp::test

@@ -5,13 +5,13 @@
 
 namespace wirewarp::test {
 
-/// Pieces do not touch: their boxes lie the gap apart, in a row in their order where that was asked for.
+/// Checks that pieces do not touch: their boxes are the gap apart, or in a row in their order if requested.
 void check_room(Judged& judged);
 
-/// What Options::orientation asks for points up in piece `number`, which has a layout.
+/// Checks that the direction of Options::orientation is up in piece `number`, which has a layout.
 void check_orientation(Judged& judged, int number);
 
-/// Two results of the same input that differ in how pieces are laid out alone: the same errors and the same shapes.
+/// Checks that two results of the same input that differ only in the placement of pieces have equal errors and shapes.
 void check_same_shapes(Judged& judged, const FlattenResult& other);
 
 }  // namespace wirewarp::test

@@ -13,12 +13,13 @@ namespace {
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 struct EdgeLengths {
-  double asked;  // where h and r are 0
+  double asked;  // target length for h = r = 0
   double planar;
-  double slack;  // what the promise leaves of the planar length
+  double slack;  // allowed error of the planar length
 };
 
-/// Of a side that is (1+r) times what it would be, without that. is_stretched: it shrinks as the cloth is worn.
+/// Returns the lengths of one side without its own ease r. is_stretched: the cloth is worn stretched, so flat lengths
+/// are shorter.
 EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side, double ease, bool is_stretched) {
   const double in_space = judged.length_3d(edge);
   const int piece = judged.piece_of(side.face);
@@ -26,7 +27,7 @@ EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side,
   double share = 1;
   if (is_stretched && judged.unstretched) {
     share = stretched_share(judged, edge);
-    rounding += kRounding * judged.uv_size(judged.unstretched->pieces[piece]);  // its directions
+    rounding += kRounding * judged.uv_size(judged.unstretched->pieces[piece]);  // rounding of its directions
   }
   const double slack = 1.0001e-9 * in_space + rounding;
   return {share * in_space, judged.length_2d(side) / (1 + ease), slack / (1 + ease)};
@@ -37,7 +38,7 @@ bool is_all_rigid(const Options& options) {
   return options.method == Method::wirewarping || options.inner == Inner::least_norm;
 }
 
-/// The edges of a wire that lie inside pieces without an error, part by part. Parts end on seams and borders, and where
+/// Returns the edges of a wire inside pieces without an error, part by part. Parts end on seams and borders, and where
 /// pieces touch.
 std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<EdgeLengths>> parts(1);
@@ -53,22 +54,23 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
     const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
     const Side side = judged.sides().at(edge).front();
     const Piece& piece = judged.result.pieces[piece_at(i)];
-    if (judged.is_outline(edge) || piece.error) continue;  // outlines are checked; failed pieces promise nothing
+    // Outlines are checked elsewhere; failed pieces guarantee nothing.
+    if (judged.is_outline(edge) || piece.error) continue;
     parts.back().push_back(lengths_of(judged, edge, side, 0, wire.ease == 0));
   }
   const bool goes_on = wire.vertices.front() == wire.vertices.back() && !begins_part(0);
-  if (goes_on && parts.size() > 1) {  // across the wire's begin
+  if (goes_on && parts.size() > 1) {  // continues across the wire's first vertex
     parts.front().insert(parts.front().end(), parts.back().begin(), parts.back().end());
     parts.pop_back();
   }
   return parts;
 }
 
-/// The h that edges leave which all have planar lengths (1+h) l.
+/// The range of h for which all edges so far have planar lengths (1+h) l.
 struct Variations {
   double low, high;
 
-  /// Within the tolerance of a wire about its ease, none: rigid.
+  /// Starts with the tolerance of a wire around its ease; 0 for a rigid wire.
   explicit Variations(double tolerance, double ease = 0) : low(ease - tolerance), high(ease + tolerance) {}
 
   void meet(const EdgeLengths& edge) {
@@ -76,7 +78,7 @@ struct Variations {
     high = std::min(high, (edge.planar + edge.slack) / edge.asked - 1);
   }
 
-  /// By how much they miss one another; not above 0: not at all.
+  /// Returns how much the range is missed; 0 or negative if some h fits.
   double gap() const { return low - high; }
 };
 
@@ -88,7 +90,7 @@ void check_part(Judged& judged, const Wire& wire, double tolerance, const std::v
   }
 }
 
-/// r of a side.
+/// Returns r of a side.
 double ease_of(const Judged& judged, const Side& side) {
   const int from = judged.vertex(side.face, side.corner), to = judged.vertex(side.face, side.corner + 1);
   for (const Ease& ease : judged.input.eases) {
@@ -99,7 +101,7 @@ double ease_of(const Judged& judged, const Side& side) {
   return 0;
 }
 
-/// The sides of an outline edge in good pieces, without their eases.
+/// Returns the sides of an outline edge in good pieces, without their own eases.
 std::vector<EdgeLengths> uneased_sides(const Judged& judged, const Edge& edge, bool is_stretched) {
   std::vector<EdgeLengths> sides;
   for (const Side& side : judged.sides().at(edge)) {
@@ -109,7 +111,7 @@ std::vector<EdgeLengths> uneased_sides(const Judged& judged, const Edge& edge, b
   return sides;
 }
 
-/// The least face that is reached from a face around one of its vertices without crossing an outline.
+/// Returns the lowest face that can be reached around a vertex of a face without crossing an outline.
 int least_face_around(const Judged& judged, int face, int vertex) {
   std::set<int> reached{face};
   std::vector<int> front{face};
@@ -127,15 +129,15 @@ int least_face_around(const Judged& judged, int face, int vertex) {
   return *reached.begin();
 }
 
-/// What lies beside an edge at one of its ends.
+/// Returns the fans on both sides of an edge at one of its ends.
 std::multiset<int> fans_beside(const Judged& judged, const Edge& edge, int vertex) {
   std::multiset<int> fans;
   for (const Side& side : judged.sides().at(edge)) fans.insert(least_face_around(judged, side.face, vertex));
   return fans;
 }
 
-/// The edges of a wire along outlines, run by run: runs end inside pieces and at the outline's junctions, where other
-/// than two of its edges meet or what lies beside it changes.
+/// Returns the edges of a wire along outlines, run by run. Runs end inside pieces and at the outline's junctions: there
+/// the wire does not have two edges, or the fans beside it change.
 std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<Edge>> runs;
   const std::size_t count = wire.vertices.size() - 1;
@@ -152,14 +154,14 @@ std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const W
     runs.back().push_back(edge_at(i));
   }
   const bool is_closed = wire.vertices.front() == wire.vertices.back();
-  if (is_closed && runs.size() > 1 && goes_on(count - 1, 0)) {  // across the wire's begin
+  if (is_closed && runs.size() > 1 && goes_on(count - 1, 0)) {  // continues across the wire's first vertex
     runs.front().insert(runs.front().end(), runs.back().begin(), runs.back().end());
     runs.pop_back();
   }
   return runs;
 }
 
-/// All sides of all edges of a run have planar lengths (1+r)(1+h) l for one h.
+/// Checks that one h fits all sides of all edges of a run: their planar lengths are (1+r)(1+h) l.
 void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   Variations variations(is_all_rigid(judged.options) ? 0 : wire.tolerance, wire.ease);
   for (const Edge& edge : run) {
@@ -171,11 +173,11 @@ void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   }
 }
 
-/// Where no wire lies: all sides of an outline edge have planar lengths (1+r) l.
+/// Checks an outline edge without a wire: all its sides have planar lengths (1+r) l.
 void check_plain_edge(Judged& judged, const Edge& edge) {
   Variations variations(0);
   for (const EdgeLengths& side : uneased_sides(judged, edge, true)) variations.meet(side);
-  if (variations.gap() > 0) judged.say("outline " + name(edge) + " is off by " + std::to_string(variations.gap()));
+  if (variations.gap() > 0) judged.say("outline " + name(edge) + " has the error " + std::to_string(variations.gap()));
 }
 
 }  // namespace
@@ -194,7 +196,7 @@ void check_outline(Judged& judged, const Piece& piece) {
         if (with_wire.count(edge) == 0) check_plain_edge(judged, edge);
         continue;
       }
-      for (const Side& other : judged.sides().at(edge)) {  // the same ends from both sides
+      for (const Side& other : judged.sides().at(edge)) {  // both sides have the same direction
         const bool turned = judged.vertex(other.face, other.corner) != judged.vertex(face, k);
         const Eigen::Vector2d begin = judged.uv(other.face, other.corner + (turned ? 1 : 0));
         if (begin != judged.uv(face, k)) judged.say("torn at " + name(edge));

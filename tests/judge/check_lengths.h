@@ -5,11 +5,12 @@
 
 namespace wirewarp::test {
 
-/// Outline edges of a piece without an error that no wire runs along are exact, its inner edges are not torn.
+/// Checks that outline edges without a wire are exact in a piece without an error, and that inner edges are not torn.
 void check_outline(Judged& judged, const Piece& piece);
 
-/// Rigid wires are exact; the edges of each part of an elastic one change alike, within its tolerance about its ease.
-/// So do all sides of each run along an outline between its junctions, but for eases of their own.
+/// Checks that rigid wires are exact, and that the edges of each part of an elastic one have the same h within its
+/// tolerance around its ease. The same holds for all sides of each run along an outline between junctions, except for
+/// their own eases.
 void check_wires(Judged& judged);
 
 }  // namespace wirewarp::test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What Options::orientation says, measured in the pieces as they lie. Where the choice of a line hangs on details of
-// how wires are cut into parts, nothing is asked.
+// Checks Options::orientation in the pieces as they are placed. Makes no check if the choice of a line depends on
+// details of how wires are divided into parts.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -11,17 +11,17 @@ namespace wirewarp::test {
 namespace {
 
 constexpr double kDirectionRounding = 1e-6;
-constexpr double kShortChord = 0.1;              // of a line's length: then its box stands upright, not its chord
+constexpr double kShortChord = 0.1;  // over a line's length; below it, the line's box is upright instead of its chord
 constexpr double kStraight = 0.087266462599716;  // 5 degrees
 constexpr double kLevel = 0.01;
 
-/// A line in a piece: its points in the plane, in order.
+/// A line in a piece: its planar points in order.
 struct Line {
   std::vector<Eigen::Vector2d> points;
   double length = 0;
 };
 
-/// Appends the edge from a to b as this piece has it.
+/// Appends the edge that starts at a, with its positions in this piece.
 void append(const Judged& judged, const Side& side, int a, Line& line) {
   const int begin = judged.vertex(side.face, side.corner) == a ? 0 : 1;
   if (line.points.empty()) line.points.push_back(judged.uv(side.face, side.corner + begin));
@@ -36,7 +36,7 @@ bool runs_through(const Judged& judged, const Wire& wire, int piece) {
   return false;
 }
 
-/// A wire that is one part: open, and nowhere on an outline but at its ends. Else no points.
+/// Returns a wire that is one part: open, and on an outline only at its ends. Otherwise returns no points.
 Line uncut_wire(const Judged& judged, const Wire& wire, int piece) {
   Line line;
   const std::vector<int>& v = wire.vertices;
@@ -53,8 +53,7 @@ void check_upright(Judged& judged, const Line& line, const std::string& what) {
   if (line.points.empty()) return;
   const Eigen::Vector2d chord = line.points.back() - line.points.front();
   if (chord.norm() > 1.001 * kShortChord * line.length) {
-    if (std::abs(chord.x()) > kDirectionRounding * chord.norm() || chord.y() <= 0)
-      judged.say(what + " does not stand upright");
+    if (std::abs(chord.x()) > kDirectionRounding * chord.norm() || chord.y() <= 0) judged.say(what + " is not upright");
   } else if (chord.norm() < 0.999 * kShortChord * line.length) {
     Eigen::Vector2d low = line.points[0], high = low;
     for (const Eigen::Vector2d& p : line.points) {
@@ -62,13 +61,13 @@ void check_upright(Judged& judged, const Line& line, const std::string& what) {
       high = high.cwiseMax(p);
     }
     if (high.y() - low.y() < (1 - kDirectionRounding) * (high.x() - low.x()))
-      judged.say("the box of " + what + " lies down");
+      judged.say("the box of " + what + " is not upright");
   }
 }
 
-/// One of the longest chains of the outline stands upright. Chains lie on the left of their piece.
+/// Checks that one of the longest chains of the outline is upright. Chains run with their piece on the left.
 void check_longest_chain(Judged& judged, int number) {
-  std::vector<std::pair<double, Line>> chains;  // by length in space
+  std::vector<std::pair<double, Line>> chains;  // keyed by length in space
   for (const BoundaryReport& boundary : judged.result.pieces[number].boundaries) {
     Line chain;
     double length = 0;
@@ -84,7 +83,7 @@ void check_longest_chain(Judged& judged, int number) {
   }
   std::sort(chains.begin(), chains.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   if (chains.empty()) return;
-  if (chains.size() > 1 && chains[1].first >= (1 - 1e-4) * chains[0].first) return;  // either may be chosen
+  if (chains.size() > 1 && chains[1].first >= (1 - 1e-4) * chains[0].first) return;  // either chain may be chosen
   check_upright(judged, chains[0].second, "the longest chain of the outline");
 }
 
@@ -101,11 +100,11 @@ void check_wire_upright(Judged& judged, int piece) {
   check_longest_chain(judged, piece);
 }
 
-/// Edges of the outline that head up within 5 degrees, one after the other, are at least as long as any one edge.
+/// Checks that the consecutive outline edges that head up within 5 degrees are at least as long as any single edge.
 void check_straightest_stretch(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
   double longest_edge = 0;
-  std::map<int, Eigen::Vector2d> upright;  // by piece vertex: the edge of the outline that leaves it
+  std::map<int, Eigen::Vector2d> upright;  // keyed by piece vertex: the outline edge that leaves it
   std::map<int, int> next;
   for (const auto& [a, b] : judged.outline_of(piece)) {
     const Eigen::Vector2d edge = (piece.vertices.row(b) - piece.vertices.row(a)).transpose();
@@ -120,11 +119,11 @@ void check_straightest_stretch(Judged& judged, int number) {
     for (int v = next.at(first); upright.count(v) && v != first; v = next.at(v)) stretch += upright.at(v);
     longest_stretch = std::max(longest_stretch, stretch.norm());
   }
-  if (longest_stretch < (1 - 1e-4) * longest_edge) judged.say("no straight stretch of the outline stands upright");
+  if (longest_stretch < (1 - 1e-4) * longest_edge) judged.say("no straight section of the outline is upright");
 }
 
-/// The mean over the piece of the height's gradient, Σ h n / 2 over the sides n of each triangle (n: turned outwards);
-/// none where about as much is turned over as is not.
+/// Returns the mean gradient of the height over the piece, Σ h n / 2 over the sides n of each triangle (n: outward
+/// normal), or nothing if about half of the piece is flipped.
 std::optional<Eigen::Vector2d> mean_rise(const Judged& judged, const Piece& piece) {
   const Eigen::Vector3d up = Eigen::Vector3d(judged.options.up.data()).stableNormalized();
   const Eigen::Vector3d origin = judged.position(judged.vertex(piece.source_face[0], 0));
@@ -154,10 +153,10 @@ void check_orientation(Judged& judged, int number) {
     if (!rise) return;
     if (rise->norm() > 1.001 * kLevel) {
       const bool is_up = std::abs(rise->x()) <= kDirectionRounding * rise->norm() && rise->y() > 0;
-      if (!is_up) judged.say("up in space is not up in the piece");
+      if (!is_up) judged.say("the direction up in space is not up in the piece");
       return;
     }
-    if (rise->norm() > 0.999 * kLevel) return;  // level or not, by rounding
+    if (rise->norm() > 0.999 * kLevel) return;  // rounding decides whether it is level
   }
   check_wire_upright(judged, number);
 }

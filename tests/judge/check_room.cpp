@@ -10,7 +10,7 @@ namespace {
 struct Box {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
-  bool has_helpers = false;  // wires that the method added; they may reach beyond a piece that is turned over
+  bool has_helpers = false;  // wires that the method added; they may extend beyond a flipped piece
 };
 
 Box box_of(const Judged& judged, const Piece& piece) {
@@ -34,7 +34,7 @@ double area_of(const Judged& judged, const Piece& piece) {
   return std::abs(area);
 }
 
-/// Of a square with the area of all boxes and the gaps beside them.
+/// Returns the side of a square with the area of all boxes and their gaps.
 double side_of_all(const std::vector<Box>& boxes, double gap) {
   double area = 0;
   for (const Box& box : boxes) area += ((box.high - box.low).array() + gap).prod();
@@ -59,16 +59,16 @@ void check_room(Judged& judged) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const double apart = (boxes[i].low.cwiseMax(boxes[j].low) - boxes[i].high.cwiseMin(boxes[j].high)).maxCoeff();
-      if (apart < least_gap) judged.say("pieces lie closer together than the gap");
+      if (apart < least_gap) judged.say("pieces are closer together than the gap");
     }
     if (judged.options.layout != PieceLayout::row) continue;
     const double left = i == 0 ? 0 : boxes[i - 1].high.x() + gap;
     const bool is_tight = !boxes[i].has_helpers && (i == 0 || !boxes[i - 1].has_helpers);
     if (boxes[i].low.x() < left - rounding || (is_tight && boxes[i].low.x() > left + rounding)) {
-      judged.say("pieces do not stand in a row in their order");
+      judged.say("pieces in a row are not in their order");
     }
     if (boxes[i].low.y() < -rounding || (!boxes[i].has_helpers && boxes[i].low.y() > rounding)) {
-      judged.say("pieces in a row do not stand on one line");
+      judged.say("pieces in a row are not on one line");
     }
   }
 }

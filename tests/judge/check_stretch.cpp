@@ -4,9 +4,9 @@
 namespace wirewarp::test {
 namespace {
 
-constexpr double kEven = 1e-12;           // difference of shares: rounding
-constexpr double kWithoutStrain = 1e-18;  // E over the area, of a piece that unfolds: another has several minima
-constexpr double kSamePlace = 1e-6;       // how far vertices may be from where they are expected, over the piece's size
+constexpr double kEven = 1e-12;           // rounding of differences of shares
+constexpr double kWithoutStrain = 1e-18;  // E over the area, of a piece that unfolds; other pieces have several minima
+constexpr double kSamePlace = 1e-6;  // allowed distance of vertices from their expected places, over the piece's size
 
 Eigen::Vector2d shares(const Judged& judged) {
   const std::array<double, 2>& stretch = judged.options.cloth->stretch;
@@ -27,7 +27,8 @@ bool has_unstretched_layout(const Judged& judged, const Side& side) {
   return unstretched_uv(judged, side.face, 0).allFinite();
 }
 
-/// Wires with an ease or along the outline aside: those may have other lengths.
+/// Whether all lengths shrink by their directions alone. Wires with an ease or along the outline may have other
+/// lengths.
 bool is_even(const Judged& judged, const Piece& piece) {
   const int number = judged.piece_of(piece.source_face.front());
   if (!judged.input.eases.empty()) return false;
@@ -82,7 +83,7 @@ void check_even_stretch(Judged& judged, const Piece& piece) {
     }
   }
   if (!(off <= kSamePlace * size)) {
-    judged.say("a piece that is evenly stretched has another shape, off by " + std::to_string(off / size));
+    judged.say("a piece that is evenly stretched has another shape, with a distance of " + std::to_string(off / size));
   }
 }
 

@@ -14,16 +14,16 @@
 namespace wirewarp::test {
 namespace {
 
-// How exactly faces meet again in an unfolded surface: of the piece's size, and as the strain that is left where long
-// faces stand on a short side that is off.
+// Errors with which the faces of an unfolded surface meet again: over the piece's size, and as strain, for long faces
+// on a short side with an error.
 constexpr double kCloses = 1e-11, kStrain = 1e-7;
 
-// E (Eq. 4) over the 3D area: rounding, and what the stop of Eq. 1 leaves of angles.
+// E (Eq. 4) over the 3D area: rounding, and the error of angles at which Eq. 1 stops.
 constexpr double kUndistorted = 1e-12, kUndistortedAngles = 1e-9;
 
 double triangle_area(const PlanarTriangle& t) { return static_cast<double>(doubled_area(t)) / 2; }
 
-/// The third corner of a face that lies on the left of the side from a to b in the plane.
+/// Returns the third corner of a face on the left of the planar side from a to b.
 Eigen::Vector2d place_third(const Judged& judged, const Side& side, const Eigen::Vector2d& a,
                             const Eigen::Vector2d& b) {
   const Eigen::Vector3d origin = judged.position(judged.vertex(side.face, side.corner));
@@ -35,9 +35,9 @@ Eigen::Vector2d place_third(const Judged& judged, const Side& side, const Eigen:
   return a + ahead * planar + aside * Eigen::Vector2d(-planar.y(), planar.x());
 }
 
-/// The faces of a piece laid into the plane one after the other, across long edges first; none if they do not close.
+/// Unfolds the faces of a piece one after the other, across long edges first. Returns nothing if they do not close.
 std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const Piece& piece) {
-  std::map<int, PlanarTriangle> placed;                              // by face, corners in order
+  std::map<int, PlanarTriangle> placed;                              // keyed by face, corners in order
   std::priority_queue<std::pair<double, std::array<int, 2>>> front;  // length, side
   double size = 0;
   const auto longest_side = [&](int face) {
@@ -82,8 +82,8 @@ std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const 
   return placed;
 }
 
-/// E of Eq. (4) of the map between two triangles: 2 (|z| - 1)² + 2 |w|² over z, w of its similar and its mirroring
-/// part.
+/// Returns E of Eq. (4) of the map between two triangles: 2 (|z| - 1)² + 2 |w|², with z the similarity part and w the
+/// reflection part of the map.
 double energy(const PlanarTriangle& from, const PlanarTriangle& to) {
   Eigen::Matrix2d before, after;
   before << from[1] - from[0], from[2] - from[0];
@@ -118,7 +118,7 @@ void check_unfolding(Judged& judged, const Piece& piece) {
   if (judged.unstretched || has_other_outline(judged, piece)) return;
   const bool is_refined = judged.options.method == Method::refined;
   if (is_refined && judged.may_stop_anywhere()) return;
-  // The paper's methods turn faces over now and then, or stop short, and say so.
+  // The paper's methods sometimes flip faces or stop early, and report it.
   if (!is_refined && (piece.error || piece.report.termination != Termination::converged)) return;
   const auto unfolded = unfold(judged, piece);
   if (!unfolded) return;

@@ -5,11 +5,11 @@
 
 namespace wirewarp::test {
 
-/// A piece's outline may get, or gets, other lengths than those of the surface.
+/// Whether a piece's outline may have other lengths than on the surface.
 bool has_other_outline(const Judged& judged, const Piece& piece);
 
-/// A piece whose surface unfolds into the plane, with every length as it is and without covering itself, must be found
-/// flat without an error and hardly distorted: always by the refined method, and by the paper's where they converge.
+/// Checks a piece whose surface unfolds into the plane without overlap, with its own lengths: it must be flat, without
+/// an error and nearly undistorted. The paper's methods need this only if they converge.
 void check_unfolding(Judged& judged, const Piece& piece);
 
 }  // namespace wirewarp::test

@@ -15,7 +15,7 @@
 namespace wirewarp::test {
 namespace {
 
-/// Pieces and corners tell the same coordinates.
+/// Checks that pieces and corners have the same coordinates.
 void check_corners(Judged& judged, const Piece& piece) {
   if (static_cast<Eigen::Index>(piece.source_face.size()) != piece.faces.rows()) {
     return judged.say("source_face has wrong size");
@@ -24,7 +24,7 @@ void check_corners(Judged& judged, const Piece& piece) {
     const int face = piece.source_face[f];
     for (int k = 0; k < 3; ++k) {
       const int corner = piece.faces(static_cast<Eigen::Index>(f), k);
-      bool found = false;  // the piece may begin the face at another corner
+      bool found = false;  // the piece may start the face at another corner
       for (int c = 0; c < 3; ++c) {
         found = found || (piece.source_vertex[corner] == judged.vertex(face, c) &&
                           piece.vertices.row(corner) == judged.uv(face, c).transpose());
@@ -39,7 +39,7 @@ void check_shape(Judged& judged, const Piece& piece) {
   for (const int face : piece.source_face) {
     PlanarTriangle triangle{judged.uv(face, 0), judged.uv(face, 1), judged.uv(face, 2)};
     if (judged.options.mirror) std::swap(triangle[1], triangle[2]);
-    if (!(doubled_area(triangle) > 0)) judged.say("face " + std::to_string(face) + " is turned over");
+    if (!(doubled_area(triangle) > 0)) judged.say("face " + std::to_string(face) + " is flipped");
     triangles.push_back(triangle);
   }
   const auto [first, second] = find_overlap(triangles);
@@ -50,7 +50,7 @@ void check_shape(Judged& judged, const Piece& piece) {
 
 void check_piece(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
-  // A cloth keeps the direction of two vertices alone, and stretch turns what is neither weft nor warp.
+  // For a cloth, only the direction of two vertices is defined, and stretch turns directions other than weft and warp.
   if (judged.has_layout(piece) && !judged.options.cloth) check_orientation(judged, number);
   if (piece.error) return check_error(judged, number);
   if (!std::isfinite(judged.uv_size(piece))) {
@@ -63,8 +63,8 @@ void check_piece(Judged& judged, int number) {
 
 }  // namespace
 
-Sentences broken_promises(const FlattenInput& input, const Options& options, const FlattenResult& result,
-                          const FlattenResult* unstretched) {
+Sentences broken_guarantees(const FlattenInput& input, const Options& options, const FlattenResult& result,
+                            const FlattenResult* unstretched) {
   Judged judged(input, options, result, unstretched);
   for (int p = 0; p < static_cast<int>(result.pieces.size()); ++p) check_piece(judged, p);
   check_room(judged);
@@ -72,8 +72,8 @@ Sentences broken_promises(const FlattenInput& input, const Options& options, con
   return judged.take_sentences();
 }
 
-Sentences broken_demands(const FlattenInput& input, const Options& options, const FlattenResult& result,
-                         const std::optional<ErrorCode>& fault, const FlattenResult* unstretched) {
+Sentences broken_expectations(const FlattenInput& input, const Options& options, const FlattenResult& result,
+                              const std::optional<ErrorCode>& fault, const FlattenResult* unstretched) {
   Judged judged(input, options, result, unstretched);
   for (const Piece& piece : result.pieces) {
     const std::string name = piece.error ? describe(piece.error->code).name : "";
@@ -100,7 +100,7 @@ Sentences differences_of_layout(const FlattenInput& input, const Options& option
 namespace {
 
 bool has_word(const std::string& text, const std::string& word) {
-  const std::regex whole("\\b" + word + "\\b");  // arguments are of letters and underscores alone
+  const std::regex whole("\\b" + word + "\\b");  // arguments contain only letters and underscores
   return std::regex_search(text, whole);
 }
 
@@ -120,7 +120,7 @@ Sentences faults_of_error(const FlattenError& error, const FlattenInput& input) 
   if (!of_no_element.count(error.code) && named.vertices.empty() && named.edges.empty() && named.faces.empty()) {
     faults.push_back(name + " names no element: " + sentence);
   }
-  if (error.code == ErrorCode::vertex_out_of_range) return faults;  // names what is not there
+  if (error.code == ErrorCode::vertex_out_of_range) return faults;  // names a vertex that does not exist
   const auto is_vertex = [&](int v) { return v >= 0 && v < input.vertices.rows(); };
   bool all_there = std::all_of(named.vertices.begin(), named.vertices.end(), is_vertex);
   for (const auto* pairs : {&named.edges, &named.proposed_seams}) {

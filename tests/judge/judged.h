@@ -20,20 +20,20 @@ inline Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 inline std::string name(const Edge& edge) { return std::to_string(edge[0]) + "-" + std::to_string(edge[1]); }
 
-/// One side of an edge: the face, and the corner at which it begins.
+/// One side of an edge: its face, and the corner at which it starts.
 struct Side {
   int face;
   int corner;
 };
 
-/// An input and its result, as the judge looks them up; and the broken promises found so far.
+/// An input and its result, with lookups for the judge, and the broken guarantees found so far.
 class Judged {
  public:
-  /// unstretched: of a cloth that is worn stretched, what it is without; null of any other.
+  /// unstretched: the result without stretch of a cloth that is worn stretched, otherwise null.
   Judged(const FlattenInput& input, const Options& options, const FlattenResult& result,
          const FlattenResult* unstretched = nullptr);
 
-  /// Notes a broken promise; the first ten are enough.
+  /// Adds a broken guarantee; ten are enough.
   void say(std::string sentence) {
     if (sentences_.size() < 10) sentences_.push_back(std::move(sentence));
   }
@@ -46,11 +46,11 @@ class Judged {
     return result.corner_uv.block<1, 2>(face, 2 * (corner % 3)).transpose();
   }
 
-  /// max |uv| of a piece, NaN without a layout.
+  /// Returns max |uv| of a piece, NaN without a layout.
   double uv_size(const Piece& piece) const;
   bool has_layout(const Piece& piece) const { return !std::isnan(uv_size(piece)); }
 
-  /// The refined method may take but a few factorizations.
+  /// Whether the refined method is limited to a few factorizations.
   bool may_stop_anywhere() const { return options.max_factorizations < 20; }
 
   const std::map<Edge, std::vector<Side>>& sides() const { return sides_; }
@@ -59,11 +59,11 @@ class Judged {
   bool is_outline_vertex(int vertex) const { return outline_vertices_.count(vertex) > 0; }
   int num_outline_edges(int vertex) const { return static_cast<int>(outline_vertices_.count(vertex)); }
 
-  /// The sides of an edge that belong to a piece.
+  /// Returns the sides of an edge that belong to a piece.
   std::vector<Side> sides_in(const Edge& edge, int piece) const;
   int piece_of(int face) const { return piece_of_[face]; }
 
-  /// The edges of a piece's outline, from and to a piece vertex each, the piece on the left.
+  /// Returns the edges of a piece's outline as pairs of piece vertices, with the piece on the left.
   std::vector<std::array<int, 2>> outline_of(const Piece& piece) const;
 
   double length_3d(const Edge& edge) const { return (position(edge[0]) - position(edge[1])).norm(); }
@@ -79,7 +79,7 @@ class Judged {
  private:
   std::map<Edge, std::vector<Side>> sides_;
   std::set<Edge> seams_;
-  std::multiset<int> outline_vertices_;  // once an edge
+  std::multiset<int> outline_vertices_;  // one entry per edge
   std::vector<int> piece_of_;
   Sentences sentences_;
 };

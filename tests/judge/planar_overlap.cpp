@@ -8,7 +8,8 @@
 namespace wirewarp::test {
 namespace {
 
-/// How far the second triangle stays outside the first, measured at right angles to its sides; negative: not at all.
+/// Returns how far the second triangle stays outside the first, measured at right angles to its sides; negative if they
+/// overlap.
 double distance_beyond(const PlanarTriangle& first, const PlanarTriangle& second) {
   double farthest = -1e300;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -10,10 +10,10 @@ namespace wirewarp::test {
 
 using PlanarTriangle = std::array<Eigen::Vector2d, 3>;
 
-/// Twice the signed area, in extended precision.
+/// Returns twice the signed area, in extended precision.
 long double doubled_area(const PlanarTriangle& triangle);
 
-/// Two counter-clockwise triangles that reach into each other by more than rounding, or (-1, -1).
+/// Returns two counter-clockwise triangles that overlap by more than rounding, or (-1, -1).
 std::pair<int, int> find_overlap(const std::vector<PlanarTriangle>& triangles);
 
 }  // namespace wirewarp::test

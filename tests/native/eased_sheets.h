@@ -20,7 +20,7 @@ inline Ease ease_along(const std::vector<int>& chain, double ratio) {
 }
 
 inline void expect_good(const FlattenInput& input, const FlattenResult& result) {
-  EXPECT_EQ(broken_promises(input, {}, result), std::vector<std::string>{});
+  EXPECT_EQ(broken_guarantees(input, {}, result), std::vector<std::string>{});
   for (const Piece& piece : result.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
 }
 

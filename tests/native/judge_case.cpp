@@ -17,10 +17,10 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-Sentences promises(const JudgeCase& judged) { return broken_promises(judged.input, judged.options, judged.result); }
+Sentences promises(const JudgeCase& judged) { return broken_guarantees(judged.input, judged.options, judged.result); }
 
 Sentences demands(const JudgeCase& judged) {
-  return broken_demands(judged.input, judged.options, judged.result, std::nullopt);
+  return broken_expectations(judged.input, judged.options, judged.result, std::nullopt);
 }
 
 void expect_told(Sentences (*judge)(const JudgeCase&), JudgeCase judged, const Spoil& spoil,

@@ -24,11 +24,11 @@ JudgeCase two_sheets();
 
 using Spoil = std::function<void(JudgeCase&)>;
 
-/// broken_promises() finds nothing in the good case, and says the sentence, or a longer one with it, once it is
+/// broken_guarantees() finds nothing in the good case, and says the sentence, or a longer one with it, once it is
 /// spoiled.
 void expect_broken(JudgeCase good, const Spoil& spoil, const std::string& sentence);
 
-/// The same of broken_demands(); the input was given no error.
+/// The same of broken_expectations(); the input was given no error.
 void expect_demanded(JudgeCase good, const Spoil& spoil, const std::string& sentence);
 
 // Spoils the piece of this number, in its own coordinates and the corners alike.

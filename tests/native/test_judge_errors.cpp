@@ -34,7 +34,7 @@ void expect_told(const std::function<void(FlattenError&, const FlattenResult&)>&
       contradicting(), [&](JudgeCase& c) { spoil(*c.result.pieces[0].error, c.result); }, sentence);
 }
 
-TEST(Judge, TellsOfElementsOfAnotherPiece) {
+TEST(Judge, ReportsElementsOfAnotherPiece) {
   const std::string sentence = "names elements of another piece";
   expect_told([](FlattenError& e, const FlattenResult&) { e.elements.vertices = {8}; }, sentence);
   expect_told([](FlattenError& e, const FlattenResult&) { e.elements.edges = {{7, 8}}; }, sentence);
@@ -42,7 +42,7 @@ TEST(Judge, TellsOfElementsOfAnotherPiece) {
               sentence);
 }
 
-TEST(Judge, TellsOfProposalsThatMendNothing) {
+TEST(Judge, ReportsProposalsThatFixNothing) {
   const auto propose = [](const std::vector<VertexPair>& seams, const std::vector<ProposedTolerance>& tolerances) {
     return [=](FlattenError& e, const FlattenResult&) {
       e.elements.proposed_seams = seams;
@@ -51,32 +51,32 @@ TEST(Judge, TellsOfProposalsThatMendNothing) {
   };
   expect_told(propose({kOnTheSeam}, {}), "proposed seam 4-13 does not cut the piece");
   expect_told(propose({}, {{2, 0.05}}), "a tolerance is proposed for other, which is not in the piece");
-  expect_told(propose({}, {{1, 0.02}}), "the tolerance proposed for elastic is no more than it has");
-  expect_told(propose({kInside}, {{1, 0.05}}), "seams and tolerances are proposed at once");
+  expect_told(propose({}, {{1, 0.02}}), "the tolerance proposed for elastic is not larger than its own");
+  expect_told(propose({kInside}, {{1, 0.05}}), "both seams and tolerances are proposed");
   expect_told(propose({}, {}), "nothing is proposed");
 }
 
-TEST(Judge, TellsOfCodesThatDoNotFitThePiece) {
+TEST(Judge, ReportsCodesThatDoNotFitThePiece) {
   const auto recode = [](ErrorCode code) { return [=](FlattenError& e, const FlattenResult&) { e.code = code; }; };
-  expect_told(recode(ErrorCode::closed_chart), "wrong about whether the piece is closed");
-  expect_told(recode(ErrorCode::handles), "wrong about handles");
+  expect_told(recode(ErrorCode::closed_chart), "wrong topology: closed or open");
+  expect_told(recode(ErrorCode::handles), "wrong number of handles");
   expect_told(recode(ErrorCode::boundary_too_short), "the outline is not too short");
   expect_told(recode(ErrorCode::boundary_too_short), "no seam is proposed");
   expect_told(recode(ErrorCode::overlapping_faces), "no seam is proposed");
-  expect_told(recode(ErrorCode::overlapping_faces), "tolerances mend no lengths");
-  expect_told([](FlattenError& e, const FlattenResult&) { e.has_layout = false; }, "has_layout does not say");
+  expect_told(recode(ErrorCode::overlapping_faces), "tolerances cannot fix this error");
+  expect_told([](FlattenError& e, const FlattenResult&) { e.has_layout = false; }, "has_layout is wrong");
 }
 
-TEST(Judge, TellsOfFacesThatAreNotTurnedOver) {
+TEST(Judge, ReportsFacesThatAreNotFlipped) {
   expect_told(
       [](FlattenError& e, const FlattenResult& r) {
         e.code = ErrorCode::flipped_faces;
         e.elements.faces = {r.pieces.at(0).source_face.at(0)};
       },
-      "is said to be turned over");
+      "is reported as flipped");
 }
 
-TEST(Judge, TellsOfSeamsThatAreNotProposed) {
+TEST(Judge, ReportsSeamsThatAreNotProposed) {
   FlattenInput ball = test::sphere_of_gores(2, 4, 4);
   ball.seams.resize(0, 2);
   for (const FlattenInput& input : {ball, test::cylinder_tube(12, 8, 1, 4)}) {
@@ -86,10 +86,10 @@ TEST(Judge, TellsOfSeamsThatAreNotProposed) {
   }
   expect_broken(
       flattened(ball), [](JudgeCase& c) { c.result.pieces.at(0).error->code = ErrorCode::boundary_too_short; },
-      "wrong about whether the piece is closed");
+      "wrong topology: closed or open");
 }
 
-TEST(Judge, TellsOfArgumentsThatAreNotDocumented) {
+TEST(Judge, ReportsUndocumentedArguments) {
   const FlattenInput input = test::flat_rectangle(2, 2, 1, 1);
   FlattenError error(ErrorCode::infeasible_lengths, "The wires contradict one another.", {{0}, {}, {}});
   using Sentences = std::vector<std::string>;
@@ -99,7 +99,7 @@ TEST(Judge, TellsOfArgumentsThatAreNotDocumented) {
   EXPECT_EQ(test::faults_of_error(error, input), Sentences{"undocumented argument: factorizations"});
 }
 
-TEST(Judge, TellsOfErrorsWithoutSentenceOrElements) {
+TEST(Judge, ReportsErrorsWithoutSentenceOrElements) {
   const FlattenInput input = test::flat_rectangle(2, 2, 1, 1);
   const auto told = [&](const std::string& message, const ErrorElements& elements) {
     return test::faults_of_error(FlattenError(ErrorCode::infeasible_lengths, message, elements), input);

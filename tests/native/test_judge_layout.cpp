@@ -27,7 +27,7 @@ Spoil turned(int piece, double angle) {
   return [=](JudgeCase& c) { turn_piece(c, piece, angle); };
 }
 
-TEST(Judge, TellsOfPiecesTooClose) {
+TEST(Judge, ReportsPiecesTooClose) {
   JudgeCase packed = two_sheets();
   packed = flattened(packed.input);
   expect_broken(
@@ -44,45 +44,45 @@ TEST(Judge, TellsOfPiecesTooClose) {
       "closer together than the gap");
 }
 
-TEST(Judge, TellsOfRowsOutOfOrder) {
+TEST(Judge, ReportsRowsOutOfOrder) {
   expect_broken(
       two_sheets(), [](JudgeCase& c) { std::swap(c.result.pieces.at(0), c.result.pieces.at(1)); },
-      "do not stand in a row in their order");
+      "pieces in a row are not in their order");
   expect_broken(
       two_sheets(),
       [](JudgeCase& c) {
         move_piece(c, 1, {1e-6, 0});
       },
-      "do not stand in a row in their order");
+      "pieces in a row are not in their order");
   expect_broken(
       two_sheets(),
       [](JudgeCase& c) {
         move_piece(c, 1, {0, 1e-6});
       },
-      "do not stand on one line");
+      "are not on one line");
 }
 
-TEST(Judge, TellsOfWiresThatDoNotStandUpright) {
+TEST(Judge, ReportsWiresThatAreNotUpright) {
   for (const double angle : {1e-5, kPi}) {
-    expect_broken(two_sheets(), turned(0, angle), "the grain does not stand upright");
+    expect_broken(two_sheets(), turned(0, angle), "the grain is not upright");
   }
   FlattenInput input = test::saddle(4, 0.2);
   test::add_wire(input, test::grid_row(4, 2));
-  expect_broken(flattened(input), turned(0, 1e-5), "the first wire does not stand upright");
+  expect_broken(flattened(input), turned(0, 1e-5), "the first wire is not upright");
 }
 
-TEST(Judge, TellsOfOutlinesThatDoNotStandUpright) {
+TEST(Judge, ReportsOutlinesThatAreNotUpright) {
   JudgeCase sheets = two_sheets();
   sheets.input.wires.clear();
-  expect_broken(flattened(sheets.input), turned(0, 1e-5), "the longest chain of the outline does not stand upright");
+  expect_broken(flattened(sheets.input), turned(0, 1e-5), "the longest chain of the outline is not upright");
   const FlattenInput rectangle = test::flat_rectangle(4, 3, 2, 1);
-  expect_broken(flattened(rectangle), turned(0, kPi / 2), "the box of the longest chain of the outline lies down");
+  expect_broken(flattened(rectangle), turned(0, kPi / 2), "the box of the longest chain of the outline is not upright");
   Options options;
   options.orientation = Orientation::boundary;
-  expect_broken(flattened(rectangle, options), turned(0, 0.1), "no straight stretch of the outline stands upright");
+  expect_broken(flattened(rectangle, options), turned(0, 0.1), "no straight section of the outline is upright");
 }
 
-TEST(Judge, TellsOfTheLongestChainWhereLesserOnesAreOfOneLength) {
+TEST(Judge, ReportsTheLongestChainIfShorterOnesAreEquallyLong) {
   // A trapezoid cut into three: its middle piece has two sides of 0.53 along the seams and ends of 0.67 and 1.
   FlattenInput input =
       test::make_grid(6, 2, [](double s, double t) { return Eigen::Vector3d((s - 0.5) * (2 + t), t / 2, 0); });
@@ -95,19 +95,19 @@ TEST(Judge, TellsOfTheLongestChainWhereLesserOnesAreOfOneLength) {
             [](const BoundaryReport& a, const BoundaryReport& b) { return a.length_3d < b.length_3d; });
   ASSERT_NEAR(middle->boundaries[0].length_3d, middle->boundaries[1].length_3d, 1e-12);
   const int number = static_cast<int>(middle - trapezoid.result.pieces.begin());
-  expect_broken(trapezoid, turned(number, 1e-5), "the longest chain of the outline does not stand upright");
+  expect_broken(trapezoid, turned(number, 1e-5), "the longest chain of the outline is not upright");
 }
 
-TEST(Judge, TellsOfPiecesThatDoNotRise) {
+TEST(Judge, ReportsPiecesThatDoNotRise) {
   Options options;
   options.orientation = Orientation::up;
   for (const double angle : {1e-5, kPi}) {
     expect_broken(flattened(test::cylinder_patch(6, 4, 1, 2, 1), options), turned(0, angle),
-                  "up in space is not up in the piece");
+                  "the direction up in space is not up in the piece");
   }
 }
 
-TEST(Judge, TellsWhatALayoutChanges) {
+TEST(Judge, ReportsChangesByALayout) {
   const JudgeCase sheets = two_sheets();
   const auto told = [&](const FlattenResult& other) {
     return test::differences_of_layout(sheets.input, sheets.options, sheets.result, other);

@@ -25,7 +25,7 @@ using test::JudgeCase;
 using test::move_vertex;
 using test::two_sheets;
 
-TEST(Judge, TellsOfFacesThatAreNotInOnePiece) {
+TEST(Judge, ReportsFacesThatAreNotInOnePiece) {
   const auto name_twice = [](JudgeCase& c) {
     c.result.pieces.at(1).source_face.at(0) = c.result.pieces.at(0).source_face.at(0);
   };
@@ -35,7 +35,7 @@ TEST(Judge, TellsOfFacesThatAreNotInOnePiece) {
   expect_broken(two_sheets(), leave_out, "source_face has wrong size");
 }
 
-TEST(Judge, TellsOfCoordinatesThatDisagreeOrLack) {
+TEST(Judge, ReportsDifferentOrMissingCoordinates) {
   expect_broken(
       two_sheets(), [](JudgeCase& c) { c.result.pieces.at(0).vertices(0, 0) += 1e-6; }, "piece and corner_uv differ");
   expect_broken(
@@ -48,17 +48,17 @@ TEST(Judge, TellsOfCoordinatesThatDisagreeOrLack) {
       "piece 0 has no error and no coordinates");
 }
 
-TEST(Judge, TellsOfFacesTurnedOver) {
+TEST(Judge, ReportsFlippedFaces) {
   const int inside = 1 + 9;  // on no line
   expect_broken(
       two_sheets(),
       [](JudgeCase& c) {
         move_vertex(c, 0, inside, {5, 0});
       },
-      "is turned over");
+      "is flipped");
 }
 
-TEST(Judge, TellsOfFacesThatOverlap) {
+TEST(Judge, ReportsOverlappingFaces) {
   // A cone walked around twice: one and three quarters of a turn in the plane, unless the shape is bent.
   Options unbent;
   unbent.method = Method::wirewarping;
@@ -69,12 +69,12 @@ TEST(Judge, TellsOfFacesThatOverlap) {
       cone, [](JudgeCase& c) { c.result.pieces[0].error.reset(); }, "overlap");
 }
 
-TEST(Judge, TellsOfTornEdges) {
+TEST(Judge, ReportsTornEdges) {
   expect_broken(
       two_sheets(), [](JudgeCase& c) { c.result.corner_uv(16 + 3, 0) += 1e-6; }, "torn at");
 }
 
-TEST(Judge, TellsOfLengthsThatAreOff) {
+TEST(Judge, ReportsWrongLengths) {
   const int corner = 0, on_rigid = 1 + 9 * 4, on_elastic = 2 + 9 * 2;
   expect_broken(
       two_sheets(),
@@ -98,7 +98,7 @@ TEST(Judge, TellsOfLengthsThatAreOff) {
       two_sheets(), [](JudgeCase& c) { c.input.wires.at(1).tolerance = 1e-5; }, "wire \"elastic\" breaks");
 }
 
-TEST(Judge, TellsOfFailuresThatLegalInputMustNotHave) {
+TEST(Judge, ReportsFailuresThatLegalInputMustNotHave) {
   for (const ErrorCode code : {ErrorCode::not_solvable, ErrorCode::lengths_not_kept}) {
     expect_demanded(
         two_sheets(), [&](JudgeCase& c) { fail(c, code); }, std::string("a piece fails with ") + describe(code).name);
@@ -107,11 +107,11 @@ TEST(Judge, TellsOfFailuresThatLegalInputMustNotHave) {
   expect_demanded(two_sheets(), fail_by_mesh, "legal input has the error zero_area_face");
   JudgeCase faulty = two_sheets();
   fail_by_mesh(faulty);
-  const auto told = test::broken_demands(faulty.input, faulty.options, faulty.result, ErrorCode::zero_area_face);
+  const auto told = test::broken_expectations(faulty.input, faulty.options, faulty.result, ErrorCode::zero_area_face);
   EXPECT_EQ(told, std::vector<std::string>{}) << "the fault that the input was given";
 }
 
-TEST(Judge, TellsOfPiecesThatUnfoldAndDoNotComeOutFlat) {
+TEST(Judge, ReportsPiecesThatUnfoldButAreNotFlat) {
   const JudgeCase patch = flattened(test::cylinder_patch(6, 4, 1, 2, 1));
   expect_demanded(
       patch, [](JudgeCase& c) { c.result.corner_uv *= 1 + 1e-5; }, "a piece that unfolds is distorted");
@@ -127,10 +127,10 @@ TEST(Judge, KnowsTheLengthsOfAStretchedClothByTheDirectionsWithoutTheStretch) {
   const FlattenResult unstretched = flatten(input, options);
   options.cloth->stretch = {0.2, 0.05};
   const FlattenResult result = flatten(input, options);
-  EXPECT_EQ(test::broken_promises(input, options, result, &unstretched), std::vector<std::string>{});
-  EXPECT_EQ(test::broken_demands(input, options, result, std::nullopt, &unstretched), std::vector<std::string>{});
+  EXPECT_EQ(test::broken_guarantees(input, options, result, &unstretched), std::vector<std::string>{});
+  EXPECT_EQ(test::broken_expectations(input, options, result, std::nullopt, &unstretched), std::vector<std::string>{});
   std::swap(options.cloth->stretch[0], options.cloth->stretch[1]);
-  EXPECT_FALSE(test::broken_promises(input, options, result, &unstretched).empty());
+  EXPECT_FALSE(test::broken_guarantees(input, options, result, &unstretched).empty());
 }
 
 TEST(Judge, KnowsTheShapeOfAStretchedPieceThatUnfolds) {
@@ -140,7 +140,7 @@ TEST(Judge, KnowsTheShapeOfAStretchedPieceThatUnfolds) {
   const FlattenResult unstretched = flatten(input, options);
   options.cloth->stretch = {0.2, 0.05};
   FlattenResult result = flatten(input, options);
-  const auto demands = [&] { return test::broken_demands(input, options, result, std::nullopt, &unstretched); };
+  const auto demands = [&] { return test::broken_expectations(input, options, result, std::nullopt, &unstretched); };
   EXPECT_EQ(demands(), std::vector<std::string>{});
   result.corner_uv(0, 0) += 1e-3;
   EXPECT_EQ(demands().size(), 1U);

@@ -314,7 +314,7 @@ TEST(SeamsThatGive, CancelledTheyKeepThePromisesOfTheirEase) {
   for (const int last : {asked / 2, asked - 3}) {
     int left = last;
     const FlattenResult result = flatten(input, {}, [&](const std::string&, double) { return left-- > 0; });
-    EXPECT_EQ(test::broken_promises(input, {}, result), std::vector<std::string>{});
+    EXPECT_EQ(test::broken_guarantees(input, {}, result), std::vector<std::string>{});
   }
 }
 

@@ -13,7 +13,7 @@ using Triangle = std::array<int, 3>;
 
 long double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Of the circle around a counter-clockwise triangle.
+/// Whether p is inside the circle around a counter-clockwise triangle.
 bool is_in_circle(const std::vector<Point>& points, const Triangle& triangle, const Point& p) {
   const Point a = points[static_cast<std::size_t>(triangle[0])] - p;
   const Point b = points[static_cast<std::size_t>(triangle[1])] - p;
@@ -40,7 +40,7 @@ std::vector<Triangle> delaunay(const std::vector<Eigen::Vector2d>& points) {
   for (int v = 0; v < count; ++v) {
     const auto keeps = [&](const Triangle& t) { return !is_in_circle(all, t, all[static_cast<std::size_t>(v)]); };
     const auto cavity = std::stable_partition(triangles.begin(), triangles.end(), keeps);
-    std::set<std::pair<int, int>> rim;  // directed, the cavity on the left
+    std::set<std::pair<int, int>> rim;  // border of the cavity, directed, with the cavity on the left
     for (auto t = cavity; t != triangles.end(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
         const int from = (*t)[k], to = (*t)[(k + 1) % 3];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // wirewarp_random_cases [--list] FIRST COUNT: flattens the random cases with the seeds FIRST, FIRST + 1, ..., and
-// judges each. Exit 1 if a promise was broken or an expected error did not come; a case that takes too much of the
-// processor ends the program. At the end it prints how often each verdict came and how often each start of the refined
-// method led to a good piece (PieceReport::start).
-// --list: judges nothing, and prints a line for each piece instead, so that two builds can be compared piece by piece.
+// judges each. Exits with 1 if a guarantee was broken or an expected error is missing; a case with too much processor
+// time ends the program. At the end it prints the number of each verdict, and how many good pieces each start of the
+// refined method found (PieceReport::start). --list: prints a line for each piece instead of judging, so that two
+// builds can be compared piece by piece.
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -22,12 +22,12 @@
 namespace wirewarp::test {
 namespace {
 
-// Of the processor, in all threads: other programs do not count. One of 10,000 cases takes 13, and the sanitizers take
-// 30 times as long.
+// Processor time of all threads, so that other programs do not count. One of 10,000 cases takes 13 s, and the
+// sanitizers take 30 times as long.
 constexpr long kSecondsPerCase = 1000;
-std::array<char, 64> current_case{};  // for the handler, which may not allocate
+std::array<char, 64> current_case{};  // for the signal handler, which may not allocate
 
-/// 0: no limit any more.
+/// 0 removes the limit.
 void limit_time(long seconds) {
   const itimerval limit{{0, 0}, {seconds, 0}};
   setitimer(ITIMER_PROF, &limit, nullptr);
@@ -43,27 +43,27 @@ using Counts = std::map<std::string, int>;
 struct Outcome {
   std::string name;  // "flat", or the code of the error
   std::vector<std::string> broken;
-  Counts starts = {};  // of the pieces without an error
+  Counts starts = {};  // for pieces without an error
 
   void add(std::vector<std::string> sentences) {
     for (std::string& sentence : sentences) broken.push_back(std::move(sentence));
   }
 };
 
-/// The same solver, so that a cache solves no chart again.
+/// Returns options with the same solver and the default layout, so that a cache solves no chart again.
 InternalOptions with_plain_layout(InternalOptions options) {
   const Options plain;
   options.layout = plain.layout;
   options.gap = plain.gap;
   options.mirror = plain.mirror;
-  if (options.cloth) return options;  // it has another shape as it is turned
+  if (options.cloth) return options;  // its shape depends on its direction
   options.orientation = plain.orientation;
   options.grain = plain.grain;
   options.up = plain.up;
   return options;
 }
 
-/// What directions in the cloth the lengths go by; none where they go by none.
+/// Returns the result without stretch, whose directions decide the lengths; nothing without a stretch.
 std::optional<FlattenResult> without_stretch(const FlattenInput& input, InternalOptions options, Cache& cache) {
   if (!options.cloth || options.cloth->stretch == Cloth{}.stretch) return std::nullopt;
   options.cloth->stretch = Cloth{}.stretch;
@@ -97,8 +97,8 @@ Outcome run(const RandomCase& random_case) {
     for (const Piece& piece : result.pieces) {
       if (!piece.error && !piece.report.start.empty()) ++outcome.starts[piece.report.start];
     }
-    outcome.add(broken_promises(input, options, result, relaxed));
-    outcome.add(broken_demands(input, options, result, random_case.fault, relaxed));
+    outcome.add(broken_guarantees(input, options, result, relaxed));
+    outcome.add(broken_expectations(input, options, result, random_case.fault, relaxed));
     outcome.add(differences_of_layout(input, options, result, again));
     return outcome;
   } catch (const FlattenError& error) {
@@ -119,7 +119,7 @@ void print(const Counts& counts) {
 int run_all(std::uint64_t first, std::uint64_t count) {
   Counts outcomes, starts;
   int failures = 0;
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // so that nothing is lost when a case is given up
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // so that no line is lost if a case is ended
   std::signal(SIGPROF, give_up);
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     std::snprintf(current_case.data(), current_case.size(), "seed %llu takes too long\n",
@@ -143,7 +143,7 @@ int run_all(std::uint64_t first, std::uint64_t count) {
   return failures > 0 ? 1 : 0;
 }
 
-/// Seed, number of the piece, verdict, start, objective, factorizations.
+/// Prints seed, number of the piece, verdict, start, objective and factorizations.
 int list_all(std::uint64_t first, std::uint64_t count) {
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const RandomCase random_case = make_random_case(seed);

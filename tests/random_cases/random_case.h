@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random input of flatten(): legal of every topology and quality, or with one fault of a known kind.
+// Random input of flatten(): legal, with any topology and quality, or with one known fault.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ namespace wirewarp::test {
 struct RandomCase {
   FlattenInput input;
   InternalOptions options;
-  std::optional<ErrorCode> fault;  // the error that must come, thrown or carried by a piece; none: the input is legal
+  std::optional<ErrorCode> fault;  // the error that must be thrown or be in a piece; none: the input is legal
   std::string description;
 };
 
-/// The same seed gives the same case everywhere.
+/// Returns the case of a seed, which is the same on every system.
 RandomCase make_random_case(std::uint64_t seed);
 
 }  // namespace wirewarp::test

@@ -22,7 +22,7 @@ std::set<Edge> edges_of_wires(const FlattenInput& input) {
   return edges;
 }
 
-/// From its first edge on along edges of the set, which it takes out.
+/// Returns a chain from the first edge along edges of the set, and removes them.
 std::vector<int> take_chain(std::set<Edge>& edges) {
   std::vector<int> chain{(*edges.begin())[0], (*edges.begin())[1]};
   edges.erase(edges.begin());
@@ -35,7 +35,7 @@ std::vector<int> take_chain(std::set<Edge>& edges) {
   }
 }
 
-/// A wire that may give along most seams that have none.
+/// Adds elastic wires along most seams without a wire.
 void add_wires_along_seams(RandomStream& random, FlattenInput& input) {
   const std::set<Edge> taken = edges_of_wires(input);
   std::set<Edge> free;
@@ -51,14 +51,14 @@ void add_wires_along_seams(RandomStream& random, FlattenInput& input) {
   }
 }
 
-/// Of whole wires, of any kind.
+/// Adds eases to wires of any kind.
 void add_eases_of_wires(RandomStream& random, FlattenInput& input) {
   for (Wire& wire : input.wires) {
     if (random.chance(0.2)) wire.ease = random.between(-0.1, 0.1);
   }
 }
 
-/// Of some sides of seams and borders.
+/// Adds eases to some sides of seams and borders.
 void add_eases_of_sides(RandomStream& random, FlattenInput& input) {
   std::map<Edge, int> num_faces;
   for (const auto& face : input.faces.rowwise()) {
@@ -74,7 +74,7 @@ void add_eases_of_sides(RandomStream& random, FlattenInput& input) {
       if (is_outline && random.chance(0.2)) sides.push_back({a, b});
     }
   }
-  // Two sides of one non-manifold seam may run the same way: an ease cannot tell them apart.
+  // Two sides of a non-manifold seam may have the same direction: an ease cannot distinguish them.
   std::map<VertexPair, int> times;
   for (const auto& face : input.faces.rowwise()) {
     for (int k = 0; k < 3; ++k) ++times[{face[k], face[(k + 1) % 3]}];

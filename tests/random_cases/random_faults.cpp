@@ -22,7 +22,8 @@ int append_vertex(FlattenInput& input, const Eigen::Vector3d& position) {
   return static_cast<int>(input.vertices.rows()) - 1;
 }
 
-/// A ring of eight quads without the triangle that would join its ends along two edges: a vertex alone does.
+/// Appends a ring of eight quads without the triangle that would connect its ends along two edges: only a vertex
+/// connects them.
 void append_ring_that_touches_itself(FlattenInput& input, const Eigen::Vector3d& at, double size) {
   constexpr int kAround = 8;
   const int first = static_cast<int>(input.vertices.rows());
@@ -39,7 +40,7 @@ void append_ring_that_touches_itself(FlattenInput& input, const Eigen::Vector3d&
   }
 }
 
-/// Seams would make a third face at an edge legal, and would cut a turned face from its neighbors.
+/// Removes seams, which would make a third face at an edge legal and would separate a flipped face from its neighbors.
 void clear_marks(FlattenInput& input) {
   input.seams.resize(0, 2);
   input.wires.clear();
@@ -52,7 +53,7 @@ int face_with_neighbor(RandomStream& random, const FlattenInput& input) {
   }
   std::vector<int> found;
   for (int f = 0; f < input.faces.rows(); ++f) {
-    bool has_neighbor = false;  // whose edge runs the opposite way
+    bool has_neighbor = false;  // a neighbor with the common edge in the opposite direction
     for (int k = 0; k < 3; ++k) {
       has_neighbor = has_neighbor || directed.count({input.faces(f, (k + 1) % 3), input.faces(f, k)}) > 0;
     }
@@ -69,7 +70,7 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
   const int b = input.faces(f, 1);
   const int c = input.faces(f, 2);
   const int num_vertices = static_cast<int>(input.vertices.rows());
-  options.grain = -1;  // some faults take wires away
+  options.grain = -1;  // some faults remove wires
   switch (random.below(18)) {
     case 0:
       input.faces.resize(0, 3);
@@ -117,7 +118,7 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
       const Eigen::Vector3d other = input.vertices.row(c) - input.vertices.row(a);
       const Eigen::Vector3d up = input.vertices.row(a).transpose() + side.cross(other).normalized() * side.norm();
       append_face(input, b, a, append_vertex(input, up));
-      append_face(input, b, a, append_vertex(input, up + 0.3 * side));  // three at least at a-b
+      append_face(input, b, a, append_vertex(input, up + 0.3 * side));  // at least three faces at a-b
       return ErrorCode::non_manifold_edge;
     }
     case 12:
@@ -128,7 +129,7 @@ ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& o
     case 13: {
       clear_marks(input);
       const int turned = face_with_neighbor(random, input);
-      if (turned < 0) {  // a lone triangle has none
+      if (turned < 0) {  // a single triangle has no neighbor
         options.gap = -1;
         return ErrorCode::invalid_option;
       }

@@ -6,7 +6,7 @@
 
 namespace wirewarp::test {
 
-/// Breaks a legal input in one way; returns the error that must come.
+/// Adds one fault to a legal input, and returns the error that must result.
 ErrorCode add_random_fault(RandomStream& random, FlattenInput& input, Options& options);
 
 }  // namespace wirewarp::test

@@ -17,7 +17,7 @@ constexpr double kPi = 3.141592653589793;
 
 using Mesh = MeshPart;
 
-/// Where the lines of a grid lie in [0, 1]: evenly, at random, or denser and denser towards 0.
+/// Returns the positions of grid lines in [0, 1]: even, random, or denser towards 0.
 std::vector<double> grid_lines(RandomStream& random, int count) {
   std::vector<double> lines;
   const int kind = random.below(4);
@@ -35,8 +35,8 @@ std::vector<double> grid_lines(RandomStream& random, int count) {
   return lines;
 }
 
-/// nx by ny quads, wrapped around in s and in t as asked, each cut along a random diagonal. place(s, t) puts the lines'
-/// crossings into space; crossings that wrap are not repeated.
+/// Returns nx by ny quads, wrapped in s and t as requested, each divided along a random diagonal. place(s, t) returns
+/// the position in space of a grid point; grid points that wrap are not repeated.
 template <typename Place>
 Mesh make_grid(RandomStream& random, int nx, int ny, bool wraps_s, bool wraps_t, const Place& place) {
   const std::vector<double> s = grid_lines(random, nx);
@@ -67,7 +67,7 @@ Mesh make_grid(RandomStream& random, int nx, int ny, bool wraps_s, bool wraps_t,
   return mesh;
 }
 
-/// A height over the unit square: flat, bent one way, a dome, a saddle or bumps.
+/// Returns a height over the unit square: flat, bent in one direction, a dome, a saddle or bumps.
 std::function<double(double, double)> random_height(RandomStream& random) {
   const double high = random.across_scales(0.01, 1.5);
   const double fx = random.between(0.3, 4);
@@ -101,7 +101,7 @@ Mesh random_sheet(RandomStream& random) {
   });
 }
 
-/// Removes whole faces from the inside, never so that what is left touches in a single vertex.
+/// Removes whole faces from the inside. The rest never touches at a single vertex.
 Mesh with_holes(RandomStream& random, int holes) {
   const auto height = random_height(random);
   const int nx = 3 * holes + 1 + random.whole(0, 6);
@@ -109,7 +109,7 @@ Mesh with_holes(RandomStream& random, int holes) {
   Mesh mesh = make_grid(random, nx, ny, false, false,
                         [&](double s, double t) { return Eigen::Vector3d(2 * s, t, 0.5 * height(s, t)); });
   std::vector<char> removed(mesh.faces.size(), 0);
-  for (int hole = 0; hole < holes; ++hole) {  // one quad each, two columns apart, off the outline
+  for (int hole = 0; hole < holes; ++hole) {  // one quad each, two columns apart, not at the outline
     const int quad = 1 + 3 * hole + nx * random.whole(1, ny - 2);
     const std::size_t first = 2 * static_cast<std::size_t>(quad);
     removed[first] = removed[first + 1] = 1;
@@ -126,7 +126,7 @@ Mesh random_tube(RandomStream& random) {
   const double high = random.across_scales(0.05, 5);
   const double taper = random.chance(0.5) ? random.between(-0.9, 0.9) : 0;
   const double belly = random.between(-0.5, 0.5);
-  const bool is_ring = random.chance(0.15);  // closed on itself: a torus
+  const bool is_ring = random.chance(0.15);  // closed: a torus
   const int around = random.whole(3, 14);
   const int along = is_ring ? random.whole(3, 10) : random.whole(1, 10);
   return make_grid(random, around, along, true, is_ring, [&](double s, double t) {
@@ -141,7 +141,7 @@ Mesh random_tube(RandomStream& random) {
   });
 }
 
-/// A tube whose ends are closed by fans.
+/// Returns a tube whose ends are closed by fans.
 Mesh random_ball(RandomStream& random) {
   const int around = random.whole(3, 12);
   const int along = random.whole(1, 8);
@@ -207,7 +207,7 @@ Mesh random_part(RandomStream& random, std::string& description) {
   }
 }
 
-/// Turns, mirrors, scales and moves everything; renumbers vertices and faces, and begins faces at any corner.
+/// Rotates, mirrors, scales and moves everything, renumbers vertices and faces, and starts faces at any corner.
 FlattenInput anywhere(RandomStream& random, const Mesh& mesh, std::string& description) {
   const double size = random.chance(0.3) ? random.across_scales(1e-4, 1e5) : 1;
   const double away = random.chance(0.15) ? random.across_scales(1, 1e6) : 0;
@@ -247,12 +247,12 @@ FlattenInput random_mesh(RandomStream& random, std::string& description) {
   for (int i = 0; i < parts; ++i) {
     const Mesh part = random_part(random, description);
     const int offset = static_cast<int>(whole.vertices.size());
-    // Parts may lie in the same place: vertices that coincide are never welded.
+    // Parts may be in the same place: coincident vertices are never welded.
     const double aside = random.chance(0.3) ? 0 : 30.0 * i;
     for (const Eigen::Vector3d& vertex : part.vertices) whole.vertices.push_back(vertex + Eigen::Vector3d(aside, 0, 0));
     for (const auto& [a, b, c] : part.faces) whole.faces.push_back({a + offset, b + offset, c + offset});
   }
-  if (random.chance(0.1)) whole.vertices.push_back({5, 5, 5});  // of no face
+  if (random.chance(0.1)) whole.vertices.push_back({5, 5, 5});  // used by no face
   return anywhere(random, whole, description);
 }
 

@@ -8,9 +8,9 @@
 
 namespace wirewarp::test {
 
-/// A legal mesh: one to three parts that touch nowhere yet, each a sheet, a sheet with holes, a rough sheet, a tube, a
-/// ball, a ring, a fan or a single triangle; evenly or unevenly meshed, with slivers, of any size and anywhere, its
-/// vertices and faces in any order. Adds to `description` what it is.
+/// Returns a legal mesh of one to three separate parts. Each is a sheet, a sheet with holes, a rough sheet, a tube, a
+/// ball, a ring, a fan or a single triangle. It may be evenly or unevenly meshed, with slivers, of any size, at any
+/// place, with vertices and faces in any order. Appends a description.
 FlattenInput random_mesh(RandomStream& random, std::string& description);
 
 }  // namespace wirewarp::test

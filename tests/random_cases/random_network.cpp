@@ -11,7 +11,7 @@
 namespace wirewarp::test {
 namespace {
 
-/// The edges of a mesh by vertex, and how many faces each has.
+/// The edges at each vertex of a mesh, and the number of faces of each edge.
 struct EdgeGraph {
   std::vector<std::vector<int>> neighbors;
   std::map<Edge, int> num_faces;
@@ -35,7 +35,7 @@ struct EdgeGraph {
   }
 };
 
-/// From vertex to vertex along edges that `used` does not hold, which it then does. May end soon; may cross itself.
+/// Returns a walk along edges that are not in `used`, and adds them to it. It may end early and may cross itself.
 std::vector<int> random_walk(RandomStream& random, const EdgeGraph& graph, int from, int steps, std::set<Edge>& used) {
   std::vector<int> chain{from};
   for (int i = 0; i < steps; ++i) {
@@ -51,7 +51,7 @@ std::vector<int> random_walk(RandomStream& random, const EdgeGraph& graph, int f
   return chain;
 }
 
-/// The path of fewest edges along edges that `used` does not hold, which it then does; one vertex if there is none.
+/// Returns the path with the fewest edges that are not in `used`, and adds them to it; one vertex if there is none.
 std::vector<int> short_path(const EdgeGraph& graph, int from, int to, std::set<Edge>& used) {
   std::map<int, int> previous{{from, from}};
   std::queue<int> front;
@@ -81,7 +81,7 @@ std::vector<int> random_chain(RandomStream& random, const EdgeGraph& graph, cons
   if (random.chance(0.4)) return random_walk(random, graph, from, random.whole(1, 12), used);
   const int to = random.chance(0.6) && !border.empty() ? random.pick(border) : random.pick(used_vertices);
   std::vector<int> chain = short_path(graph, from, to, used);
-  if (chain.size() > 2 && random.chance(0.2)) {  // back another way: closed
+  if (chain.size() > 2 && random.chance(0.2)) {  // back along another path: closed
     std::vector<int> back = short_path(graph, to, from, used);
     if (back.size() > 1) {
       std::reverse(chain.begin(), chain.end());
@@ -92,7 +92,7 @@ std::vector<int> random_chain(RandomStream& random, const EdgeGraph& graph, cons
   return chain;
 }
 
-/// A cut of a few edges that begins on an outline, or does not, or the edges around a vertex: a dart, a slit, a loop.
+/// Adds a cut of a few edges, from an outline or inside, or the edges around a vertex: a dart, a slit or a loop.
 void add_small_cut(RandomStream& random, const FlattenInput& input, const EdgeGraph& graph,
                    const std::vector<int>& used_vertices, std::set<Edge>& seams) {
   const int kind = random.below(5);

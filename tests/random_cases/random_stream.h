@@ -11,8 +11,8 @@
 
 namespace wirewarp::test {
 
-/// Random numbers, and what is made of them. A seed fixes them on every platform: the engine is standardized, the
-/// distributions of the standard library are not.
+/// Random numbers of several kinds. A seed gives the same numbers on every platform: the engine is standardized, but
+/// the distributions of the standard library are not.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed)
@@ -20,22 +20,22 @@ class RandomStream {
           return std::ldexp(static_cast<double>(engine() >> 11), -53);
         }) {}
 
-  /// next() is in [0, 1): a fuzzer's numbers.
+  /// next: returns a number in [0, 1), such as a fuzzer's.
   explicit RandomStream(std::function<double()> next) : next_(std::move(next)) {}
 
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   double uniform() { return next_(); }
 
-  /// In [low, high).
+  /// Returns a number in [low, high).
   double between(double low, double high) { return low + (high - low) * uniform(); }
 
-  /// In [low, high), every power of ten alike; low > 0.
+  /// Returns a number in [low, high) with equal probability for every power of ten; low > 0.
   double across_scales(double low, double high) { return std::exp(between(std::log(low), std::log(high))); }
 
-  /// In [0, count).
+  /// Returns a number in [0, count).
   int below(int count) { return static_cast<int>(uniform() * count); }
 
-  /// In [low, high].
+  /// Returns a number in [low, high].
   int whole(int low, int high) { return low + below(high - low + 1); }
 
   bool chance(double probability) { return uniform() < probability; }

@@ -18,7 +18,7 @@ constexpr double kThinnest = 1e-4;  // height of a face over its longest side
 using Face = std::array<int, 3>;
 using Faces = std::vector<Face>;
 
-/// Inside an outline with random bays, outside of round holes.
+/// The area inside an outline with random bays and outside of round holes.
 class Domain {
  public:
   explicit Domain(RandomStream& random) : bays_(random.chance(0.5) ? random.between(0, 0.6) : 0) {
@@ -42,13 +42,13 @@ class Domain {
     Eigen::Vector2d center;
     double radius;
   };
-  double bays_;  // depth
+  double bays_;  // depth of the bays
   int num_bays_;
   double turn_;
   std::vector<Hole> holes_;
 };
 
-/// In the square of side 2: evenly spread, or in clusters, so that faces differ in size and shape.
+/// Returns points in the square of side 2: evenly spread, or in clusters, so that faces differ in size and shape.
 std::vector<Eigen::Vector2d> random_points(RandomStream& random, int count) {
   std::vector<Eigen::Vector2d> points;
   const double clustered = random.chance(0.3) ? random.uniform() : 0;
@@ -71,7 +71,7 @@ bool is_thin(const MeshPart& part, const Face& face) {
   return ab.cross(ca).norm() < kThinnest * longest * longest;
 }
 
-/// Groups of faces that are linked by something they share, a number per face.
+/// Groups of faces that are connected by a common element, as a number per face.
 class Groups {
  public:
   explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
@@ -85,7 +85,7 @@ class Groups {
   std::vector<std::size_t> parent_;
 };
 
-/// Of the faces that hold together across edges, the most.
+/// Returns the largest set of faces connected across edges.
 Faces largest_region(const Faces& faces) {
   Groups groups(faces.size());
   std::map<std::pair<int, int>, std::size_t> side;
@@ -107,8 +107,8 @@ Faces largest_region(const Faces& faces) {
   return kept;
 }
 
-/// Without the faces at vertices where the others touch in nothing but a point; those that leave more such vertices
-/// until there are none.
+/// Returns the faces without those at vertices where the others only touch in a point. Repeats until no such vertices
+/// are left.
 Faces without_pinches(Faces faces) {
   for (bool has_changed = true; has_changed;) {
     faces = largest_region(faces);
@@ -154,8 +154,8 @@ MeshPart rough_sheet(RandomStream& random, std::string& description) {
   const Domain domain(random);
   const std::vector<Eigen::Vector2d> points =
       random_points(random, static_cast<int>(random.across_scales(5, random.chance(0.1) ? 400 : 60)));
-  const double squeeze = random.chance(0.4) ? random.across_scales(kThinnest, 1) : 1;  // makes needles of all faces
-  const double rough = random.chance(0.2) ? 0 : random.across_scales(1e-3, 3);         // steps from vertex to vertex
+  const double squeeze = random.chance(0.4) ? random.across_scales(kThinnest, 1) : 1;  // turns all faces into needles
+  const double rough = random.chance(0.2) ? 0 : random.across_scales(1e-3, 3);         // height steps between vertices
   const double swell = random.chance(0.5) ? random.between(-2, 2) : 0;
   MeshPart part;
   for (const Eigen::Vector2d& p : points) {

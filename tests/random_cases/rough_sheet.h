@@ -10,14 +10,14 @@
 
 namespace wirewarp::test {
 
-/// A manifold part of a mesh; faces counter-clockwise seen from outside.
+/// A manifold part of a mesh, with faces counter-clockwise from outside.
 struct MeshPart {
   std::vector<Eigen::Vector3d> vertices;
   std::vector<std::array<int, 3>> faces;
 };
 
-/// What scans and sculptures are made of: a Delaunay triangulation of a random domain with up to four holes, under a
-/// rough height, with needles of up to 1 : 10,000. Adds to `description` what it is.
+/// Returns a mesh like those of scans and sculptures: a Delaunay triangulation of a random domain with up to four
+/// holes, with a rough height and needles of up to 1 : 10,000. Appends a description.
 MeshPart rough_sheet(RandomStream& random, std::string& description);
 
 }  // namespace wirewarp::test

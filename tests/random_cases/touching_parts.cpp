@@ -8,13 +8,13 @@
 namespace wirewarp::test {
 namespace {
 
-/// The vertices that edges join to one of them, itself included.
+/// Returns the vertices connected with one of them by edges, including itself.
 std::set<int> part_around(const FlattenInput& input, int start) {
   std::vector<std::vector<int>> neighbors(static_cast<std::size_t>(input.vertices.rows()));
   for (const auto& face : input.faces.rowwise()) {
     for (int k = 0; k < 3; ++k) neighbors[static_cast<std::size_t>(face[k])].push_back(face[(k + 1) % 3]);
   }
-  // Once around a face every corner is reached from every other.
+  // Edges in one direction around each face are enough: every corner reaches all others.
   std::set<int> part{start};
   std::queue<int> front;
   for (front.push(start); !front.empty(); front.pop()) {

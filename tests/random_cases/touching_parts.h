@@ -6,8 +6,8 @@
 
 namespace wirewarp::test {
 
-/// Moves one part of a legal mesh so that it touches another in a vertex, which both have from then on; a new wire
-/// passes through it where no other wires are. False, with the input as it was, where the vertices drawn are of one
+/// Moves one part of a legal mesh so that it touches another in a vertex, which both share then. A new wire passes
+/// through it if no other wires are there. Returns false, with the input unchanged, if the drawn vertices are of one
 /// part.
 bool let_parts_touch(RandomStream& random, FlattenInput& input);
 

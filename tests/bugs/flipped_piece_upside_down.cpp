@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A failed piece that was turned over stood on its head when up was asked for: its area counts negative, and with it
-// the mean over it.
+// A failed piece that was flipped was upside down with Orientation::up: its area is negative, and so was the mean over
+// it.
 #include <gtest/gtest.h>
 
 #include "surface/orientation/rising_direction.h"
 #include "test_meshes.h"
 
-namespace wirewarp::turned_over_piece_upside_down_test {
+namespace wirewarp::flipped_piece_upside_down_test {
 namespace {
 
-TEST(Bugs, ATurnedOverPieceStandsUpToo) {
+TEST(Bugs, AFlippedPieceIsUprightToo) {
   const Charts charts = test::charts_of(test::flat_rectangle(4, 3, 2, 1));
   const Positions2 uv = test::planar_positions(charts.charts.at(0));
   const Positions2 turned_over = uv * Eigen::Vector2d(-1, 1).asDiagonal();
@@ -20,4 +20,4 @@ TEST(Bugs, ATurnedOverPieceStandsUpToo) {
 }
 
 }  // namespace
-}  // namespace wirewarp::turned_over_piece_upside_down_test
+}  // namespace wirewarp::flipped_piece_upside_down_test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slits of two and three edges on a dome stopped after 100 factorizations at 1.7 to 2.7 times the objective, or with
-// their rims through each other: a shut slit is where the branches of exact shapes cross.
+// rims that cross each other: at a closed slit, the branches of exact shapes cross.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -11,7 +11,7 @@
 #include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 
-namespace wirewarp::shut_slits_stopped_short_test {
+namespace wirewarp::closed_slits_stopped_short_test {
 namespace {
 
 /// Steps (i, j) on the grid from the middle.
@@ -34,7 +34,7 @@ FlattenInput dome(int n, double height) {
       n, n, [&](double s, double t) { return Eigen::Vector3d(s, t, height * (s * (1 - s) + t * (1 - t))); });
 }
 
-/// f over the area of the best shape with all slits shut.
+/// Returns f over the area of the best shape with all slits closed.
 double shut_objective(const FlattenInput& input, const Options& options) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
@@ -45,7 +45,7 @@ double shut_objective(const FlattenInput& input, const Options& options) {
   return objective.value(shape.uv(sewn.vertex, Eigen::all)) / surface_area(chart.mesh);
 }
 
-TEST(Bugs, ShutSlitsOfAFewEdgesTakeHardlyLongerThanWires) {
+TEST(Bugs, ClosedSlitsOfAFewEdgesTakeHardlyLongerThanWires) {
   for (const int n : {12, 20}) {
     for (const double fairness : {0.1, 0.3}) {
       for (const Way way : {Way::along_row, Way::along_column, Way::diagonal, Way::corner}) {
@@ -69,4 +69,4 @@ TEST(Bugs, ShutSlitsOfAFewEdgesTakeHardlyLongerThanWires) {
 }
 
 }  // namespace
-}  // namespace wirewarp::shut_slits_stopped_short_test
+}  // namespace wirewarp::closed_slits_stopped_short_test
