@@ -47,7 +47,7 @@ void bind_cloth(py::module_& module) {
              py::arg("limits") = py::none());
   record.def_static(
       "preset", [](const py::object& name) { return preset(name).cloth; }, py::arg("name"),
-      "The cloth of this name, one of presets().");
+      "Returns the fabric with this name, one of presets().");
   record.def_static(
       "about",
       [](const py::object& name) {
@@ -55,8 +55,9 @@ void bind_cloth(py::module_& module) {
         return py::dict(py::arg("label") = one.label, py::arg("description") = one.description,
                         py::arg("source") = one.source);
       },
-      py::arg("name"), "The label, description and source of the preset of this name, as a dict.");
-  record.def_static("presets", &preset_names, "The names that preset() knows; new ones come at the end.");
+      py::arg("name"), "Returns the label, description and source of the preset with this name, as a dict.");
+  record.def_static("presets", &preset_names,
+                    "Returns the names that preset() accepts; new ones are added at the end.");
   record.def(py::pickle(
       [](const Cloth& cloth) {
         return py::make_tuple(cloth.weft, cloth.warp, cloth.shear, cloth.squeeze, cloth.stretch, cloth.locking,

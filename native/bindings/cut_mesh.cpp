@@ -40,26 +40,26 @@ py::tuple run_cut(const py::object& vertices, const py::object& faces, const py:
 }
 
 constexpr const char* kCutDoc =
-    R"(Divides triangles so that lines on the surface become edges, such as seams for flatten().
+    R"(Divides triangles so that lines on the surface become edges, for example seams for flatten().
 
-The surface stays as it is: each new vertex lies on an edge or in a triangle of the input. Vertices keep their numbers,
-and new ones follow. Faces keep their orientation. Faces that no path crosses keep their number, and a face that is
-divided leaves its number to one of its parts, while the other parts come last. Paths may cross each other.
+The surface does not change: each new vertex is on an edge or in a triangle of the input. Vertices keep their numbers,
+and new ones follow. Faces keep their orientation. Faces without a path keep their number; a divided face leaves its
+number to one of its parts, and its other parts come last. Paths may cross each other.
 
-paths: a list of SurfacePath; two points in a row must lie in one triangle, so a path has a point on each edge it crosses.
-snap: 0.0001 to 0.25. So that no slivers arise, points move where they are nearer to something: to an edge if the
-    barycentric coordinate of its opposite corner is less, to a vertex if the share of the other end of their edge is
-    less, and to another point whose coordinates all differ by less. A path that was snapped before does not move.
+paths: a list of SurfacePath. Consecutive points must be in one triangle, so a path has a point on each edge it crosses.
+snap: 0.0001 to 0.25. To avoid slivers, a point moves if it is nearer to something than this: to an edge if the
+    barycentric coordinate of the opposite corner is less, to a vertex if the share of the other end of their edge is
+    less, and to another point if all their coordinates differ by less. A snapped path does not move again.
 
-Returns (vertices, faces, edges, sources): edges (k, 2) of the paths in order, one path after the other, each edge once;
-sources, a CutSources: attributes of the new mesh are
+Returns (vertices, faces, edges, sources). edges (k, 2) are those of the paths in order, one path after the other, each
+edge once. With sources, a CutSources, the attributes of the new mesh are
     (sources.vertex_weights[:, :, None] * of_vertices[sources.vertices]).sum(axis=1),
     of_faces[sources.faces], and
     np.einsum("fij,fjk->fik", sources.corner_weights, of_corners[sources.faces]) for of_corners (m, 3, d).
-Seams and wires that a path crosses run along the vertices in sources.divided_edges then.
+Seams and wires that a path crosses then run along the vertices in sources.divided_edges.
 
-Raises FlattenError "invalid_option" for a path that is not on the mesh, has two points in a row in no common triangle,
-or vanishes as all of it is within reach of one point; and what flatten() raises of vertices and faces.)";
+Raises FlattenError "invalid_option" for a path that is not on the mesh, has two consecutive points in no common
+triangle, or is within reach of one point; and the errors of flatten() for vertices and faces.)";
 
 /// Returns lists of vertices as arrays.
 py::object as_arrays(const std::vector<std::vector<int>>& lists, py::handle owner) {

@@ -49,23 +49,23 @@ constexpr const char* kFlattenDoc =
 vertices: (n, 3) real numbers, scene units.
 faces: (m, 3) whole numbers, triangles.
 seams: (k, 2) vertex pairs along which the surface is cut.
-wires: Wire objects. Along a seam or outline they say how long that is, on all its sides.
-eases: Ease objects: sides that are longer than their mates.
+wires: Wire objects. A wire along a seam or outline sets the length of that section, on all its sides.
+eases: Ease objects: sides that are longer than the sides they are sewn to.
 options: Options; None for the defaults.
-progress: called as progress(stage, fraction); returning False cancels the pieces that are not flat yet; all pieces in
-    the first stage, "charts", in the last, "measure", and where those that are flat take long to measure. An exception
-    cancels and is raised again. Always called in the calling thread.
+progress: called as progress(stage, fraction). Returning False cancels the pieces that are not flat yet; in the first
+    stage, "charts", and in the last, "measure", and if flat pieces take long to measure, it cancels all pieces. An
+    exception cancels and is raised again. It is always called in the calling thread.
 cache: a Cache: pieces that did not change since its last run are not solved again.
 
-Raises FlattenError if the input is not a mesh with seams and wires. A region that cannot be flattened carries its
-FlattenError in Piece.error and spares the others.)";
+Raises FlattenError if the input is not a mesh with seams and wires. If a region cannot be flattened, its Piece.error is
+the FlattenError, and the other pieces are not affected.)";
 
 constexpr const char* kMeasureDoc =
-    R"(Judges a flattening made elsewhere by the measures and promises of flatten().
+    R"(Measures and checks a flattening made elsewhere, as flatten() does.
 
 Nothing is solved: a million triangles take about a second, and there is no progress to cancel.
 
-corner_uv: (m, 3, 2) flat position of each corner of each face, scene units; returned as given.
+corner_uv: (m, 3, 2) flat position of each corner of each face, scene units; returned unchanged.
 The other arguments are those of flatten().)";
 
 }  // namespace

@@ -110,15 +110,15 @@ std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, 
 }
 
 constexpr const char* kJobDoc =
-    R"(A run of the core in a thread of its own, which goes on while Python does something else.
+    R"(A run of the core in its own thread, while Python continues.
 
-start(), start_darts(), start_seams() and start_plan() make one. When nobody holds it any more it is cancelled, and waited
-for; so it is when Python ends.)";
+start(), start_darts(), start_seams() and start_plan() return one. A job without references is canceled and waited for,
+also when Python ends.)";
 
 constexpr const char* kStartDoc =
     R"(Starts flatten() with these arguments and returns a Job at once.
 
-The arrays are copied. Raises FlattenError where an argument has the wrong type; Job.result() raises all else.)";
+The arrays are copied. Raises FlattenError if an argument has the wrong type; Job.result() raises all other errors.)";
 
 }  // namespace
 
@@ -128,11 +128,10 @@ void bind_job(py::module_& module) {
   job.def("progress", &Job::progress,
           "(stage, fraction): the last progress reported, as to the callback of the call; ('', 0.0) before the first "
           "report.");
-  job.def("cancel", &Job::cancel, "Cancels what is not done yet, as soon as the core asks.");
-  job.def("is_done", &Job::is_done, "Whether result() returns at once.");
-  job.def(
-      "result", &Job::result,
-      "Waits for what the call returns, and returns it. Raises what the call raises; Ctrl-C cancels and is raised.");
+  job.def("cancel", &Job::cancel, "Cancels unfinished work as soon as the core checks for it.");
+  job.def("is_done", &Job::is_done, "Returns whether result() would return at once.");
+  job.def("result", &Job::result,
+          "Waits for the result and returns it. Raises the exception of the call; Ctrl-C cancels and is raised.");
   job.def("__repr__", [](const Job& self) { return "Job(" + std::string(self.is_done() ? "done" : "running") + ")"; });
   job.def("__reduce_ex__", [](const Job&, int) -> py::object {
     throw py::type_error("a Job cannot be copied or pickled: its thread runs in this process");

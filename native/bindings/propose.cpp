@@ -23,66 +23,67 @@ using Propose = std::vector<DartProposal> (*)(const FlattenInput&, const Options
 using Plan = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutTarget&, const Progress&);
 
 constexpr const char* kDartsDoc =
-    R"(Darts that lower the stretch that a flat piece needs, those that leave least in the model first.
+    R"(Returns darts that lower the stretch that a flat piece needs, sorted by the stretch that they leave in the model.
 
-Each runs from the outline to a point inside, along edges that run on smoothly, and cuts no wire. Every figure is of a
-run of flatten() with the edges of the dart as seams: flatten(..., seams=[*seams, *proposal.edges]). strain is the
-stretch that the report of such a run says of the piece, or of the worst of its num_pieces parts. A dart that helps only
-together with its mirror image has less strain_with_twin. None leaves 100% or more.
+Each dart leads from the outline to a point inside, along smooth chains of edges, and does not cross wires. All figures
+come from flatten() with the edges of the dart as seams: flatten(..., seams=[*seams, *proposal.edges]). strain is the
+stretch in the report of such a run, for the piece or the worst of its num_pieces parts. For a dart that helps only
+together with its mirror image, strain_with_twin is below the strain before. Darts that leave 100% or more are not
+returned.
 
-piece: the piece to cut, as flatten() numbers them; None for any, whichever gains most.
-count: proposals at most, the mirror images of one another counted once.
-strain: what may stay: pieces with no more (DartProposal.strain) are left as they are; None for 0.005.
-longest: no cut is longer on the surface, scene units; None for any length.
-no_seam: (k, 2) vertex pairs, edges along which no cut is to run.
-smooth: True for darts that run across triangles in smooth lines without elbows, straight unless a bend gains clearly
+piece: index of the piece to cut, in flatten(); None: the one that gains most.
+count: maximum number of proposals, with mirror images counted once.
+strain: accepted strain: pieces with no more (DartProposal.strain) are ignored; None for 0.005.
+longest: maximum length of a cut on the surface, scene units; None for any length.
+no_seam: (k, 2) vertex pairs, edges along which no cut may run.
+smooth: True for darts that are smooth lines across triangles without corners, straight unless a bend gains clearly
     more. Such a dart has no edges: vertices, faces, edges, sources = cut_mesh(vertices, faces, proposal.paths) makes
-    them, and flatten(vertices, faces, seams=[*seams, *edges]) has the figures. Darts are then sorted by the strain of
-    the piece, or of the surroundings of their tip if that is more.
+    them, and its figures are those of flatten(vertices, faces, seams=[*seams, *edges]). Darts are then sorted by the
+    strain of the piece, or of the surroundings of their tip if that is larger.
 progress: called as progress("cuts", fraction); returning False cancels, which raises FlattenError.
 The other arguments are those of flatten().
 
-Raises what flatten() raises; the error of the piece asked for, if it does not lie flat, with the seams that fix it;
-FlattenError "no_proposal" where a piece is flat already, has no room or gains nothing.)";
+Raises the errors of flatten(); the error of the requested piece if it has no flat shape, with seams that fix it; and
+FlattenError "no_proposal" if a piece is flat already, has no room or gains nothing.)";
 
 constexpr const char* kSeamsDoc =
-    R"(Seams across a piece, from outline to outline, that lower the stretch that it needs.
+    R"(Returns seams across a piece, from outline to outline, that lower the stretch that it needs.
 
 Arguments, figures and errors are those of propose_darts().
 
-Cut sets: if the piece has no flat shape because it lacks seams (it is closed, such as a ball, has handles, or an
-outline that cannot hold it, such as a tube), each proposal is a set of seams and darts under which all parts lie
-flat. If any piece may be cut, the largest one that lacks seams comes first. The first set brings every part to the
-strain that may stay (None for 0.05), as far as cuts help, forty and their mirror images at most. Each set after it is
-shorter and leaves more strain. Sets are symmetric if the piece is, and may cross wires. For a set, edges is one line
-after the other, energy that of all parts, strain that of the part with most, longest is of the whole set;
-energy_before and strain_before are infinite. "no_proposal" is raised if no_seam or longest leaves none.)";
+Cut sets: a piece may have no flat shape because it lacks seams: it is closed (a ball), has handles, or its outline is
+too short (a tube). Then each proposal is a set of seams and darts with which all parts have a flat shape. If no piece
+is requested, the largest one that lacks seams is cut. The first set brings every part to the accepted strain (None for
+0.05) if at most forty cuts and their mirror images can do so. Each later set is shorter and leaves more strain. Sets
+are symmetric if the piece is, and may cross wires. For a set, edges has one line after the other, energy is that of all
+parts, strain that of the worst part, and longest limits the whole set; energy_before and strain_before are infinite.
+Raises "no_proposal" if no_seam or longest allow no set.)";
 
 constexpr const char* kStartDartsDoc =
-    R"(Starts propose_darts() with these arguments and returns a Job at once, as start() does.)";
+    R"(Starts propose_darts() with these arguments and returns a Job at once, like start().)";
 
 constexpr const char* kStartSeamsDoc =
-    R"(Starts propose_seams() with these arguments and returns a Job at once, as start() does.)";
+    R"(Starts propose_seams() with these arguments and returns a Job at once, like start().)";
 
 constexpr const char* kPlanDoc =
-    R"(Cuts one after the other, until the strain is low enough: each cuts the piece with most strain that a cut helps.
+    R"(Returns cuts to make in this order until the strain is low enough. Each cuts the worst piece that a cut helps.
 
-kind: "dart" or "seam", as propose_darts() and propose_seams() propose them.
-strain: the target, 0.05 for 5%: pieces strained by no more (DartProposal.strain) are left as they are.
-most: cuts at most, 1 or more; a cut set (see propose_seams()) counts as one.
-longest: no cut is longer on the surface, scene units; None for any length.
-total_length: of all cuts together at most, on the surface, scene units; None for any length.
-piece: the piece to cut, as flatten() numbers them, and then its parts; None for any.
-twins: mirror images are taken together where that is better and allowed: they count as two cuts, one after the other.
-no_seam: (k, 2) vertex pairs, edges along which no cut is to run.
-The other arguments are those of flatten(); progress is as propose_darts() calls it.
+kind: "dart" or "seam", as in propose_darts() and propose_seams().
+strain: the target, 0.05 for 5%: pieces with no more (DartProposal.strain) are ignored.
+most: maximum number of cuts, 1 or more; a cut set (see propose_seams()) counts as one.
+longest: maximum length of a cut on the surface, scene units; None for any length.
+total_length: maximum length of all cuts together on the surface, scene units; None for any length.
+piece: index of the piece to cut with all its parts, in flatten(); None for any.
+twins: makes mirror images together if that is better and allowed. They count as two cuts, one after the other.
+no_seam: (k, 2) vertex pairs, edges along which no cut may run.
+The other arguments are those of flatten(); progress is called as in propose_darts().
 
-The figures of each, and the number of its piece, are those beside the cuts before it; strain_left is what the part with
-most strain has with all of them. Fewer cuts than are allowed mean that the target is met, or that no further one helps.
-Raises what propose_darts() raises for the first cut: FlattenError "no_proposal" if the target is met without any.)";
+The figures of each cut and the number of its piece refer to the state with the earlier cuts; strain_left is the strain
+of the worst part with all of them. Fewer cuts than allowed mean that the target is met or that no further cut helps.
+Raises the errors of propose_darts() for the first cut, and FlattenError "no_proposal" if the target is met already.)";
 
 constexpr const char* kStartPlanDoc =
-    R"(Starts plan_cuts() with these arguments and returns a Job at once, as start() does.)";
+    R"(Starts plan_cuts() with these arguments and returns a Job at once, like start().)";
 
 CutOptions read_cut_options(std::optional<int> piece, int count, std::optional<double> strain,
                             std::optional<double> longest, const py::object& no_seam) {

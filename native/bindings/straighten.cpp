@@ -32,17 +32,18 @@ py::tuple run_straighten(const py::object& vertices, const py::object& faces, co
 }
 
 constexpr const char* kStraightenDoc =
-    R"(The shortest line among the triangles that touch a path of edges, with the same ends. For smooth legs of darts.
+    R"(Returns the shortest line through the triangles that touch a path of edges, with the same ends. It smooths darts.
 
-path: vertices, each joined to the next by an edge that is on no seam or outline. What it is to be a seam of later must
-    not be among the seams yet.
+path: vertices, each joined to the next by an edge that is not on a seam or outline. A future seam must not be among the
+    seams yet.
 seams, wires: as in flatten(). The line meets them at the same vertices as the path.
 
-Returns (edges, t), one row for each point of the line, ends included: edges (k, 2) vertices, t (k,) numbers. The point
-lies at vertices[edges[i, 0]] + t[i] (vertices[edges[i, 1]] - vertices[edges[i, 0]]), with t in [0.05, 0.95]: where the line
-would pass nearer to a vertex, it passes through it. A vertex is given twice in its row, with t = 0.
+Returns (edges, t), one row for each point of the line, including its ends: edges (k, 2) vertices, t (k,) numbers. The
+point is vertices[edges[i, 0]] + t[i] (vertices[edges[i, 1]] - vertices[edges[i, 0]]), with t in [0.05, 0.95]: the line
+passes through a vertex that it would pass more closely. For a vertex, both numbers in its row are equal, and t is 0.
 
-Raises what flatten() raises of the mesh; FlattenError "invalid_option", naming the pair, for a path that is none.)";
+Raises the errors of flatten() for the mesh, and FlattenError "invalid_option", which names the pair of vertices, if
+path does not follow edges.)";
 
 }  // namespace
 

@@ -96,7 +96,7 @@ def test_the_target_reaches_the_search_and_what_is_missing_is_said(addon, settin
     assert [cut.edges for cut in found(addon, source).cuts] == [first.edges]
     assert "more than your target" not in draw_panels(addon)
     settings.aim_stretch = 100.0
-    with pytest.raises(RuntimeError, match=r"is flat enough.* and 100% may stay"):
+    with pytest.raises(RuntimeError, match=r"is flat enough.* and 100% is accepted"):
         SUGGEST["DARTS"]()
 
 

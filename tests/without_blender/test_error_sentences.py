@@ -108,7 +108,7 @@ def test_broken_guarantees_are_told_together(said):
 @pytest.mark.parametrize(
     ("arguments", "expected"),
     [
-        ({"reason": "strain", "strain": 0.021, "limit": 1.0}, "is strained by 2.1%, and 100% may stay."),
+        ({"reason": "strain", "strain": 0.021, "limit": 1.0}, "its stretch is 2.1%, and 100% is accepted."),
         ({"reason": "too_long", "length": 1.5, "limit": 1.0}, "with seams of 1500 mm, but no more than 1000 mm are"),
         (
             {"reason": "no_room", "kind": "dart", "is_restricted": False},

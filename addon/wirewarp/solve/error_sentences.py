@@ -153,12 +153,12 @@ def _infeasible_lengths(facts: ErrorFacts) -> str:
             )
         case "stretch":
             return (
-                "No flat shape of the piece was found that has the lengths which the fabric's stretch sets. Use less "
+                "No flat shape of the piece was found with the lengths that the fabric's stretch requires. Use less "
                 f"stretch, or m{mark}"
             )
         case "method":
             return (
-                "The wires of the piece find no flat shape if they are bent first. Use the method Refined, which keeps "
+                "WireWarping++ finds no flat shape for the wires of the piece. Use the method Refined, which keeps "
                 "them within their tolerances."
             )
     free = ", even with its wires free" if facts["has_wires"] else ""
@@ -249,7 +249,7 @@ def _no_proposal(facts: ErrorFacts) -> str:
             return "The piece is flat enough: it is unfolded without distortion."
         case "strain":
             strain, limit = percent(facts["strain"]), percent(facts["limit"])
-            return f"The piece is flat enough: it is strained by {strain}, and {limit} may stay."
+            return f"The piece is flat enough: its stretch is {strain}, and {limit} is accepted."
         case "too_long":
             length, limit = facts.lengths.rough(facts["length"]), facts.lengths.rough(facts["limit"])
             return f"The piece can be flattened with seams of {length}, but no more than {limit} are allowed."

@@ -45,7 +45,7 @@ constexpr Entry kEntries[] = {
       "Move the named vertices back into the scene or delete them.",
       "limit: coordinates must be below this magnitude"}},
     {ErrorCode::loose_faces,
-     {"loose_faces", "More than a thousand faces hardly share edges with others, as in a file that lists each alone.",
+     {"loose_faces", "More than a thousand faces share almost no edges, as in a file that lists each one separately.",
       "Merge vertices by distance, so that neighboring faces share their edges.",
       "num_faces: number of triangles of the mesh; num_parts: number of parts that share no edge"}},
     {ErrorCode::seam_not_an_edge,
@@ -89,11 +89,12 @@ constexpr Entry kEntries[] = {
       "Split the named vertices, or join the parts along an edge.", ""}},
     {ErrorCode::inconsistent_orientation,
      {"inconsistent_orientation", "Neighboring faces point to opposite sides of the surface.",
-      "Recalculate the normals, so that all faces of the piece look to the same side. If the piece is one-sided like a "
+      "Recalculate the normals, so that all faces of the piece point to the same side. If the piece is one-sided like "
+      "a "
       "Mobius strip, mark the named edges as seams.",
-      "is_one_sided: whether only a seam helps, because no turning of faces does"}},
+      "is_one_sided: whether only a seam helps, because no flipping of faces does"}},
     {ErrorCode::closed_chart,
-     {"closed_chart", "A piece has no outline: it closes on itself like a ball.",
+     {"closed_chart", "A piece has no outline: it is closed like a ball.",
       "Mark a seam along which the surface can be opened.", ""}},
     {ErrorCode::handles,
      {"handles", "A piece has a handle, like a ring or the handle of a cup, so it cannot lie flat.",
@@ -147,7 +148,8 @@ constexpr Entry kEntries[] = {
      {"no_proposal", "No dart or seam is found that helps a piece: it is flat enough, has no room, or gains nothing.",
       "Leave the piece as it is, mark a seam by hand, or clear wires that are in the way.",
       "reason: \"unfolded\", \"strain\", \"too_long\", \"no_room\", \"no_gain\" or \"no_set\"; strain: of the piece, "
-      "and limit: what may stay (reason \"strain\"); length: of the seams, and limit: the longest allowed (reason "
+      "and limit: the accepted strain (reason \"strain\"); length: of the seams, and limit: the longest allowed "
+      "(reason "
       "\"too_long\"); kind: \"dart\" or \"seam\" (reasons \"no_room\", \"no_gain\"); is_restricted: whether some "
       "edges must have no seam (reasons \"no_room\", \"no_set\")"}},
 };

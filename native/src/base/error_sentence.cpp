@@ -131,7 +131,7 @@ std::string side_in_two_eases(const Parts& parts) {
 
 std::string inconsistent_orientation(const Parts& parts) {
   const bool is_one_sided = parts.is("is_one_sided");
-  return "The faces on the two sides of " + parts.edges() + " are turned to opposite sides of the surface" +
+  return "The faces on the two sides of " + parts.edges() + " point to opposite sides of the surface" +
          (is_one_sided ? ", which is one-sided like a Mobius strip: mark these edges as seams."
                        : ": recalculate the normals, or mark these edges as seams.");
 }
@@ -190,7 +190,7 @@ std::string infeasible_lengths(const Parts& parts) {
   const std::string& reason = parts.text("reason");
   if (reason == "method") {
     return "The wires of " + parts.piece() +
-           " find no flat shape if they are bent first: use the refined method, which keeps them within their "
+           " have no flat shape with WireWarping++: use the refined method, which keeps them within their "
            "tolerances.";
   }
   std::string remedy;
@@ -210,7 +210,7 @@ std::string infeasible_lengths(const Parts& parts) {
     return none + " with all lengths was found within max_factorizations = " +
            std::to_string(parts.number("max_factorizations")) + ": raise it, or " + remedy;
   }
-  if (reason == "stretch") return none + " was found that has the lengths which the fabric's stretch sets: " + remedy;
+  if (reason == "stretch") return none + " was found with the lengths that the fabric's stretch requires: " + remedy;
   return none + " was found that keeps the length of its outline" +
          (parts.is("has_wires") ? ", even with its wires free: " : ": ") + remedy;
 }
@@ -274,12 +274,12 @@ std::string no_proposal(const Parts& parts) {
   const std::string& reason = parts.text("reason");
   if (reason == "unfolded") return piece + " is flat enough: it is unfolded without distortion.";
   if (reason == "strain") {
-    return piece + " is flat enough: it is strained by " + percent(parts.real("strain")) + ", and " +
-           percent(parts.real("limit")) + " may stay.";
+    return piece + " is flat enough: its stretch is " + percent(parts.real("strain")) + ", and " +
+           percent(parts.real("limit")) + " is accepted.";
   }
   if (reason == "too_long") {
-    return piece + " can be flattened with seams of " + rounded(parts.real("length")) + " units, and longest is " +
-           rounded(parts.real("limit")) + ": allow more.";
+    return piece + " can be flattened with seams of " + rounded(parts.real("length")) + " units, but no more than " +
+           rounded(parts.real("limit")) + " are allowed.";
   }
   if (reason == "no_gain") {
     const std::string& kind = parts.text("kind");
@@ -369,7 +369,7 @@ std::string error_sentence(ErrorCode code, const ErrorArguments& arguments, cons
     case ErrorCode::cancelled:
       return "Canceled before the piece was flat: run it again.";
     case ErrorCode::uv_discontinuous:
-      return "The flattening is torn along " + parts.edges() + ", where there is no seam: pass these edges as seams.";
+      return "The flattening is torn along " + parts.edges() + " without a seam: pass these edges as seams.";
     case ErrorCode::no_layout:
       return "The coordinates at the corners of " + parts.faces() +
              " are not all finite and below 1e60 in magnitude: flatten the whole piece.";

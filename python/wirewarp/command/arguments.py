@@ -54,37 +54,37 @@ def parsed(words: Sequence[str]) -> Arguments:
     flatten = commands.add_parser(
         "flatten",
         parents=[_model_options(), _writing_options(), _running_options()],  # a separate instance: its defaults differ
-        help="flatten the models named, and write reports and patterns",
-        description="Flattens models (OBJ, PLY, STL, glTF, Blender) and writes for each a report and a pattern. "
+        help="flatten models, and write reports and patterns",
+        description="Flattens models (OBJ, PLY, STL, glTF, Blender) and writes a report and a pattern for each. "
         + VERDICTS,
     )
     flatten.add_argument("models", nargs="+", metavar="MODEL", type=Path)
-    flatten.add_argument("--resume", action="store_true", help="leave out what was done before and has not changed")
+    flatten.add_argument("--resume", action="store_true", help="skip finished models that have not changed")
     flatten.set_defaults(command=flatten, jobs=1, part=(1, 1))
     batch = commands.add_parser(
         "batch",
         parents=[_model_options(), _writing_options(), _running_options()],  # of its own: their defaults differ
-        help="the same for folders and lists of models, as often as it takes",
-        description="As flatten --resume, with all models of folders and lists: a rerun continues where it stopped and "
-        "redoes changed models. " + VERDICTS,
+        help="flatten folders and lists of models; a rerun continues where it stopped",
+        description="Runs flatten --resume on all models of folders and lists: a rerun continues where it stopped, and "
+        "repeats changed models. " + VERDICTS,
     )
     batch.add_argument(
         "models",
         nargs="+",
         metavar="IN",
         type=Path,
-        help="a model, a folder, with those inside, or a list: .jsonl, one object a line, with a model and its options",
+        help="a model, a folder with models, or a list: .jsonl, one object per line, with a model and its options",
     )
     batch.add_argument(
-        "--part", type=_part, default=(1, 1), metavar="K/N", help="only the K-th of every N models, for tasks of a farm"
+        "--part", type=_part, default=(1, 1), metavar="K/N", help="only the K-th of every N models, to share the work"
     )
     batch.set_defaults(command=batch, resume=True, jobs=os.cpu_count() or 1)
     propose = commands.add_parser(
         "propose",
         parents=[_shape_options(), _cut_options(), _running_options()],
         help="find the darts or seams that reduce the distortion of a piece most",
-        description="Tries cuts on models (OBJ, PLY, STL, glTF), each by flattening with it, and prints for each model "
-        "one line of JSON with the best. The exit code is that of the worst model. 0: cuts are proposed. 1: none are. "
+        description="Evaluates cuts of models (OBJ, PLY, STL, glTF) by flattening, and prints one line of JSON with "
+        "the best cuts of each model. The exit code is that of the worst model. 0: cuts are proposed. 1: none are. "
         "2: the model is refused. 3: it was stopped because it crashed or exceeded its limit of time or memory.",
     )
     propose.add_argument("models", nargs="+", metavar="MODEL", type=Path)
@@ -92,7 +92,7 @@ def parsed(words: Sequence[str]) -> Arguments:
     given = parser.parse_args(words)
     if given.command is propose:
         if given.together and (given.piece or given.count):
-            propose.error("--together chooses pieces and cuts by itself: give it without --piece and --count")
+            propose.error("--together chooses pieces and cuts itself: use it without --piece and --count")
         return Arguments([_cut_request(model, given) for model in given.models], given.jobs, _limits(given))
     try:
         is_batch = given.command is batch
@@ -115,50 +115,54 @@ def _shape_options() -> argparse.ArgumentParser:
         "--seams",
         default="",
         metavar="uv|sharp|FILE",
-        help="around UV islands, sharp edges, or of a JSON file",
+        help="seams: around UV islands, at sharp edges, or from a JSON file",
     )
     options.add_argument("--wires", default="", metavar="FILE", help="JSON file with wires and eases")
     options.add_argument(
-        "--cloth", default="", choices=Cloth.presets(), help="what the pieces are cut from (distortion alone)"
+        "--cloth", default="", choices=Cloth.presets(), help="fabric of the pieces (without it, the least distortion)"
     )
     options.add_argument(
-        "--orientation", default="wire", choices=ORIENTATIONS, help="what stands upright, along the grain (wire)"
+        "--orientation", default="wire", choices=ORIENTATIONS, help="direction that is up, along the grain (wire)"
     )
-    options.add_argument("--unit", choices=MILLIMETERS, default="m", help="what a model has its coordinates in (m)")
+    options.add_argument("--unit", choices=MILLIMETERS, default="m", help="unit of the coordinates (m)")
     options.add_argument(
         "--stretch",
         type=_stretch,
         default=(0.0, 0.0),
         metavar="WEFT,WARP",
-        help="of the cloth when worn, both ways or across and along: 10%%,5%%; loose: --stretch=-5%% (0%%)",
+        help="negative ease, both ways or across and along: 10%%,5%%; positive ease: --stretch=-5%% (0%%)",
     )
-    options.add_argument("--thickness", type=_length, default=0.0, help="of foam, neoprene, leather: 3mm (none)")
+    options.add_argument(
+        "--thickness", type=_length, default=0.0, help="thickness of foam, neoprene or leather: 3mm (0)"
+    )
     options.add_argument(
         "--surface",
         choices=("inside", "middle", "outside"),
         default="inside",
-        help="of something thick, what the model is (inside)",
+        help="surface of the thick material that the model is (inside)",
     )
     return options
 
 
 def _cut_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
-    options.add_argument("--cut", choices=("dart", "seam"), default="dart", help="what is to be proposed (dart)")
-    options.add_argument("--piece", type=_count, metavar="N", help="only on the N-th piece (any, whichever gains most)")
-    options.add_argument("--count", type=_count, metavar="N", help="proposals, mirror images once (5)")
-    options.add_argument("--longest", type=_length, help="of a cut on the model: 150mm (any)")
+    options.add_argument("--cut", choices=("dart", "seam"), default="dart", help="kind of cut (dart)")
+    options.add_argument("--piece", type=_count, metavar="N", help="cut only the N-th piece (the one that gains most)")
+    options.add_argument(
+        "--count", type=_count, metavar="N", help="number of proposals, with mirror images counted once (5)"
+    )
+    options.add_argument("--longest", type=_length, help="maximum length of a cut on the model: 150mm (any)")
     options.add_argument(
         "--strain",
         type=_share,
         metavar="5%",
-        help="what may stay: pieces with less in 99%% of their area are left alone (0.5%%; for first cuts "
-        "and with --together 5%%)",
+        help="accepted strain: pieces with less in 99%% of their area are ignored (0.5%%; for cut sets and with "
+        "--together 5%%)",
     )
     options.add_argument(
-        "--together", type=_count, metavar="N", help="N cuts at most that are taken together, until --strain is met"
+        "--together", type=_count, metavar="N", help="make up to N cuts one after the other, until --strain is met"
     )
-    options.add_argument("--no-seam", default="", metavar="FILE", help="JSON file with lines that get no cut")
+    options.add_argument("--no-seam", default="", metavar="FILE", help="JSON file with lines where no cut may run")
     return options
 
 
@@ -166,24 +170,34 @@ def _model_options() -> argparse.ArgumentParser:
     """Return the options that may differ from model to model."""
     options = _Options(add_help=False, allow_abbrev=False, parents=[_shape_options()])
     options.add_argument(
-        "--format", default="pdf,svg", metavar="F,F", type=_formats, help="of pdf, svg, dxf, plt (pdf,svg)"
+        "--format", default="pdf,svg", metavar="F,F", type=_formats, help="kinds of files: pdf, svg, dxf, plt (pdf,svg)"
     )
-    options.add_argument("--page", default="a4", type=_page, help="paper of PDF: a4, letter, a0, 36in, 900mm, ... (a4)")
-    options.add_argument("--allowance", default="10mm", type=_length, help="outside of seams: 10mm, 1cm, 3/8in (10mm)")
-    options.add_argument("--hem", type=_length, help="outside of edges that are not sewn (as --allowance)")
+    options.add_argument(
+        "--page", default="a4", type=_page, help="paper for PDF: a4, letter, a0, 36in, 900mm, ... (a4)"
+    )
+    options.add_argument(
+        "--allowance", default="10mm", type=_length, help="width of seam allowances: 10mm, 1cm, 3/8in (10mm)"
+    )
+    options.add_argument("--hem", type=_length, help="allowance of edges that are not sewn (as --allowance)")
     options.add_argument("--pairs", action="store_true", help="draw one piece of each mirrored pair")
     options.add_argument("--on-fold", action="store_true", help="draw half of each symmetric piece, to cut on the fold")
-    options.add_argument("--imperial", action="store_true", help="inches in texts and squares to measure")
+    options.add_argument("--imperial", action="store_true", help="use inches in texts and test squares")
     options.add_argument(
-        "--marker", type=_cloth, metavar="WIDTH|WxL", help="pieces nested on a roll, 1400mm, or on sheets, 60x90cm"
+        "--marker", type=_cloth, metavar="WIDTH|WxL", help="nest the pieces on a roll, 1400mm, or on sheets, 60x90cm"
     )
-    options.add_argument("--gap", type=_length, default="5mm", help="between the pieces of a marker (5mm)")
-    options.add_argument("--grain", choices=GRAINS, default="one-way", help="how pieces of a marker may lie (one-way)")
-    options.add_argument("--times", type=_count, default=1, metavar="N", help="how often a marker has the pattern (1)")
-    options.add_argument("--seconds", type=_seconds, default=10.0, metavar="S", help="of search for a marker (10)")
-    options.add_argument("--repair", action="store_true", help="repair the mesh first, and say what was repaired")
+    options.add_argument("--gap", type=_length, default="5mm", help="space between the pieces of a marker (5mm)")
     options.add_argument(
-        "--take-proposals", action="store_true", help="mark what is suggested for failed pieces, and flatten again"
+        "--grain", choices=GRAINS, default="one-way", help="directions of pieces in a marker (one-way)"
+    )
+    options.add_argument(
+        "--times", type=_count, default=1, metavar="N", help="number of copies of the pattern in a marker (1)"
+    )
+    options.add_argument(
+        "--seconds", type=_seconds, default=10.0, metavar="S", help="duration of the search for a marker (10)"
+    )
+    options.add_argument("--repair", action="store_true", help="repair the mesh first, and report the repairs")
+    options.add_argument(
+        "--take-proposals", action="store_true", help="mark the seams suggested for failed pieces, and flatten again"
     )
     options.add_argument("--picture", action="store_true", help="also a PNG of the flat pieces, colored by strain")
     return options
@@ -191,20 +205,20 @@ def _model_options() -> argparse.ArgumentParser:
 
 def _writing_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
-    options.add_argument("--out", required=True, metavar="DIR", type=Path, help="folder for what is written")
-    options.add_argument("--blender", default="blender", metavar="PATH", help="for .blend files (blender)")
+    options.add_argument("--out", required=True, metavar="DIR", type=Path, help="output folder")
+    options.add_argument("--blender", default="blender", metavar="PATH", help="program for .blend files (blender)")
     return options
 
 
 def _running_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
-    options.add_argument("--jobs", type=_count, metavar="N", help="models at a time (1; batch: all cores)")
+    options.add_argument("--jobs", type=_count, metavar="N", help="models in parallel (1; batch: all cores)")
     # An hour: a million triangles take ten seconds.
     options.add_argument(
-        "--time-limit", type=_seconds, default=3600.0, metavar="S", help="seconds that a model may take (3600)"
+        "--time-limit", type=_seconds, default=3600.0, metavar="S", help="maximum seconds per model (3600)"
     )
     options.add_argument(
-        "--memory-limit", type=_memory, metavar="4GB", help="that a model may take (its share of the machine's)"
+        "--memory-limit", type=_memory, metavar="4GB", help="maximum memory per model (its share of the machine's)"
     )
     return options
 

@@ -190,7 +190,7 @@ class Pattern(PatternData):
         """
         unknown = set(quantities) - {piece.number for piece in self.pieces}
         if unknown:
-            raise problem(f"There is no piece {min(unknown)}: there are {len(self.pieces)}.")
+            raise problem(f"Piece {min(unknown)} does not exist: there are {len(self.pieces)} pieces.")
         for number, counts in quantities.items():
             if len(counts) != 2 or any(type(count) is not int or count < 0 for count in counts) or not any(counts):
                 raise problem(f"The quantity of piece {number} is {counts!r}: give two whole numbers, not both 0.")

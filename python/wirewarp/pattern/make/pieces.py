@@ -87,12 +87,12 @@ def warnings_of(laid: Laid) -> list[str]:
             f'"{laid.name}": the allowance fills {holes - len(laid.cut.holes)} of {holes} holes; they are not cut.'
         )
     if laid.cut.pockets:
-        found.append(f'"{laid.name}": the allowance closes a gap in the outline; what it encloses is not cut out.')
+        found.append(f'"{laid.name}": the allowance closes a gap in the outline; the enclosed area is not cut out.')
     crooked = max((_off_straight(run.points) for own in laid.outlines for run in own.runs if run.is_fold), default=0.0)
     if crooked > STRAIGHT:
-        found.append(f'"{laid.name}": its fold is not straight but {crooked:.1f} mm off, so cloth does not fold there.')
+        found.append(f'"{laid.name}": its fold is not straight but {crooked:.1f} mm off: fabric cannot fold there.')
     if len(laid.cut.outer) > 1:
-        found.append(f'"{laid.name}" is cut as {len(laid.cut.outer)} parts, for it hangs together in single points.')
+        found.append(f'"{laid.name}" is cut as {len(laid.cut.outer)} parts, which only touch at single points.')
     return found
 
 
