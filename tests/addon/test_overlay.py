@@ -7,8 +7,21 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
+from everything import sidebar
 from mathutils import Matrix, Vector
-from surfaces import bump, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_edges, select_only
+from surfaces import (
+    bump,
+    flat_of,
+    flatten_fails,
+    grid,
+    make_object,
+    mark,
+    mark_seam,
+    on_line,
+    read,
+    select_edges,
+    select_only,
+)
 from view_context import view_context
 
 pytestmark = pytest.mark.api
@@ -43,7 +56,7 @@ def edges_of(lines):
     return {kind: len(places) // 2 for kind, places in lines.places.items()}
 
 
-def test_lines_of_each_kind_on_the_model_and_on_the_pieces(addon, source):
+def test_lines_of_each_kind_lie_on_their_edges_on_the_model_and_on_the_pieces(addon, source):
     wires = {"rigid": 8, "elastic": 8, "free": 8}
     assert edges_of(lines_of(addon, source)) == {"seam": 8, "outline": 32, **wires}
     assert edges_of(lines_of(addon, flat_of(source))) == {
@@ -52,9 +65,6 @@ def test_lines_of_each_kind_on_the_model_and_on_the_pieces(addon, source):
         "default grain": 2 * 3,
         **wires,
     }
-
-
-def test_lines_lie_on_their_edges(addon, source):
     places = lines_of(addon, source).places
     assert np.all(np.abs(places["seam"][:, 0]) < 1e-6)
     for kind, y in (("rigid", 0.0), ("elastic", 0.5), ("free", -0.5)):
@@ -92,14 +102,11 @@ def test_a_twin_shows_its_lines_while_the_mesh_is_edited(addon, source):
     assert (shown[twin].failures, shown[twin].surface) == (None, None)
 
 
-def test_names_are_those_of_the_report(addon, source):
+def test_names_are_those_of_the_report_and_stand_on_what_they_name(addon, source):
     on_model = [name.texts[-1] for name in lines_of(addon, source).names]
     assert sorted(on_model) == ["Seam 1", "Waist", "Wire 2 ±5%", "Wire 3"]
     on_pieces = [name.texts[-1] for name in lines_of(addon, flat_of(source)).names]
     assert sorted(on_pieces) == sorted(2 * on_model + ["Top Left", "Top Right"])
-
-
-def test_names_stand_on_what_they_name(addon, source):
     lines = lines_of(addon, source)
     name = next(name for name in lines.names if name.texts == ("Waist",))
     for place in name.places:
@@ -118,6 +125,10 @@ def test_selected_edges_are_seen_on_their_lines(addon, source):
     assert all(width_of["selected"] < 0.6 * width_of[kind] for kind in ("outline", "seam", "free", "elastic", "rigid"))
     bpy.ops.mesh.select_all(action="DESELECT")
     assert "selected" not in lines_of(addon, source).places
+    bpy.ops.object.mode_set(mode="OBJECT")
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    bpy.context.view_layer.update()
+    assert edges_of(lines_of(addon, source))["rigid"] == 16  # they follow the modifiers that are shown
 
 
 def test_seams_of_a_model_that_has_changed_keep_their_names_and_do_not_say_what_they_join(addon, source):
@@ -132,12 +143,6 @@ def test_seams_of_a_model_that_has_changed_keep_their_names_and_do_not_say_what_
     source.data.edges.foreach_set("use_seam", np.zeros(len(source.data.edges), dtype=bool))
     assert ("Seam 1",) not in [name.texts for name in lines_of(addon, source).names]
     assert "Seam 1" in [name.texts[-1] for name in lines_of(addon, flat_of(source)).names]
-
-
-def test_lines_follow_the_modifiers_that_are_shown(addon, source):
-    source.modifiers.new("Smooth", "SUBSURF").levels = 1
-    bpy.context.view_layer.update()
-    assert edges_of(lines_of(addon, source))["rigid"] == 16
 
 
 def surface_of(addon, target, color_map):
@@ -160,6 +165,15 @@ def test_a_face_has_the_color_of_its_flat_face(addon, source):
     assert len(on_pieces) == len(on_model)
     for face, color in on_pieces.items():
         assert color == pytest.approx(on_model[sources[face]], abs=1e-6)
+    source.modifiers.new("Smooth", "SUBSURF").levels = 1
+    bpy.context.view_layer.update()
+    assert surface_of(addon, source, color_map) is None  # the flat pieces are the base mesh's
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    assert len(surface_of(addon, source, color_map).places) == 3 * 2 * 4 * 64
+    source.modifiers.clear()
+    bpy.context.view_layer.update()
+    assert surface_of(addon, source, color_map) is None  # the model has changed
+    assert surface_of(addon, flat, color_map) is not None
 
 
 def test_every_map_can_be_shown(addon, source):
@@ -169,122 +183,6 @@ def test_every_map_can_be_shown(addon, source):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN")  # which has them all
     for color_map in addon.solve.maps.COLOR_MAPS:
         assert surface_of(addon, source, color_map).colors.shape == (3 * 128, 4)
-
-
-def test_no_map_on_a_model_that_has_changed(addon, source):
-    source.data.vertices[40].co.z += 0.1
-    source.data.update()
-    bpy.context.view_layer.update()
-    assert surface_of(addon, source, addon.solve.maps.STRETCH) is None
-    assert surface_of(addon, flat_of(source), addon.solve.maps.STRETCH) is not None
-
-
-def test_a_missing_map_is_explained(addon, source):
-    bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
-
-    def notes():
-        shown, context = addon.overlay.shown, view_context()
-        return shown.missing_maps(list(shown.drawings(context)), shown.shown_map(context))
-
-    assert notes() == []
-    bpy.context.scene.wirewarp.shown_map = "WEFT_STRAIN_COLOR"
-    addon.state.drawings.forget()
-    assert notes() == ["No fabric was chosen: no such map"]
-    bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
-    source.data.vertices[40].co.z += 0.1
-    source.data.update()
-    bpy.context.view_layer.update()
-    addon.state.drawings.forget()
-    assert notes() == ["Changed since: flatten again"]
-    mark(grid("New", bump), RIGID)
-    assert notes() == ["Not flattened: no map", "Changed since: flatten again"]
-
-
-def test_a_map_of_stretch_says_the_figure_of_the_verdict(addon, source):
-    """And no other map does."""
-    needed = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
-    figure = f"99% of the area: up to {addon.core.percent_text(needed)} in the worst direction"
-    shown, context = addon.overlay.shown, view_context()
-    for name, notes in (("STRETCH_COLOR", [figure]), ("LENGTH_VARIATION_COLOR", [])):
-        bpy.context.scene.wirewarp.shown_map = name
-        addon.state.drawings.forget()
-        assert shown.map_notes(list(shown.drawings(context)), shown.shown_map(context)) == notes
-
-
-def test_a_model_that_failed_has_not_changed_since(addon):
-    failed = grid("Wide", bump, size=4)
-    failed.data.vertices[6].co.z = float("nan")
-    with pytest.raises(RuntimeError):
-        bpy.ops.object.wirewarp_flatten()
-    bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
-    shown, context = addon.overlay.shown, view_context()
-    assert shown.missing_maps(list(shown.drawings(context)), shown.shown_map(context)) == ["Not flattened: no map"]
-
-
-def test_a_map_of_a_shape_with_modifiers_lies_on_that_shape(addon, source):
-    source.modifiers.new("Smooth", "SUBSURF").levels = 1
-    bpy.context.view_layer.update()
-    assert surface_of(addon, source, addon.solve.maps.STRETCH) is None  # the flat pieces are the base mesh's
-    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
-    assert len(surface_of(addon, source, addon.solve.maps.STRETCH).places) == 3 * 2 * 4 * 64
-
-
-def test_what_failed_is_drawn_on_the_model_and_on_the_pieces(addon):
-    source = grid("Spike", lambda x, y: (x, y, 2 * (1 - x * x) * (1 - y * y)))
-    mark(source, on_line(0, 0.0))
-    mark(source, on_line(1, 0.0))
-    with pytest.raises(RuntimeError, match="flipped"):
-        bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
-    faces = {face for issue in addon.state.reports.last_report(source).issues for face in issue.faces}
-    for target in (source, flat_of(source)):
-        found = addon.overlay.failures.failures(target)
-        assert len(found.triangles) == 3 * 2 * len(faces)  # of quads
-        assert len(found.lines["failed"]) > 0
-    centers = addon.overlay.failures.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
-    expected = [source.data.polygons[face].center for face in sorted(faces)]
-    assert np.linalg.norm(centers[:, :2] - np.array(expected)[:, :2], axis=1).max() < 0.1
-
-
-def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
-    bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
-    tube = bpy.context.active_object
-    with pytest.raises(RuntimeError, match="tube"):
-        bpy.ops.object.wirewarp_flatten()
-    (issue,) = addon.state.reports.last_report(tube).issues
-    found = addon.overlay.failures.failures(tube)
-    assert len(found.triangles) == 3 * 2 * 12
-    drawn = found.lines["failed"].reshape(-1, 2, 3)
-    around = np.abs(drawn[:, 0, 2] - drawn[:, 1, 2]) < 1e-6
-    assert around.sum() == 2 * 12
-    assert (~around).sum() <= len(issue.vertices)  # the issue's own places
-
-
-def test_a_closed_model_has_not_failed_but_a_closed_piece_beside_a_good_one_is_in_the_legend(addon):
-    bpy.ops.mesh.primitive_uv_sphere_add(segments=8, ring_count=4)
-    ball = bpy.context.active_object
-    with pytest.raises(RuntimeError, match="closed"):
-        bpy.ops.object.wirewarp_flatten()
-    found = addon.overlay.failures.failures(ball)
-    assert found.kinds == {"proposed"} and len(found.triangles) == 0
-    select_only(ball, grid("Bump", bump))
-    bpy.ops.object.join()
-    joined = bpy.context.active_object
-    with pytest.raises(RuntimeError, match="closed"):
-        bpy.ops.object.wirewarp_flatten()
-    found = addon.overlay.failures.failures(joined)
-    assert found.kinds == {"proposed", "failed"} and len(found.triangles) > 0
-
-
-def test_the_edges_of_a_bad_input_are_drawn(addon):
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
-    assert addon.overlay.failures.failures(source) is None
-    source.data.vertices[0].co = source.data.vertices[1].co
-    source.data.update()
-    bpy.context.view_layer.update()
-    with pytest.raises(RuntimeError, match="no area"):
-        bpy.ops.object.wirewarp_flatten()
-    assert addon.overlay.failures.failures(source).lines.keys() == {"failed"}
 
 
 def test_only_models_and_pieces_are_drawn_and_only_what_is_wanted(addon, source):
@@ -301,20 +199,6 @@ def test_only_models_and_pieces_are_drawn_and_only_what_is_wanted(addon, source)
     assert list(drawings(view_context(show_overlays=False))) == []
     settings.shown_map = "NONE"
     assert list(drawings(view_context())) == []
-
-
-def test_a_model_without_marks_of_which_nothing_could_be_flattened_is_drawn(addon):
-    corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
-    source = make_object("Closed", corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
-    assert list(addon.overlay.shown.drawings(view_context())) == []
-    with pytest.raises(RuntimeError, match="is closed"):
-        bpy.ops.object.wirewarp_flatten()
-    (drawing,) = addon.overlay.shown.drawings(view_context())
-    assert drawing.target == source
-    assert len(drawing.failures.triangles) == 0  # it is closed, which is no failure
-    proposed = addon.state.reports.last_report(source).issues[0].proposed_seams
-    ends = [corners[vertex] for pair in proposed for vertex in sorted(pair)]
-    assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)
 
 
 def look(addon, source, eye, target, perspective=True, xray=False):
@@ -387,3 +271,88 @@ def test_all_names_of_the_piece_that_is_chosen_in_the_list_are_written(addon):
         names = look(addon, flat, flat.matrix_world @ eye, flat.matrix_world @ (eye - Vector((0, 0, 20))))
         assert {name.owner[1] for name in names.values() if name.is_selected} <= {chosen}
         assert any(name.is_selected for name in names.values())
+
+
+@pytest.fixture
+def notes(addon):
+    """What is said of the map with this name."""
+
+    def told(shown_map, of="missing_maps"):
+        addon.state.drawings.forget()
+        bpy.context.scene.wirewarp.shown_map = shown_map
+        shown, context = addon.overlay.shown, view_context()
+        return getattr(shown, of)(list(shown.drawings(context)), shown.shown_map(context))
+
+    return told
+
+
+def test_a_map_says_its_figure_and_why_it_is_missing(addon, source, notes):
+    needed = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
+    figure = f"99% of the area: up to {addon.core.percent_text(needed)} in the worst direction"
+    assert notes("STRETCH_COLOR", "map_notes") == [figure]  # that of the verdict, which no other map has
+    assert notes("LENGTH_VARIATION_COLOR", "map_notes") == []
+    assert notes("STRETCH_COLOR") == []
+    assert notes("WEFT_STRAIN_COLOR") == ["No fabric was chosen: no such map"]
+    source.data.vertices[40].co.z += 0.1
+    source.data.update()
+    bpy.context.view_layer.update()
+    assert notes("STRETCH_COLOR") == ["Changed since: flatten again"]
+    mark(grid("New", bump), RIGID)
+    assert notes("STRETCH_COLOR") == ["Not flattened: no map", "Changed since: flatten again"]
+
+
+def test_what_failed_is_drawn_on_the_model_on_the_pieces_and_in_the_map(addon, notes):
+    source = grid("Spike", lambda x, y: (x, y, 2 * (1 - x * x) * (1 - y * y)))
+    mark(source, on_line(0, 0.0))
+    mark(source, on_line(1, 0.0))
+    flatten_fails("flipped", method="WIREWARPING")
+    faces = {face for issue in addon.state.reports.last_report(source).issues for face in issue.faces}
+    (in_map,) = addon.overlay.shown.uv_drawings(sidebar())
+    for found in (*map(addon.overlay.failures.failures, (source, flat_of(source))), in_map.failures):
+        assert len(found.triangles) == 3 * 2 * len(faces)  # of quads
+        assert len(found.lines["failed"]) > 0
+    centers = addon.overlay.failures.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
+    expected = [source.data.polygons[face].center for face in sorted(faces)]
+    assert np.linalg.norm(centers[:, :2] - np.array(expected)[:, :2], axis=1).max() < 0.1
+    source.data.vertices[0].co = source.data.vertices[1].co  # of bad input there are edges alone
+    source.data.update()
+    bpy.context.view_layer.update()
+    flatten_fails("no area")
+    assert addon.overlay.failures.failures(source).lines.keys() == {"failed"}
+    other = grid("Wide", bump, size=4)
+    other.data.vertices[6].co.z = float("nan")
+    flatten_fails("Wide: ")
+    bpy.data.objects.remove(flat_of(source))
+    bpy.data.objects.remove(source)
+    assert notes("STRETCH_COLOR") == ["Not flattened: no map"]  # it has not changed since
+
+
+def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
+    bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
+    tube = bpy.context.active_object
+    flatten_fails("tube")
+    (issue,) = addon.state.reports.last_report(tube).issues
+    found = addon.overlay.failures.failures(tube)
+    assert len(found.triangles) == 3 * 2 * 12
+    drawn = found.lines["failed"].reshape(-1, 2, 3)
+    around = np.abs(drawn[:, 0, 2] - drawn[:, 1, 2]) < 1e-6
+    assert around.sum() == 2 * 12
+    assert (~around).sum() <= len(issue.vertices)  # the issue's own places
+
+
+def test_a_closed_model_has_not_failed_but_a_closed_piece_beside_a_good_one_is_in_the_legend(addon):
+    corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    source = make_object("Closed", corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
+    assert list(addon.overlay.shown.drawings(view_context())) == []  # for want of marks
+    flatten_fails("is closed")
+    (drawing,) = addon.overlay.shown.drawings(view_context())
+    assert drawing.target == source and drawing.failures.kinds == {"proposed"}
+    assert len(drawing.failures.triangles) == 0
+    proposed = addon.state.reports.last_report(source).issues[0].proposed_seams
+    ends = [corners[vertex] for pair in proposed for vertex in sorted(pair)]
+    assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)
+    select_only(source, grid("Bump", bump))
+    bpy.ops.object.join()
+    flatten_fails("closed")
+    found = addon.overlay.failures.failures(bpy.context.active_object)
+    assert found.kinds == {"proposed", "failed"} and len(found.triangles) > 0

@@ -39,7 +39,7 @@ def shown(addon, mode="UV", show_overlays=True):
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_lines_lie_where_the_pieces_have_them(addon, source, mode):
+def test_lines_and_names_lie_where_the_pieces_have_them(addon, source, mode):
     select_only(source)
     bpy.ops.object.mode_set(mode=mode)
     (drawing,) = shown(addon)
@@ -50,23 +50,15 @@ def test_lines_lie_where_the_pieces_have_them(addon, source, mode):
         assert lengths(places[kind]).sum() * scale == pytest.approx(sides * on_pieces.sum(), rel=1e-5)
         assert 0 <= places[kind][:, :2].min() < places[kind][:, :2].max() <= 1
     assert set(drawing.lines.dashes) == {"elastic"}
+    names = [name.texts[-1] for name in drawing.lines.names]  # in every piece
+    assert sorted(names) == sorted(2 * ["Seam 1", "Waist", "Wire 2 ±5%"])
+    if mode == "OBJECT":
+        select_only(flat_of(source))  # which shows its model
+        assert [drawing.target for drawing in shown(addon)] == [source]
 
 
 def lengths(places):
     return np.linalg.norm(np.diff(places.reshape(-1, 2, 3), axis=1), axis=2)
-
-
-@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_lines_are_named_in_every_piece(addon, source, mode):
-    select_only(source)
-    bpy.ops.object.mode_set(mode=mode)
-    names = [name.texts[-1] for name in shown(addon)[0].lines.names]
-    assert sorted(names) == sorted(2 * ["Seam 1", "Waist", "Wire 2 ±5%"])
-
-
-def test_a_selected_flat_piece_shows_its_model(addon, source):
-    select_only(flat_of(source))
-    assert [drawing.target for drawing in shown(addon)] == [source]
 
 
 def test_nothing_over_other_maps_images_and_hidden_overlays(addon, source):
@@ -77,19 +69,6 @@ def test_nothing_over_other_maps_images_and_hidden_overlays(addon, source):
     assert len(shown(addon)) == 1
     bpy.context.scene.wirewarp.show_lines = False
     assert shown(addon) == []
-
-
-def test_what_failed_is_red_in_the_map_too(addon):
-    source = grid("Spike", lambda x, y: (x, y, 2 * (1 - x * x) * (1 - y * y)))
-    mark(source, on_line(0, 0.0))
-    mark(source, on_line(1, 0.0))
-    with pytest.raises(RuntimeError, match="flipped"):
-        bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
-    select_only(source)
-    (drawing,) = shown(addon)
-    faces = {face for issue in addon.state.reports.last_report(source).issues for face in issue.faces}
-    assert len(drawing.failures.triangles) == 3 * 2 * len(faces)  # of quads
-    assert len(drawing.failures.lines["failed"]) > 0
 
 
 def test_the_suggested_cut_is_in_the_map(addon, source):
