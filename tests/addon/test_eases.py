@@ -130,18 +130,6 @@ def test_edges_without_a_side_are_left_out_and_counted(source, capfd):
         bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0)
 
 
-def test_an_ease_is_a_change_that_the_report_sees(source, addon):
-    bpy.ops.object.wirewarp_flatten()
-    report, has_changed = addon.state.reports.last_report(source), addon.state.changes.has_changed
-    assert not has_changed(source, report.model_state)
-    ease(source, SEAM, sides="ONE", ease_percent=5.0)
-    assert has_changed(source, report.model_state)
-    ease(source, SEAM, sides="NONE")
-    assert not has_changed(source, report.model_state)
-    ease(source, SEAM, sides="ALL", ease_percent=5.0)
-    assert has_changed(source, report.model_state)
-
-
 def test_one_side_or_the_other_is_eased(source):
     ease(source, SEAM, sides="ONE", ease_percent=5.0)
     bpy.ops.object.wirewarp_flatten()

@@ -42,18 +42,18 @@ def lengths_by_source(source):
     return edge_lengths(flat_of(source)), np.array([known[tuple(pair)] for pair in pairs.tolist()])
 
 
-def rigid_mask(source, *lines):
-    """Edges of the flat object that lie on its outline or on one of the lines of the source."""
+def on_outline_and_wires(source, *lines):
+    """Edges of the flat object that lie on its outline, and those on one of the lines of the source."""
     flat = flat_of(source).data
     use = np.bincount(read(flat.loops, "edge_index", np.int32), minlength=len(flat.edges))
     places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)][edge_vertices(flat)]
-    on_wire = [any(line(a, b) for line in lines) for a, b in places]
-    return (use == 1) | np.array(on_wire)
+    on_wire = np.array([any(line(a, b) for line in lines) for a, b in places])
+    return use == 1, on_wire
 
 
 def assert_true_lengths(source, *lines, tolerance=FLOAT32):
     flat, space = lengths_by_source(source)
-    mask = rigid_mask(source, *lines)
+    mask = np.logical_or(*on_outline_and_wires(source, *lines))
     assert mask.sum() >= 4
     assert flat[mask] == pytest.approx(space[mask], rel=tolerance)
 
@@ -65,16 +65,10 @@ def test_outline_and_wire_keep_their_lengths(faces):
     mark(source, wire)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert_true_lengths(source, wire)
+    uv, vertices = uv_of(source.data), read(source.data.loops, "vertex_index", np.int32)
+    assert len(np.unique(np.column_stack([vertices, uv]), axis=0)) == len(source.data.vertices)  # corners agree
     assert len(flat_of(source).data.polygons) == len(source.data.polygons)
     assert len(flat_of(source).data.edges) == len(source.data.edges)
-
-
-def wire_lengths(source, line):
-    """(flat, 3D) length of each flat edge on a line of the source."""
-    flat, space = lengths_by_source(source)
-    places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)]
-    on_line = [line(places[a], places[b]) for a, b in edge_vertices(flat_of(source).data)]
-    return flat[on_line], space[on_line]
 
 
 @pytest.mark.parametrize(("kind", "tolerance"), [("ELASTIC", 0.02), ("ELASTIC", 0.5), ("SUPER_ELASTIC", math.inf)])
@@ -84,29 +78,14 @@ def test_an_elastic_wire_stays_within_its_tolerance_and_the_outline_exact(kind, 
     mark(source, wire, kind=kind, tolerance=min(tolerance, 0.5))
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert_true_lengths(source)
-    flat, space = wire_lengths(source, wire)
+    _, on_wire = on_outline_and_wires(source, wire)
+    flat, space = (lengths[on_wire] for lengths in lengths_by_source(source))
     change = flat / space - 1
     if math.isfinite(tolerance):
         assert change == pytest.approx(np.full(8, flat.sum() / space.sum() - 1), abs=2 * FLOAT32)  # shared evenly
     assert 0.01 < np.abs(change).max() <= tolerance + FLOAT32
-
-
-def test_the_method_that_keeps_all_wires_rigid():
-    source = grid("Bump", bump)
-    wire = on_line(1, 0.0)
-    mark(source, wire, kind="ELASTIC", tolerance=0.02)
     bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
     assert_true_lengths(source, wire)
-
-
-def test_a_seam_cuts_and_both_its_sides_match():
-    source = grid("Bump", bump)
-    mark_seam(source, on_line(0, 0.0))
-    bpy.ops.object.wirewarp_flatten()
-    assert_true_lengths(source)
-    sources = flat_sources(source)
-    assert len(sources) == len(source.data.vertices) + 9  # the nine vertices of the seam twice
-    assert sorted(set(read(flat_of(source).data.attributes["piece"].data, "value", np.int32))) == [0, 1]
 
 
 def test_a_developable_surface_comes_out_isometric():
@@ -133,14 +112,6 @@ def test_the_uv_map_is_active_in_the_unit_square_and_true_by_its_scale():
     assert uv * scale == pytest.approx(flat - flat.min(axis=0), abs=1e-6 * scale)
 
 
-def test_faces_of_one_piece_agree_at_their_common_corners():
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
-    uv, vertices = uv_of(source.data), read(source.data.loops, "vertex_index", np.int32)
-    for vertex in range(len(source.data.vertices)):
-        assert len(np.unique(uv[vertices == vertex], axis=0)) == 1
-
-
 def test_the_flat_object_lies_in_its_own_plane_in_the_collection_and_faces_up():
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
@@ -154,8 +125,7 @@ def test_the_flat_object_lies_in_its_own_plane_in_the_collection_and_faces_up():
 
 # A cut through, a dart, and a seam of one edge inside the piece, whose two sides have the same ends.
 @pytest.mark.parametrize("reach", [(-2.0, 2.0), (-2.0, 0.4), (-0.1, 0.4)])
-@pytest.mark.parametrize("faces", ["quads", "ngons"])
-@pytest.mark.parametrize("scale", [1.0, -1.0])
+@pytest.mark.parametrize(("faces", "scale"), [("quads", -1.0), ("ngons", 1.0)])
 def test_the_edges_of_the_flat_object_are_those_that_blender_finds(reach, faces, scale):
     source = grid("Bump", round_bump, faces=faces)
     source.scale.x = scale
@@ -176,7 +146,10 @@ def test_the_edges_of_the_flat_object_are_those_that_blender_finds(reach, faces,
 
 def test_attributes_of_the_flat_object():
     source = grid("Bump", bump)
+    before = read(source.data.vertices, "co", np.float32, 3)
     bpy.ops.object.wirewarp_flatten()
+    assert np.array_equal(read(source.data.vertices, "co", np.float32, 3), before)
+    assert (bpy.context.active_object, bpy.context.selected_objects) == (source, [source])
     flat = flat_of(source).data
     kinds = {a.name: (a.domain, a.data_type) for a in flat.attributes if not a.name.startswith(".")}
     assert kinds["source_vertex"] == ("POINT", "INT")
@@ -184,10 +157,6 @@ def test_attributes_of_the_flat_object():
     assert kinds["length_variation"] == ("EDGE", "FLOAT")
     for name in ("arap_energy_color", "aspect_ratio_color", "length_variation_color"):
         assert name in flat.color_attributes
-    flat_length, space = lengths_by_source(source)
-    variation = read(flat.attributes["length_variation"].data, "value", np.float32)
-    assert variation == pytest.approx(np.abs(flat_length - space) / space, abs=1e-5)
-    assert variation.max() > 0.01
 
 
 def test_the_flat_pieces_carry_the_seams_and_wires_of_the_model():
@@ -233,6 +202,8 @@ def test_pieces_come_out_as_seen_from_outside(scale):
     """The signed area of source corners taken counterclockwise from outside is positive in the flat piece."""
     source = grid("Corner", corner)
     source.scale = scale
+    bpy.ops.object.wirewarp_flatten(mirror=True)
+    assert np.all(read(flat_of(source).data.polygons, "normal", np.float32, 3)[:, 2] < -0.99)
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source).data
     assert np.all(read(flat.polygons, "normal", np.float32, 3)[:, 2] > 0.99)
@@ -242,34 +213,20 @@ def test_pieces_come_out_as_seen_from_outside(scale):
     assert (np.cross(b - a, c - a)[2] < 0) == mirrored
 
 
-def test_seen_from_inside_is_the_mirror_image():
-    source = grid("Corner", corner)
-    bpy.ops.object.wirewarp_flatten(mirror=True)
-    assert np.all(read(flat_of(source).data.polygons, "normal", np.float32, 3)[:, 2] < -0.99)
-
-
-def mesh_objects():
-    return [target for target in bpy.data.objects if target.type == "MESH"]
-
-
-def test_twice_replaces():
+def test_twice_replaces_and_a_copy_gets_pieces_of_its_own():
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     flat, mesh = flat_of(source), flat_of(source).data
     flat.name, flat.location = "My Pattern", (5, 6, 7)
-    before = len(mesh_objects()), len(bpy.data.meshes), len(source.data.uv_layers)
+    before = len(bpy.data.objects), len(bpy.data.meshes), len(source.data.uv_layers)
     mark_seam(source, on_line(0, 0.0))
     flatten(source)
-    assert (len(mesh_objects()), len(bpy.data.meshes), len(source.data.uv_layers)) == before
+    assert (len(bpy.data.objects), len(bpy.data.meshes), len(source.data.uv_layers)) == before
     assert flat.data == mesh
     assert tuple(flat.location) == (5, 6, 7)
     assert len(mesh.vertices) == len(source.data.vertices) + 9
     assert len(mesh.attributes["source_vertex"].data) == len(mesh.vertices)
-
-
-def test_a_copy_of_the_source_gets_pieces_of_its_own():
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
+    flat.name = "Bump Flat"
     select_only(source)
     bpy.ops.object.duplicate()
     copy = bpy.context.active_object
@@ -300,15 +257,6 @@ def test_edit_mode_is_left_and_entered_again_with_the_edits_in():
     bpy.ops.object.mode_set(mode="OBJECT")
     assert len(flat_of(source).data.vertices) == len(source.data.vertices) + 9
     assert sum(read(source.data.edges, "select", bool)) == 8
-
-
-def test_the_source_keeps_its_shape_and_selection():
-    source = grid("Bump", bump)
-    before = read(source.data.vertices, "co", np.float32, 3)
-    bpy.ops.object.wirewarp_flatten()
-    assert np.array_equal(read(source.data.vertices, "co", np.float32, 3), before)
-    assert bpy.context.active_object == source
-    assert bpy.context.selected_objects == [source]
 
 
 def test_only_pieces_that_changed_are_solved_again(addon):

@@ -103,20 +103,31 @@ def test_a_library_for_another_python_or_system(addon, library_copy, suffix, mad
     check_sentence(addon, rf"is made for {made_for}; {here}\. Remove WireWarp")
 
 
-def test_a_library_of_another_version(addon, library_copy):
-    (library_copy / "__init__.py").write_text('__version__ = "99.0.0"\n')
-    check_sentence(addon, rf"add-on is WireWarp {addon.VERSION} but the library found is 99\.0\.0\. Remove WireWarp")
+SPOILED = {  # what the library's __init__ is instead, and what is said then
+    "another version": ('__version__ = "99.0.0"\n', r"but the library found is 99\.0\.0\. Remove WireWarp"),
+    "another package": ("", "the library found is of an unknown version. Remove WireWarp"),
+    "breaks down": (
+        'raise RuntimeError("compiled for another numpy")\n',
+        r"does not load \(RuntimeError: compiled for another numpy\): it may be damaged\. Remove",
+    ),
+    "another Mac": (
+        "raise ImportError(\"dlopen(_wirewarp.so): mach-o, but is an incompatible architecture (need 'arm64')\")\n",
+        "is made for another kind of Mac's processor. Remove WireWarp",
+    ),
+    "no numpy": (
+        'raise ModuleNotFoundError("No module named \'numpy\'", name="numpy")\n',
+        "Python has no numpy, which WireWarp needs: install it .* python3-numpy",
+    ),
+}
 
 
-def test_a_library_that_breaks_down(addon, library_copy, capfd):
-    (library_copy / "__init__.py").write_text('raise RuntimeError("compiled for another numpy")\n')
-    check_sentence(addon, r"does not load \(RuntimeError: compiled for another numpy\): it may be damaged\. Remove")
-    assert 'raise RuntimeError("compiled for another numpy")' in capfd.readouterr().err  # where it is from
-
-
-def test_another_package_of_the_same_name(addon, library_copy):
-    (library_copy / "__init__.py").write_text("")
-    check_sentence(addon, "the library found is of an unknown version. Remove WireWarp")
+@pytest.mark.parametrize("case", SPOILED)
+def test_a_library_that_cannot_be_used(addon, library_copy, capfd, case):
+    content, sentence = SPOILED[case]
+    (library_copy / "__init__.py").write_text(content)
+    check_sentence(addon, sentence)
+    if content.startswith("raise"):  # where it is from
+        assert content.strip() in capfd.readouterr().err
 
 
 @pytest.mark.parametrize("content", [b"", b"\x7fELF", b"not a library " * 1000])
@@ -132,14 +143,3 @@ def test_a_library_for_a_newer_system(addon, library_copy):
     assert count
     module.write_bytes(content)
     check_sentence(addon, r"needs the C library glibc 2\.99 or newer, and this system has 2\.\d+\. Use a newer Linux")
-
-
-def test_a_library_for_another_mac(addon, library_copy):
-    said = "dlopen(_wirewarp.so): mach-o file, but is an incompatible architecture (have 'x86_64', need 'arm64')"
-    (library_copy / "__init__.py").write_text(f'raise ImportError("{said}")\n')
-    check_sentence(addon, "is made for another kind of Mac's processor. Remove WireWarp")
-
-
-def test_no_numpy(addon, library_copy):
-    (library_copy / "__init__.py").write_text('raise ModuleNotFoundError("No module named \'numpy\'", name="numpy")\n')
-    check_sentence(addon, "Python has no numpy, which WireWarp needs: install it .* python3-numpy")

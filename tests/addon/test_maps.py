@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The measures as attributes on the flat pieces: those of the library."""
+"""Maps on the flat pieces: the library's measures as attributes, and the model's materials and prints."""
 
 import bpy
 import numpy as np
@@ -60,21 +60,17 @@ def attribute(mesh, name):
     return read(mesh.attributes[name].data, "value", np.float32)
 
 
-@pytest.mark.parametrize(("name", "measure"), [("arap_energy", "arap"), ("aspect_ratio", "aspect_ratio")])
-def test_the_maps_of_faces_are_the_librarys_measures(source, addon, name, measure):
-    expected = by_source_face(measured(addon, source).pieces, measure)
-    flat = flat_of(source).data
-    rounding = 1e-3 * np.ptp(expected)  # the UV map is of single precision
-    of_flat = expected[read(flat.attributes["source_face"].data, "value", np.int32)]
-    assert attribute(flat, name) == pytest.approx(of_flat, rel=0, abs=rounding)
-
-
-def test_the_map_of_edges_is_the_librarys_length_variation(source, addon):
+def test_the_maps_are_the_librarys_measures(source, addon):
+    flat, pieces = flat_of(source).data, measured(addon, source).pieces
+    for name, measure in (("arap_energy", "arap"), ("aspect_ratio", "aspect_ratio")):
+        expected = by_source_face(pieces, measure)
+        of_flat = expected[read(flat.attributes["source_face"].data, "value", np.int32)]
+        rounding = 1e-3 * np.ptp(expected)  # the UV map is of single precision
+        assert attribute(flat, name) == pytest.approx(of_flat, rel=0, abs=rounding)
     expected = {}
-    for piece in measured(addon, source).pieces:
+    for piece in pieces:
         pairs = np.sort(piece.metrics.wire_edges, axis=1).tolist()
         expected |= dict(zip(map(tuple, pairs), piece.metrics.edge_length_variation, strict=True))
-    flat = flat_of(source).data
     pairs = np.sort(flat_sources(source)[edge_vertices(flat)], axis=1)
     assert max(expected.values()) > 1e-3
     values = dict(zip(map(tuple, pairs.tolist()), attribute(flat, "length_variation"), strict=True))
@@ -120,3 +116,44 @@ def test_what_is_as_long_as_it_was_to_be_has_no_change(addon):
     bpy.ops.object.wirewarp_flatten()
     values, on_outline = variations(target)
     assert values[on_outline] == pytest.approx(0, abs=1e-5) and values.max() > 0.01
+
+
+def printed():
+    """Two pieces, each of another material, with a map of their own from above."""
+    source = grid("Bump", bump)
+    mark_seam(source, on_line(0, 0.0))
+    for name in ("Stripes", "Dots"):
+        source.data.materials.append(bpy.data.materials.new(name))
+    for face in source.data.polygons:
+        face.material_index = int(face.center.x > 0)
+    layer = source.data.uv_layers.new(name="Print")
+    for loop in source.data.loops:
+        layer.data[loop.index].uv = source.data.vertices[loop.vertex_index].co[:2]
+    return source
+
+
+def assert_printed(source):
+    flat = flat_of(source).data
+    corners = read(flat.attributes["source_corner"].data, "value", np.int32)
+    there = read(source.data.uv_layers["Print"].data, "uv", np.float32, 2)
+    assert np.array_equal(read(flat.uv_layers["Print"].data, "uv", np.float32, 2), there[corners])
+    faces = read(flat.attributes["source_face"].data, "value", np.int32)
+    slots = read(source.data.polygons, "material_index", np.int32)
+    assert np.array_equal(read(flat.polygons, "material_index", np.int32), slots[faces])
+
+
+def test_pieces_have_the_materials_and_the_maps_of_their_model():
+    source = printed()
+    for _ in range(2):  # a second run leaves no second ones
+        bpy.ops.object.wirewarp_flatten()
+        flat = flat_of(source).data
+        assert [material.name for material in flat.materials] == ["Stripes", "Dots"]
+        assert [layer.name for layer in flat.uv_layers] == ["Print", "WireWarp"]
+        assert flat.uv_layers.active.name == "Print"
+        assert_printed(source)
+    places = read(flat.vertices, "co", np.float32, 3)[read(flat.loops, "vertex_index", np.int32), :2]
+    size = np.ptp(places, axis=0).max()
+    uv = read(flat.uv_layers["WireWarp"].data, "uv", np.float32, 2)
+    assert np.allclose(uv, (places - places.min(axis=0)) / size, atol=1e-6)  # their own shape
+    bpy.ops.object.wirewarp_flatten(use_modifiers=True)
+    assert_printed(source)

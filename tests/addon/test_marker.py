@@ -2,8 +2,6 @@
 """Markers: found by an export, kept with the model, and drawn where they lie."""
 
 import re
-import subprocess
-from pathlib import Path
 
 import bpy
 import numpy as np
@@ -93,53 +91,11 @@ def test_the_preview_draws_the_marker_that_is_kept(source, tmp_path, addon):
     assert not preview().places
 
 
-SPYRROW = """
-import time
-
-Item = StripPackingConfig = ProgressQueue = lambda *_, **__: None
-
-
-class StripPackingInstance:
-    def __init__(self, *_):
-        time.sleep(3600)
-"""
-
-
-@pytest.fixture
-def searches(tmp_path, monkeypatch):
-    """The processes of a spyrrow that finds nothing, which no Blender has."""
-    started = []
-
-    class Noted(subprocess.Popen):
-        def __init__(self, *what, **how):
-            super().__init__(*what, **how)
-            started.append(self)
-
-    monkeypatch.setattr(subprocess, "Popen", Noted)
-    package = tmp_path / "library" / "spyrrow"
-    package.mkdir(parents=True)
-    (package / "__init__.py").write_text(SPYRROW)
-    monkeypatch.syspath_prepend(package.parent)
-    return started
-
-
-def test_a_search_that_is_stopped_writes_nothing(source, tmp_path, addon, searches):
-    path = tmp_path / "files" / "a.pdf"
-    path.parent.mkdir()
-    path.write_bytes(b"of an earlier export")
-    parts = addon.export.read.read_pattern(bpy.context.scene, source)
-    module = addon.export.export
-    made = addon.export.export.PatternChoices(10.0, 100.0, "close")
-    cloth = addon.export.export.Cloth(400.0, 4.0, "free")
-    choices = module.ExportChoices(made, frozenset(), cloth=cloth, seconds=600.0)
-    steps = module.export(parts, choices, path)
-    told = [next(steps)]
-    while not searches:
-        told.append(next(steps))
-    (search,) = searches
-    assert search.poll() is None and told == sorted(told)
-    told.append(next(steps))
-    assert told[-1] > module._share("nesting", 0.0, True)
-    steps.close()
-    assert search.returncode is not None and not Path(search.args[-1]).parent.exists()
-    assert path.read_bytes() == b"of an earlier export" and list(path.parent.iterdir()) == [path]
+@pytest.mark.parametrize("has_search", [False, True])
+def test_the_share_of_an_export_grows_through_every_stage_of_the_library(addon, has_search):
+    stages = sorted(addon.core.pattern.STAGES, key=addon.core.pattern.STAGES.get)
+    if has_search:
+        stages.insert(stages.index("writing"), "nesting")
+    shares = [addon.export.export._share(stage, done, has_search) for stage in stages for done in (0.0, 0.5, 1.0)]
+    assert shares == sorted(shares)
+    assert (shares[0], shares[-1]) == pytest.approx((0.0, 1.0), abs=1e-9)

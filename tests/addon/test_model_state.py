@@ -32,37 +32,26 @@ def move_a_vertex(source):
     bmesh.update_edit_mesh(source.data)
 
 
-def clear_seams(source):
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.mark_seam(clear=True)
+EDITS = {  # of what is selected, all or a line
+    "a vertex moved": (None, lambda: move_a_vertex(bpy.context.object)),
+    "seams cleared": (None, lambda: bpy.ops.mesh.mark_seam(clear=True)),
+    "wires cleared": (None, lambda: bpy.ops.mesh.wirewarp_clear()),
+    "a wire loosened": (LINE, lambda: bpy.ops.mesh.wirewarp_mark(kind="ELASTIC")),
+    "turned over": (None, lambda: bpy.ops.mesh.flip_normals()),
+    "subdivided": (None, lambda: bpy.ops.mesh.subdivide()),
+    "a side eased": (OTHER, lambda: bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0)),
+}
 
 
-def clear_wires(source):
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.wirewarp_clear()
-
-
-def loosen_wires(source):
-    select_edges(source, LINE)
-    bpy.ops.mesh.wirewarp_mark(kind="ELASTIC")
-
-
-def turn_over(source):
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.flip_normals()
-
-
-def subdivide(source):
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.subdivide()
-
-
-@pytest.mark.parametrize("change", [move_a_vertex, clear_seams, clear_wires, loosen_wires, turn_over, subdivide])
+@pytest.mark.parametrize("change", EDITS)
 def test_edits_are_seen_in_both_modes(source, has_changed, change):
+    line, edit = EDITS[change]
     assert not has_changed()
-    bpy.ops.object.mode_set(mode="EDIT")
+    select_edges(source, line or LINE)
+    if line is None:
+        bpy.ops.mesh.select_all(action="SELECT")
     assert not has_changed()
-    change(source)
+    edit()
     bpy.context.view_layer.update()
     assert has_changed()
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -80,16 +69,14 @@ def test_scale_is_seen_and_place_does_not_matter(source, has_changed):
     assert has_changed()
 
 
-def test_selecting_and_naming_change_nothing(source, has_changed):
+def test_selecting_naming_modifiers_and_a_shape_key_in_edit_mode_change_nothing(source, has_changed):
     source.data.wirewarp_names[0].name = "Bust"
     source.data.uv_layers.new(name="Mine")
+    source.modifiers.new("Wave", "WAVE")  # which pieces without modifiers do not have
     select_edges(source, LINE)
     assert not has_changed()
     bpy.ops.object.mode_set(mode="OBJECT")
     assert not has_changed()
-
-
-def test_in_edit_mode_a_shape_key_is_no_change(source, has_changed):
     source.shape_key_add(name="Basis")
     source.shape_key_add(name="Taller").data[40].co.z += 1
     source.active_shape_key_index = 1
@@ -123,18 +110,6 @@ def raise_levels(target):
     target.modifiers["Smooth"].levels = 2
 
 
-def hide_modifier(target):
-    target.modifiers["Smooth"].show_viewport = False
-
-
-def add_modifier(target):
-    target.modifiers.new("Wave", "WAVE")
-
-
-def move_mirror(_target):
-    bpy.data.objects["Mirror"].location.x = 4
-
-
 def add_shape_key(target):
     target.shape_key_add(name="Basis")
     key = target.shape_key_add(name="Taller")
@@ -142,7 +117,13 @@ def add_shape_key(target):
     key.value = 1
 
 
-CHANGES = [raise_levels, hide_modifier, add_modifier, move_mirror, add_shape_key]
+CHANGES = {
+    "levels": raise_levels,
+    "hidden": lambda target: setattr(target.modifiers["Smooth"], "show_viewport", False),
+    "added": lambda target: target.modifiers.new("Wave", "WAVE"),
+    "mirror moved": lambda _: setattr(bpy.data.objects["Mirror"].location, "x", 4),
+    "shape key": add_shape_key,
+}
 
 
 @pytest.mark.parametrize("change", CHANGES)
@@ -155,7 +136,7 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp
     smooth.location.y = 1
     assert taken() == []
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
-    change(smooth)
+    CHANGES[change](smooth)
     assert taken() == [smooth]
     assert taken() == []  # once for each state
     assert addon.state.changes.has_changed(smooth, addon.state.reports.last_report(smooth).model_state)
@@ -241,12 +222,6 @@ def test_a_hidden_model_with_modifiers_is_to_be_shown_first(smooth, tmp_path):
         bpy.ops.object.wirewarp_export_svg(filepath=str(path))
     smooth.hide_set(False)
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
-
-
-def test_modifiers_do_not_matter_to_pieces_without_them(source, has_changed):
-    add_modifier(source)
-    bpy.context.view_layer.update()
-    assert not has_changed()
 
 
 def test_what_was_tried_in_edit_mode_is_tried_again_when_its_modifiers_change(addon, smooth):

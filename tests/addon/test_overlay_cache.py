@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import bpy
 import pytest
-from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges
+from surfaces import bump, flat_of, flatten_fails, grid, mark, mark_seam, on_line, select_edges
 from view_context import view_context
 
 pytestmark = pytest.mark.api
@@ -25,38 +25,43 @@ def source():
     return target
 
 
+@pytest.fixture
+def at_once(addon, monkeypatch):
+    """What has changed is built at once, however long it takes."""
+    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
+    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
+
+
+def drawn(addon):
+    """By target."""
+    bpy.context.view_layer.update()
+    return {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
+
+
 def rigid_edges(lines):
     return len(lines.places["rigid"]) // 2
 
 
-def test_nothing_is_built_again_until_something_changes(addon, source, monkeypatch):
-    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
-    by_target = lambda: {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}  # noqa: E731
-    first, again = by_target(), by_target()
+def test_nothing_is_built_again_until_something_changes(addon, source, at_once):
+    first, again = drawn(addon), drawn(addon)
     for target in (source, flat_of(source)):
         assert first[target].lines is again[target].lines
     source.location.x += 1
-    bpy.context.view_layer.update()
-    assert by_target()[source].lines is first[source].lines
+    assert drawn(addon)[source].lines is first[source].lines
     mark(source, on_line(1, 0.25))
-    bpy.context.view_layer.update()
-    changed = by_target()
+    changed = drawn(addon)
     assert rigid_edges(changed[source].lines) == 2 * rigid_edges(first[source].lines)
     assert changed[flat_of(source)].lines is first[flat_of(source)].lines
 
 
-def test_allowances_are_laid_anew_only_where_they_are_others(addon, source, monkeypatch):
+def test_allowances_are_laid_anew_only_where_they_are_others(addon, source, at_once, monkeypatch):
     """Which takes longest of all that is drawn; the model is changed far more often."""
-    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
     shown, laid = addon.overlay.shown, []
     cut_lines = shown.cut_lines
     monkeypatch.setattr(shown, "cut_lines", lambda *given: laid.append(given) or cut_lines(*given))
 
     def times_laid():
-        bpy.context.view_layer.update()
-        list(shown.drawings(view_context()))
+        drawn(addon)
         return len(laid)
 
     assert times_laid() == 1
@@ -68,36 +73,20 @@ def test_allowances_are_laid_anew_only_where_they_are_others(addon, source, monk
     assert times_laid() == 2
 
 
-def test_marking_in_edit_mode_is_seen_at_once(addon, source, monkeypatch):
-    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
+def test_in_edit_mode_marks_are_seen_at_once_and_a_selection_builds_nothing_new(addon, source, at_once):
     select_edges(source, on_line(1, 0.25))
-    seen = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
+    seen = drawn(addon)[source].lines
     bpy.ops.mesh.wirewarp_mark()
-    bpy.context.view_layer.update()
-    after = {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
-    assert rigid_edges(after[source].lines) == 8 + rigid_edges(seen[source].lines) == 16
-
-
-def test_a_selection_in_edit_mode_builds_nothing_new(addon, source, monkeypatch):
-    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
-    select_edges(source, RIGID)
-    first = {drawing.target: drawing.lines for drawing in addon.overlay.shown.drawings(view_context())}
-    select_edges(source, RIGID, on_line(1, 0.25))
-    bpy.context.view_layer.update()
-    again = {drawing.target: drawing.lines for drawing in addon.overlay.shown.drawings(view_context())}
-    assert again[source] is first[source]
+    first = drawn(addon)[source].lines
+    assert rigid_edges(first) == 8 + rigid_edges(seen) == 16
+    select_edges(source, on_line(1, 0.25), on_line(1, -0.25))
+    assert drawn(addon)[source].lines is first
     bpy.ops.mesh.select_all(action="SELECT")  # marked edges among them
-    bpy.context.view_layer.update()
-    marked = {drawing.target: drawing.lines for drawing in addon.overlay.shown.drawings(view_context())}
-    kinds = set(first[source].places) - {"selected"}
-    assert all(marked[source].places[kind] is first[source].places[kind] for kind in kinds)
-    assert len(marked[source].places["selected"]) > len(first[source].places["selected"])
+    marked = drawn(addon)[source].lines
+    assert all(marked.places[kind] is first.places[kind] for kind in set(first.places) - {"selected"})
+    assert len(marked.places["selected"]) > len(first.places["selected"])
     bpy.ops.transform.translate(value=(0, 0, 0.1))
-    bpy.context.view_layer.update()
-    moved = {drawing.target: drawing.lines for drawing in addon.overlay.shown.drawings(view_context())}
-    assert moved[source] is not first[source]
+    assert drawn(addon)[source].lines is not first
 
 
 class Gpu:
@@ -116,26 +105,23 @@ class Gpu:
         self.drawn += 1
 
 
-def test_batches_are_sent_once_until_marks_change(addon, source, monkeypatch):
+def test_batches_are_sent_once_until_marks_change(addon, source, at_once, monkeypatch):
     gpu, batches = Gpu(), addon.overlay.batches
     monkeypatch.setattr(batches, "gpu", gpu)
     monkeypatch.setattr(batches, "batch_for_shader", gpu.batch_for_shader)
-    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
 
     def redraw():
         gpu.sent.clear()
-        for drawing in addon.overlay.shown.drawings(view_context()):
+        for drawing in drawn(addon).values():
             batches.draw_lines(drawing.target, "", drawing.lines, drawing.failures, 1.0, batches.Layer.LINES)
         return len(gpu.sent)
 
     sent = 2 * (5 + 2) + 2  # two of five kinds with dashes, on the model and on its pieces; arrows and lines to cut
     assert redraw() == sent
-    drawn = gpu.drawn
+    before = gpu.drawn
     assert redraw() == 0
-    assert gpu.drawn == 2 * drawn == 2 * sent
+    assert gpu.drawn == 2 * before == 2 * sent
     mark(source, on_line(1, 0.25))
-    bpy.context.view_layer.update()
     assert redraw() == 1  # the rigid wires of the model
 
 
@@ -163,18 +149,28 @@ def timers(addon, monkeypatch):
     return fake
 
 
-def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
-    cache = addon.state.drawings
-    clock = SimpleNamespace(now=100.0)
-    monkeypatch.setattr(cache, "time", SimpleNamespace(monotonic=lambda: clock.now))
+@pytest.fixture
+def clock(addon, monkeypatch):
+    now = SimpleNamespace(now=100.0)
+    monkeypatch.setattr(addon.state.drawings, "time", SimpleNamespace(monotonic=lambda: now.now))
+    return now
 
-    def build(value):
-        clock.now += 0.05  # seconds
-        return value
 
-    def drawing(version):
-        return cache.kept_drawing(source, "test", (version,), lambda: build(version))
+def slowly(addon, clock, owner, seconds, source=None):
+    """Draws versions that take so long to build; and those that were built."""
+    built = []
 
+    def build(version):
+        clock.now += seconds
+        built.append(version)
+        return version
+
+    kept = addon.state.drawings.kept_drawing
+    return lambda version: kept(owner, "test", (version,), lambda: build(version), source), built
+
+
+def test_a_build_is_not_repeated_at_once(addon, source, timers, clock):
+    drawing, _ = slowly(addon, clock, source, 0.05)
     assert drawing(1) == 1
     clock.now += 0.4
     assert drawing(2) == 1
@@ -190,28 +186,15 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, monkeypatch):
 
 
 @pytest.mark.parametrize("of_pieces", [False, True])
-def test_what_is_slow_to_build_waits_in_edit_mode_until_the_user_rests(addon, source, timers, monkeypatch, of_pieces):
+def test_what_is_slow_to_build_waits_in_edit_mode_until_the_user_rests(addon, source, timers, clock, of_pieces):
     """Also what is drawn over its pieces."""
-    cache = addon.state.drawings
-    clock = SimpleNamespace(now=100.0)
-    monkeypatch.setattr(cache, "time", SimpleNamespace(monotonic=lambda: clock.now))
-    owner, built = flat_of(source) if of_pieces else source, []
-
-    def build(version):
-        clock.now += 0.25  # seconds
-        built.append(version)
-        return version
-
-    def drawing(version):
-        return cache.kept_drawing(owner, "test", (version,), lambda: build(version), source)
-
+    drawing, built = slowly(addon, clock, flat_of(source) if of_pieces else source, 0.25, source)
     assert drawing(0) == 0
     clock.now += 10
     select_edges(source, RIGID)
     for version in range(1, 100):  # as while vertices are dragged
         assert drawing(version) == 0
         clock.now += 0.05
-    assert built == [0]
     clock.now += 0.16
     assert drawing(99) == 99
     assert built == [0, 99]
@@ -264,11 +247,13 @@ def test_handlers_and_timers_leave_with_the_add_on(addon, timers, monkeypatch):
 
 
 def test_what_was_kept_of_removed_objects_goes(addon, source):
-    """Large models would keep their arrays and batches until another file is opened."""
-    list(addon.overlay.shown.drawings(view_context()))
+    """Large models would keep their arrays and batches until another file is opened. With a new name it stays."""
+    drawn(addon)
     flat = flat_of(source)
     states = [addon.state.memory.state_of(each) for each in (source, source.data, flat, flat.data)]
     assert states[0].drawings and states[2].drawings
+    source.name = "Sleeve"
+    assert addon.state.memory.state_of(source) is states[0]
     mesh, flat_mesh = source.data, flat.data
     for each in (flat, source):
         bpy.data.objects.remove(each)
@@ -279,8 +264,62 @@ def test_what_was_kept_of_removed_objects_goes(addon, source):
     assert not any(state is each for state in states for each in present)
 
 
-def test_what_is_kept_stays_with_a_renamed_object(addon, source):
-    state = addon.state.memory.state_of(source)
-    state.suggestions = found = object()
-    source.name = "Sleeve"
-    assert addon.state.memory.state_of(source).suggestions is found
+OTHERS = 300
+
+
+@pytest.fixture
+def among_others():
+    target = grid("Bump", bump)
+    mesh = bpy.data.meshes.new("Other")
+    for number in range(OTHERS):
+        bpy.context.scene.collection.objects.link(bpy.data.objects.new(f"Other {number}", mesh))
+    bpy.context.view_layer.update()
+    return target
+
+
+@pytest.fixture
+def asked(addon, monkeypatch):
+    """The objects that are asked whether they concern us."""
+    names = []
+    ask = addon.overlay.shown.concerns_us
+    monkeypatch.setattr(addon.overlay.shown, "concerns_us", lambda each: names.append(each.name) or ask(each))
+    addon.state.memory.forget()
+    return names
+
+
+def names_drawn(addon):
+    return {target.name for target in drawn(addon)}
+
+
+def test_objects_are_asked_again_only_when_they_change(addon, among_others, asked):
+    assert names_drawn(addon) == set()
+    assert len(asked) == OTHERS + 1
+    asked.clear()
+    assert names_drawn(addon) == set()
+    assert asked == []
+    bpy.data.objects["Other 7"].location.x = 1
+    drawn(addon)
+    assert asked == ["Other 7"]
+
+
+def test_what_is_marked_flattened_renamed_and_removed_is_seen(addon, among_others, asked):
+    assert names_drawn(addon) == set()
+    mark(among_others, on_line(1, 0.0))
+    assert names_drawn(addon) == {"Bump"}
+    bpy.ops.object.wirewarp_flatten()
+    assert names_drawn(addon) == {"Bump", "Bump Flat"}
+    among_others.name = "Sleeve"
+    assert names_drawn(addon) == {"Sleeve", "Bump Flat"}
+    bpy.data.objects.remove(bpy.data.objects["Bump Flat"])
+    assert names_drawn(addon) == {"Sleeve"}
+    source = grid("Bump", bump)
+    assert names_drawn(addon) == {"Sleeve"}
+    source.data.vertices[0].co.x = float("nan")
+    flatten_fails("not numbers, or far")
+    assert names_drawn(addon) == {"Sleeve", "Bump"}  # for its report
+    bpy.data.objects.remove(among_others)
+    source.hide_set(True)
+    assert names_drawn(addon) == set()
+    source.hide_set(False)
+    bpy.context.scene.collection.objects.unlink(source)
+    assert names_drawn(addon) == set()

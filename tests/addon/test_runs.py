@@ -11,7 +11,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line, read, select_only
+from surfaces import bump, flat_of, flatten, flatten_fails, grid, mark, mark_seam, on_line, read, select_only
 
 
 def read_models(addon, *sources):
@@ -77,27 +77,20 @@ class FakeWindow:
         pass
 
 
-def begun_run(addon):
+@pytest.mark.parametrize("how", ["another file", "the add-on disabled"])
+def test_a_run_ends_with_the_file_and_with_the_add_on(addon, started, how):
     window_run, window = addon.ui.window_run, FakeWindow()
     run = window_run.begin(window, window_run.FLATTEN, "Large", solving(addon, grid("Large", bump, size=200)))
     run.go_on()
     assert window_run.is_running() and not run.is_done
-    return window
-
-
-def test_another_file_ends_the_run(addon, started):
-    window = begun_run(addon)
-    bpy.ops.wm.read_homefile(use_empty=True)
-    assert not addon.ui.window_run.is_running()
+    if how == "another file":
+        bpy.ops.wm.read_homefile(use_empty=True)
+    else:
+        addon.unregister()
+    assert not window_run.is_running()
     assert [job() for job in started] == [None] and window.timers == []
-
-
-def test_a_run_ends_when_the_add_on_is_disabled(addon, started):
-    window = begun_run(addon)
-    addon.unregister()
-    assert not addon.ui.window_run.is_running()
-    assert [job() for job in started] == [None] and window.timers == []
-    addon.register()
+    if how != "another file":
+        addon.register()
 
 
 QUITS = """
@@ -126,65 +119,65 @@ def test_blender_ends_during_a_run(addon, tmp_path):
     assert done.returncode == 0 and "the end" in done.stdout, done.stdout + done.stderr
 
 
-def test_a_run_that_is_done_may_still_be_cancelled(addon):
+@pytest.fixture
+def begun(addon):
+    """A run of these steps in the window, one of them done."""
+
+    def begin(steps):
+        window_run = addon.ui.window_run
+        run = window_run.begin(FakeWindow(), window_run.FLATTEN, "Nothing", steps)
+        run.go_on()
+        return run
+
+    yield begin
+    assert not addon.ui.window_run.is_running()
+
+
+def test_a_run_that_is_done_may_still_be_cancelled(addon, begun):
     """An update that waits for the mouse."""
-    window_run = addon.ui.window_run
-    run = window_run.begin(FakeWindow(), window_run.FLATTEN, "Nothing", solving(addon))
-    run.go_on()
+    run = begun(solving(addon))
     assert run.is_done
-    window_run.cancel()
-    with pytest.raises(window_run.CanceledError):
+    addon.ui.window_run.cancel()
+    with pytest.raises(addon.ui.window_run.CanceledError):
         run.result()
-    assert not window_run.is_running()
 
 
-def test_extra_work_that_is_canceled_leaves_the_result_that_was_there(addon):
+def test_extra_work_that_is_canceled_leaves_the_result_that_was_there(addon, begun):
     def with_extra():
         yield 0.5
         try:
             yield 0.7
-        except steps.CanceledError:
+        except addon.solve.steps.CanceledError:
             return "the pieces"
 
-    window_run, steps = addon.ui.window_run, addon.solve.steps
-    run = window_run.begin(
-        FakeWindow(), window_run.FLATTEN, "Nothing", steps.told_as(with_extra(), lambda share: share)
-    )
+    run = begun(addon.solve.steps.told_as(with_extra(), lambda share: share))
     run.go_on()
-    run.go_on()
-    window_run.cancel()
+    addon.ui.window_run.cancel()
     assert run.is_done and run.result() == "the pieces"
 
 
-def test_a_run_that_cannot_clean_up_ends_and_says_so_where_the_result_is_asked_for(addon):
-    def stubborn():
-        try:
-            yield 0.5
-        finally:
-            raise OSError("no disk")
-
-    window_run = addon.ui.window_run
-    run = window_run.begin(FakeWindow(), window_run.EXPORT, "Nothing", stubborn())
-    run.go_on()
-    window_run.cancel()
-    assert run.is_done
-    with pytest.raises(OSError, match="no disk"):
-        run.result()
-    assert not window_run.is_running()
-
-
-def test_what_the_work_raises_is_raised_where_the_result_is_asked_for(addon):
-    def failing():
+def stubborn():
+    try:
         yield 0.5
-        raise MemoryError("no room")
+    finally:
+        raise OSError("no disk")
 
-    window_run = addon.ui.window_run
-    run = window_run.begin(FakeWindow(), window_run.FLATTEN, "Nothing", failing())
+
+def failing():
+    yield 0.5
+    raise MemoryError("no room")
+
+
+@pytest.mark.parametrize(("work", "error"), [(stubborn, OSError), (failing, MemoryError)])
+def test_what_the_work_raises_is_raised_where_the_result_is_asked_for(addon, begun, work, error):
+    """Also by one that cannot clean up after it was canceled."""
+    run = begun(work())
+    if work is stubborn:
+        addon.ui.window_run.cancel()
     while not run.is_done:
         run.go_on()
-    with pytest.raises(MemoryError, match="no room"):
+    with pytest.raises(error, match="^no "):
         run.result()
-    assert not window_run.is_running()
 
 
 @pytest.fixture
@@ -207,6 +200,7 @@ def move_a_vertex(source):
 
 
 def test_only_what_changed_and_has_pieces_is_made_again(addon, source):
+    """In Edit Mode too."""
     grid("Never Flattened", bump)
     assert taken(addon) == []
     move_a_vertex(source)
@@ -214,9 +208,6 @@ def test_only_what_changed_and_has_pieces_is_made_again(addon, source):
     assert taken(addon) == []  # tried once
     mark_seam(source, on_line(0, 0.0))
     assert taken(addon) == ["Bump"]
-
-
-def test_changes_are_seen_in_edit_mode(addon, source):
     bpy.ops.object.mode_set(mode="EDIT")
     assert taken(addon) == []
     edit = bmesh.from_edit_mesh(source.data)
@@ -227,22 +218,17 @@ def test_changes_are_seen_in_edit_mode(addon, source):
 
 
 def test_nothing_is_made_again_after_undo_until_something_changes(addon, source):
-    bpy.context.scene.wirewarp.auto_update = True
+    scene, auto = bpy.context.scene, addon.flatten.auto_update
+    scene.wirewarp.auto_update = True
     move_a_vertex(source)
-    addon.flatten.auto_update.note_undo()
-    assert taken(addon) == []
-    assert taken(addon) == []
+    auto.note_undo()
+    assert taken(addon) == [] and taken(addon) == []
     move_a_vertex(source)
     assert taken(addon) == ["Bump"]
-
-
-def test_switching_off_and_on_after_undo_does_not_hide_the_next_change(addon, source):
-    scene = bpy.context.scene
-    scene.wirewarp.auto_update = True
-    addon.flatten.auto_update.note_undo()
+    auto.note_undo()
     scene.wirewarp.auto_update = False
-    addon.flatten.auto_update.forget_change(scene)  # as with the next movement of the mouse
-    scene.wirewarp.auto_update = True
+    auto.forget_change(scene)  # as with the next movement of the mouse
+    scene.wirewarp.auto_update = True  # switched off and on, it does not hide the next change
     move_a_vertex(source)
     assert taken(addon) == ["Bump"]
 
@@ -294,26 +280,19 @@ def test_what_goes_wrong_while_the_pieces_are_made_leaves_the_file_as_it_was(add
 
     monkeypatch.setattr(addon.flatten.flat_object, "write_maps", fail)
     source.data.vertices[0].co.z += 1
-    with pytest.raises(RuntimeError, match="no room"):
-        bpy.ops.object.wirewarp_flatten()
+    flatten_fails("no room")
     assert {mesh.name for mesh in bpy.data.meshes} == meshes
     assert np.array_equal(read(flat.data.vertices, "co", np.float32, 3), before[0])
     assert (source["wirewarp_report"], flat.data.name) == before[1:]
 
 
-def test_another_grain_wire_is_due_once(addon, source):
+def test_another_grain_wire_is_due_once_and_a_model_that_cannot_be_read_is_tried_once(addon, source):
     assert taken(addon) == []
     bpy.ops.mesh.wirewarp_grain_wire(edge=addon.state.identities.find_wires(source)[0].edges[0])
     assert taken(addon) == ["Bump"]
     bpy.ops.object.wirewarp_flatten()
     assert taken(addon) == []
-
-
-def test_a_model_that_cannot_be_read_is_tried_once_whatever_its_grain_wire(addon, source):
-    bpy.ops.mesh.wirewarp_grain_wire(edge=addon.state.identities.find_wires(source)[0].edges[0])
-    bpy.ops.object.wirewarp_flatten()
     source.scale.x = 0.0
     assert taken(addon) == ["Bump"]
-    with pytest.raises(RuntimeError, match="scaled to zero"):
-        bpy.ops.object.wirewarp_flatten()
+    flatten_fails("scaled to zero")
     assert taken(addon) == []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parts of the solve package by themselves: names of pieces, steps, and what is made of the core's suggestions."""
+"""Parts of the add-on by themselves: names of pieces, steps of work, and the core's suggestions in rows."""
 
 import inspect
 import math

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files are written to whatever folder and name the system takes, whole or not at all, in every format."""
+
+import errno
+import json
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+from surfaces import bump, grid
+
+NAMES = ["two  spaces", "Ärmel für Zoë, 衬衫 シャツ, قميص", "a.b.c", "long " + "x" * 120]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_patterns_and_reports_go_to_folders_of_any_name(tmp_path, addon, name):
+    folder = tmp_path / name
+    folder.mkdir()
+    grid("Bump", bump)
+    bpy.ops.wm.save_as_mainfile(filepath=str(folder / f"{name}.blend"))
+    bpy.ops.object.wirewarp_flatten(report_path=str(folder / f"{name}.json"))
+    endings = addon.core.pattern.FORMATS
+    for ending in endings:
+        bpy.ops.object.wirewarp_export(filepath=str(folder / f"{name}{ending}"))
+        bpy.ops.object.wirewarp_export(filepath=f"//beside {name}{ending}")
+        assert (folder / f"{name}{ending}").stat().st_size == (folder / f"beside {name}{ending}").stat().st_size > 0
+    assert json.loads((folder / f"{name}.json").read_text(encoding="utf-8"))
+    written = {path.name for path in folder.iterdir()}
+    assert written == {f"{before}{name}{ending}" for ending in endings for before in ("", "beside ")} | {
+        f"{name}.blend",
+        f"{name}.json",
+    }
+
+
+@pytest.mark.parametrize(
+    ("name", "made"),
+    [("Front/Back", "Front_Back"), ("/etc", "_etc"), ('a:b\\"c', "a_b__c")],
+)
+def test_the_name_proposed_for_a_pattern_is_one_of_a_file(addon, name, made):
+    assert addon.blender.files.file_name(name, " Pattern.svg") == f"{made} Pattern.svg"
+    long = addon.blender.files.file_name("ä" * 300, " Pattern.svg")
+    assert long.startswith("ää") and long.endswith("ä Pattern.svg") and len(long.encode()) <= 255
+
+
+@pytest.mark.parametrize("name", ["NUL", "com1", "Con.001", "a/b", "<left>"])
+def test_a_name_that_some_system_keeps_for_itself_becomes_another(addon, name):
+    ending = ".pdf"
+    made = addon.blender.files.file_name(name, ending)
+    stem = made.removesuffix(ending)
+    assert made.endswith(ending) and stem.split(".")[0].upper() not in ("NUL", "COM1", "CON")
+    assert not set(stem) & set('<>:"/\\|?*')
+
+
+def test_a_disk_that_is_full_leaves_the_file_that_was_there(addon, tmp_path):
+    path = tmp_path / "pattern.svg"
+    path.write_text("of yesterday")
+    full = OSError(errno.ENOSPC, "No space left on device")
+    with pytest.raises(OSError, match="No space"), addon.blender.files.replaced_file(path) as unfinished:
+        unfinished.write_text("ha")
+        raise full
+    assert [(each, each.read_text()) for each in tmp_path.iterdir()] == [(path, "of yesterday")]
+
+
+def test_the_file_that_a_link_leads_to_is_replaced(addon, tmp_path):
+    path, link = tmp_path / "pattern.svg", tmp_path / "newest.svg"
+    path.write_text("of yesterday")
+    link.symlink_to(path)
+    if not link.is_symlink():
+        pytest.skip("Wine makes no links")
+    with addon.blender.files.replaced_file(link) as unfinished:
+        unfinished.write_text("of today")
+    assert link.is_symlink()
+    assert path.read_text() == "of today"
+    assert {each.name for each in tmp_path.iterdir()} == {"pattern.svg", "newest.svg"}
+
+
+def test_a_square_becomes_a_pdf(addon, tmp_path):
+    square = np.array([[0, 0, 0], [0.2, 0, 0], [0.2, 0.2, 0], [0, 0.2, 0]])
+    result = addon.core.library().flatten(square, np.array([[0, 1, 2], [0, 2, 3]]))
+    written = addon.core.pattern.Pattern.from_result(result, allowance=10.0).write(tmp_path / "square.pdf")
+    assert str(written) == "1 piece on 3 sheets, read again: 0.00 mm off"
+    assert (tmp_path / "square.pdf").read_bytes().startswith(b"%PDF-")
+
+
+def test_what_it_needs_comes_with_the_add_on_and_leaves_the_path_alone(addon):
+    inside = Path(addon.core.__file__).parent / "_core"
+    if inside.is_dir():
+        assert {path.name for path in (inside / "libraries").iterdir()} == {"pyclipper", "pydyf", "uharfbuzz"}
+    assert not [folder for folder in sys.path if Path(folder).is_relative_to(inside)]
