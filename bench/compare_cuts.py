@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cuts of the same surfaces by OptCuts and by WireWarp, at equal distortion, and the page that says how they compare:
+"""Compares cuts of the same surfaces by OptCuts and WireWarp at equal distortion, and writes the page about them:
 
 PYTHONPATH=results python bench/compare_cuts.py PAGE [--most-triangles N]
 
-In the environment OPTCUTS_MESHES names a folder of OBJ files, OPTCUTS_PROGRAM the executable built from OptCuts' public
-sources, and OPTCUTS_RESULTS a folder that keeps every result of either, so that none is computed twice.
+Environment: OPTCUTS_MESHES is a folder of OBJ files, OPTCUTS_PROGRAM the executable built from OptCuts' public sources,
+and OPTCUTS_RESULTS a folder that keeps every result of both, so that none is computed twice.
 """
 
 import argparse
@@ -26,27 +26,29 @@ from tables import table
 from text import wrap
 from which_commit import commit
 
-AIMS = (0.5, 0.25, 0.1, 0.05)  # strains; OptCuts leaves about the first, and 5% is what first cuts aim at by default
-LADDER = 60  # proposals asked for: more than a set of first cuts has cuts
-FEWEST = 2  # sets to which darts are added: those with more cuts gave longer ones in the end
-DARTS = 20  # at most, half as many as a set of first cuts has cuts
-CHOICE = 5  # of darts, the default of propose_darts()
-CLOCK_LIMIT = 10 * LIMIT  # seconds; other processes may keep the core from it
+AIMS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about the first; 5% is the default target of cut sets
+LADDER = 60  # number of requested proposals; more than a cut set has cuts
+FEWEST = 2  # sets to which darts are added; sets with more cuts gave longer cuts in the end
+DARTS = 20  # maximum number; half as many as a cut set has cuts
+CHOICE = 5  # number of proposed darts, the default of propose_darts()
+CLOCK_LIMIT = 10 * LIMIT  # seconds; other processes may use the core meanwhile
 
 
 @dataclass(frozen=True)
 class Outcome:
     seconds: float  # of processor time
-    without: str  # why there are no figures; empty where there are
+    without: str  # why there are no figures, or empty
     figures: CutFigures | None
-    set_length: float | None = None  # as CutFigures.length, of the shortest set of first cuts without darts
+    set_length: float | None = None  # CutFigures.length of the shortest cut set without darts
 
 
-Cuts = tuple[np.ndarray, CutFigures]  # edges and what they allow
+Cuts = tuple[np.ndarray, CutFigures]  # edges, and the figures with them
 
 
 def flat(vertices: np.ndarray, faces: np.ndarray, seams: np.ndarray) -> CutFigures | None:
-    """None where a part does not lie flat under these seams, or not without overlaps, as those of OptCuts do."""
+    """Return the figures, or None if a part has no flat shape with these seams or overlaps itself; OptCuts has no
+    overlaps.
+    """
     flattening = wirewarp.flatten(vertices, faces, seams=seams)
     if any(piece.error or len(piece.metrics.overlapping_faces) for piece in flattening.pieces):
         return None
@@ -54,7 +56,7 @@ def flat(vertices: np.ndarray, faces: np.ndarray, seams: np.ndarray) -> CutFigur
 
 
 def cut(vertices: np.ndarray, faces: np.ndarray) -> tuple[CutFigures, float | None]:
-    """The shortest cuts found under which the energy keeps below the bound; and Outcome.set_length."""
+    """Return the shortest cuts found that keep the energy below the bound, and Outcome.set_length."""
     sets = flat_sets(vertices, faces)
     is_enough = sets[-1][1].energy <= BOUND
     best = sets[-1][1] if is_enough else None
@@ -66,7 +68,7 @@ def cut(vertices: np.ndarray, faces: np.ndarray) -> tuple[CutFigures, float | No
 
 
 def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
-    """Sets of first cuts under which all lies flat, the shortest first and none after one that is enough."""
+    """Return cut sets with which everything is flat, the shortest first, up to the first one that is good enough."""
     seams = np.zeros((0, 2), dtype=int)
     if uncut := flat(vertices, faces, seams):
         return [(seams, uncut)]
@@ -84,7 +86,7 @@ def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
 
 
 def with_darts(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, best: CutFigures | None) -> CutFigures | None:
-    """Darts one by one, each the one that takes most energy for its length; best, unless that gives shorter cuts."""
+    """Add darts one by one, each with the largest decrease of energy for its length. Return best if it remains shorter."""
     seams, figures = cuts
     longest = best.length if best else np.inf
     for _ in range(DARTS):
@@ -171,7 +173,7 @@ def verdict(peer: Outcome, own: Outcome) -> str:
 
 
 def in_brief(rows: list[tuple[Outcome, Outcome]]) -> str:
-    """Who has the shorter cuts, in counts and medians, over the surfaces that both cut."""
+    """Return counts and medians of who has the shorter cuts, over the surfaces that both can cut."""
     both = [(peer, own) for peer, own in rows if peer.figures and own.figures]
     if not both:
         return "Neither cut the surfaces that the other did."

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens the benchmark sheet by every method at every size, and writes what was found as JSON:
+"""Flattens the benchmark sheet by every method at every size, and writes the results as JSON:
 
 PYTHONPATH=results WIREWARP_BPY_PYTHON=PYTHON python bench/compare_peers.py OUTPUT.json [--full]
     [--sizes N ...] [--rounds N]
 
-PYTHON is one that has the module bpy.
+PYTHON is a Python with the module bpy.
 """
 
 import argparse
@@ -19,11 +19,11 @@ from surfaces import bumpy_sheet
 
 SIZES, FULL_SIZES = [1_000, 10_000, 100_000], [1_000, 10_000, 100_000, 1_000_000]
 SEAM_SIZE = 10_000
-JITTER = 0.3  # edges: about as uneven as meshes of scanned and sculpted models are
+JITTER = 0.3  # in edges; about as uneven as scanned and sculpted models
 JITTERED_SIZES = [10_000, 100_000]
-NET_SIZE, NETS = 40_000, [8, 32, 128]  # triangles; wires: those of the last are 2.2 edges apart
-LIMIT, FULL_LIMIT = 120.0, 900.0  # seconds by the clock for one method on one surface
-LARGEST = {  # triangles that a method gets, since it takes longer than all others together
+NET_SIZE, NETS = 40_000, [8, 32, 128]  # triangles; numbers of wires, which are 2.2 edges apart for the last
+LIMIT, FULL_LIMIT = 120.0, 900.0  # seconds of wall time for one method on one surface
+LARGEST = {  # maximum number of triangles of a method that takes longer than all others together
     flatteners.ARAP_CONVERGED: 100_000,
     flatteners.SLIM: 100_000,
     flatteners.SLIM_CONVERGED: 10_000,
@@ -51,7 +51,7 @@ def compare_seams() -> Comparison:
 
 
 def compare_hard(rounds: int | None) -> list[Comparison]:
-    """Jittered sheets and many wires, the refined method against ARAP in the same run."""
+    """Compare the refined method with ARAP on jittered sheets and with many wires, in the same run."""
     jittered = [bumpy_sheet(size, jitter=JITTER, wires=wires) for size in JITTERED_SIZES for wires in (2, 8)]
     nets = [bumpy_sheet(NET_SIZE, wires=wires) for wires in NETS]
     names = [flatteners.REFINED_ELASTIC, flatteners.ARAP]
@@ -59,7 +59,9 @@ def compare_hard(rounds: int | None) -> list[Comparison]:
 
 
 def load(path: Path) -> dict[str, list[Comparison]]:
-    """What main() wrote: "sheets" by size, "hard" ones, and the one in two pieces as the only one of "seams"."""
+    """Return the output of main(): "sheets" by size, "hard" ones, and as the only one of "seams" the sheet in two
+    pieces.
+    """
     found = json.loads(path.read_text())
     return {key: [from_dict(comparison) for comparison in comparisons] for key, comparisons in found.items()}
 

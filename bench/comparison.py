@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All methods on one surface, turn by turn, each turn in a process of its own; and what is said of their answers."""
+"""Runs all methods on one surface in turn, each turn in its own process, and compares their answers."""
 
 import statistics
 from dataclasses import dataclass, replace
@@ -14,12 +14,12 @@ ONCE_IS_ENOUGH = 20.0  # seconds
 
 @dataclass(frozen=True)
 class Outcome:
-    """Errors are relative to the lengths that were chosen, for methods that choose none to those on the surface."""
+    """Results of one method. Errors are relative to the lengths that the method chose, or to those on the surface."""
 
-    seconds: float  # of one core
+    seconds: float  # on one core
     megabytes: float
     energy: float  # ARAP energy over area
-    outline_error: float  # of the worst stretch of outline
+    outline_error: float  # of the worst section of outline
     wire_error: float  # of the worst wire
     edge_error: float  # of the worst edge of both
     mismatch: float  # between the sides of the worst seam, in the surface's units; 0 without seams
@@ -33,14 +33,14 @@ class Comparison:
     surface: str
     triangles: int
     outcomes: dict[str, Outcome]  # by the name of the method
-    without: dict[str, str]  # why a method has none
+    without: dict[str, str]  # reason why a method has no result
 
     def seconds(self, name: str) -> float | None:
         return self.outcomes[name].seconds if name in self.outcomes else None
 
 
 def judged(answer: Answer) -> Outcome:
-    """Raises NoAnswerError where a piece has no layout."""
+    """Return the outcome. Raises NoAnswerError if a piece has no layout."""
     pieces = answer.flattening.pieces
     for piece in pieces:
         if piece.error and not piece.error.has_layout:
@@ -69,7 +69,7 @@ def length_error(part: wirewarp.WireReport) -> float:
 
 
 def compare(surface: Surface, names: list[str], rounds: int, limit: float) -> Comparison:
-    """Medians of the costs. A method gets limit seconds by the clock, and one round if that is long already."""
+    """Return medians of the costs. A method gets `limit` seconds of wall time, and only one round if it is slow."""
     found: dict[str, list[Outcome]] = {}
     without: dict[str, str] = {}
     for turn in range(rounds):

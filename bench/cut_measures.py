@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What cuts cost and what flat shape they allow, read off the shape alone, so that every method is measured alike."""
+"""Measures the cost of cuts and the distortion with them from the shape alone, so that all methods are measured alike."""
 
 from collections import defaultdict
 from dataclasses import dataclass
@@ -7,21 +7,21 @@ from pathlib import Path
 
 import numpy as np
 
-MOST_OF_AREA = 0.99  # as DartProposal.strain has it
+MOST_OF_AREA = 0.99  # as in DartProposal.strain
 
 
 @dataclass(frozen=True)
 class CutFigures:
-    energy: float  # symmetric Dirichlet: mean over the area of |J|^2 + |1/J|^2; 4 where nothing is distorted
-    strain: float  # as DartProposal.strain, of the whole surface
-    length: float  # of the cuts on the surface, each edge counted once, over the root of the area
-    mismatch: float  # of the two sides of an edge of a cut when flat, mean over the cuts' length: 0.01 for 10 mm per m
+    energy: float  # symmetric Dirichlet energy: mean over the area of |J|^2 + |1/J|^2; 4 without distortion
+    strain: float  # DartProposal.strain of the whole surface
+    length: float  # of the cuts on the surface, each edge counted once, over the square root of the area
+    mismatch: float  # flat length difference of the two sides of a cut, mean over the cuts' length: 0.01 is 10 mm per m
     charts: int
-    flipped: int  # triangles turned over
+    flipped: int  # flipped triangles
 
 
 def read_corner_uv(path: Path) -> np.ndarray:
-    """(m, 3, 2) texture coordinates of the corners, of an OBJ file of triangles."""
+    """Return texture coordinates (m, 3, 2) of the corners from an OBJ file of triangles."""
     uv, corners = [], []
     for line in path.read_text().splitlines():
         kind, *words = line.split() or [""]
@@ -33,7 +33,7 @@ def read_corner_uv(path: Path) -> np.ndarray:
 
 
 def measure_cuts(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> CutFigures:
-    """A cut is where corners of neighbors at one vertex lie apart in corner_uv, (m, 3, 2)."""
+    """Return the figures. A cut is an edge whose neighbors have different corner_uv (m, 3, 2) at one vertex."""
     points = vertices[faces]
     areas = np.linalg.norm(np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]), axis=1) / 2
     values, is_flipped = stretches(points, corner_uv)
@@ -50,7 +50,9 @@ def measure_cuts(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray)
 
 
 def stretches(points: np.ndarray, corner_uv: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """(m, 2) singular values of each triangle's map to the plane, the larger first; and which turn it over."""
+    """Return the singular values (m, 2) of each triangle's map to the plane, larger first, and which triangles are
+    flipped.
+    """
     edges, flat = points[:, 1:] - points[:, :1], corner_uv[:, 1:] - corner_uv[:, :1]
     along = np.linalg.norm(edges[:, 0], axis=1)
     x = (edges[:, 0] * edges[:, 1]).sum(axis=1) / along
@@ -67,7 +69,7 @@ def most_stay_below(strains: np.ndarray, areas: np.ndarray) -> float:
 
 
 def cuts_of(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    """Of each edge cut its length on the surface and the lengths of its two sides (k, 2); and how many charts."""
+    """Return of each cut edge its length on the surface and its two flat lengths (k, 2), and the number of charts."""
     neighbors = defaultdict(list)
     for f, face in enumerate(faces):
         for i in range(3):
@@ -78,7 +80,7 @@ def cuts_of(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> t
     lengths, sides = [], []
     for (start, end), around in neighbors.items():
         if len(around) < 2:
-            continue  # an outline of the surface itself
+            continue  # outline of the surface itself
         (f, f_start, f_end), (g, g_start, g_end) = around
         if (f_start == g_start).all() and (f_end == g_end).all():
             chart[root(chart, f)] = root(chart, g)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flatten in Blender from end to end against Blender's own angle-based unwrap, turn by turn in one process:
+"""Compares Flatten in Blender with Blender's own angle-based unwrap, in turn in one process:
 
 blender --background --factory-startup --python-exit-code 1 --addons wirewarp_addon \\
     --python bench/flatten_in_blender.py -- OUTPUT.json [TRIANGLES ...]
@@ -21,7 +21,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 
 from surfaces import bumpy_sheet  # noqa: E402 (the folder must be on the path first)
 
-# As Debian 12's Blender has it, and Debian 13's, which knows extensions.
+# Names in Debian 12's Blender and in Debian 13's, which has extensions.
 addon = sys.modules.get("wirewarp_addon") or sys.modules["bl_ext.user_default.wirewarp"]
 core = addon.core
 choices_of = addon.properties.choices_of
@@ -33,7 +33,7 @@ TURNS = 3
 
 
 def add_sheet(triangles: int) -> bpy.types.Object:
-    """With two rigid wires across its middle; active and selected."""
+    """Add the sheet with two rigid wires across its middle, active and selected."""
     surface = bumpy_sheet(triangles)
     mesh = bpy.data.meshes.new("Sheet")
     mesh.from_pydata(surface.vertices.tolist(), [], surface.faces.tolist())
@@ -58,13 +58,13 @@ def seconds_of(work: Callable[[], object]) -> float:
 
 
 def new_sheet(triangles: int) -> bpy.types.Object:
-    """In a new file, so that nothing is known of an earlier run."""
+    """Add the sheet in a new file, so that nothing is reused from an earlier run."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     return add_sheet(triangles)
 
 
 def seconds_of_steps(sheet: bpy.types.Object) -> dict[str, float]:
-    """What the operator does, step by step."""
+    """Return the seconds of each step of the operator."""
     context, settings = bpy.context, bpy.context.scene.wirewarp
     marks = [time.perf_counter()]
     models = read_models(context, [sheet], settings)
@@ -87,14 +87,14 @@ def take_turn(triangles: int) -> dict[str, float]:
 
 
 def compare(triangles: int) -> dict:
-    """Medians."""
+    """Return medians."""
     turns = [take_turn(triangles) for _ in range(TURNS)]
     return {name: statistics.median(turn[name] for turn in turns) for name in turns[0]}
 
 
 def main() -> None:
     output, *sizes = sys.argv[sys.argv.index("--") + 1 :]
-    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})  # unwrapping has one thread
+    os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})  # unwrapping uses one thread
     rows = [compare(int(size)) for size in sizes or ("10000", "100000")]
     Path(output).write_text(json.dumps({"blender": bpy.app.version_string, "runs": rows}, indent=1), encoding="utf-8")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every method that the page compares: each takes a surface, and answers with a flattening and what it cost."""
+"""The methods that the page compares. Each takes a surface and returns a flattening and its cost."""
 
 import os
 import subprocess
@@ -25,8 +25,8 @@ TOLERANCE = 0.03
 @dataclass(frozen=True)
 class Answer:
     flattening: wirewarp.FlattenResult
-    seconds: float  # of one core
-    megabytes: float  # at the peak, above the surface
+    seconds: float  # on one core
+    megabytes: float  # peak, without the surface
     iterations: int | None = None  # of libigl
 
 
@@ -34,7 +34,7 @@ Method = Callable[[Surface], Answer]
 
 
 def flatten_by_wirewarp(method: str, wires: str, tolerance: float, surface: Surface) -> Answer:
-    """wires: the name of the surface's list."""
+    """Flatten by WireWarp. wires: the name of the surface's list."""
     options = wirewarp.Options(method=method)
     chains = [wirewarp.Wire(chain, tolerance) for chain in getattr(surface, wires)]
     return Answer(
@@ -47,7 +47,7 @@ def flatten_by_wirewarp(method: str, wires: str, tolerance: float, surface: Surf
 
 
 def judge(surface: Surface, corner_uv: np.ndarray) -> wirewarp.FlattenResult:
-    """Any layout (m, 3, 2), by the code that judges those of WireWarp; the many wires should keep their lengths."""
+    """Measure any layout (m, 3, 2) like those of WireWarp; the many wires should keep their lengths."""
     wires = [wirewarp.Wire(chain) for chain in surface.many_wires]
     return wirewarp.measure(surface.vertices, surface.faces, corner_uv, seams=surface.seams, wires=wires)
 
@@ -68,7 +68,7 @@ def flatten_by_libigl(piece_map: Callable[..., libigl_maps.Map], most_iterations
 
 
 def unwrap_in_blender(method: str, surface: Surface) -> Answer:
-    """In a process of its own, then scaled so that every piece has its area on the model."""
+    """Unwrap in another process, and scale every piece to its area on the model."""
     with tempfile.TemporaryDirectory() as folder:
         model, unwrap = Path(folder) / "model.npz", Path(folder) / "unwrap.npz"
         np.savez(model, vertices=surface.vertices, faces=surface.faces, seams=surface.seams)

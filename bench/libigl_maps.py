@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Maps of one piece to the plane by libigl, from the harmonic map to a disk on. They keep no lengths.
+"""Maps one piece to the plane with libigl, from the harmonic map to a disk. These maps keep no lengths.
 
-All take vertices (n, 3) and faces (m, 3), and give positions (n, 2) and how many iterations that took.
+All functions take vertices (n, 3) and faces (m, 3), and return positions (n, 2) and the number of iterations.
 """
 
 import igl
@@ -9,13 +9,13 @@ import numpy as np
 
 ITERATIONS = 10
 MOST_ITERATIONS = 1000
-STILL = 1e-4  # of the width of the piece: when ten iterations move no vertex farther, they have converged
+STILL = 1e-4  # over the width of the piece; the map has converged if ten iterations move no vertex farther
 
 Map = tuple[np.ndarray, int]
 
 
 def harmonic_start(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The harmonic map to a disk of the piece's area, (n, 2), and the vertices of the longest outline."""
+    """Return the harmonic map (n, 2) to a disk of the piece's area, and the vertices of the longest outline."""
     boundary = igl.boundary_loop(faces)
     radius = np.sqrt(igl.doublearea(vertices, faces).sum() / 2 / np.pi)
     circle = radius * igl.map_vertices_to_circle(vertices, boundary)
@@ -23,13 +23,13 @@ def harmonic_start(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray,
 
 
 def has_converged(before: np.ndarray, after: np.ndarray) -> bool:
-    """Up to a translation: SLIM holds no vertex."""
+    """Return whether the map has converged up to a translation, because SLIM fixes no vertex."""
     move = after - before
     return np.abs(move - move.mean(axis=0)).max() <= STILL * np.ptp(after, axis=0).max()
 
 
 def arap(vertices: np.ndarray, faces: np.ndarray, most_iterations: int) -> Map:
-    """As rigid as possible, by local/global iterations."""
+    """Return the as-rigid-as-possible map, by local/global iterations."""
     start, boundary = harmonic_start(vertices, faces)
     data = igl.ARAPData()
     data.max_iter = ITERATIONS
@@ -43,7 +43,7 @@ def arap(vertices: np.ndarray, faces: np.ndarray, most_iterations: int) -> Map:
 
 
 def slim(vertices: np.ndarray, faces: np.ndarray, most_iterations: int) -> Map:
-    """The least symmetric Dirichlet energy, which keeps triangles from flipping."""
+    """Return the map of least symmetric Dirichlet energy, which prevents flips."""
     start, _ = harmonic_start(vertices, faces)
     nothing_fixed = np.zeros(0, dtype=np.int32), np.zeros((0, 2))
     energy = igl.MappingEnergyType.SYMMETRIC_DIRICHLET

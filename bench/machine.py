@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the figures are from."""
+"""Describes the machine of the figures."""
 
 import os
 import platform

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads mesh files as they are: nothing is welded, dropped or turned. Polygons are cut from their first corner."""
+"""Reads mesh files unchanged: nothing is welded, removed or flipped. Polygons are divided from their first corner."""
 
 from pathlib import Path
 
@@ -26,7 +26,7 @@ def read_obj(path: Path) -> Mesh:
 
 
 def read_ply(path: Path) -> Mesh:
-    """Binary ones of triangles whose vertices have nothing but a position."""
+    """Read a binary file of triangles whose vertices only have positions."""
     header, _, data = path.read_bytes().partition(b"end_header\n")
     lines = header.decode().splitlines()
     count = {line.split()[1]: int(line.split()[2]) for line in lines if line.startswith("element")}

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs OptCuts, built from its public sources, and keeps what it makes: NAME.obj, the surface with its flat shape as
-texture coordinates, NAME.json with what the run took or why it has no result, and NAME.log with what it printed."""
+"""Runs OptCuts, built from its public sources, and keeps its output: NAME.obj, the surface with its flat shape as
+texture coordinates, NAME.json with the cost of the run or why it has no result, and NAME.log with its messages.
+"""
 
 import json
 import os
@@ -13,25 +14,26 @@ from pathlib import Path
 
 from mesh_files import read_obj
 
-BOUND = 4.1  # of the energy: the default of OptCuts, with which its authors measured their benchmark
+BOUND = 4.1  # of the energy: the default of OptCuts, and that of its authors' benchmark
 LIMIT = 600  # seconds of processor time for one surface
 HEADLESS = "100"
-OPTIONS = ["0.999", "1", "0", str(BOUND), "1", "0"]  # its README's: first weight, name, method, bound, bijective, start
+# As in its README: first weight, name, method, bound, bijective, start.
+OPTIONS = ["0.999", "1", "0", str(BOUND), "1", "0"]
 
 
 @dataclass(frozen=True)
 class PeerRun:
     seconds: float  # of processor time
-    without: str  # why there is no result; empty where there is one
+    without: str  # why there is no result, or empty
 
 
 def by_size(meshes: Path) -> list[Path]:
-    """Fewer triangles first."""
+    """Return the meshes, those with fewer triangles first."""
     return sorted(meshes.glob("*.obj"), key=lambda path: (len(read_obj(path)[1]), path.name))
 
 
 def limit_processor_time() -> None:
-    """Of this process, and to one core."""
+    """Limit the time of this process, and use one core."""
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT + 5))
 
@@ -44,7 +46,7 @@ def kept_run(program: Path, mesh: Path, folder: Path) -> PeerRun:
 
 
 def run(program: Path, mesh: Path, folder: Path) -> PeerRun:
-    with tempfile.TemporaryDirectory() as work:  # below which it writes
+    with tempfile.TemporaryDirectory() as work:  # it writes to a folder below this one
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         with (folder / f"{mesh.stem}.log").open("w") as log:
             command = [program.resolve(), HEADLESS, mesh.resolve(), *OPTIONS]

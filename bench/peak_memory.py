@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a piece of work costs this process: seconds of one core, and memory at its peak. Linux only."""
+"""Measures the cost of work in this process: seconds of one core and peak memory. Linux only."""
 
 import time
 from collections.abc import Callable
@@ -10,15 +10,16 @@ Answer = TypeVar("Answer")
 
 
 def resident_megabytes(line: str) -> float:
-    """VmRSS, or VmHWM: the most since it was reset."""
+    """Return VmRSS, or VmHWM, the maximum since it was reset."""
     status = Path("/proc/self/status").read_text().splitlines()
     return int(next(text for text in status if text.startswith(line)).split()[1]) / 1024
 
 
 def cost_of(work: Callable[[], Answer]) -> tuple[Answer, float, float]:
-    """The answer, CPU seconds of all threads and of the system for them, and megabytes above those there were before.
+    """Return the answer, CPU seconds of all threads including the system's, and peak megabytes above the earlier
+    memory.
 
-    CPU seconds, since other work on the machine lengthens those of the clock.
+    It uses CPU seconds because other work on the machine lengthens wall time.
     """
     Path("/proc/self/clear_refs").write_text("5")  # VmHWM becomes VmRSS
     before = resident_megabytes("VmRSS")

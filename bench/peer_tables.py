@@ -62,7 +62,7 @@ def seam_table(comparison: Comparison) -> list[str]:
 
 
 def elastic_table(comparisons: Sequence[Comparison]) -> list[str]:
-    """What the outer problem of WireWarping++ did."""
+    """Show the work of the outer problem of WireWarping++."""
     names = ("gradient_evaluations", "outer_iterations", "inner_solves", "factorizations")
     rows = [
         (c.surface, *(str(c.outcomes[WARPED_ELASTIC].counts[name]) for name in names))
@@ -74,7 +74,7 @@ def elastic_table(comparisons: Sequence[Comparison]) -> list[str]:
 
 
 def refined_table(comparisons: Sequence[Comparison]) -> list[str]:
-    """What the refined method did."""
+    """Show the work of the refined method."""
     rows = []
     for comparison in comparisons:
         for name, outcome in comparison.outcomes.items():
@@ -86,7 +86,7 @@ def refined_table(comparisons: Sequence[Comparison]) -> list[str]:
 
 
 def growth(comparisons: Sequence[Comparison], name: str) -> tuple[list[int], list[float], float | None]:
-    """Sizes, seconds and their exponent from 10,000 triangles on; below, much is the same at any size."""
+    """Return sizes, seconds and their exponent from 10,000 triangles on, because fixed costs dominate below."""
     points = [(c.triangles, c.outcomes[name].seconds) for c in comparisons if name in c.outcomes]
     large = [point for point in points if point[0] > 5_000]
     sizes, seconds = [size for size, _ in points], [time for _, time in points]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The two pictures of the page: time against size, and distortion against what becomes of the lengths."""
+"""Draws the two pictures of the page: time against size, and distortion against length errors."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -13,7 +13,7 @@ from palette import FAINT_INK, INK
 from peer_tables import growth
 from save_picture import save
 
-LEAST_ERROR = 1e-16  # of a length: what rounds to nothing is drawn here
+LEAST_ERROR = 1e-16  # relative; smaller errors are drawn here
 COLORS = {"wirewarp": "#0072b2", "refined": "#d55e00", "libigl": "#009e73", "Blender": "#8a6fb0"}
 MARKERS = {
     flatteners.WARPING: "o",
@@ -32,7 +32,7 @@ MARKERS = {
 
 
 def style(name: str) -> dict:
-    """One color for the methods of one maker, told apart by markers."""
+    """Return one color for the methods of one program, with different markers."""
     color = next(color for start, color in COLORS.items() if name.startswith(start))
     return {"color": color, "marker": MARKERS[name], "markersize": 6, "markerfacecolor": "none", "markeredgewidth": 1.4}
 
@@ -63,7 +63,7 @@ def plot_lengths(comparison: Comparison, path: Path) -> None:
 
 @contextmanager
 def picture(path: Path, height: float, legend: str) -> Iterator[Axes]:
-    """Axes to draw in, with a grid, and beside them the legend under this title; height in inches."""
+    """Yield axes with a grid, and beside them the legend with this title. height: inches."""
     figure, axes = plt.subplots(figsize=(8.4, height), layout="constrained")
     yield axes
     axes.grid(color=FAINT_INK, alpha=0.2, linewidth=0.6)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Proposed darts against every dart of a wide choice, on the most distorted piece of each sample.
+"""Compares proposed darts with every dart of a large selection, on the most distorted piece of each sample.
 
 Usage: PYTHONPATH=blend_samples python bench/propose_darts.py [SAMPLE...]
 
-Every dart: the shortest way along edges from each of 14 points of the outline to each of 22 points inside, spread
-evenly, each flattened in full. Regret: what the best proposal leaves of what the best of all takes off the energy.
+Every dart: the shortest edge path from each of 14 points of the outline to each of 22 points inside, evenly spread,
+with a full flattening for each. Regret: the share of the best decrease of energy that the best proposal does not
+achieve.
 """
 
 import heapq
@@ -16,11 +17,13 @@ import wirewarp
 from shapes import Shape, all_shapes
 
 OUTLINE_POINTS, INNER_POINTS = 14, 22
-LONGEST = 2.0  # seconds: a dart under which the piece does not lie flat by then is none
+LONGEST = 2.0  # seconds; a dart without a flat shape by then does not count
 
 
 def ways_from(start: int, vertices: np.ndarray, neighbors: dict[int, set[int]], inside: set[int]) -> dict[int, int]:
-    """The vertex before each on the shortest way from the start, through inner vertices alone; of the start -1."""
+    """Return for each vertex the previous one on the shortest path from the start through inner vertices; -1 for the
+    start.
+    """
     distance, before = {start: 0.0}, {start: -1}
     queue = [(0.0, start)]
     while queue:
@@ -36,7 +39,7 @@ def ways_from(start: int, vertices: np.ndarray, neighbors: dict[int, set[int]], 
 
 
 def spread(vertices: np.ndarray, choice: list[int], count: int) -> list[int]:
-    """So many of the vertices, each as far as can be from those before."""
+    """Return this many of the vertices, each as far as possible from the earlier ones."""
     taken = [choice[0]]
     far = np.linalg.norm(vertices[choice] - vertices[taken[0]], axis=1)
     while len(taken) < min(count, len(choice)):
@@ -46,7 +49,7 @@ def spread(vertices: np.ndarray, choice: list[int], count: int) -> list[int]:
 
 
 def every_dart(shape: Shape, piece: wirewarp.Piece) -> list[np.ndarray]:
-    """(k,2) edges of each."""
+    """Return the edges (k,2) of each dart."""
     faces = piece.source_vertex[piece.faces]
     neighbors: dict[int, set[int]] = {int(v): set() for v in faces.ravel()}
     for face in faces:

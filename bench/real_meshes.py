@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Panels of real garments by every method, and what becomes of every mesh file as it is. None of it is published:
+"""Flattens panels of real garments by every method, and every mesh file unchanged. The results are not published:
 
 PYTHONPATH=results WIREWARP_BPY_PYTHON=PYTHON python bench/real_meshes.py FOLDER OUTPUT.md COUNTS.json [--panels N]
 
-PYTHON is one that has the module bpy. FOLDER is searched to any depth; its folder _panels has panels, with wires in
-NAME.wires.json beside NAME.obj. COUNTS has only how many files ended how.
+PYTHON is a Python with the module bpy. FOLDER is searched recursively; its folder _panels has panels, with wires in
+NAME.wires.json beside NAME.obj. COUNTS only contains the number of files with each outcome.
 """
 
 import argparse
@@ -40,13 +40,13 @@ def read_panel(path: Path) -> Surface:
 
 
 def compare_panel(path: Path) -> Comparison:
-    """A panel has one list of wires, so that few wires are as many."""
+    """Compare the methods on a panel, whose one list of wires is used for few and for many wires."""
     names = [name for name in flatteners.METHODS if name != flatteners.REFINED]
     return compare(read_panel(path), names, 1, LIMIT)
 
 
 def what_becomes_of(path: Path) -> tuple[str, str]:
-    """A word or two to count by, and what was said of the first piece without an answer."""
+    """Return a short outcome for counting, and the error of the first piece without a flat shape."""
     vertices, faces = read_mesh(path)
     try:
         pieces = wirewarp.flatten(vertices, faces).pieces
@@ -60,7 +60,7 @@ def what_becomes_of(path: Path) -> tuple[str, str]:
 
 
 def outcome_of(path: Path) -> tuple[str, str, str]:
-    """As what_becomes_of(), and seconds by the clock in between."""
+    """Return the same as what_becomes_of(), with wall seconds in between."""
     if path.suffix.lower() not in READERS:
         return "in a format that the benchmark does not read", "", ""
     begin = time.monotonic()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Work in a process of its own, which may crash or be stopped when its time is over."""
+"""Runs work in another process, which may crash or be stopped at its time limit."""
 
 import contextlib
 import multiprocessing
@@ -10,15 +10,15 @@ from multiprocessing.connection import Connection
 from typing import TypeVar
 
 Answer = TypeVar("Answer")
-PROCESSES = multiprocessing.get_context("fork")  # the work finds all that was loaded and made before
+PROCESSES = multiprocessing.get_context("fork")  # forked processes have all modules and data loaded so far
 
 
 class NoAnswerError(Exception):
-    """The work raised an error, ended its process or took too long; the message says which, in a clause."""
+    """The work raised an error, ended its process or took too long; the message names the reason in a clause."""
 
 
 def run_apart(work: Callable[[], Answer], limit: float) -> Answer:
-    """What the work returns, which must be picklable; limit in seconds by the clock."""
+    """Return the result of the work, which must be picklable. limit: seconds of wall time."""
     receiver, sender = PROCESSES.Pipe(duplex=False)
     process = PROCESSES.Process(target=send_answer, args=(work, sender))
     process.start()
@@ -38,15 +38,15 @@ def run_apart(work: Callable[[], Answer], limit: float) -> Answer:
 
 
 def send_answer(work: Callable[[], Answer], sender: Connection) -> None:
-    os.setsid()  # so that stop() also reaches the processes that the work starts
+    os.setsid()  # so that stop() also reaches processes that the work starts
     try:
         sender.send((False, work()))
-    except Exception as error:  # whatever it is belongs into the table, beside the other methods
+    except Exception as error:  # any error becomes an entry of the table
         sender.send((True, str(error) or type(error).__name__))
 
 
 def stop(process: multiprocessing.Process) -> None:
-    with contextlib.suppress(ProcessLookupError):  # it has ended, or has not come to setsid()
+    with contextlib.suppress(ProcessLookupError):  # it has ended, or has not called setsid() yet
         os.killpg(process.pid, signal.SIGKILL)
     process.kill()
     process.join()

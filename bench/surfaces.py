@@ -12,22 +12,23 @@ class Surface:
     vertices: np.ndarray  # (n, 3)
     faces: np.ndarray  # (m, 3)
     seams: np.ndarray  # (k, 2) vertex pairs
-    pieces: list[np.ndarray]  # the faces of each, as the seams part them
+    pieces: list[np.ndarray]  # faces of each piece between seams
     few_wires: list[np.ndarray]  # chains of vertices
-    many_wires: list[np.ndarray]  # by which all methods are judged
+    many_wires: list[np.ndarray]  # all methods are judged by these
 
 
 def wires_across(lines: np.ndarray, number: int) -> list[np.ndarray]:
-    """Straight across, half of them in each direction, as in native/bench/bumpy_sheet.h; lines (n, n) are vertices."""
+    """Return straight wires, half of them in each direction, as in native/bench/bumpy_sheet.h. lines: vertices (n, n)."""
     n = len(lines) - 1
     at = [k * n // (number // 2 + 1) for k in range(1, number // 2 + 1)]
     return [chain for k in at for chain in (lines[k, :], lines[:, k])]
 
 
 def bumpy_sheet(triangles: int, in_two_pieces: bool = False, jitter: float = 0.0, wires: int = 8) -> Surface:
-    """The sheet of native/bench/bumpy_sheet.h, 2 units wide; with a seam across it, it is 500 mm wide, in meters.
+    """Return the sheet of native/bench/bumpy_sheet.h, 2 units wide; with a seam across it, it is 500 mm wide, in
+    meters.
 
-    jitter: how far inner vertices are moved on the surface, at most, in each direction, in edges of the grid.
+    jitter: largest shift of inner vertices on the surface in each direction, in edges of the grid.
     """
     n = round((triangles / 2) ** 0.5)
     side = np.linspace(-1.0, 1.0, n + 1)
@@ -41,7 +42,7 @@ def bumpy_sheet(triangles: int, in_two_pieces: bool = False, jitter: float = 0.0
     seams, pieces = np.zeros((0, 2), dtype=int), [np.arange(len(faces))]
     if in_two_pieces:
         vertices *= 0.25
-        cut = lines[:, n // 3]  # off the wires
+        cut = lines[:, n // 3]  # away from the wires
         seams = np.column_stack([cut[:-1], cut[1:]])
         is_left = (faces % (n + 1)).max(axis=1) <= n // 3
         pieces = [np.flatnonzero(is_left), np.flatnonzero(~is_left)]

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of what wirewarp_bench (the core alone) and flatten_in_blender.py measured, from their JSON output."""
+"""Makes tables from the JSON output of wirewarp_bench (the core alone) and flatten_in_blender.py."""
 
 import math
 from collections.abc import Sequence
 from itertools import groupby
 
-STAGES = {  # of FlattenResult.seconds, by the benchmark of a method: their titles
+STAGES = {  # keys of FlattenResult.seconds and their titles, by the benchmark of a method
     "refine_sheet": {"charts": "charts", "shape": "shape", "packing": "packing", "measure": "measure", "total": "all"},
     "warp_sheet": {
         "charts": "charts",
@@ -26,14 +26,14 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def exponent(sizes: Sequence[float], seconds: Sequence[float]) -> float:
-    """k of the line through the logarithms: seconds ~ size^k."""
+    """Return the slope k of the line through the logarithms: seconds ~ size^k."""
     x, y = [math.log(s) for s in sizes], [math.log(s) for s in seconds]
     mean_x, mean_y = sum(x) / len(x), sum(y) / len(y)
     return sum((a - mean_x) * (b - mean_y) for a, b in zip(x, y, strict=True)) / sum((a - mean_x) ** 2 for a in x)
 
 
 def arguments_of(benchmark: dict) -> dict[str, int]:
-    """From a name such as flatten_sheet/triangles:10000/wires:2."""
+    """Return the arguments in a name such as flatten_sheet/triangles:10000/wires:2."""
     pairs = (part.split(":") for part in benchmark["name"].split("/")[1:])
     return {name: int(value) for name, value in pairs}
 
@@ -43,17 +43,17 @@ def select(benchmarks: list[dict], name: str) -> list[dict]:
 
 
 def by_wires(runs: list[dict]) -> list[list[dict]]:
-    """Runs of one method, those with the same wires together."""
+    """Return the runs of one method, grouped by wires."""
     return [list(group) for _, group in groupby(runs, key=lambda run: (run["wires"], run["percent"]))]
 
 
 def stage_exponents(runs: list[dict], stage: str) -> list[float]:
-    """One for each kind of wires."""
+    """Return one exponent for each kind of wires."""
     return [exponent([r["triangles"] for r in same], [r[f"{stage}_ms"] for r in same]) for same in by_wires(runs)]
 
 
 def stage_table(benchmarks: list[dict], name: str) -> list[str]:
-    """Whole runs of one method, and below each kind of wires how its times grow."""
+    """Return whole runs of one method, with the growth of their times below each kind of wires."""
     stages = STAGES[name]
     rows = []
     for runs in by_wires(select(benchmarks, name)):
@@ -68,7 +68,7 @@ def stage_table(benchmarks: list[dict], name: str) -> list[str]:
 
 
 def part_table(benchmarks: list[dict]) -> list[str]:
-    """Parts of the stages measured alone."""
+    """Return the parts of the stages that were measured alone."""
     names = {
         "placement_factor": "interior placement, factoring",
         "placement_solve": "interior placement, solving",

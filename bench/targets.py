@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the project has set itself to reach, beside what was found."""
+"""Compares the targets of the project with the measurements."""
 
 from collections.abc import Callable, Sequence
 
@@ -15,7 +15,7 @@ def nearest(comparisons: Sequence[Comparison], triangles: int) -> Comparison | N
 
 
 def ratio(comparisons: Sequence[Comparison], ours: str, theirs: str, triangles: int) -> float | None:
-    """Of seconds; None where one of them did not run."""
+    """Return the ratio of seconds; None if one of them did not run."""
     found = nearest(comparisons, triangles)
     return over(found, found, ours, theirs) if found else None
 
@@ -46,7 +46,7 @@ def ratios(comparisons: Sequence[Comparison]) -> list[tuple[str, ...]]:
 
 
 def of_hard_sheets(hard: Sequence[Comparison]) -> list[tuple[str, ...]]:
-    """Jittered sheets against ARAP, and the most wires against eight."""
+    """Return jittered sheets against ARAP, and the most wires against eight."""
     ours, theirs = flatteners.REFINED_ELASTIC, flatteners.ARAP
     jittered = [c for c in hard if c.surface.endswith("jittered")]
     rows = [
@@ -59,7 +59,7 @@ def of_hard_sheets(hard: Sequence[Comparison]) -> list[tuple[str, ...]]:
 
 
 def over(first: Comparison, second: Comparison, ours: str, theirs: str) -> float | None:
-    """Seconds of one over those of the other; None where one of them did not run."""
+    """Return the seconds of one over those of the other; None if one of them did not run."""
     seconds = (first.seconds(ours), second.seconds(theirs))
     return None if None in seconds else seconds[0] / seconds[1]
 

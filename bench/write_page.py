@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes a page, docs/benchmarks.md for the longest run, and its pictures from what was measured:
+"""Writes a page and its pictures from measurements; docs/benchmarks.md is the page of the longest run:
 
 PYTHONPATH=results python bench/write_page.py NATIVE_JSON BLENDER_JSON PEERS_JSON PAGE [--real-meshes JSON]
 """
@@ -194,7 +194,7 @@ def main() -> None:
     in_blender = json.loads(arguments.blender_json.read_text())
     peers = load(arguments.peers_json)
     real = json.loads(arguments.real_meshes.read_text()) if arguments.real_meshes else None
-    page = document(benchmarks, in_blender, peers, real)  # before the pictures change what commit() says
+    page = document(benchmarks, in_blender, peers, real)  # before the pictures change the result of commit()
     use_style()
     pictures = arguments.page.with_suffix("")
     pictures.mkdir(parents=True, exist_ok=True)

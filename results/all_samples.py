@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every sample by every method: one table for each measure."""
+"""Shows every sample by every method, with one table for each measure."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ TABLES: dict[str, Callable[[Summary], str]] = {
 
 
 def faults(found: dict[str, dict[str, Summary]]) -> str:
-    """A table of the samples where a method fails to make pieces that can be cut out, or a sentence."""
+    """Return a table of the samples for which a method gives no pieces that can be cut, or a sentence."""
     rows = [
         [name, *(f"{s.flipped} / {s.overlapping}" for s in row.values())]
         for name, row in found.items()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Places the pieces of several flattenings of one surface alike, so that pictures of them can be compared."""
+"""Places the pieces of several flattenings of one surface in the same way, so that their pictures can be compared."""
 
 from __future__ import annotations
 
@@ -8,25 +8,26 @@ from dataclasses import dataclass
 import numpy as np
 import wirewarp
 
-LEVEL = 0.3  # mean rise over length below which a piece lies level
+LEVEL = 0.3  # mean slope below which a piece is level
 GAP = 0.04  # between pieces, as a fraction of the square root of the area of all cells
 
 
 @dataclass(frozen=True)
 class Arrangement:
-    """Cell by cell the place of each piece; one cell holds that piece of any of the flattenings."""
+    """The place of each piece, in cells; the same piece of each flattening fits in a cell."""
 
-    turned: list[list[np.ndarray]]  # of each flattening each piece's (p, 2) positions, the middle of its box at 0
+    # Per flattening, the positions (p, 2) of each piece, with the middle of its box at 0.
+    turned: list[list[np.ndarray]]
     centers: np.ndarray  # (pieces, 2)
     size: np.ndarray  # (2,) of the whole, from 0
 
     def positions(self, flattening: int) -> list[np.ndarray]:
-        """(p, 2) of each piece."""
+        """Return the positions (p, 2) of each piece."""
         return [uv + center for uv, center in zip(self.turned[flattening], self.centers, strict=True)]
 
 
 def turn_like(uv: np.ndarray, model: np.ndarray) -> np.ndarray:
-    """uv turned to lie on model as well as it can (least squares), the middle of its box at 0."""
+    """Rotate uv to match model (least squares), with the middle of its box at 0."""
     z, w = (p[:, 0] + 1j * p[:, 1] - (p[:, 0] + 1j * p[:, 1]).mean() for p in (uv, model))
     direction = (np.conj(z) * w).sum()
     z = z * direction / abs(direction)
@@ -35,7 +36,7 @@ def turn_like(uv: np.ndarray, model: np.ndarray) -> np.ndarray:
 
 
 def turn_upright(uv: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """uv turned so that up on the surface is up; the back, where it lies level. points: (p, 3)."""
+    """Rotate uv so that up on the surface is up; for a level piece, its back. points: (p, 3)."""
     system = np.column_stack([uv, np.ones(len(uv))])
     rise, back = (np.linalg.lstsq(system, points[:, axis], rcond=None)[0][:2] for axis in (2, 1))
     u, v = rise if np.linalg.norm(rise) > LEVEL else back
@@ -43,8 +44,10 @@ def turn_upright(uv: np.ndarray, points: np.ndarray) -> np.ndarray:
 
 
 def arrange(vertices: np.ndarray, results: list[wirewarp.FlattenResult], aspect: float) -> Arrangement:
-    """Pieces of the surface with these vertices (n, 3), those of the last result upright and the others turned like
-    them, on shelves; aspect: wished width over height of the whole."""
+    """Place the pieces of the surface with these vertices (n, 3) on shelves.
+
+    Pieces of the last result are upright, and the others are rotated like them. aspect: preferred width over height.
+    """
     models = [turn_upright(piece.vertices, vertices[piece.source_vertex]) for piece in results[-1].pieces]
     turned = [[turn_like(p.vertices, m) for p, m in zip(r.pieces, models, strict=True)] for r in results]
     sizes = np.array([np.max([np.ptp(uvs[k], axis=0) for uvs in turned], axis=0) for k in range(len(models))])
@@ -56,7 +59,7 @@ def arrange(vertices: np.ndarray, results: list[wirewarp.FlattenResult], aspect:
 
 
 def _on_shelves(sizes: np.ndarray, width: float) -> tuple[np.ndarray, np.ndarray]:
-    """Centers of boxes set side by side, the tallest first, on shelves of this width; the size of the whole."""
+    """Return centers of boxes side by side on shelves of this width, the tallest first, and the size of the whole."""
     order = sorted(range(len(sizes)), key=lambda k: (-round(sizes[k, 1], 3), k))
     corners = np.zeros_like(sizes)
     x = top = bottom = 0.0

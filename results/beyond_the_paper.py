@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the refined method changes: the same lengths as WireWarping++, another shape."""
+"""Shows the effect of the refined method: the same lengths as WireWarping++, but a different shape."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from methods import KEEPING_LENGTHS
 from sheet import Column, draw_sheet
 from text import count, degrees, picture, table
 
-DRAWN = {  # degrees the model is turned and tipped, inches for a flattening, its wished width over height
+DRAWN = {  # rotation and tilt of the model in degrees, inches for a flattening, its preferred width over height
     "Fitted top": ((-28, 8), 4.2, 1.4),
     "Quarter sphere": ((-62, 10), 2.6, 1.0),
     "Wetsuit collar": ((-24, 18), 3.6, 1.0),
@@ -22,8 +22,8 @@ DRAWN = {  # degrees the model is turned and tipped, inches for a flattening, it
     "Jeans": ((-28, 8), 3.2, 1.0),
     "Armchair cover": ((-34, 26), 3.8, 1.4),
 }
-NOISE = 1e-9  # an energy below it is that of a shape without distortion
-SEEN = math.radians(0.05)  # a difference of angles that the table shows
+NOISE = 1e-9  # shapes with less energy count as undistorted
+SEEN = math.radians(0.05)  # smallest difference of angles in the table
 HEADER = ["", "*E*: WireWarping++", "Refined", "ratio", "angles, rms / largest: WireWarping++", "Refined"]
 HEADER += ["flipped: WireWarping++", "Refined", "factorizations"]
 
@@ -42,7 +42,7 @@ def row(name: str, before: Summary, after: Summary) -> list[str]:
 
 
 def draw(inputs: Inputs, name: str) -> str:
-    """Without WireWarping++ where all wires are rigid: there it is WireWarping."""
+    """Draw the flattenings. WireWarping++ is left out if all wires are rigid, because it equals WireWarping then."""
     shape, results = inputs.shapes[name], inputs.by_all_methods(name)
     titles = {method: method for method in KEEPING_LENGTHS}
     if all(wire.tolerance == 0 for wire in shape.wires):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the threads of a cloth must give when a model is flattened for it, beside what they give without one."""
+"""Shows how far the threads of a fabric stretch if a model is flattened for it, and if it is not."""
 
 from __future__ import annotations
 
@@ -17,31 +17,31 @@ from shapes import Shape
 from sheet import Column, draw_sheet
 from text import degrees, picture, table
 
-STRAINED = 1e-3  # samples below are unfolded: they ask nothing of any cloth
+STRAINED = 1e-3  # samples with less are unfolded: they need no stretch
 CHOICES: dict[str, dict[str, str]] = {
     "No cloth": {},
     "Woven": {"cloth": "woven"},
     "Woven, best direction": {"cloth": "woven", "orientation": "best"},
     "Jersey": {"cloth": "jersey"},
 }
-DRAWN = {  # degrees the model is turned and tipped, inches for a flattening, its wished width over height
+DRAWN = {  # rotation and tilt of the model in degrees, inches for a flattening, its preferred width over height
     "Fitted top": ((-28, 8), 3.6, 1.4),
     "Hat": ((-30, 24), 2.8, 1.0),
 }
-WORN = ("Fitted top", "Hat", "Wetsuit upper body", "Jeans")  # samples that a body holds in shape
+WORN = ("Fitted top", "Hat", "Wetsuit upper body", "Jeans")  # samples in the shape of a body
 
 
 @dataclass(frozen=True)
 class Strained:
-    """A sample cut from a cloth. Each number is a 99th percentile by area on the model."""
+    """A sample cut from a fabric. Each number is a 99th percentile by area on the model."""
 
     result: wirewarp.FlattenResult
-    weft: float  # what threads across are off by, as a fraction
+    weft: float  # absolute strain of threads across the grain, as a fraction
     warp: float  # along the grain
-    thread: float  # the more strained of the two
-    shear: float  # how far they leave the right angle, radians
-    energy: float  # ARAP energy over area, Eq. (4): not what a cloth makes small
-    seconds: float  # of the processor
+    thread: float  # of the more strained thread
+    shear: float  # deviation from the right angle, radians
+    energy: float  # ARAP energy over area, Eq. (4), which a fabric does not minimize
+    seconds: float  # of processor time
 
 
 def of_all(values: list[np.ndarray]) -> np.ndarray:
@@ -85,7 +85,7 @@ def range_of(values: list[float]) -> str:
 
 
 def worn_subsection(inputs: Inputs) -> str:
-    """What wear_in_newton.py found."""
+    """Describe the results of wear_in_newton.py."""
     rows = [
         [
             f"{name}, {choice[0].lower()}{choice[1:]}",

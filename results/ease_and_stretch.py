@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Samples that are not cut as long as they are on the model: negative ease, an eased sleeve head, gathers."""
+"""Samples whose lines are cut longer or shorter than on the model: negative ease, an eased sleeve head, gathers."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from sheet import Column, draw_sheet
 from text import change, degrees, differ, picture, table
 
 CLOTHS = ("", "woven", "jersey", "swim")
-KNITS = ("jersey", "swim")  # that are worn stretched
+KNITS = ("jersey", "swim")  # fabrics that are stretched when worn
 SWIMSUIT, SLEEVE, SKIRT = "Swimsuit", "Set-in sleeve", "Gathered skirt"
-DRAWN = {SWIMSUIT: (-28, 8), SLEEVE: (-24, 8), SKIRT: (-28, 14)}  # degrees the model is turned and tipped
+DRAWN = {SWIMSUIT: (-28, 8), SLEEVE: (-24, 8), SKIRT: (-28, 14)}  # rotation and tilt of the model in degrees
 
 
 @dataclass(frozen=True)
@@ -33,20 +33,20 @@ class Cut:
 
 
 def stretched_lines(found: Strained) -> list[Cut]:
-    """The wires of a sample whose cloth is stretched when worn, and all its seams together."""
+    """Return the wires of a sample whose fabric is stretched when worn, and all its seams together."""
     wires = [Cut(wire.name.lower(), wire.length_3d, wire.length_2d) for wire in found.result.wires]
     seams = found.result.seams
     return [*wires, Cut("seams, each side", sum(s.length_3d for s in seams), sum(s.length_2d[0] for s in seams))]
 
 
 def eased_line(name: str, found: Strained) -> Cut:
-    """All seams of a sample that have an ease, together: the longer side as cut, the other as worn."""
+    """Return all seams of a sample with an ease together: the longer side as cut, the other as worn."""
     seams = [seam for seam in found.result.seams if any(seam.eases)]
     return Cut(name, sum(min(seam.length_2d) for seam in seams), sum(max(seam.length_2d) for seam in seams))
 
 
 def eased(found: Strained) -> float:
-    """Meters, of all seams together."""
+    """Return meters of all seams together."""
     line = eased_line("", found)
     return line.cut - line.worn
 
@@ -58,7 +58,7 @@ def made_in(shape: Shape, cloth: str, stretch: tuple[float, float] = (0, 0)) -> 
 
 
 def cloth_energy(found: Strained) -> float:
-    """What the cloth makes small, over the area; without one that is *E*."""
+    """Return the minimized energy over the area; without a fabric that is *E*."""
     areas = [piece.metrics.area_3d for piece in found.result.pieces]
     energies = [piece.metrics.cloth_energy for piece in found.result.pieces]
     return found.energy if np.isnan(energies).all() else float(np.average(energies, weights=areas))
@@ -83,7 +83,7 @@ def draw(inputs: Inputs, name: str, as_made: Strained) -> str:
 
 
 def in_each_cloth(shape: Shape) -> dict[str, Strained]:
-    """By what is said of it; where the sample is stretched when worn, each knit stretched, too."""
+    """Return results by description. If the sample is stretched when worn, each knit is also stretched."""
     found = {cloth or "no cloth": made_in(shape, cloth) for cloth in CLOTHS}
     if any(shape.stretch):
         across, along = (f"{100 * share:.0f}%" for share in shape.stretch)
@@ -93,7 +93,7 @@ def in_each_cloth(shape: Shape) -> dict[str, Strained]:
 
 def section(inputs: Inputs) -> str:
     shapes = {name: inputs.shapes[name] for name in DRAWN}
-    # Only the swimsuit is made in its fabric: the others show what eases alone do.
+    # Only the swimsuit uses its fabric; the others show the effect of eases alone.
     fabrics = {name: shape.cloth if any(shape.stretch) else "" for name, shape in shapes.items()}
     as_made = {name: made_in(shape, fabrics[name], shape.stretch) for name, shape in shapes.items()}
     lines = [

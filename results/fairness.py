@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the fairness of the refined method does to shape, energy and angles."""
+"""Shows the effect of the refined method's fairness on shape, energy and angles."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from sheet import Column, draw_sheet
 from text import degrees, picture, table
 
 VALUES = (0.05, 0.1, 0.2, 0.4)
-DRAWN = {"Quarter sphere": ((-62, 10), 2.5), "Wetsuit collar": ((-24, 18), 3.0)}  # how it is seen, inches
+DRAWN = {"Quarter sphere": ((-62, 10), 2.5), "Wetsuit collar": ((-24, 18), 3.0)}  # view in degrees, and inches
 HEADER = ["", "*E*", "max *E_r*", "angles: rms", "largest", "factorizations"]
 
 

@@ -16,8 +16,8 @@ from shapes import Shape
 from text import count, picture
 
 LIMIT, STEPS = 0.15, 150
-KINK = 0.2  # a change of the derivative within one step that is called a kink, as a fraction of its range
-PIECES = {  # sample and piece -> what it stands for
+KINK = 0.2  # change of the derivative within one step, as a fraction of its range, that counts as a kink
+PIECES = {  # sample and piece -> its case
     ("Fitted top", 0): "front of the fitted top",
     ("Wetsuit upper body", 0): "front of the wetsuit",
     ("Wetsuit collar", 0): "wetsuit collar",
@@ -31,12 +31,12 @@ DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)))
 class Curve:
     name: str
     variation: np.ndarray
-    error: np.ndarray  # nan where ψ(h) does not exist
+    error: np.ndarray  # nan if ψ(h) does not exist
     slope: np.ndarray
 
 
 def surface_text(shape: Shape) -> str:
-    """The surface as the program reads it."""
+    """Return the surface in the format of the program."""
     faces = shape.triangles()
     sizes = (len(shape.vertices), len(faces), len(shape.seams), len(shape.wires))
     rows = [sizes, *shape.vertices.tolist(), *faces.tolist(), *shape.seams.tolist()]
@@ -45,7 +45,7 @@ def surface_text(shape: Shape) -> str:
 
 
 def error_curves(program: Path, shape: Shape, piece: int) -> list[Curve]:
-    """One for each part of a wire that runs inside the piece."""
+    """Return one curve for each part of a wire inside the piece."""
     command = [str(program), str(piece), str(LIMIT), str(STEPS)]
     answer = subprocess.run(command, input=surface_text(shape), capture_output=True, text=True, check=True).stdout
     table = np.array([line.split() for line in answer.splitlines()], dtype=float)
@@ -57,7 +57,7 @@ def error_curves(program: Path, shape: Shape, piece: int) -> list[Curve]:
 
 
 def kinks(curves: dict[str, list[Curve]]) -> list[str]:
-    """Where a derivative jumps, in words."""
+    """Return sentences on jumps of a derivative."""
     found = []
     for title, pieces in curves.items():
         for curve in pieces:

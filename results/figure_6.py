@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fig. 6: a pair of jeans by the methods that keep no lengths, and by those that do."""
+"""Fig. 6: a pair of jeans by methods that keep no lengths, and by methods that do."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What every section of the page is made from."""
+"""The inputs of every section of the page."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from shapes import Shape
 class Inputs:
     shapes: dict[str, Shape]  # the samples by name
     unwraps: Unwraps
-    worn: dict[str, dict[str, dict[str, float]]]  # what wear_in_newton.py wrote
+    worn: dict[str, dict[str, dict[str, float]]]  # output of wear_in_newton.py
     error_curves: Path  # the program of native/bench/error_curves
     pictures: Path  # the folder they are written to
     _flattened: dict[str, dict[str, wirewarp.FlattenResult]] = field(default_factory=dict)
 
     def by_all_methods(self, name: str) -> dict[str, wirewarp.FlattenResult]:
-        """A sample flattened by each of METHODS, with the tolerances it carries; done once."""
+        """Return a sample flattened by each of METHODS with its own tolerances; computed once."""
         if name not in self._flattened:
             shape = self.shapes[name]
             self._flattened[name] = {title: method(shape, self.unwraps) for title, method in METHODS.items()}
@@ -29,6 +29,6 @@ class Inputs:
 
 
 def with_tolerances(shape: Shape, tolerances: list[float]) -> Shape:
-    """The same surface; one tolerance for each wire."""
+    """Return the same surface with one tolerance for each wire."""
     wires = [replace(wire, tolerance=t) for wire, t in zip(shape.wires, tolerances, strict=True)]
     return replace(shape, wires=wires)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The three maps drawn on flat pieces: lengths of lines (E_L with its sign), aspect ratio E_r, ARAP energy E_A."""
+"""Draws three maps on flat pieces: length changes of lines (E_L with its sign), aspect ratio E_r, ARAP energy E_A."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ROUND = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)  # ends of scales, times a powe
 
 @dataclass(frozen=True)
 class PieceLines:
-    """Edges of a piece as piece vertex pairs (k, 2), and how much longer each became, as a fraction."""
+    """Edges of a piece as piece vertex pairs (k, 2), and their relative length changes."""
 
     edges: np.ndarray
     is_outline: np.ndarray
@@ -33,14 +33,14 @@ class Map:
     title: str
     colors: Colormap
     values: Callable[[Shape, wirewarp.Piece], np.ndarray]  # per face, or per line for the map of lengths
-    base: float  # the value of no distortion
-    shown: float  # the share of values within the scale
+    base: float  # value without distortion
+    shown: float  # share of values within the scale
     is_signed: bool
     on_lines: bool
 
 
 def piece_lines(shape: Shape, piece: wirewarp.Piece) -> PieceLines:
-    """Outline and wires."""
+    """Return outline and wires."""
     sides = np.concatenate([piece.faces[:, [k, (k + 1) % 3]] for k in range(3)])
     edges, count = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
     chains = [np.array(wire.vertices) for wire in shape.wires]
@@ -56,7 +56,7 @@ def piece_lines(shape: Shape, piece: wirewarp.Piece) -> PieceLines:
 
 
 def thread_strain(piece: wirewarp.Piece) -> np.ndarray:
-    """(q,) what the more strained thread of each triangle is off by, across or along, as a fraction."""
+    """Return the absolute strain (q,) of the more strained thread of each triangle, as a fraction."""
     return np.maximum(np.abs(piece.metrics.face_weft_strain), np.abs(piece.metrics.face_warp_strain))
 
 
@@ -100,7 +100,7 @@ MAPS = (LENGTHS, ASPECT_RATIO, ARAP_ENERGY)
 
 
 def scale_of(quantity: Map, shape: Shape, results: list[wirewarp.FlattenResult]) -> Normalize:
-    """One scale for all results, with a round end that leaves out the most extreme of each."""
+    """Return one scale for all results, with a round end that omits the most extreme values of each."""
     needed = 0.0
     for result in results:
         values = np.concatenate([quantity.values(shape, piece) for piece in result.pieces])
@@ -114,7 +114,7 @@ def scale_of(quantity: Map, shape: Shape, results: list[wirewarp.FlattenResult])
 def draw_piece(
     axes: Axes, quantity: Map, scale: Normalize, shape: Shape, piece: wirewarp.Piece, uv: np.ndarray
 ) -> None:
-    """uv: (p, 2), where the piece is drawn."""
+    """Draw a piece. uv: (p, 2), its place in the picture."""
     values = quantity.values(shape, piece)
     triangles = uv[piece.faces]
     colors = [CLOTH] if quantity.on_lines else quantity.colors(scale(values))
@@ -128,12 +128,12 @@ def draw_piece(
 
 
 def _fill(triangles: np.ndarray, colors: np.ndarray | list[str]) -> PolyCollection:
-    """Without soft rims, which would show as a net between the triangles."""
+    """Draw triangles without antialiased borders, which would show as a net."""
     return PolyCollection(triangles, facecolors=colors, edgecolors=colors, linewidths=0.3, antialiased=False)
 
 
 def draw_scale(axes: Axes, quantity: Map, scale: Normalize, is_exceeded: bool) -> None:
-    """The numbered colors, upright."""
+    """Draw the numbered colors as a vertical scale."""
     extend = "neither" if not is_exceeded else "both" if quantity.is_signed else "max"
     bar = axes.figure.colorbar(ScalarMappable(scale, quantity.colors), cax=axes, extend=extend, extendfrac=0.06)
     bar.set_label(quantity.title, fontsize=9)

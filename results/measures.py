@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the page says of a flattening of a whole sample, from the reports on its pieces."""
+"""Computes the figures of a whole sample's flattening from the reports on its pieces."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import wirewarp
 
 @dataclass(frozen=True)
 class Line:
-    """A wire, or a stretch of outline between junctions; lengths in meters."""
+    """A wire, or a section of outline between junctions; lengths in meters."""
 
     name: str
     length_3d: float
@@ -19,7 +19,7 @@ class Line:
 
     @property
     def change(self) -> float:
-        """Relative: above 0 where it became longer."""
+        """Return the relative change, above 0 if it became longer."""
         return self.length_2d / self.length_3d - 1
 
     @property
@@ -29,23 +29,23 @@ class Line:
 
 @dataclass(frozen=True)
 class Summary:
-    """Of all pieces. Means are over the area of the surface, so that they do not depend on how fine the mesh is."""
+    """Figures of all pieces. Means are over the area of the surface, so that they do not depend on the mesh."""
 
     energy: float  # E of Eq. (4) over the area: the mean of E_A over the triangle's area
     mean_aspect_ratio: float
     max_aspect_ratio: float
     max_face_energy: float  # E_A of Eq. (6) over the triangle's area
     seam_mismatch: float | None  # meters; None without seams
-    worst_edge: float  # of outline and wires: the largest difference from the length the method gave it, relative
+    worst_edge: float  # of outline and wires: the largest relative difference from the method's target length
     flipped: int
     overlapping: int
-    angle_rms: float  # of the piece where it is largest, radians
+    angle_rms: float  # of the worst piece, radians
     angle_max: float
     outline: list[Line]
-    wires: list[Line]  # whole ones, as marked
+    wires: list[Line]  # whole wires, as marked
     tolerances: list[float]  # of the wires
     changes: list[float]  # h of all elastic parts of wires
-    factorizations: int  # of the piece that took the most
+    factorizations: int  # of the piece with the most
 
 
 def face_areas(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
@@ -54,19 +54,19 @@ def face_areas(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
 
 
 def piece_areas(vertices: np.ndarray, piece: wirewarp.Piece) -> np.ndarray:
-    """(q,) 3D areas of the triangles of a piece; vertices are the surface's."""
+    """Return 3D areas (q,) of the triangles of a piece. vertices: of the surface."""
     return face_areas(vertices[piece.source_vertex], piece.faces)
 
 
 def percentile_99(values: np.ndarray, areas: np.ndarray) -> float:
-    """The value that a hundredth of the area exceeds; both (m,)."""
+    """Return the value that 1% of the area exceeds. Both arguments: (m,)."""
     order = np.argsort(values)
     below = np.cumsum(areas[order])
     return float(values[order][np.searchsorted(below, 0.99 * below[-1])])
 
 
 def summarize(vertices: np.ndarray, result: wirewarp.FlattenResult) -> Summary:
-    """vertices: of the surface, (n, 3) meters."""
+    """Return the figures. vertices: of the surface, (n, 3), meters."""
     metrics = [piece.metrics for piece in result.pieces]
     area = np.concatenate([piece_areas(vertices, piece) for piece in result.pieces])
     ratio = np.concatenate([m.face_aspect_ratio for m in metrics])
@@ -97,5 +97,5 @@ def rigid_wires(found: Summary) -> list[Line]:
 
 
 def worst(lines: list[Line]) -> Line:
-    """The one that is off by most, for its length."""
+    """Return the line with the largest relative error."""
     return max(lines, key=lambda line: abs(line.change))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The flattening methods that the page compares, all measured by wirewarp.measure or by the same code in flatten."""
+"""The flattening methods of the page. All are measured by wirewarp.measure or by the same code in flatten."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from arap import arap_map
 from shapes import Shape
 from true_size import at_true_size
 
-Unwraps = dict[str, np.ndarray]  # what unwrap_in_blender.py wrote: (m, 3, 2) corner UVs by "SAMPLE/METHOD"
+Unwraps = dict[str, np.ndarray]  # output of unwrap_in_blender.py: (m, 3, 2) corner UVs by "SAMPLE/METHOD"
 
 
 def wires_of(shape: Shape) -> list[wirewarp.Wire]:
@@ -19,7 +19,7 @@ def wires_of(shape: Shape) -> list[wirewarp.Wire]:
 
 
 def flatten(shape: Shape, more_wires: Sequence[wirewarp.Wire] = (), **options: str | float) -> wirewarp.FlattenResult:
-    """By WireWarp, with the sample's wires and more; options are those of wirewarp.Options."""
+    """Flatten by WireWarp, with the sample's wires and more. options: of wirewarp.Options."""
     return wirewarp.flatten(
         shape.vertices,
         shape.triangles(),
@@ -30,7 +30,7 @@ def flatten(shape: Shape, more_wires: Sequence[wirewarp.Wire] = (), **options: s
 
 
 def flatten_as_made(shape: Shape, cloth: str = "", stretch: tuple[float, float] = (0, 0)) -> wirewarp.FlattenResult:
-    """With the sample's eases and fairness too, in this cloth: flatten keeps the lengths of the model instead."""
+    """Flatten with the sample's eases and fairness in this fabric, whereas flatten keeps the lengths of the model."""
     chosen = wirewarp.Cloth(**wirewarp.Cloth.preset(cloth).to_dict() | {"stretch": stretch}) if cloth else None
     return wirewarp.flatten(
         shape.vertices,
@@ -43,23 +43,23 @@ def flatten_as_made(shape: Shape, cloth: str = "", stretch: tuple[float, float] 
 
 
 def paper_warping(shape: Shape) -> wirewarp.FlattenResult:
-    """WireWarping to the letter: the first angles that close all loops, all nodes weighted the same."""
+    """Flatten by WireWarping as in the paper: the first angles that close all loops, with equal node weights."""
     return flatten(shape, method="wirewarping", inner="least-norm", node_weight="uniform")
 
 
 def measure(shape: Shape, corner_uv: np.ndarray) -> wirewarp.FlattenResult:
-    """Any layout (m, 3, 2) in meters."""
+    """Measure any layout (m, 3, 2) in meters."""
     return wirewarp.measure(shape.vertices, shape.triangles(), corner_uv, seams=shape.seams, wires=wires_of(shape))
 
 
 def blender(shape: Shape, unwraps: Unwraps, method: str) -> wirewarp.FlattenResult:
-    """Blender's unwrap, every island scaled to its area on the model."""
+    """Return Blender's unwrap with every island scaled to its area on the model."""
     corner_uv = unwraps[f"{shape.name}/{method}"]
     return measure(shape, at_true_size(corner_uv, measure(shape, corner_uv)))
 
 
 def arap(shape: Shape, unwraps: Unwraps) -> wirewarp.FlattenResult:
-    """libigl's ARAP, piece by piece, from Blender's angle-based unwrap."""
+    """Return libigl's ARAP of each piece, from Blender's angle-based unwrap."""
     start = blender(shape, unwraps, "ANGLE_BASED")
     corner_uv = np.empty_like(start.corner_uv)
     for piece in start.pieces:

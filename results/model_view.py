@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface as modeled, seen from far away, with those of its seams and wires that it does not hide."""
+"""Draws the modeled surface from far away, with its visible seams and wires."""
 
 from __future__ import annotations
 
@@ -12,27 +12,29 @@ from shapes import Shape
 LAMP = np.array([-0.35, 0.55, 0.76])  # right, up, toward the viewer
 FRONT, BACK = np.array([0.95, 0.93, 0.88]), np.array([0.62, 0.61, 0.59])
 SHADES = 24
-CELLS = 250  # across the view, to find what is hidden
+CELLS = 250  # number of cells across the view, to find hidden lines
 SAMPLES = 24  # along a side of a triangle, for the same
-SLACK = 0.02  # how far behind the nearest surface a line is still taken to lie on it, as a fraction of the view's size
+SLACK = 0.02  # largest distance of a visible line behind the nearest surface, as a fraction of the view's size
 
 
 def rotation(turned: float, tipped: float) -> np.ndarray:
-    """(3, 3) rows right, up, toward the viewer; z of the model is up. Degrees turned to the left, then tipped down."""
+    """Return (3, 3): rows right, up and toward the viewer; z of the model is up. Degrees: rotation to the left, then
+    tilt.
+    """
     a, b = np.radians([turned, tipped])
     turn = np.array([[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])
-    look = np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]])  # from the front: -y comes toward the viewer
+    look = np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]])  # front view: -y points toward the viewer
     tip = np.array([[1, 0, 0], [0, np.cos(b), -np.sin(b)], [0, np.sin(b), np.cos(b)]])
     return tip @ look @ turn
 
 
 def draw_model(axes: Axes, shape: Shape, turned: float, tipped: float) -> None:
-    """Triangles from the farthest to the nearest, so that near ones cover far ones, then the lines in sight."""
+    """Draw triangles from the farthest to the nearest, so that near ones cover far ones, then the visible lines."""
     points = shape.vertices @ rotation(turned, tipped).T
     triangles = points[shape.triangles()]
     triangles = triangles[np.argsort(triangles[:, :, 2].mean(axis=1), kind="stable")]
     colors = _shades(triangles)
-    # Soft rims would show as a net between the triangles.
+    # Antialiased borders would show as a net between the triangles.
     axes.add_collection(
         PolyCollection(triangles[:, :, :2], facecolors=colors, edgecolors=colors, linewidths=0.3, antialiased=False)
     )
@@ -46,7 +48,7 @@ def draw_model(axes: Axes, shape: Shape, turned: float, tipped: float) -> None:
 
 
 def frame(axes: Axes, low: np.ndarray, high: np.ndarray) -> None:
-    """Shows the box with a small margin, undistorted and without axes."""
+    """Show the box with a small margin, undistorted and without axes."""
     margin = 0.02 * (high - low).max()
     axes.set_xlim(low[0] - margin, high[0] + margin)
     axes.set_ylim(low[1] - margin, high[1] + margin)
@@ -55,7 +57,7 @@ def frame(axes: Axes, low: np.ndarray, high: np.ndarray) -> None:
 
 
 def _shades(triangles: np.ndarray) -> np.ndarray:
-    """(m, 4) colors of triangles (m, 3, 3) in the viewer's frame."""
+    """Return colors (m, 4) of triangles (m, 3, 3) in the viewer's frame."""
     normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     is_front = normals[:, 2:] > 0
@@ -65,7 +67,7 @@ def _shades(triangles: np.ndarray) -> np.ndarray:
 
 
 def _in_sight(places: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """(k,) whether places (k, 3) lie on the nearest of the triangles (m, 3, 3) there; in the viewer's frame."""
+    """Return whether places (k, 3) are on the nearest triangle (m, 3, 3) there, in the viewer's frame."""
     i, j = (c.ravel() for c in np.meshgrid(np.arange(SAMPLES + 1), np.arange(SAMPLES + 1)))
     weights = (np.stack([i, j, SAMPLES - i - j], axis=-1) / SAMPLES)[i + j <= SAMPLES]
     samples = np.einsum("sc,mcd->msd", weights, triangles).reshape(-1, 3)
@@ -82,7 +84,7 @@ def _in_sight(places: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def _lines(shape: Shape) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Vertex pairs (k, 2) with a color and a width each: outline and seams, then wires."""
+    """Return vertex pairs (k, 2) with a color and a width each: outline and seams, then wires."""
     sides = np.sort(np.concatenate([shape.triangles()[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
     edges, count = np.unique(sides, axis=0, return_counts=True)
     cuts = np.concatenate([edges[count == 1], shape.seams.reshape(-1, 2)])

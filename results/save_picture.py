@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes a figure as a small PNG, the same bytes in every run."""
+"""Writes a figure as a small PNG, with the same bytes in every run."""
 
 from __future__ import annotations
 
@@ -11,12 +11,14 @@ import numpy as np
 from matplotlib.figure import Figure
 from PIL import Image
 
-COLORS = 256  # the most of a PNG with a palette
+COLORS = 256  # the maximum for a PNG with a palette
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Keeps the most frequent colors, which are the flat ones of scales and surfaces; others, at the rims of lines and
-    letters, become the nearest of them. Closes the figure."""
+    """Save with the most frequent colors, the flat ones of scales and surfaces, and close the figure.
+
+    Other colors, at borders of lines and letters, are replaced by the nearest of them.
+    """
     raw = BytesIO()
     figure.savefig(raw, format="png", metadata={"Software": None})
     plt.close(figure)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is gained where seams may change their length, both sides alike."""
+"""Shows the gain if seams may change their length equally on both sides."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from shapes import Shape, chain_of
 from text import differ, table
 
 TOLERANCES = (0.0, 0.01, 0.03)
-FLAT = 1e-9  # an energy below it is that of a shape without distortion
+FLAT = 1e-9  # shapes with less energy count as undistorted
 
 
 def with_seams_that_give(
     shape: Shape, chains: list[list[int]], tolerance: float
 ) -> tuple[wirewarp.FlattenResult, float]:
-    """With a wire along every seam; also the seconds of the processor it took."""
+    """Flatten with an elastic wire along every seam. Also returns processor seconds."""
     along_seams = [wirewarp.Wire(chain, tolerance) for chain in chains if tolerance > 0]
     begin = time.process_time()
     result = flatten(shape, along_seams)

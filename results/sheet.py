@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A picture: the model, then one column for each flattening and one row for each map, at one scale."""
+"""Draws a picture: the model, then one column per flattening and one row per map, all at one scale."""
 
 from __future__ import annotations
 
@@ -28,10 +28,10 @@ TITLE_MARGIN, TITLE_LINE, FOOT_HEIGHT = 0.23, 0.17, 0.5
 
 @dataclass(frozen=True)
 class Column:
-    """A flattening with the words above it."""
+    """A flattening and the text above it."""
 
     title: str
-    shape: Shape  # with the tolerances it was flattened with
+    shape: Shape  # with the tolerances of the flattening
     result: wirewarp.FlattenResult
 
 
@@ -44,8 +44,11 @@ def draw_sheet(
     aspect: float = 1.0,
     label_wires: bool = False,
 ) -> None:
-    """view: degrees the model is turned and tipped; cell_width: of a flattening, inches; aspect: its wished width over
-    height; label_wires writes the length variation at each wire, for surfaces of one piece."""
+    """Draw the picture. view: rotation and tilt of the model in degrees; cell_width: of a flattening, inches.
+
+    aspect: preferred width over height of a flattening. label_wires writes the length variation at each wire, for
+    surfaces of one piece.
+    """
     results = [column.result for column in columns]
     arrangement = arrange(columns[-1].shape.vertices, results, aspect)
     cell_height = cell_width * arrangement.size[1] / arrangement.size[0]
@@ -56,7 +59,7 @@ def draw_sheet(
     figure = plt.figure(figsize=size)
 
     def panel(x: float, y: float, width: float, height: float) -> Axes:
-        """Inches from the lower left corner."""
+        """Return axes at inches from the lower left corner."""
         return figure.add_axes((x / size[0], y / size[1], width / size[0], height / size[1]))
 
     model = panel(0.1, FOOT_HEIGHT + 0.2, MODEL_WIDTH - 0.3, size[1] - FOOT_HEIGHT - title_height - 0.2)
@@ -88,7 +91,7 @@ def _exceeds(quantity: Map, scale: plt.Normalize, columns: Sequence[Column]) -> 
 
 
 def _label_wires(axes: Axes, column: Column, uv: np.ndarray) -> None:
-    """The variation of each wire, beside it at two thirds of its length, off the crossings."""
+    """Write the variation of each wire beside it, at two thirds of its length, away from crossings."""
     piece = column.result.pieces[0]
     of_source = {int(v): k for k, v in enumerate(piece.source_vertex)}
     for wire, report in zip(column.shape.wires, column.result.wires, strict=True):
@@ -107,7 +110,7 @@ def _summary(column: Column) -> str:
 
 
 def _draw_key(figure: Figure, columns: Sequence[Column]) -> None:
-    """What the lines mean, in the lower left corner."""
+    """Draw the key of lines in the lower left corner."""
     wires = columns[-1].shape.wires
     handles = [Line2D([], [], color=INK, linewidth=1.0, label="outline or seam")]
     if any(wire.tolerance == 0 for wire in wires):

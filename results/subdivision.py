@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Does E settle as the mesh gets finer? The quarter sphere with rigid wires."""
+"""Does E converge as the mesh becomes finer? The quarter sphere with rigid wires."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Markdown, and sentences on numbers that stay true whatever the numbers are."""
+"""Markdown, and sentences on numbers that are true for any numbers."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 
-WIDTH = 120  # of a line of the page
+WIDTH = 120  # characters per line of the page
 
 
 def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """The first column is text, the others numbers."""
+    """Return a table. The first column is text, the others are numbers."""
     lines = [header, [":--", *["--:"] * (len(header) - 1)], *rows]
     return "\n".join("| " + " | ".join(line) + " |" for line in lines)
 
@@ -22,10 +22,10 @@ def picture(alternative: str, path: Path) -> str:
 
 
 def change(before: float, after: float) -> str:
-    """A verb and by how much, such as "falls by 62%"; "stays as it is" below half a percent."""
+    """Return a verb and an amount, such as "falls by 62%"; "does not change" below half a percent."""
     share = after / before - 1
     if abs(share) < 0.005:
-        return "stays as it is"
+        return "does not change"
     return f"{'falls' if share < 0 else 'rises'} by {100 * abs(share):.0f}%"
 
 
@@ -35,12 +35,12 @@ def count(number: int, one: str, many: str) -> str:
 
 
 def millimeters(meters: float) -> str:
-    """Two digits after the point; what is only rounding is 0."""
+    """Return two decimals; rounding errors are shown as 0."""
     return "0" if meters < 1e-9 else "under 0.01" if meters < 1e-5 else f"{1000 * meters:.2f}"
 
 
 def differ(meters: float) -> str:
-    """Of two sides of a seam, as a verb: "differ by at most 1.20 mm"."""
+    """Return a verb phrase on two sides of a seam: "differ by at most 1.20 mm"."""
     if meters < 1e-9:
         return "differ by rounding errors only"
     return "differ by less than 0.01 mm" if meters < 1e-5 else f"differ by at most {millimeters(meters)} mm"
@@ -51,7 +51,7 @@ def degrees(radians: float) -> str:
 
 
 def wrap(page: str) -> str:
-    """Breaks the lines of paragraphs anew; headings, tables, pictures and lists stay."""
+    """Wrap the lines of paragraphs again; headings, tables, pictures and lists do not change."""
     blocks = page.split("\n\n")
     return "\n\n".join(
         block if block.lstrip().startswith(("#", "|", "[![", "- ")) else textwrap.fill(block, WIDTH) for block in blocks

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Maps of methods that choose a size of their own, made comparable."""
+"""Makes maps of methods with an arbitrary size comparable."""
 
 import numpy as np
 import wirewarp
 
 
 def at_true_size(corner_uv: np.ndarray, measured: wirewarp.FlattenResult) -> np.ndarray:
-    """The map (m, 3, 2) with every piece scaled to its area on the model; measured: what measure() says of the map."""
+    """Return the map (m, 3, 2) with every piece scaled to its area on the model. measured: measure() of the map."""
     scaled = corner_uv.copy()
     for piece in measured.pieces:
         scaled[piece.source_face] *= np.sqrt(piece.metrics.area_3d / abs(piece.metrics.area_2d))

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sews flat pieces up again and puts them on their model, by a physics engine that shares no code with WireWarp.
+"""Sews flat pieces up again and puts them on their model, with a physics engine that shares no code with WireWarp.
 
 python results/wear_in_newton.py OUTPUT
 
-NVIDIA Newton's SolverStyle3D takes the flat triangles as the cloth's shape at rest, the model's welded triangles as how
-they are sewn, and the model, as thick as the cloth is above it, as the body. The cloth starts on the model, without
-gravity and friction, and comes to rest. OUTPUT is JSON: by sample and choice of cloths.CHOICES, the numbers of Worn.
+NVIDIA Newton's SolverStyle3D gets the flat triangles as the rest shape of the fabric, the model's welded triangles as
+the way they are sewn, and the model, offset inward, as the body. The fabric starts on the model, without gravity and
+friction, and comes to rest. OUTPUT is JSON: the numbers of Worn by sample and choice of cloths.CHOICES.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from measures import face_areas, percentile_99
 from methods import flatten
 from shapes import Shape, all_shapes
 
-CLOTH = (1000.0, 1000.0, 50.0)  # N/m, weft, warp and shear: the ratios of the preset "woven"
-BENDING = (2e-5, 2e-5, 1e-5)  # N m: a shirt's; too soft to hold a shape by itself
-DENSITY = 0.2  # kg/m²; of no weight without gravity
-CLEARANCE = 0.002  # meters: the body lies so far below the model, and the cloth is held so far above the body
-CONTACT = 1e4  # N/m: the cloth sinks in by up to 3 mm under its tension
-STEP, STEPS, ITERATIONS = 1 / 240, 80, 10  # by then the rms distance changes by less than 3% in 20 steps
+CLOTH = (1000.0, 1000.0, 50.0)  # N/m for weft, warp and shear, in the ratios of the preset "woven"
+BENDING = (2e-5, 2e-5, 1e-5)  # N m, of a shirt: too soft to keep a shape by itself
+DENSITY = 0.2  # kg/m²; has no weight without gravity
+CLEARANCE = 0.002  # meters: offset of the body below the model, and of the fabric above the body
+CONTACT = 1e4  # N/m; the fabric sinks in by up to 3 mm under its tension
+STEP, STEPS, ITERATIONS = 1 / 240, 80, 10  # afterwards the rms distance changes by less than 3% in 20 steps
 
 
 @dataclass(frozen=True)
 class Worn:
     """A flattened model, sewn and worn. Means and percentiles are by area on the model."""
 
-    gap: float  # rms distance off the model, along its normals, meters
+    gap: float  # rms distance from the model along its normals, meters
     slide: float  # rms distance of each vertex from its place on the model, meters
-    strain: float  # 99th percentile of that of the more strained thread, as a fraction
-    wire: float  # the largest relative change of a wire's length against the model
+    strain: float  # 99th percentile of the strain of the more strained thread, as a fraction
+    wire: float  # largest relative change of a wire's length from the model
 
 
 def vertex_normals(shape: Shape) -> np.ndarray:
@@ -50,7 +50,7 @@ def vertex_normals(shape: Shape) -> np.ndarray:
 
 
 def wear(shape: Shape, corner_uv: np.ndarray) -> np.ndarray:
-    """(n, 3) where the vertices of the sewn pieces come to rest; corner_uv (m, 3, 2) meters."""
+    """Return the final places (n, 3) of the vertices of the sewn pieces. corner_uv: (m, 3, 2) meters."""
     triangles = shape.triangles()
     builder = newton.ModelBuilder(up_axis=newton.Axis.Z)
     newton.solvers.SolverStyle3D.register_custom_attributes(builder)
@@ -71,11 +71,12 @@ def wear(shape: Shape, corner_uv: np.ndarray) -> np.ndarray:
     )
     body = shape.vertices - CLEARANCE * vertex_normals(shape)
     builder.add_shape_mesh(body=-1, mesh=newton.Mesh(body.astype(np.float32), triangles.ravel().astype(np.int32)))
-    model = builder.finalize(device="cpu")  # the same sums in every run
+    model = builder.finalize(device="cpu")  # reproducible sums
     model.set_gravity((0.0, 0.0, 0.0))
     model.soft_contact_ke, model.soft_contact_kd, model.soft_contact_mu = CONTACT, 0.0, 0.0
     solver = newton.solvers.SolverStyle3D(model, config=newton.solvers.SolverStyle3D.Config(iterations=ITERATIONS))
-    solver.collision.stiff_vf = solver.collision.stiff_ee = solver.collision.stiff_ef = 0.0  # cloth with itself: never
+    # Fabric does not collide with itself.
+    solver.collision.stiff_vf = solver.collision.stiff_ee = solver.collision.stiff_ef = 0.0
     state, following = model.state(), model.state()
     control, pipeline = model.control(), newton.CollisionPipeline(model)
     contacts = pipeline.contacts()
@@ -84,7 +85,7 @@ def wear(shape: Shape, corner_uv: np.ndarray) -> np.ndarray:
         state.clear_forces()
         solver.step(state, following, control, contacts, STEP)
         state, following = following, state
-        state.particle_qd.zero_()  # it creeps to rest, and never swings
+        state.particle_qd.zero_()  # it creeps to rest without oscillation
     return state.particle_q.numpy().astype(float)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The commit that figures were made with."""
+"""The commit of the figures."""
 
 import subprocess
 from pathlib import Path

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes docs/results.md and its pictures: the paper's section IV again, on our own geometry, and what is beyond it.
+"""Writes docs/results.md and its pictures: the paper's section IV on our own geometry, and what goes beyond it.
 
 python results/write_page.py UNWRAPS WORN ERROR_CURVES [--output FILE]
 
-UNWRAPS is what unwrap_in_blender.py wrote, WORN what wear_in_newton.py wrote, ERROR_CURVES the program built from
+UNWRAPS is the output of unwrap_in_blender.py, WORN that of wear_in_newton.py, ERROR_CURVES the program built from
 native/bench/error_curves.
 """
 
@@ -15,7 +15,7 @@ import os
 import re
 from pathlib import Path
 
-os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # the same sums in every run
+os.environ["IGL_NUM_THREADS"] = os.environ["OMP_NUM_THREADS"] = "1"  # reproducible sums
 
 import all_samples  # noqa: E402 (threads are set when the modules are loaded)
 import beyond_the_paper  # noqa: E402
@@ -42,7 +42,7 @@ SECTIONS = [*PAPER, beyond_the_paper, cloths, seams_that_give, ease_and_stretch,
 
 
 def contents(sections: list[str]) -> str:
-    """A list of links to the headings."""
+    """Return a list of links to the headings."""
     headings = [section.partition("\n")[0].removeprefix("## ") for section in sections]
     anchors = [re.sub(r"[^a-z0-9 -]", "", heading.lower()).replace(" ", "-") for heading in headings]
     return "\n".join(f"- [{heading}](#{anchor})" for heading, anchor in zip(headings, anchors, strict=True))

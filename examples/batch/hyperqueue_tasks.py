@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A thousand models as tasks of HyperQueue, on this computer or on a cluster (pip install hyperqueue):
+"""Flattens thousands of models as tasks of HyperQueue, on this computer or on a cluster (pip install hyperqueue):
 
 python hyperqueue_tasks.py TASKS [--server DIR] IN... --out DIR [options of python -m wirewarp batch]
 
-TASKS is how many tasks share the models: several for each core, so that all cores end at about the same time. --server
-is the folder of a server that runs, whose workers may be jobs of Slurm or PBS; without it a server and a worker are
-started here. Prints the lines of all models, and ends with the code of the worst, as batch does.
+TASKS is the number of tasks that share the models: several for each core, so that all cores end at about the same time.
+--server is the folder of a running server, whose workers may be jobs of Slurm or PBS; without it, a server and a worker
+are started here. Prints the lines of all models, and ends with the code of the worst, like batch.
 """
 
 import argparse
@@ -19,7 +19,7 @@ from hyperqueue import Client, Job, LocalCluster
 from hyperqueue.cluster import WorkerConfig
 
 BATCH = (sys.executable, "-m", "wirewarp", "batch")
-TRIES = 3  # of a task whose worker is lost: it goes on where it was
+TRIES = 3  # number of tries of a task whose worker is lost; it continues where it stopped
 
 
 def main() -> int:
@@ -32,9 +32,16 @@ def main() -> int:
         one = (*BATCH, *words, "--jobs", "1", "--part", f"{part}/{given.tasks}")
         job.program(one, stdout=None, stderr=None, crash_limit=TRIES)
     with connected(given.server) as client:
-        # A task fails where a model is not ready to cut: no reason to stop the others.
+        # A task fails if a model is not ready to cut. The others continue.
         client.wait_for_jobs([client.submit(job)], raise_on_error=False)
-    return subprocess.call([*BATCH, *words])  # the lines of all; what was refused, stopped or lost is done again here
+    # Prints all lines, and repeats models that were refused, stopped or lost
+    #
+    # Usage: python write_docs.py OUTPUT HEADER...
+    #
+    # A struct or enum has the `///` comment above it. A field or enumerator has the `///` comment above or the `//`
+    # comment after it, with its continuation lines below. The table has "Struct", "Struct.field" and "Enum.0",
+    # "Enum.1", ...
+    return subprocess.call([*BATCH, *words])
 
 
 @contextmanager

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the comments of the public headers as a C++ table, for Python's docstrings: there is one text for both.
+"""Writes the comments of the public headers as a C++ table for Python's docstrings, so that there is one text for both.
 
 Usage: python write_docs.py OUTPUT HEADER...
 
 A struct or enum has the `///` comment above it. A field or enumerator has the `///` comment above or the `//` comment
-after it, with the lines that go on below that. The table has "Struct", "Struct.field" and "Enum.0", "Enum.1", ...
+after it, with its continuation lines below. The table has "Struct", "Struct.field" and "Enum.0", "Enum.1", ...
 """
 
 import re
@@ -15,11 +15,11 @@ from pathlib import Path
 OPENING = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?: : [^{]*)? \{")
 FIELD = re.compile(r"  (?!static )[\w:<>, ]+ (\w+)(?: = [^;]*|\{\})?;(?: +// (.*))?")
 ENUMERATOR = re.compile(r"  (\w+),(?: +// (.*))?")
-ABOVE = re.compile(r" *///? (.*)")  # "//" goes on with what stands after a field
+ABOVE = re.compile(r" *///? (.*)")  # "//" continues the comment after a field
 
 
 def comments(header: str) -> Iterator[tuple[str, str]]:
-    """(name, comment) of each struct, field and enumerator that has one."""
+    """Yield (name, comment) of each struct, field and enumerator with a comment."""
     above, owner, last, is_enum, count = [], "", "", False, 0
     found: dict[str, list[str]] = {}
     for line in header.splitlines():
@@ -47,7 +47,9 @@ def comments(header: str) -> Iterator[tuple[str, str]]:
 
 
 def sentence(text: str) -> str:
-    """As Python says it: members with a dot, a capital at the start unless that is a symbol, a period at the end."""
+    """Return the text in Python's style: members with a dot, a capital at the start unless it is a symbol, a final
+    period.
+    """
     text = text.replace("::", ".")
     if re.match(r"[a-z]{2}|a ", text):
         text = text[0].upper() + text[1:]
@@ -59,7 +61,8 @@ def main() -> None:
     rows = [entry for header in headers for entry in comments(header.read_text())]
     lines = [f'    {{"{name}", R"doc({sentence(text)})doc"}},' for name, text in rows]
     text = "\n".join(["// Made by write_docs.py.", "constexpr Doc kDocs[] = {", *lines, "};", ""])
-    if not (output.is_file() and output.read_text() == text):  # or all that includes it would be compiled again
+    # Otherwise, everything that includes it would be compiled again.
+    if not (output.is_file() and output.read_text() == text):
         output.write_text(text)
 
 
