@@ -86,7 +86,7 @@ def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
 
 
 def with_darts(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, best: CutFigures | None) -> CutFigures | None:
-    """Add darts one by one, each with the largest decrease of energy for its length. Return best if it remains shorter."""
+    """Add darts one by one, each with the largest decrease of energy for its length. Return best if it is shorter."""
     seams, figures = cuts
     longest = best.length if best else np.inf
     for _ in range(DARTS):

@@ -18,7 +18,7 @@ class Surface:
 
 
 def wires_across(lines: np.ndarray, number: int) -> list[np.ndarray]:
-    """Return straight wires, half of them in each direction, as in native/bench/bumpy_sheet.h. lines: vertices (n, n)."""
+    """Return straight wires, half in each direction, as in native/bench/bumpy_sheet.h. lines: vertices (n, n)."""
     n = len(lines) - 1
     at = [k * n // (number // 2 + 1) for k in range(1, number // 2 + 1)]
     return [chain for k in at for chain in (lines[k, :], lines[:, k])]
