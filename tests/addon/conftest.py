@@ -12,7 +12,7 @@ from surfaces import addon_module, bump, grid, join_cube, mark, mark_seam, on_li
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    # Longer tracebacks print local variables, and printing a Blender object that is gone is a crash.
+    # Longer tracebacks print local variables, and printing a removed Blender object crashes.
     config.option.tbstyle = "short"
 
 
@@ -28,7 +28,7 @@ def empty_scene() -> None:
 
 @pytest.fixture
 def model():
-    """Two good pieces with a wire that ends inside one, and a closed piece that fails."""
+    """Return two good pieces with a wire that ends inside one, and a closed piece that fails."""
     target = grid("Bump", bump, size=4)
     join_cube(target)
     mark_seam(target, on_line(0, 0.0))
@@ -40,9 +40,10 @@ def model():
 
 @pytest.fixture
 def everything_answers(model, addon, tmp_path, capfd):
-    """With each object active, in both modes, after spoiling the file anew for each; no model loses its shape.
+    """Check all answers with each object active, in both modes, after spoiling the file again for each. Models keep
+    their shape.
 
-    Also what Blender calls by itself answers: of that it prints the errors.
+    Handlers that Blender calls by itself must answer, too; Blender prints their errors.
     """
 
     def shapes():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every panel, every overlay and every operator, one after the other: whatever a file holds, each must answer."""
+"""Every panel, overlay and operator in turn: each must answer, whatever a file contains."""
 
 from types import SimpleNamespace
 
@@ -9,10 +9,10 @@ from surfaces import read, select_only
 from view_context import view_context
 
 EDGE = {"edge": 0}
-OURS = ("wirewarp_", "source_", "flat_", "piece")  # how the names of our attributes and properties begin
+OURS = ("wirewarp_", "source_", "flat_", "piece")  # prefixes of the names of our attributes and properties
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
 MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS", "SUGGESTION", "APPLY")
-COMMANDS = [  # what writes comes last
+COMMANDS = [  # writing operators come last
     ("object.wirewarp_copy_report", {}),
     ("mesh.wirewarp_select_issues", {}),
     *(("mesh.wirewarp_select_result", {"what": what, "index": 0}) for what in KINDS),
@@ -37,7 +37,7 @@ COMMANDS = [  # what writes comes last
     ("object.wirewarp_flatten", {}),
     ("object.wirewarp_flatten", {"use_modifiers": True}),
 ]
-# One that reads each thing we store: the report and the source faces, pieces and names, marks, and all of the model.
+# One reader of each thing we store: report, source faces, pieces, names, marks, and the whole model.
 READERS = [
     ("mesh.wirewarp_select_result", {"what": "PIECE", "index": 0}),
     ("object.wirewarp_export_svg", {}),
@@ -47,7 +47,7 @@ READERS = [
 
 
 class AnyLayout:
-    """Takes whatever a panel draws, and keeps the words and the operators."""
+    """Accepts everything that a panel draws, and keeps the texts and operators."""
 
     def __init__(self, words, buttons):
         vars(self).update(words=words, buttons=buttons)
@@ -67,7 +67,7 @@ class AnyLayout:
         self.words.append(text)
 
     def menu(self, name, **_):
-        """Drawn at once, as where it is open."""
+        """Draw at once, like an open menu."""
         kind = getattr(bpy.types, name)
         kind.draw(SimpleNamespace(layout=self), sidebar())
 
@@ -80,7 +80,7 @@ class AnyLayout:
 
 
 def sidebar(width=300):
-    """The context of a panel, which there is none of without a window."""
+    """Return the context of a panel, which does not exist without a window."""
     view, own = view_context(), bpy.context
     names = ("active_object", "selected_objects", "objects_in_mode_unique_data", "tool_settings", "mode")
     system = SimpleNamespace(ui_scale=1.0)
@@ -95,8 +95,8 @@ def sidebar(width=300):
 
 
 def draw_panels(addon, buttons=None):
-    """All that are to be seen, narrow and wide; returns what they say, and adds their operators to `buttons`."""
-    addon.state.drawings.forget()  # else what changes soon after the last time is seen late
+    """Draw all visible panels, narrow and wide. Return their texts, and add their operators to `buttons`."""
+    addon.state.drawings.forget()  # otherwise, quick later changes would be seen late
     words, buttons = [], [] if buttons is None else buttons
     for cls in addon.registration.CLASSES:
         if not issubclass(cls, bpy.types.Panel):
@@ -105,7 +105,7 @@ def draw_panels(addon, buttons=None):
         own = {name: part for each in parts for name, part in each.items() if not name.startswith(("__", "bl_rna"))}
         panel = type(
             cls.__name__, (), own | {"layout": AnyLayout(words, buttons)}
-        )()  # Blender alone makes its own panels
+        )()  # only Blender can create its panels
         for width in (200, 600):
             context = sidebar(width)
             if "poll" not in own or panel.poll(context):
@@ -127,7 +127,7 @@ def draw_overlays(addon):
 
 
 def answer(command, **settings):
-    """What an operator said, in words; a traceback is no answer."""
+    """Return the message of an operator; a traceback is not an answer."""
     group, name = command.split(".")
     try:
         said = str(getattr(getattr(bpy.ops, group), name)(**settings))
@@ -143,7 +143,7 @@ def to_object_mode():
 
 
 def stored():
-    """What of all meshes, in Object Mode, may only change where something is done: marks, names, reports."""
+    """Return marks, names and reports of all meshes in Object Mode, which only successful operators may change."""
     return {each.name_full: _stored_on(each) for each in bpy.data.objects if each.type == "MESH"}
 
 
@@ -165,22 +165,22 @@ def _value(stored):
 
 
 def _values(attribute):
-    """As bytes, for some are no numbers."""
+    """Return values as bytes, because some are not numbers."""
     dtype = {"INT": np.int32, "FLOAT": np.float32}.get(attribute.data_type)
     values = read(attribute.data, "value", dtype).tobytes() if dtype else b""
     return attribute.name, attribute.data_type, attribute.domain, values
 
 
 def place():
-    """Where the user is."""
+    """Return object, mode and selection of the user."""
     context = bpy.context
     return context.mode, context.active_object, set(context.selected_objects), set(context.objects_in_mode)
 
 
 def call(command, settings, before):
-    """What is refused or comes to nothing leaves all as it was stored before, and the user where he was.
+    """Call a command. If it is refused or does nothing, all stored data and the user's place must not change.
 
-    A run of Flatten may fail in part; what it leaves of results is not looked at here.
+    A run of Flatten may fail in part; its results are not checked here.
     """
     where = place()
     said = answer(command, **settings)
@@ -192,9 +192,9 @@ def call(command, settings, before):
 
 
 def use_everything(addon, name, mode, folder, commands):
-    """With the object of this name active: draws all, and calls these commands from this mode.
+    """Draw everything with this object active, and call these commands in this mode.
 
-    folder: for a pattern and the file, which is saved.
+    folder: for a pattern, and for the file, which is saved.
     """
     for command, settings in [(None, {}), *commands]:
         to_object_mode()

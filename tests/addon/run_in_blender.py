@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Installs the zip named by WIREWARP_ZIP the way users do, then runs pytest inside Blender; exits with its code.
+"""Installs the zip named by WIREWARP_ZIP as users do, then runs pytest inside Blender; exits with its code.
 
 blender --background --factory-startup --python-exit-code 1 --python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS
-python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS        (a Python that has bpy)
+python tests/addon/run_in_blender.py -- PYTEST_ARGUMENTS        (a Python with bpy)
 
-BLENDER_USER_RESOURCES (Blender 3.4: BLENDER_USER_SCRIPTS and _CONFIG) should name an empty folder, for what is
-installed stays there.
+BLENDER_USER_RESOURCES (Blender 3.4: BLENDER_USER_SCRIPTS and _CONFIG) should name an empty folder, because the
+installed files stay there.
 """
 
 import os
@@ -26,7 +26,7 @@ def install(path: str) -> None:
 
 
 measured = None
-if "COVERAGE_PROCESS_START" in os.environ:  # names the settings; see tools/addon_coverage.py
+if "COVERAGE_PROCESS_START" in os.environ:  # path of the settings; see tools/addon_coverage.py
     import coverage
 
     measured = coverage.process_startup()
@@ -37,7 +37,7 @@ if measured:
     measured.save()
 sys.stdout.flush()
 sys.stderr.flush()
-if not bpy.app.binary_path:  # the module may wait for ever for a thread of its own when Python ends
+if not bpy.app.binary_path:  # the module could wait forever for one of its threads when Python ends
     shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
     os._exit(int(code))
 sys.exit(int(code))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What tests of suggested cuts share."""
+"""Shared parts of tests of suggested cuts."""
 
 import bpy
 import numpy as np

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Small surfaces to flatten, and the ways to select and measure their edges."""
+"""Small surfaces to flatten, and functions that select and measure their edges."""
 
 import math
 import sys
@@ -21,7 +21,7 @@ def addon_module() -> ModuleType:
 
 
 def make_object(name: str, vertices: list, faces: list, edges: Sequence = ()) -> bpy.types.Object:
-    """A new mesh object in the scene, active and the only one selected."""
+    """Return a new mesh object in the scene, active and the only one selected."""
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(vertices, edges, faces)
     target = bpy.data.objects.new(name, mesh)
@@ -31,7 +31,7 @@ def make_object(name: str, vertices: list, faces: list, edges: Sequence = ()) ->
 
 
 def select_only(*targets: bpy.types.Object) -> None:
-    bpy.context.view_layer.update()  # a new object can be selected only once the view layer knows it
+    bpy.context.view_layer.update()  # a new object cannot be selected before this
     for other in bpy.context.view_layer.objects:
         other.select_set(other in targets)
     bpy.context.view_layer.objects.active = targets[0]
@@ -39,9 +39,9 @@ def select_only(*targets: bpy.types.Object) -> None:
 
 
 def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads") -> bpy.types.Object:
-    """shape(x, y) over the square from -1 to 1 with size by size cells of quads, triangles or n-gons.
+    """Return a grid at shape(x, y) over the square from -1 to 1, with size by size cells of quads, triangles or n-gons.
 
-    The n-gons are pairs of cells; on the outline their corners must not be in line, or a triangle has no area.
+    The n-gons are pairs of cells; on the outline their corners must not be collinear, or a triangle has zero area.
     """
     steps = [2 * i / size - 1 for i in range(size + 1)]
     vertices = [shape(x, y) for y in steps for x in steps]
@@ -56,35 +56,35 @@ def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads") -> bpy
 
 
 def join_cube(target: bpy.types.Object) -> None:
-    """A piece of its own beside the others, closed, so that it fails: faces after theirs."""
+    """Add a closed piece beside the others, which fails; its faces follow theirs."""
     bpy.ops.mesh.primitive_cube_add(location=(4, 0, 0))
     select_only(target, bpy.context.object)
     bpy.ops.object.join()
 
 
 def bump(x: float, y: float) -> tuple[float, float, float]:
-    """A shallow dome over the square."""
+    """Return a shallow dome over the square."""
     return (x, y, 0.4 * (1 - x * x) * (1 - y * y))
 
 
 def round_bump(x: float, y: float) -> tuple[float, float, float]:
-    """The bump over a square with bulging sides: no three vertices of its outline are in line."""
+    """Return the bump over a square with bulging sides, so that no three outline vertices are collinear."""
     return (x * (1.3 - 0.3 * y * y), y * (1.3 - 0.3 * x * x), 0.4 * (1 - x * x) * (1 - y * y))
 
 
 def half_cylinder(x: float, y: float) -> tuple[float, float, float]:
-    """Radius 1, axis along y: developable."""
+    """Return a developable half cylinder of radius 1 with its axis along y."""
     angle = math.pi * x / 2
     return (math.sin(angle), y, math.cos(angle))
 
 
 def on_line(axis: int, value: float) -> Callable:
-    """For edges of which both ends have this coordinate."""
+    """Return a test for edges with this coordinate at both ends."""
     return lambda a, b: abs(a[axis] - value) < 1e-6 and abs(b[axis] - value) < 1e-6
 
 
 def select_edges(target: bpy.types.Object, *lines: Callable) -> None:
-    """Enters Edit Mode with the edges selected for which one of `lines` is true of their ends."""
+    """Enter Edit Mode with the edges selected whose ends fulfill one of `lines`."""
     select_only(target)
     if target.mode != "EDIT":
         bpy.ops.object.mode_set(mode="EDIT")
@@ -98,7 +98,7 @@ def select_edges(target: bpy.types.Object, *lines: Callable) -> None:
 
 
 def mark(target: bpy.types.Object, *lines: Callable, **settings: object) -> None:
-    """Marks the edges as wires, and back to Object Mode."""
+    """Mark the edges as wires, and return to Object Mode."""
     select_edges(target, *lines)
     bpy.ops.mesh.wirewarp_mark(**settings)
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -111,7 +111,7 @@ def mark_seam(target: bpy.types.Object, line: Callable) -> None:
 
 
 def wire_marks(mesh: bpy.types.Mesh) -> dict[tuple[int, float], int]:
-    """How many edges carry each id and tolerance."""
+    """Return the number of edges with each id and tolerance."""
     if "wirewarp_wire" not in mesh.attributes:
         return {}
     ids = read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)
@@ -121,7 +121,7 @@ def wire_marks(mesh: bpy.types.Mesh) -> dict[tuple[int, float], int]:
 
 
 def flatten(source: bpy.types.Object, **settings: object) -> None:
-    """This object alone."""
+    """Flatten only this object."""
     select_only(source)
     bpy.ops.object.wirewarp_flatten(**settings)
 
@@ -137,17 +137,17 @@ def flat_of(source: bpy.types.Object) -> bpy.types.Object:
 
 
 def flat_sources(source: bpy.types.Object) -> np.ndarray:
-    """The vertex of the model of each flat vertex."""
+    """Return the model's vertex for each flat vertex."""
     return read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
 
 
 def flat_places(source: bpy.types.Object) -> np.ndarray:
-    """(n,2) of the flat vertices, in the space of the flat object."""
+    """Return positions (n,2) of the flat vertices in the space of the flat object."""
     return read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
 
 
 def edge_lengths(target: bpy.types.Object) -> np.ndarray:
-    """Of every edge, in world space, from the float32 coordinates in double precision."""
+    """Return every edge's length in world space, from the float32 coordinates in double precision."""
     mesh = target.data
     linear = np.array(target.matrix_world, dtype=np.float64)[:3, :3]
     positions = read(mesh.vertices, "co", np.float32, 3).astype(np.float64) @ linear.T
@@ -170,7 +170,7 @@ def read(collection: object, name: str, dtype: type, columns: int = 1) -> np.nda
 
 
 def tube(name="Tube", sides=16, rows=6, place=0.0, length=3.0):
-    """Open at both ends, of quads, 1 wide."""
+    """Return a tube of quads, open at both ends, 1 wide."""
     angles = [2 * math.pi * k / sides for k in range(sides)]
     vertices = [
         (place + 0.5 * math.cos(a), 0.5 * math.sin(a), length * z / rows) for z in range(rows + 1) for a in angles

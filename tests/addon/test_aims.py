@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cuts that are suggested towards a target: each row takes those before it, too; what it says is what Flatten gives."""
+"""Cuts suggested towards a target: each row includes those before it, and its figures are those of Flatten."""
 
 import bpy
 import numpy as np
@@ -14,7 +14,7 @@ from test_suggestions import two_hills, widespread
 
 @pytest.fixture
 def settings():
-    """Two cuts, whatever stretch they leave."""
+    """Set two cuts and any remaining stretch."""
     wanted = bpy.context.scene.wirewarp
     wanted.suggest_together, wanted.aim_stretch, wanted.aim_cuts = True, 0.0, 2
     return wanted
@@ -37,7 +37,7 @@ def test_a_row_is_marked_with_all_before_it_and_leaves_what_it_says(addon, setti
     assert {tuple(end) for end in ends.tolist()} == {tuple(place) for place in places.tolist()}
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert pairs(seams_of(source)) == pairs(chosen.edges)
-    assert widespread(addon, source) == pytest.approx(chosen.strain, rel=1e-5)  # of single precision
+    assert widespread(addon, source) == pytest.approx(chosen.strain, rel=1e-5)  # single precision
 
 
 def test_seams_divide_the_piece_and_its_parts(addon, settings):
@@ -70,7 +70,7 @@ def test_of_any_piece_the_figures_are_those_of_the_worst_one(addon, settings):
 
 def test_mirror_images_are_one_row(addon, settings):
     source = two_hills()
-    mark(source, on_line(0, 0.0))  # which no dart crosses, to serve both hills
+    mark(source, on_line(0, 0.0))  # no dart crosses it, so two hills need two darts
     SUGGEST["DARTS"]()
     (cut,) = found(addon, source).cuts
     assert len(cut.lengths) == 2

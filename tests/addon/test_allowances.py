@@ -23,7 +23,7 @@ def mark_allowance(target, line, **settings):
 def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
     mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
     mark_allowance(source, HEM, kind="FOLD")
-    twin = bpy.data.objects.new("Twin", source.data)  # of the same mesh
+    twin = bpy.data.objects.new("Twin", source.data)  # with the same mesh
     bpy.context.scene.collection.objects.link(twin)
     sides = source.data.attributes.new("wirewarp_side_allowance", "FLOAT", "CORNER")
     sides.data[0].value = 0.5
@@ -37,7 +37,7 @@ def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
 
 
 def test_edges_that_come_from_elsewhere_have_the_default(source, addon):
-    """Blender gives them 0, which is no width."""
+    """Blender sets them to 0, which is not a width."""
     mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
     other = grid("Other", lambda x, y: (x + 3, y, 0))
     select_only(source, other)
@@ -92,7 +92,7 @@ def test_edges_inside_of_a_piece_get_none(source):
 
 
 def drawn(addon, source, allowance=10.0):
-    """The size of the line to cut, as it is drawn, in Blender units."""
+    """Return the size of the cutting line as drawn, in Blender units."""
     pages, depsgraph = addon.overlay.pages, bpy.context.evaluated_depsgraph_get()
     parts = pages.outlines(bpy.context.scene, source, flat_of(source), depsgraph)
     lines = pages.cut_places(pages.cut_lines(parts, allowance, "close"), 100.0)

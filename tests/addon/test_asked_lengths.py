@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is told of eases: how long lines were to be, by how much they are off, and which side of a seam is longer."""
+"""Reports of eases: target lengths of lines, their errors, and which side of a seam is longer."""
 
 import csv
 import io
@@ -19,7 +19,7 @@ def source():
 
 
 def eases_of(addon, report, kind):
-    """What the table for spreadsheets has as the asked ease, in percent."""
+    """Return the target ease in the table for spreadsheets, in percent."""
     text = addon.core.report_csv(report, addon.blender.objects.length_text(bpy.context.scene))
     lines = csv.DictReader(io.StringIO(text))
     return [float(line["Asked ease (%)"]) for line in lines if line["Kind"] == kind]
@@ -54,20 +54,20 @@ def test_the_ease_of_all_sides_is_in_the_table_for_spreadsheets(source, addon):
     [(5.0, 0.05, "ease"), (40.0, 0.4, "gather"), (-5.0, 0.05, "ease"), (-40.0, 0.4, "gather")],
 )
 def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, tmp_path, percent, longer, how):
-    """Of the longer side, be it that it is eased or that the other is made shorter."""
+    """They name the longer side, whether it is eased or the other one is made shorter."""
     settings = bpy.context.scene.unit_settings
-    settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # so that there is room for the text
+    settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # leaves room for the text
     ease(source, SEAM, sides="ONE", ease_percent=percent)
     bpy.ops.object.wirewarp_flatten()
     (row,) = addon.state.reports.last_report(source).tables.seams
     units = addon.blender.objects.length_text(bpy.context.scene)
     left, right = shares(source)
-    side = "Top Right" if left > right else "Top Left"  # on its wearer the left is at +x
+    side = "Top Right" if left > right else "Top Left"  # the wearer's left is at +x
     spatial, *_ = lengths(source, SEAM)
     told = f"{side} {units.rough(longer * spatial)} longer, {how} between notches"
     assert addon.report_panel.panel.longer_sides(row.sides, units, 0.5) == [told]
     assert told in draw_panels(addon)
-    assert abs(addon.core.largest_difference([row])) < 1e-6  # nothing that was not asked for
+    assert abs(addon.core.largest_difference([row])) < 1e-6  # no unintended difference
     path = tmp_path / "a.svg"
     bpy.ops.object.wirewarp_export_svg(filepath=str(path))
     texts = {piece: " ".join(group.itertext()) for piece, group in Drawing(path).pieces.items()}

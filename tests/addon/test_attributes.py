@@ -65,7 +65,7 @@ def test_join_keeps_the_wires_of_both_and_their_names_are_saved(marked, addon, t
     other, foreign = grid("Other", bump), grid("Foreign", bump)
     mark(other, on_line(1, 0.25))
     other.data.wirewarp_names[0].name = "Hip"
-    foreign.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")  # not ours: left alone
+    foreign.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")  # not ours, so it is not changed
     both = wire_marks(marked.data) | wire_marks(other.data)
     select_only(marked, other)
     bpy.ops.object.join()

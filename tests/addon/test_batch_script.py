@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What `python -m wirewarp batch` has Blender do with a .blend file."""
+"""The work of Blender on a .blend file for `python -m wirewarp batch`."""
 
 import json
 import os
@@ -19,7 +19,7 @@ ENABLE = "bpy.ops.preferences.addon_enable(module={module!r}); bpy.ops.wm.open_m
 
 
 def run_script(addon, tmp_path, formats, stdin):
-    """The folder that the script writes to, for the file that is open now, in a Blender of its own; and its code."""
+    """Run the script on the open file in another Blender. Return its output folder and exit code."""
     path = tmp_path / "bag.blend"
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
     saved = path.read_bytes()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What Blender's files and scenes may be like: the right pieces, or one sentence that says what to do."""
+"""Blender files and scenes of any kind give the right pieces, or one sentence with a remedy."""
 
 import bpy
 import numpy as np
@@ -15,7 +15,7 @@ WIRE, DONE = on_line(1, 0.0), "{'FINISHED'}"
 
 
 def link(path, kind, name):
-    """Something of another file."""
+    """Link something from another file."""
     with bpy.data.libraries.load(str(path), link=True) as (_, wanted):
         setattr(wanted, kind, [name])
     return getattr(wanted, kind)[0]
@@ -23,7 +23,7 @@ def link(path, kind, name):
 
 @pytest.fixture
 def library(tmp_path):
-    """A file with a flattened model; the one at hand is empty again."""
+    """Save a file with a flattened model; the open file is empty again."""
     mark(grid("Bump", bump), WIRE)
     bpy.ops.object.wirewarp_flatten()
     path = tmp_path / "library.blend"
@@ -71,7 +71,7 @@ def test_what_is_of_another_file_is_made_local_first(library, addon, kind):
 
 @pytest.mark.parametrize("kind", OF_ANOTHER_FILE)
 def test_a_model_and_pieces_of_another_file_answer(library, everything_answers, kind):
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)  # without the fixture's own model
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)  # without the fixture's model
 
     def spoil():
         if "Bump" not in bpy.context.scene.objects:
@@ -81,7 +81,7 @@ def test_a_model_and_pieces_of_another_file_answer(library, everything_answers, 
 
 
 def test_flat_pieces_beside_those_of_another_file(library):
-    """Of the same names, in a collection of the same name, which cannot be written."""
+    """They have the same names, in a collection of the same name, and cannot be written."""
     bpy.context.scene.collection.children.link(link(library, "collections", "WireWarp"))
     source = grid("Bump", bump)
     for _ in range(2):
@@ -113,7 +113,7 @@ def test_pieces_in_a_second_scene_have_one_collection_there():
 
 
 def test_hidden_faces_are_flattened_too():
-    """In Object Mode, where they are seen."""
+    """In Object Mode they are visible."""
     source = grid("Bump", bump)
     source.data.polygons.foreach_set("hide", [index < 20 for index in range(64)])
     assert answer(FLATTEN) == DONE

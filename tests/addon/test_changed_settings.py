@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces that were made with other settings than the panel has: the report and the export say so."""
+"""The report and the export mention that pieces were made with other settings than the panel's."""
 
 import math
 from unittest.mock import MagicMock
@@ -28,7 +28,7 @@ def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
         addon.ui.settings.draw_settings(layout, bpy.context.scene.wirewarp, part)
         return {call.args[1] for call in layout.row.return_value.prop.call_args_list}
 
-    bpy.context.scene.wirewarp.cloth = "CUSTOM"  # which has the most settings
+    bpy.context.scene.wirewarp.cloth = "CUSTOM"  # the one with the most settings
     front, main, advanced = map(drawn, addon.state.settings.PARTS)
     assert front == {"cloth", "gives_across", "gives_along"}
     assert advanced == {"thickness", "surface", "method", "node_weight"}
@@ -39,7 +39,7 @@ def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
 
 
 def give(addon, source, **settings):
-    """Settings of the panel; returns what is said of the pieces."""
+    """Change settings of the panel; return the text about the pieces."""
     for name, value in settings.items():
         setattr(bpy.context.scene.wirewarp, name, value)
     report = addon.state.reports.pieces_report(source)
@@ -62,7 +62,7 @@ def test_what_would_make_other_pieces_is_named(addon, source, settings, names, t
     assert SENTENCE.format(names) in draw_panels(addon)
     bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / "pattern.svg"))
     printed = capfd.readouterr().out
-    assert SENTENCE.format(names) in printed and "Warning" not in printed  # the pieces are good all the same
+    assert SENTENCE.format(names) in printed and "Warning" not in printed  # the pieces are still good
     bpy.ops.object.wirewarp_flatten(**settings)
     assert give(addon, source) == ""
 
@@ -84,7 +84,7 @@ def test_a_choice_for_one_run_is_no_error_and_a_failure_says_nothing_of_settings
     source.data.vertices[6].co.z = float("nan")
     flatten_fails(".")
     assert "Not flattened" in draw_panels(addon)
-    assert "Settings changed" not in draw_panels(addon)  # to flatten again would not help
+    assert "Settings changed" not in draw_panels(addon)  # flattening again would not help
 
 
 def test_another_grain_wire(addon, source):
@@ -114,7 +114,7 @@ def test_pieces_that_lie_over_one_another_are_named_at_the_export(source, tmp_pa
 
 
 def test_a_run_that_failed_with_the_settings_need_not_be_repeated(addon):
-    """Its report is about them, though the pieces there are were made with others."""
+    """Its report refers to them, although the existing pieces were made with others."""
     source = grid("Half Tube", half_tube, size=4)
     source.modifiers.new("Whole", "MIRROR").use_axis = (False, False, True)
     bpy.ops.object.wirewarp_flatten()

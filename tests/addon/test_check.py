@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Check and Repair: each kind of fault is counted, shown and repaired, and nothing else is changed."""
+"""Check and Repair counts, shows and repairs each kind of fault, and changes nothing else."""
 
 import itertools
 
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.api
 CHECK = bpy.ops.object.wirewarp_check
 KINDS = ("MERGE", "DISSOLVE", "DUPLICATES", "INTERIOR", "LOOSE", "NON_MANIFOLD", "NORMALS")
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
-FAULTY = {  # vertices, faces, loose edges, and the number of elements at fault
+FAULTY = {  # vertices, faces, loose edges, and the number of faulty elements
     "MERGE": ([*SQUARE, (1, 0, 0), (2, 0, 0), (2, 1, 0), (1, 1, 0)], [(0, 1, 2, 3), (4, 5, 6, 7)], [], 2),
     "DISSOLVE": ([*SQUARE, (1, 0.5, 0), (2, 0, 0), (2, 1, 0)], [(0, 1, 4, 2, 3), (1, 5, 6, 2), (1, 2, 4)], [], 1),
     "DUPLICATES": (SQUARE, [(0, 1, 2, 3), (0, 3, 2, 1)], [], 1),
@@ -32,7 +32,7 @@ def faulty(kind):
 
 
 def repair(kind):
-    """This kind alone."""
+    """Repair only this kind."""
     return CHECK(**{each.lower(): each == kind for each in KINDS})
 
 
@@ -68,7 +68,7 @@ def test_a_fault_is_shown_and_all_repairs_leave_a_model_that_flattens(addon, kin
 
 
 def block(size, missing=()):
-    """Of cells along each axis but for the missing ones, with walls between them."""
+    """Return a block of cells along each axis, without the missing ones, with walls between them."""
     edit, faces, vertices = bmesh.new(), set(), {}
     for cell in set(itertools.product(range(size[0]), range(size[1]), range(size[2]))) - set(missing):
         for axis, end in itertools.product(range(3), (0, 1)):
@@ -95,7 +95,7 @@ def vertex_at(edit, vertices, place):
     return vertices[place]
 
 
-CAVE = ((0, 1, 1), (1, 1, 1))  # from the left to the middle, with faces opposite each of its own
+CAVE = ((0, 1, 1), (1, 1, 1))  # from the left to the middle, each face opposite another one of its own
 
 
 @pytest.mark.parametrize(
@@ -106,14 +106,14 @@ def test_walls_inside_are_found_but_no_face_that_is_seen_from_outside(addon, siz
     target = block(size, missing)
     shell = len(target.data.polygons) - inside
     assert counts(addon, target)["INTERIOR"] == inside
-    assert CHECK() == {"FINISHED"}  # unasked they stay
+    assert CHECK() == {"FINISHED"}  # not removed unless requested
     assert counts(addon, target)["INTERIOR"] == inside
     repair("INTERIOR")
     assert len(target.data.polygons) == shell
 
 
 def test_duplicates_after_a_merge_are_those_with_the_same_vertices(addon):
-    """Two squares whose corners are merged first are still two."""
+    """Two squares whose corners are merged first remain two."""
     target, _ = faulty("MERGE")
     assert addon.blender.faults.repair_faults(target.data, ["MERGE", "DUPLICATES"]) == {"MERGE": 2}
     assert len(target.data.polygons) == 2

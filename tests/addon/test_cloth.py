@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cloths with a grain: chosen in the panel, solved for, measured along their threads, and told."""
+"""Fabrics with a grain are chosen in the panel, solved for, measured along their threads, and reported."""
 
 import json
 import math
@@ -15,7 +15,7 @@ THREADS = ("weft_strain", "warp_strain", "shear_angle")
 
 @pytest.fixture
 def source():
-    """Of triangles, in one piece, with a wire along its middle."""
+    """Return one piece of triangles with a wire along its middle."""
     target = grid("Bump", bump, faces="triangles")
     mark(target, on_line(0, 0.0))
     return target
@@ -110,7 +110,7 @@ def test_what_does_not_go_together_is_a_sentence(source, settings, said):
 
 
 def grain(source):
-    """Degrees of the middle wire in the flat piece, counterclockwise from upright."""
+    """Return the angle of the middle wire in the flat piece, in degrees counterclockwise from upright."""
     sources = flat_sources(source).tolist()
     along = flat_places(source)[sources.index(4 + 9 * 8)] - flat_places(source)[sources.index(4)]
     return math.degrees(math.atan2(-along[0], along[1]))
@@ -135,12 +135,12 @@ def test_the_report_holds_the_cloth_and_is_plain_json(source, addon, tmp_path):
 
 
 def box(source):
-    """Width and height of the flat piece."""
+    """Return width and height of the flat piece."""
     return np.ptp(flat_places(source), axis=0)
 
 
 def test_a_cloth_that_is_worn_stretched_is_cut_smaller(addon):
-    """A half cylinder with the grain on its axis: by the width over 1.2 and the height over 1.1."""
+    """For a half cylinder with the grain along its axis, the width is divided by 1.2 and the height by 1.1."""
     target = grid("Half", half_cylinder, size=16)
     mark(target, on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten(orientation="UP", cloth="SWIM")
@@ -154,13 +154,14 @@ def test_a_cloth_that_is_worn_stretched_is_cut_smaller(addon):
     (piece,) = report.pieces
     assert report.ok and all(chain.ok for chain in (*piece.outline, *piece.wires))
     assert piece.threads.across == pytest.approx(0.2, abs=1e-4)
-    assert not piece.threads.over  # it is to be stretched
+    assert not piece.threads.over  # the stretch is intended
 
 
 def test_what_is_thick_is_flattened_at_its_middle(addon):
-    """A half cylinder of radius 1 modeled inside is longer by thickness / 2, but for its outermost edges.
+    """A half cylinder of radius 1, modeled as the inner surface, is longer by thickness / 2 except at its outermost
+    edges.
 
-    At the ends the normal is that of the one face there, half a turn between faces off the radius.
+    There the normal is that of the one end face, which differs from the radius by half the angle between faces.
     """
     bpy.context.scene.unit_settings.scale_length = 0.1
     size, middle = 32, 0.1

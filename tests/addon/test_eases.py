@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams and outlines that give or are eased, on all their sides or on one: marked, flattened, and cleared again."""
+"""Elastic or eased seams and outlines, on all sides or one: marked, flattened, and cleared again."""
 
 import bmesh
 import bpy

@@ -22,7 +22,7 @@ ROUNDED = 5e-4  # millimeters: the file has four decimals, Blender's coordinates
 
 @pytest.fixture
 def source():
-    """Two pieces; a Blender unit is 100 mm."""
+    """Return two pieces; a Blender unit is 100 mm."""
     units = bpy.context.scene.unit_settings
     units.scale_length, units.length_unit = 0.1, "MILLIMETERS"
     target = grid("Bump", bump)

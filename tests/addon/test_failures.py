@@ -22,7 +22,7 @@ def cube(name="Cube"):
 
 
 def bump_and_cube():
-    """One object of two components: one can be flattened, the other is closed."""
+    """Return one object of two components: one can be flattened, the other is closed."""
     source = grid("Both", bump)
     other = cube()
     select_only(source, other)
@@ -96,7 +96,7 @@ def test_select_issues_without_issues():
 
 
 def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
-    """Three triangles turned over and two that overlap, of a grid with two triangles in each face."""
+    """Three flipped triangles and two overlapping ones, in a grid with two triangles per face."""
     source = grid("Bump", bump)
     arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     arguments = {"num_overlapping": 2, "has_wires": False}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A file without a model offers samples, which are added with all that belongs to them, and a guide."""
+"""A file without a model offers samples, which are added with everything they need, and a guide."""
 
 import blf
 import bpy

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flatten: what it writes and that the lengths are true."""
+"""Flatten writes the right data, and lengths are exact."""
 
 import math
 
@@ -32,7 +32,7 @@ FLOAT32 = 2e-6  # relative: coordinates of about 1 and edges of about 0.2 in sin
 
 
 def lengths_by_source(source):
-    """(flat length, 3D length) of every edge of the flat object."""
+    """Return (flat length, 3D length) of every edge of the flat object."""
     flat = flat_of(source).data
     pairs = np.sort(flat_sources(source)[edge_vertices(flat)], axis=1)
     known = {
@@ -82,7 +82,7 @@ def test_an_elastic_wire_stays_within_its_tolerance_and_the_outline_exact(kind, 
     flat, space = (lengths[on_wire] for lengths in lengths_by_source(source))
     change = flat / space - 1
     if math.isfinite(tolerance):
-        assert change == pytest.approx(np.full(8, flat.sum() / space.sum() - 1), abs=2 * FLOAT32)  # shared evenly
+        assert change == pytest.approx(np.full(8, flat.sum() / space.sum() - 1), abs=2 * FLOAT32)  # distributed evenly
     assert 0.01 < np.abs(change).max() <= tolerance + FLOAT32
     bpy.ops.object.wirewarp_flatten(method="WIREWARPING")
     assert_true_lengths(source, wire)
@@ -123,7 +123,7 @@ def test_the_flat_object_lies_in_its_own_plane_in_the_collection_and_faces_up():
     assert not flat.data.validate()
 
 
-# A cut through, a dart, and a seam of one edge inside the piece, whose two sides have the same ends.
+# A full cut, a dart, and a seam of one edge inside the piece, whose two sides have the same ends.
 @pytest.mark.parametrize("reach", [(-2.0, 2.0), (-2.0, 0.4), (-0.1, 0.4)])
 @pytest.mark.parametrize(("faces", "scale"), [("quads", -1.0), ("ngons", 1.0)])
 def test_the_edges_of_the_flat_object_are_those_that_blender_finds(reach, faces, scale):
@@ -193,13 +193,13 @@ def test_unapplied_scale_counts():
 
 
 def corner(x, y):
-    """A half cylinder with one corner cut, to tell left from right: seen from outside the cut is at +x, +y."""
+    """Return a half cylinder with one corner cut off, at +x, +y seen from outside, to distinguish left and right."""
     return half_cylinder(x, y * (1 if x < 0.9 or y < 0 else 0.5))
 
 
 @pytest.mark.parametrize("scale", [(1, 1, 1), (-1, 1, 1), (1, 1, -1), (-1, -1, -1)])
 def test_pieces_come_out_as_seen_from_outside(scale):
-    """The signed area of source corners taken counterclockwise from outside is positive in the flat piece."""
+    """The signed area of source corners, counterclockwise from outside, is positive in the flat piece."""
     source = grid("Corner", corner)
     source.scale = scale
     bpy.ops.object.wirewarp_flatten(mirror=True)
@@ -240,7 +240,7 @@ def test_several_objects_and_what_is_not_flattened():
     bpy.context.scene.collection.objects.link(camera)
     bpy.ops.object.select_all(action="SELECT")
     bpy.ops.object.wirewarp_flatten()
-    bpy.ops.object.select_all(action="SELECT")  # the flat objects too
+    bpy.ops.object.select_all(action="SELECT")  # including the flat objects
     bpy.ops.object.wirewarp_flatten()
     assert sorted(o.name for o in bpy.data.objects if o.name.endswith("Flat")) == ["First Flat", "Second Flat"]
     boxes = [[(flat_of(o).matrix_world @ v.co).x for v in flat_of(o).data.vertices] for o in (first, second)]
@@ -275,5 +275,5 @@ def test_only_pieces_that_changed_are_solved_again(addon):
     source.scale.x = 1.1
     assert reused_pieces() == 0
     assert not np.allclose(uv_of(source.data), before)
-    addon.state.memory.forget()  # as another file does
+    addon.state.memory.forget()  # as if another file were opened
     assert reused_pieces() == 0

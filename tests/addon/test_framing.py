@@ -7,14 +7,14 @@ import pytest
 
 @pytest.fixture
 def cloud():
-    """Points of a long box, far from the origin, and a turned view."""
+    """Return points of a long box, far from the origin, and a rotated view."""
     rng = np.random.default_rng(3)
     axes, _ = np.linalg.qr(rng.normal(size=(3, 3)))
     return np.array([50, -20, 10]) + rng.uniform(-1, 1, (200, 3)) * [8, 2, 1], axes
 
 
 def on_screen(points, axes, middle, distance, across, upward, is_perspective):
-    """From -1 to 1 across and upward."""
+    """Return positions from -1 to 1 across and upward."""
     x, y, z = ((points - middle) @ axes).T
     depth = distance - z if is_perspective else distance
     assert np.all(depth > 0)

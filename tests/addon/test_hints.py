@@ -39,7 +39,7 @@ def test_the_places_of_most_strain_are_named_largest_first_but_none_of_a_failed_
 
 
 def test_places_that_read_alike_are_one_line(addon):
-    """Two equal domes, each as strained as the other."""
+    """Two equal domes are strained equally."""
     target = grid("Domes", lambda x, y: (x, y, 0.3 * math.exp(-((abs(x) - 0.5) ** 2 + y * y) / 0.05)), size=32)
     flatten(target)
     (hint,) = addon.state.reports.last_report(target).hints
@@ -52,7 +52,7 @@ def test_where_all_of_a_piece_is_strained_the_worst_is_pointed_at(addon):
     target = grid("Dome", lambda x, y: (x, y, 2.5 * (1 - x * x) * (1 - y * y)), size=16)
     flatten(target)
     report = addon.state.reports.last_report(target)
-    assert report.pieces[0].area_3d > 2 * 4  # on a square of 4: more than the limit is missing nearly everywhere
+    assert report.pieces[0].area_3d > 2 * 4  # on a square of 4, nearly all of the area is missing more than the limit
     pointed_at = [face for hint in report.hints for face in hint.faces]
     assert 0 < len(pointed_at) < 0.5 * len(target.data.polygons)
     assert set(report.pieces[0].stretch_faces) & set(pointed_at)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files edited by hand or by other scripts: everything answers with a result or a sentence, and nothing is lost.
 
-Each case spoils one thing for those that read it; the six that most code reads meet every command.
+Each case spoils one thing for its readers; the six with the most readers meet every command.
 """
 
 import json
@@ -90,7 +90,7 @@ def store(model, first):
 
 
 def new_object(name, data=None):
-    """The object of this name, made if there is none."""
+    """Return the object of this name; create it if necessary."""
     if name not in bpy.data.objects:
         bpy.context.scene.collection.objects.link(bpy.data.objects.new(name, data))
     return bpy.data.objects[name]
@@ -165,7 +165,7 @@ def test_everything_answers(model, everything_answers, case):
 
 
 def edited(**entries):
-    """The report with other entries, for a stored text."""
+    """Return the report with other entries, as a stored text."""
 
     def edit(text):
         return json.dumps(json.loads(text) | entries)
@@ -181,7 +181,7 @@ def edited(**entries):
         lambda _: "{}",
         lambda _: "[" * 100_000,
         lambda _: '{"schema": "wirewarp-report-4"}',
-        lambda _: "\udcff",  # a byte that is no character
+        lambda _: "\udcff",  # a byte that is not a character
         lambda _: 7,
         lambda _: [1, 2],
         lambda _: {"pieces": 3},

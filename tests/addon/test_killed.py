@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Blender killed in the middle of a run: the file saved before opens as it was, and nothing lies beside it."""
+"""After Blender is killed during a run, the saved file opens unchanged, and no files are left beside it."""
 
 import signal
 import subprocess

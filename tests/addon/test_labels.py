@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is written on flat pieces leaves them to be seen, says what seams join, and shows which way the grain runs."""
+"""Texts on flat pieces do not hide them, name what seams join, and show the grain."""
 
 import math
 
@@ -35,7 +35,7 @@ def test_labels_hide_at_most_a_quarter_of_a_piece(addon):
     area = (6 * LETTER + 2 * 3) * (HEIGHT + 2 * 3)
     assert len(few) == int(0.25 * 80**2 / area) == 2
     assert written(addon, *names(10.0)) == []
-    other = [label(addon, "Seam 20", at=(400, 100), room=80.0, piece=2)]  # has room of its own
+    other = [label(addon, "Seam 20", at=(400, 100), room=80.0, piece=2)]  # it has enough room
     assert written(addon, *names(80.0), *other) == [*few, "Seam 20"]
 
 
@@ -47,13 +47,13 @@ def test_the_name_of_a_piece_too_small_for_it_stands_beside_it_and_on_no_other(a
     (below,) = arrange([front], size_of)
     assert below.base + HEIGHT < 90
     assert below.left + size_of("Front")[0] / 2 == 100
-    back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # where that would be
+    back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # at that place
     above, _ = arrange([front, back], size_of)
     assert above.base > 110
 
 
 def test_a_name_at_the_edge_is_not_hidden_by_the_toolbar(addon):
-    """Nor by the sidebar; what lies below them itself is left where it is."""
+    """Nor by the sidebar; names of places below them stay there."""
     span, (width, _) = (50.0, 300.0), size_of("Seam 4")
     places = [(60, 100), (295, 100), (20, 100), (175, 100)]
     written = addon.overlay.screen.arrange([label(addon, "Seam 4", at=place) for place in places], size_of, span)
@@ -96,7 +96,7 @@ def test_on_the_model_a_seam_names_both_pieces_and_on_each_piece_the_other(addon
 
 
 def arrows(addon, source, kind):
-    """(k,2) from the tail of each arrow to its tip."""
+    """Return vectors (k,2) from the tail of each arrow to its tip."""
     corners = drawn(addon, flat_of(source)).places.get(kind, np.empty((0, 3))).reshape(-1, 6, 3)
     return corners[:, 1, :2] - corners[:, 0, :2]
 
@@ -129,7 +129,7 @@ def test_arrows_turn_with_their_pieces(addon, source):
     bpy.context.view_layer.update()
     for arrow in arrows(addon, source, "default grain"):
         assert math.degrees(math.atan2(arrow[1], arrow[0])) == pytest.approx(120, abs=0.1)
-    flatten(source)  # pieces stay turned, and so does their grain
+    flatten(source)  # pieces stay rotated, and so does their grain
     for arrow in arrows(addon, source, "default grain"):
         assert math.degrees(math.atan2(arrow[1], arrow[0])) == pytest.approx(120, abs=0.1)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The result there is: it outlives runs that fail, and is told from what only looks like it."""
+"""The present result survives failed runs, and is distinguished from look-alikes."""
 
 import bpy
 import numpy as np
@@ -15,7 +15,7 @@ READY, AGAIN = "Ready to cut", 'The flat pieces of this report are gone. Flatten
 
 @pytest.fixture
 def source():
-    """Two pieces."""
+    """Return two pieces."""
     target = grid("Bump", bump, size=4)
     mark_seam(target, on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
@@ -23,7 +23,7 @@ def source():
 
 
 def fail(source):
-    """A run of which nothing comes, and the model as it was."""
+    """Run without a result, and restore the model."""
     place = source.data.vertices[0].co.copy()
     source.data.vertices[0].co.x = float("nan")
     flatten_fails("not numbers, or far")
@@ -94,7 +94,7 @@ def test_shape_keys_and_groups_of_earlier_pieces_are_gone(source):
 
 
 def test_a_change_that_blender_was_not_told_of_is_seen_by_the_export(source, tmp_path, addon):
-    assert READY in draw_panels(addon)  # and the panel has kept what it found
+    assert READY in draw_panels(addon)  # the panel keeps its findings
     places = read(source.data.vertices, "co", np.float32, 3)
     source.data.vertices.foreach_set("co", (2 * places).ravel())
     assert '"Bump" has changed since it was flattened' in export(tmp_path)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How the pieces lie: packed or in a row, and what stands upright."""
+"""The placement of pieces: packed or in a row, and which direction is up."""
 
 import bpy
 import numpy as np
@@ -22,7 +22,7 @@ from surfaces import (
 
 
 def difference(source, a, b):
-    """On the flat piece, from one vertex of the model to another."""
+    """Return the vector on the flat piece between two vertices of the model."""
     sources = flat_sources(source).tolist()
     return flat_places(source)[sources.index(b)] - flat_places(source)[sources.index(a)]
 
@@ -45,12 +45,12 @@ def test_one_row_stands_on_a_line():
         boxes.append((own.min(axis=0), own.max(axis=0)))
     assert [box[0][1] for box in boxes] == pytest.approx([0] * 4, abs=1e-6)
     assert all(left[1][0] < right[0][0] for left, right in zip(boxes[:-1], boxes[1:], strict=True))
-    flatten(source)  # another layout lays them out anew, whatever Keep Places says
+    flatten(source)  # another layout moves them, whatever Keep Places is
     assert np.ptp(flat_places(source)[:, 0]) < 1.6 * np.ptp(flat_places(source)[:, 1])
 
 
 def two_wires():
-    """Across a half cylinder: along x at y = 0.5, and along y at x = 0; the first is the wire in front."""
+    """Return wires across a half cylinder: along x at y = 0.5, the wire in front, and along y at x = 0."""
     source = grid("Half Cylinder", half_cylinder)
     mark(source, on_line(1, 0.5))
     mark(source, on_line(0, 0.0))
@@ -61,7 +61,7 @@ ALONG_X, ALONG_Y = (54, 62), (4, 76)  # ends of the wires: 9 vertices in a row
 
 
 def edge_of_wire(source, ends):
-    """The first edge from that end."""
+    """Return the first edge from that end."""
     ids = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     return next(
         row for row, pair in enumerate(edge_vertices(source.data).tolist()) if ends[0] in pair and ids[row] != 0
@@ -116,17 +116,17 @@ def test_a_grain_wire_that_is_gone_counts_as_none():
 
 def test_while_no_wire_is_the_grain_wire_pieces_stand_as_on_the_model():
     source = two_wires()
-    source.rotation_euler = (np.pi / 2, 0, 0)  # its y stands up
+    source.rotation_euler = (np.pi / 2, 0, 0)  # its y is up
     flatten(source)
     assert direction_of(source, *ALONG_Y)[1] == pytest.approx(1, abs=1e-4)
-    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # its x hangs down, though that is as much a wire as the other
+    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # its x is down, although it is equally a wire
     flatten(source, keep_places=False)
     assert direction_of(source, *ALONG_X)[1] == pytest.approx(-1, abs=1e-4)
 
 
 def test_world_up_and_the_longest_straight_edge():
     source = grid("Half Cylinder", lambda x, y: half_cylinder(x, 1.2 * y))
-    source.rotation_euler = (0, np.pi / 2, 0)  # lies on its side: x of the mesh points down
+    source.rotation_euler = (0, np.pi / 2, 0)  # on its side: x of the mesh is down
     mark(source, on_line(1, 0.0))
     flatten(source, orientation="UP")
     assert direction_of(source, 36, 37) == pytest.approx([0, -1], abs=1e-4)

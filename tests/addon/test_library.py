@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A library that is missing, foreign or broken: the add-on registers, says so in its panel, and goes again."""
+"""With a missing, foreign or broken library, the add-on registers, shows a sentence, and unregisters."""
 
 import platform
 import re
@@ -16,7 +16,7 @@ pytestmark = pytest.mark.api
 
 
 class LabelsOnly:
-    """A panel's layout that keeps the labels."""
+    """A panel's layout that keeps only labels."""
 
     def __init__(self):
         self.text = ""
@@ -39,7 +39,7 @@ def panel_text():
 
 @pytest.fixture
 def library_copy(addon, tmp_path, monkeypatch):
-    """A copy of the library's files that the add-on finds, instead of its own, when it registers again."""
+    """Copy the library's files; the add-on finds them instead of its own when it registers again."""
     installed = Path(addon.core.library().__file__).parent
     name = addon.core.library().__name__
     copy = tmp_path / "wirewarp"
@@ -62,7 +62,7 @@ def module_in(folder):
 
 
 def check_sentence(addon, sentence):
-    """Registers the add-on anew: the sentence (a regular expression) is in the panel, and Flatten answers with it.
+    """Register the add-on again: the sentence (a regular expression) is in the panel and the answer of Flatten.
 
     Nothing else is there.
     """
@@ -83,7 +83,7 @@ def check_sentence(addon, sentence):
 
 def test_no_library(addon, library_copy, monkeypatch):
     shutil.rmtree(library_copy)
-    # The extension's own library lies on the path, too.
+    # The extension's own library is on the path, too.
     monkeypatch.setattr(sys, "path", [folder for folder in sys.path if not Path(folder, "wirewarp").is_dir()])
     check_sentence(addon, "library is not installed beside the add-on. Remove WireWarp, restart Blender, and install")
 

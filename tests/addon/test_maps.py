@@ -24,7 +24,7 @@ pytestmark = pytest.mark.api
 
 @pytest.fixture
 def source():
-    """Of triangles, in two pieces, with a wire that changes its length."""
+    """Return two pieces of triangles with a wire that changes its length."""
     target = grid("Bump", bump, faces="triangles")
     mark_seam(target, on_line(0, 0.0))
     mark(target, on_line(1, 0.0), kind="SUPER_ELASTIC")
@@ -33,7 +33,7 @@ def source():
 
 
 def measured(addon, source):
-    """The library's own measures of the UV map that was written."""
+    """Return the library's measures of the written UV map."""
     mesh = source.data
     faces = read(mesh.loops, "vertex_index", np.int32).reshape(-1, 3)
     edges = edge_vertices(mesh)
@@ -78,14 +78,14 @@ def test_the_maps_are_the_librarys_measures(source, addon):
 
 
 def variations(source):
-    """Of the flat edges, and which of them are on outlines."""
+    """Return variations of the flat edges, and which of them are on outlines."""
     flat = flat_of(source).data
     on_outline = np.bincount(read(flat.loops, "edge_index", np.int32)) == 1
     return attribute(flat, "length_variation"), on_outline
 
 
 def test_what_is_thick_and_unfolds_changes_no_length():
-    """Of the middle of its thickness, which is what is flattened."""
+    """Lengths are those in the middle of its thickness, which is flattened."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Half", half_cylinder, size=16)
     bpy.ops.object.wirewarp_flatten(thickness=20.0)
@@ -105,7 +105,7 @@ def test_the_mirror_image_of_what_is_thick_has_the_same_changes_of_length():
 
 
 def test_what_is_as_long_as_it_was_to_be_has_no_change(addon):
-    """A line by its ease, worn cloth by its stretch."""
+    """A line may change by its ease, stretched fabric by its stretch."""
     target = grid("Half", half_cylinder, size=16, faces="triangles")
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=20.0, orientation="UP")
     values, _ = variations(target)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Markers: found by an export, kept with the model, and drawn where they lie."""
+"""Markers are found by an export, kept with the model, and drawn in place."""
 
 import re
 
@@ -15,7 +15,7 @@ CLOTH = {"arrangement": "MARKER", "cloth_width": 400.0, "gap": 4.0, "grain": "BO
 
 @pytest.fixture
 def source(addon, monkeypatch):
-    """Two pieces of about 230 x 115 mm; a Blender unit is 100 mm. What is drawn is made anew at once."""
+    """Return two pieces of about 230 x 115 mm; a Blender unit is 100 mm. Drawings are updated at once."""
     for pause in ("IDLE_SHARE", "SOON", "REST"):
         monkeypatch.setattr(addon.state.drawings, pause, 0.0)
     bpy.context.scene.unit_settings.scale_length = 0.1

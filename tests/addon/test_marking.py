@@ -199,7 +199,7 @@ def test_wires_are_not_marked_while_flat_pieces_are_edited_beside_the_model():
 
 
 def test_a_model_is_marked_from_nothing_selected(addon):
-    """As imported, everything is selected."""
+    """In an imported model, everything is selected."""
     source = grid("Bump", bump, size=4)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")
@@ -213,7 +213,7 @@ def test_a_model_is_marked_from_nothing_selected(addon):
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.ops.object.wirewarp_mark_model()
     chosen = [edge.index for edge in bmesh.from_edit_mesh(source.data).edges if edge.select]
-    assert chosen == [3]  # what the user has selected stays
+    assert chosen == [3]  # the user's selection does not change
     assert not addon.marks.mark_operators.has_every_edge(source.data)
     assert bpy.ops.mesh.wirewarp_mark_seam() == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is read from a mesh the fast way is what Blender says element by element."""
+"""Fast reading of a mesh gives the same data as Blender element by element."""
 
 import bmesh
 import bpy
@@ -23,7 +23,7 @@ READERS = {
 
 @pytest.fixture(params=["OBJECT", "EDIT", "no faces", "nothing"])
 def mesh(addon, request):
-    """As it is now: in Edit Mode with what Blender has not written to the mesh yet."""
+    """Return the present mesh: in Edit Mode with changes that Blender has not written to the mesh yet."""
     target = grid("Bump", round_bump, faces="ngons")
     mark_seam(target, on_line(0, 0.0))
     if request.param == "EDIT":
@@ -84,11 +84,11 @@ def test_in_edit_mode_the_mesh_is_as_it_is_edited(addon):
     assert seams.tolist() == [edge.seam for edge in edit.edges]
     assert seams.sum() == 8
     assert marks.are_wires.sum() == 16
-    assert not target.data.attributes["wirewarp_wire"].data  # which is why
+    assert not target.data.attributes["wirewarp_wire"].data  # the reason for this function
 
 
 def test_shape_keys_outlive_reading_in_edit_mode(addon):
-    """What the copy is made of they share with it."""
+    """The copy shares the data that it is made from."""
     target = grid("Bump", round_bump)
     target.shape_key_add(name="Basis")
     target.shape_key_add(name="Taller").data[40].co.z += 1

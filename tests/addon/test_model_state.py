@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report sees that its model has changed since, in Object and in Edit Mode, and only then."""
+"""The report notices changes of its model in Object and Edit Mode, and nothing else."""
 
 import bmesh
 import bpy
@@ -94,7 +94,7 @@ def test_an_attribute_of_another_type_is_a_change(source, has_changed):
 
 @pytest.fixture
 def smooth():
-    """Flattened with a modifier, beside a mirror that a second one uses."""
+    """Return a model flattened with a modifier, beside a mirror that a second modifier uses."""
     target = grid("Bump", bump)
     mark(target, LINE)
     mirror = bpy.data.objects.new("Mirror", None)
@@ -187,7 +187,7 @@ def test_one_vertex_that_moves_is_seen_and_rounding_is_not(addon, count):
 
 
 def test_a_modifier_along_normals_makes_the_same_mesh_each_time(addon):
-    """Up to Blender 3.6 but for the last digits, for threads sum up the normals as they come."""
+    """Up to Blender 3.6 except for the last digits, because threads sum the normals in any order."""
     target = grid("Bump", bump, size=72)
     modifier = target.modifiers.new("Thick", "DISPLACE")
     flatten(target, use_modifiers=True)

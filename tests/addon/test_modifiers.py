@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Modifiers and shape keys: what is flattened with them, and what is said where they were left out."""
+"""Models with modifiers and shape keys, and messages about ignored ones."""
 
 import bpy
 import pytest
@@ -40,7 +40,7 @@ def test_what_is_shown_but_not_flattened_is_said(addon):
     source = grid("Bump", bump)
     source.shape_key_add(name="Basis")
     key = source.shape_key_add(name="Taller")
-    key.value = 0  # Blender 5 begins with 1
+    key.value = 0  # Blender 5 starts with 1
     source.modifiers.new("Shading", "WEIGHTED_NORMAL")  # moves nothing
     assert notes_after(addon, source) == []
     key.data[40].co.z += 1
@@ -53,7 +53,7 @@ def test_what_is_shown_but_not_flattened_is_said(addon):
 
 
 def ignored_after(addon, source):
-    """What a run says was ignored; the pieces are not ready to cut then."""
+    """Return what a run reports as ignored; the pieces are then not ready to cut."""
     bpy.ops.object.wirewarp_flatten()
     level, text = addon.solve.report.run_message([addon.state.reports.last_report(source)])
     assert level == "WARNING" and "Lengths are exact" not in text
@@ -61,7 +61,7 @@ def ignored_after(addon, source):
 
 
 def test_modifiers_that_change_nothing_are_not_told(addon):
-    """An armature at rest, and edges that are split: the verdict is green."""
+    """An armature at rest and an edge split: the verdict is green."""
     source = grid("Bump", bump)
     bpy.ops.object.armature_add()
     armature = bpy.context.object

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one button below Flatten: what it is after each outcome, and that one click mends and flattens."""
+"""The button below Flatten after each outcome; one click fixes and flattens."""
 
 from types import SimpleNamespace
 
@@ -18,7 +18,7 @@ def step_of(addon, source, left_out=()):
 
 
 def ready(addon, source):
-    """Whether all lengths are exact, whatever fabric that takes."""
+    """Return whether all lengths are exact, for any fabric."""
     return addon.state.reports.last_report(source).ok
 
 
@@ -53,7 +53,7 @@ def test_wires_that_contradict_one_another_are_loosened_and_flattened(addon):
 
 
 def test_faces_without_area_are_dissolved_and_the_rest_flattened(addon):
-    """A sliver between two squares: its three vertices lie on a line."""
+    """A sliver between two squares: its three vertices are collinear."""
     vertices = [(0, 0, 0), (1, 0, 0), (1, 0.5, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0), (2, 1, 0)]
     source = make_object("Sliver", vertices, [(0, 1, 2, 3, 4), (1, 5, 6, 3), (1, 3, 2)])
     flatten_fails("no area")
@@ -65,7 +65,7 @@ def test_faces_without_area_are_dissolved_and_the_rest_flattened(addon):
 
 
 def test_loose_faces_are_merged_and_flattened(addon):
-    """As a file has them that lists each face with vertices of its own."""
+    """Some files list each face with its own vertices."""
     whole = grid("Bump", bump, size=48)
     places = read(whole.data.vertices, "co", np.float32, 3)
     corners = [tuple(face.vertices) for face in whole.data.polygons]
@@ -105,7 +105,7 @@ def test_modifiers_added_after_a_run_turn_the_verdict_amber_until_they_are_hidde
 
 
 def test_what_only_can_be_looked_at_is_shown(addon):
-    """A strained piece by its worst place, a failure without a remedy by its own."""
+    """The button shows the worst place of a strained piece, or a failure without a remedy."""
     source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6)
     bpy.ops.object.wirewarp_flatten()
     step = step_of(addon, source)
@@ -120,7 +120,7 @@ def test_what_only_can_be_looked_at_is_shown(addon):
 
 
 def test_a_piece_strained_too_evenly_for_a_place_is_suggested_a_cut(addon):
-    """More than every fabric takes, but nowhere as much as a hint is worth."""
+    """It needs more than every fabric allows, but nowhere enough for a hint."""
     source = grid("Low", lambda x, y: (x, y, 0.3 * (1 - x * x) * (1 - y * y)), size=6)
     bpy.ops.object.wirewarp_flatten()
     report = addon.state.reports.last_report(source)
@@ -157,11 +157,11 @@ def test_flat_pieces_stand_for_their_model(addon):
 
 
 def test_edges_proposed_for_twins_are_counted_once(addon):
-    """Sleeves of which each issue proposes the seams of both."""
+    """Each of two sleeves has an issue that proposes the seams of both."""
     source = joined(tube(place=-2.0), tube("Other", place=2.0))
     flatten_fails(CUT)
     issues = addon.state.reports.last_report(source).issues
-    assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # each of both, of six rows
+    assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # those of both for each, in six rows
     assert step_of(addon, source).sentence == "Suggested seam: 12 edges."
 
 
@@ -218,7 +218,7 @@ def test_modifiers_of_a_shared_mesh_are_left_alone(addon):
 
 
 def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
-    """Not a wire that would go further if it could, and no single face."""
+    """It is not a wire that would change more, nor a single face."""
 
     def entry(code, piece, faces, edges=()):
         return addon.core.Hint(code, "", piece, edges=list(edges), faces=list(range(faces)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the overlay draws: which lines, names and surfaces, on models and on flat pieces. Nothing is drawn here."""
+"""The lines, names and surfaces of the overlay, on models and on flat pieces. Nothing is drawn here."""
 
 from types import SimpleNamespace
 
@@ -31,7 +31,7 @@ SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), 
 
 @pytest.fixture
 def source():
-    """Two pieces with one wire of each kind, mirrored."""
+    """Return two pieces with one wire of each kind, mirrored."""
     target = grid("Bump", bump)
     target.scale = (-1, 1, 2)
     mark_seam(target, SEAM)
@@ -52,7 +52,7 @@ def lines_of(addon, target):
 
 
 def edges_of(lines):
-    """How many edges of each kind."""
+    """Return the number of edges of each kind."""
     return {kind: len(places) // 2 for kind, places in lines.places.items()}
 
 
@@ -81,7 +81,7 @@ def test_edit_mode_shows_the_same_lines_and_names(addon, source, flat):
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="DESELECT")
     during = lines_of(addon, target)
-    before.places.pop("default grain", None)  # arrows are drawn in Object Mode, as names of pieces are
+    before.places.pop("default grain", None)  # arrows, like names of pieces, are drawn in Object Mode
     assert during.places.keys() == before.places.keys()
     for kind, places in before.places.items():
         assert np.array_equal(during.places[kind], places)
@@ -112,7 +112,7 @@ def test_names_are_those_of_the_report_and_stand_on_what_they_name(addon, source
     for place in name.places:
         assert np.linalg.norm(lines.places["rigid"] - place, axis=1).min() < 0.25
     assert abs(name.places[0][0]) < 0.3  # best in the middle
-    assert min(name.places[:, 0]) < -0.5 < 0.5 < max(name.places[:, 0])  # or farther along, on either side
+    assert min(name.places[:, 0]) < -0.5 < 0.5 < max(name.places[:, 0])  # or farther along, on each side
     assert name.normals[0][2] > 0.9
 
 
@@ -180,7 +180,7 @@ def test_every_map_can_be_shown(addon, source):
     items = bpy.context.scene.wirewarp.bl_rna.properties["shown_map"].enum_items
     wanted = {item.identifier for item in items if item.identifier != "NONE"}
     assert wanted == {each.attribute.upper() for each in addon.solve.maps.COLOR_MAPS}
-    bpy.ops.object.wirewarp_flatten(cloth="WOVEN")  # which has them all
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN")  # with all settings
     for color_map in addon.solve.maps.COLOR_MAPS:
         assert surface_of(addon, source, color_map).colors.shape == (3 * 128, 4)
 
@@ -202,10 +202,10 @@ def test_only_models_and_pieces_are_drawn_and_only_what_is_wanted(addon, source)
 
 
 def look(addon, source, eye, target, perspective=True, xray=False):
-    """The names in a region of 800 by 600 pixels, by text, seen from one point to another."""
+    """Return the names in a region of 800 by 600 pixels, keyed by text, seen from one point to another."""
     forward = (Vector(target) - Vector(eye)).normalized()
     view = (Matrix.Translation(eye) @ forward.to_track_quat("-Z", "Y").to_matrix().to_4x4()).inverted()
-    if perspective:  # an angle of view of 90 degrees from left to right
+    if perspective:  # with a horizontal angle of view of 90 degrees
         window = Matrix(((1, 0, 0, 0), (0, 4 / 3, 0, 0), (0, 0, -1, -0.2), (0, 0, -1, 0)))
     else:  # 8 units wide
         window = Matrix.Diagonal((1 / 4, 1 / 3, -0.01, 1))
@@ -234,13 +234,13 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
     assert look(addon, source, (10, 0, 4.4), (10, 0, 9), perspective) == {}  # behind the eye
     right = 12 if perspective else 14.3
     aside = look(addon, source, (right, 0, 1.5), (right, 0, 0), perspective)
-    assert len(aside["Waist"].points) < len(above["Waist"].points)  # those that are left are in the region
+    assert len(aside["Waist"].points) < len(above["Waist"].points)  # the remaining ones are in the region
     assert np.all((aside["Waist"].points >= 0) & (aside["Waist"].points <= (800, 600)))
 
 
 @pytest.mark.parametrize("perspective", [True, False])
 def test_names_behind_another_part_of_the_model_are_not_written(addon, perspective):
-    """A sheet with a wire, and above it a larger one of the same object."""
+    """A sheet with a wire is below a larger sheet of the same object."""
     source = grid("Low", lambda x, y: (x, y, 0.0))
     mark(source, on_line(1, 0.0))
     high = grid("High", lambda x, y: (3 * x, 3 * y, 1.0))
@@ -337,7 +337,7 @@ def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
     drawn = found.lines["failed"].reshape(-1, 2, 3)
     around = np.abs(drawn[:, 0, 2] - drawn[:, 1, 2]) < 1e-6
     assert around.sum() == 2 * 12
-    assert (~around).sum() <= len(issue.vertices)  # the issue's own places
+    assert (~around).sum() <= len(issue.vertices)  # the issue's places
 
 
 def test_a_closed_model_has_not_failed_but_a_closed_piece_beside_a_good_one_is_in_the_legend(addon):

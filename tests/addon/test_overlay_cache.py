@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The overlay costs nothing while nothing changes, and leaves with the add-on."""
+"""The overlay costs nothing while nothing changes, and is removed with the add-on."""
 
 from types import SimpleNamespace
 
@@ -15,7 +15,7 @@ SEAM, RIGID, ELASTIC, FREE = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5), 
 
 @pytest.fixture
 def source():
-    """Two pieces with one wire of each kind."""
+    """Return two pieces with one wire of each kind."""
     target = grid("Bump", bump)
     mark_seam(target, SEAM)
     mark(target, RIGID)
@@ -55,7 +55,7 @@ def test_nothing_is_built_again_until_something_changes(addon, source, at_once):
 
 
 def test_allowances_are_laid_anew_only_where_they_are_others(addon, source, at_once, monkeypatch):
-    """Which takes longest of all that is drawn; the model is changed far more often."""
+    """They take longest to compute, and the model changes far more often."""
     shown, laid = addon.overlay.shown, []
     cut_lines = shown.cut_lines
     monkeypatch.setattr(shown, "cut_lines", lambda *given: laid.append(given) or cut_lines(*given))
@@ -90,7 +90,7 @@ def test_in_edit_mode_marks_are_seen_at_once_and_a_selection_builds_nothing_new(
 
 
 class Gpu:
-    """Stands in for the module gpu, which draws nothing without a window: counts what is sent to it and drawn."""
+    """Replaces the module gpu, which cannot draw without a window: counts what is sent and drawn."""
 
     def __init__(self):
         self.sent, self.drawn = [], 0
@@ -116,7 +116,7 @@ def test_batches_are_sent_once_until_marks_change(addon, source, at_once, monkey
             batches.draw_lines(drawing.target, "", drawing.lines, drawing.failures, 1.0, batches.Layer.LINES)
         return len(gpu.sent)
 
-    sent = 2 * (5 + 2) + 2  # two of five kinds with dashes, on the model and on its pieces; arrows and lines to cut
+    sent = 2 * (5 + 2) + 2  # two for each of five kinds with dashes, on model and pieces; arrows and cutting lines
     assert redraw() == sent
     before = gpu.drawn
     assert redraw() == 0
@@ -126,7 +126,7 @@ def test_batches_are_sent_once_until_marks_change(addon, source, at_once, monkey
 
 
 class Timers:
-    """Stands in for bpy.app.timers: what is left of real ones keeps the module bpy from closing."""
+    """Replaces bpy.app.timers, because real timers would keep the module bpy from closing."""
 
     def __init__(self):
         self.running = {}
@@ -179,15 +179,15 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, clock):
     assert drawing(2) == 2
     clock.now += 10
     timers.running.clear()
-    assert drawing(3) == 2  # it was slow: the screen moves first
+    assert drawing(3) == 2  # it was slow, so the screen is redrawn first
     assert timers.running == {addon.blender.views.redraw_views: pytest.approx(0.01)}
     clock.now += 0.01
-    assert drawing(4) == 4  # but what changes with every redraw is built all the same
+    assert drawing(4) == 4  # but data that changes with every redraw is still built
 
 
 @pytest.mark.parametrize("of_pieces", [False, True])
 def test_what_is_slow_to_build_waits_in_edit_mode_until_the_user_rests(addon, source, timers, clock, of_pieces):
-    """Also what is drawn over its pieces."""
+    """This also holds for drawings over its pieces."""
     drawing, built = slowly(addon, clock, flat_of(source) if of_pieces else source, 0.25, source)
     assert drawing(0) == 0
     clock.now += 10
@@ -201,7 +201,7 @@ def test_what_is_slow_to_build_waits_in_edit_mode_until_the_user_rests(addon, so
 
 
 def handlers_of(addon):
-    """How many of Blender's handlers of each kind are ours."""
+    """Return the number of our handlers of each of Blender's kinds."""
     kinds = {name: getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)}
     return {
         name: sum(handler.__module__.startswith(addon.__name__) for handler in handlers)
@@ -211,7 +211,7 @@ def handlers_of(addon):
 
 
 class Space:
-    """Holds the functions that draw in it, as one of Blender's types of spaces."""
+    """Stores the functions that draw in it, like Blender's types of spaces."""
 
     def __init__(self):
         self.drawn = []

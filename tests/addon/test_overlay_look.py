@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The overlay can be read: colors that everybody tells apart, a legend and names that do not cover each other."""
+"""The overlay is readable: colors that everybody can distinguish, and a legend and names that do not overlap."""
 
 from itertools import combinations
 
 import numpy as np
 import pytest
 
-# Machado, Oliveira, Fernandes 2009, severity 1: linear RGB as people without one kind of cone see it.
+# Machado, Oliveira, Fernandes 2009, severity 1: linear RGB for people without one kind of cone.
 VISIONS = {
     "normal": np.eye(3),
     "protanopia": [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
@@ -19,7 +19,7 @@ WHITE = TO_XYZ.sum(axis=1)
 
 
 def lab(srgb, vision):
-    """CIE L*a*b* (D65) of a screen color, as seen with this vision."""
+    """Return CIE L*a*b* (D65) of a screen color seen with this vision."""
     srgb = np.array(srgb)
     linear = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
     x, y, z = (TO_XYZ @ np.clip(np.array(VISIONS[vision]) @ linear, 0, 1)) / WHITE
@@ -32,7 +32,7 @@ def test_everybody_tells_the_lines_apart(addon, vision):
     styles = addon.overlay.lines.STYLES
     for (first, a), (second, b) in combinations(styles.items(), 2):
         if "grain" in first + second or {"page", "ease"} & {first, second}:
-            continue  # told by its arrow, or by its name in the corner
+            continue  # distinguished by its arrow, or by its name in the corner
         distance = np.linalg.norm(lab(a.color, vision) - lab(b.color, vision))
         assert distance > 30, (first, second)  # 2.3 is just noticeable side by side
 
@@ -46,7 +46,7 @@ def test_kinds_of_wires_are_told_apart_without_color(addon):
 
 
 def dash_lengths(addon, points, dash, gap):
-    """Of the dashes on a line through these points, as a person sees them: what touches is one."""
+    """Return the dashes on a line through these points as people see them: touching dashes are one."""
     ends = np.array([points[:-1], points[1:]], dtype=np.float32).transpose(1, 0, 2)
     offsets = np.concatenate([[0], np.cumsum(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1))[:-1]])
     pieces = addon.overlay.lines.cut_into_dashes(ends, offsets, dash, gap).reshape(-1, 2, 3)
@@ -78,7 +78,7 @@ def test_equal_steps_of_a_map_are_told_apart_and_in_order(addon, vision):
         steps = color_map.colors(np.linspace(color_map.low, color_map.high, 9))
         seen = np.array([lab(color[:3], vision) for color in surfaces.screen_colors(steps)])
         assert np.linalg.norm(np.diff(seen, axis=0), axis=1).min() > 5
-        lightness = seen[:, 0] if color_map.low >= 0 else seen[4:, 0]  # of two sides, the warm one
+        lightness = seen[:, 0] if color_map.low >= 0 else seen[4:, 0]  # the warm side, if there are two
         assert np.all(np.diff(lightness) < 0)
         if color_map.low < 0:
             assert np.all(np.diff(seen[:5, 0]) > 0)
@@ -136,7 +136,7 @@ def test_names_stay_at_their_lines_and_do_not_cover_each_other(addon):
     corners = [taken.place(own, size) for own, size in zip(points, sizes, strict=True)]
     placed = [(*each, *corner) for *each, corner in zip(points, sizes, corners, strict=True) if corner]
     assert len(placed) > 40
-    assert corners[0] == (points[0][0, 0] - 20, points[0][0, 1] + 5)  # the first stands where it should
+    assert corners[0] == (points[0][0, 0] - 20, points[0][0, 1] + 5)  # the first is in its place
     for own, (width, height), x, y in placed:
         aside = np.abs(own - (x + width / 2, y + height / 2))
         assert np.any((aside[:, 0] < 1e-6) & (aside[:, 1] <= height + 1e-6))

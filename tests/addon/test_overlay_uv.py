@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the overlay draws in the UV editor. Nothing is drawn here."""
+"""Drawings of the overlay in the UV editor. Nothing is drawn here."""
 
 from types import SimpleNamespace
 
@@ -15,7 +15,7 @@ SEAM, RIGID, ELASTIC = on_line(0, 0.0), on_line(1, 0.0), on_line(1, 0.5)
 
 @pytest.fixture
 def source():
-    """Two pieces with a rigid and an elastic wire through both."""
+    """Return two pieces with a rigid and an elastic wire through both."""
     target = grid("Bump", bump)
     mark_seam(target, SEAM)
     mark(target, RIGID)
@@ -26,7 +26,7 @@ def source():
 
 
 def shown(addon, mode="UV", show_overlays=True):
-    """In a UV editor, which there is none of without a window."""
+    """Return the drawing of a UV editor, which does not exist without a window."""
     context = SimpleNamespace(
         mode=bpy.context.mode,
         scene=bpy.context.scene,

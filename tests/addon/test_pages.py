@@ -13,7 +13,7 @@ from view_context import view_context
 
 @pytest.fixture
 def source(addon, monkeypatch):
-    """Two pieces of about 230 x 115 mm; a Blender unit is 100 mm. What is drawn is made anew at once."""
+    """Return two pieces of about 230 x 115 mm; a Blender unit is 100 mm. Drawings are updated at once."""
     for pause in ("IDLE_SHARE", "SOON", "REST"):
         monkeypatch.setattr(addon.state.drawings, pause, 0.0)
     bpy.context.scene.unit_settings.scale_length = 0.1
@@ -31,7 +31,7 @@ def preview(addon, source, **settings):
 
 
 def frames(pages):
-    """(p,2,2) their lowest and highest corners in millimeters."""
+    """Return their lowest and highest corners (p,2,2) in millimeters."""
     corners = 100 * pages.places["page"].reshape(-1, 8, 3)[..., :2]
     return np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
 
@@ -43,7 +43,7 @@ def sheets_in(path):
 @pytest.mark.parametrize("arrangement", ["IN_ROWS", "AS_LAID_OUT"])
 @pytest.mark.parametrize(("paper", "beside"), [("A4", 1), ("A0", 1), ("ROLL_36", 0), ("PROJECTOR", 0)])
 def test_there_are_as_many_as_the_file_has(addon, source, tmp_path, paper, beside, arrangement):
-    """But for the map."""
+    """Except for the map."""
     pages = preview(addon, source, paper=paper, arrangement=arrangement)
     path = tmp_path / "a.pdf"
     bpy.ops.object.wirewarp_export(filepath=str(path), paper=paper, arrangement=arrangement)
@@ -56,7 +56,7 @@ def test_there_are_as_many_as_the_file_has(addon, source, tmp_path, paper, besid
 
 @pytest.mark.parametrize("arrangement", ["IN_ROWS", "AS_LAID_OUT"])
 def test_pairs_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path, arrangement):
-    """Of a flat square of 200 mm that is cut in the middle: half of one half."""
+    """For a flat square of 200 mm, divided in the middle: half of one half."""
     for pause in ("IDLE_SHARE", "SOON", "REST"):
         monkeypatch.setattr(addon.state.drawings, pause, 0.0)
     bpy.context.scene.unit_settings.scale_length = 0.1
@@ -82,7 +82,7 @@ def test_over_the_pieces_as_they_lie_every_point_is_on_a_page(addon, source):
     pages = preview(addon, source, arrangement="AS_LAID_OUT", paper="A4")
     places = 100 * read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
     low, high = frames(pages).transpose(1, 0, 2)
-    assert np.sort(high - low) == pytest.approx(np.tile([190.0, 277.0], (len(low), 1)), abs=1e-3)  # less the margins
+    assert np.sort(high - low) == pytest.approx(np.tile([190.0, 277.0], (len(low), 1)), abs=1e-3)  # without the margins
     on_page = np.all((places[:, None] > low) & (places[:, None] < high), axis=2)
     assert np.all(on_page.any(axis=1)) and "cut" not in pages.places
 
@@ -104,7 +104,7 @@ def test_they_follow_allowances_and_the_unit(addon, source):
     assert np.ptp(frames(preview(addon, source, allowance=30.0))[0], axis=0)[1] == pytest.approx(before + 40, abs=2)
     select_edges(source, on_line(1, -1.0), on_line(1, 1.0), on_line(0, 1.0), on_line(0, -1.0))
     bpy.ops.mesh.wirewarp_allowance(kind="HEM", hem=10.0)
-    assert height() == pytest.approx(before + 20, abs=2)  # only at the seam there are 30 mm now
+    assert height() == pytest.approx(before + 20, abs=2)  # only the seam has 30 mm now
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.context.scene.unit_settings.scale_length = 0.2
     bpy.context.view_layer.update()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From Blender to the library: what is read of flat pieces, and what each choice in the dialog becomes.
+"""From Blender to the library: the data of flat pieces, and the effect of each choice in the dialog.
 
-How patterns are drawn is tested where they are drawn, in tests/bindings.
+tests/bindings tests how patterns are drawn.
 """
 
 import bpy
@@ -15,7 +15,7 @@ SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
 
 @pytest.fixture
 def source():
-    """Two pieces with wires of each kind through both; a Blender unit is 100 mm."""
+    """Return two pieces with wires of each kind through both; a Blender unit is 100 mm."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Bump", bump)
     mark_seam(target, SEAM)
@@ -31,7 +31,7 @@ def parts_of(addon, source, **settings):
 
 
 def lengths_on(source, line):
-    """Millimeters of the edges on a line of the model."""
+    """Return millimeters of the edges on a line of the model."""
     places = read(source.data.vertices, "co", np.float32, 3)
     return 100 * edge_lengths(source)[[line(places[a], places[b]) for a, b in edge_vertices(source.data)]]
 

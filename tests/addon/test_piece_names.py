@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What pieces are called, and that they are still called so after the model was changed."""
+"""Names of pieces, and how they survive changes of the model."""
 
 import json
 import math
@@ -34,14 +34,14 @@ def rename(source, old, new):
 
 @pytest.fixture
 def source():
-    """Two pieces, at -x and +x."""
+    """Return two pieces, at -x and +x."""
     target = grid("Bump", bump)
     mark_seam(target, on_line(0, 0.0))
     return target
 
 
 def middle_of(source, name):
-    """On the model, of the faces that carry the piece's id."""
+    """Return the middle, on the model, of the faces with the piece's id."""
     piece_id = next(entry.piece_id for entry in source.wirewarp_pieces if entry.name == name)
     ids = read(source.data.attributes["wirewarp_piece"].data, "value", np.int32)
     return read(source.data.polygons, "center", np.float32, 3)[ids == piece_id].mean(axis=0)
@@ -49,12 +49,12 @@ def middle_of(source, name):
 
 def test_pieces_are_named_after_their_side(source):
     assert sorted(flatten(source)) == HALVES
-    assert middle_of(source, "Top Left")[0] > 0.4  # the wearer's left, who looks along -Y
+    assert middle_of(source, "Top Left")[0] > 0.4  # the left of the wearer, who faces -Y
     assert middle_of(source, "Top Right")[0] < -0.4
 
 
 def test_sides_as_seen_with_the_object_turned(source):
-    source.rotation_euler = (np.pi / 2, 0, 0)  # its top now looks along -Y
+    source.rotation_euler = (np.pi / 2, 0, 0)  # its top faces -Y now
     assert sorted(flatten(source)) == ["Front Left", "Front Right"]
 
 
@@ -72,7 +72,7 @@ def test_a_tube_turned_inside_out_keeps_front_and_back_and_is_told():
     (note,) = json.loads(tube["wirewarp_report"])["notes"]
     assert note["text"].startswith("Normals point inward, so pieces show their inside") and note["is_warning"]
     bpy.ops.object.wirewarp_flatten(mirror=True)
-    assert json.loads(tube["wirewarp_report"])["notes"] == []  # now they are as seen from outside
+    assert json.loads(tube["wirewarp_report"])["notes"] == []  # now as seen from outside
 
 
 def test_a_bowl_seen_from_its_hollow_is_not_taken_for_inside_out(addon):
@@ -102,7 +102,7 @@ def test_what_winds_around_is_named_after_its_place():
     ]
     for sleeve in sleeves:
         sleeve.data.edges.foreach_set("use_seam", [set(edge.vertices) == {0, 8} for edge in sleeve.data.edges])
-    assert flatten(sleeves[0]) == ["Tube -4"]  # alone it is all of the model
+    assert flatten(sleeves[0]) == ["Tube -4"]  # alone it is the whole model
     select_only(*sleeves)
     bpy.ops.object.join()
     assert sorted(flatten(sleeves[0])) == ["Left", "Right"]
@@ -168,7 +168,7 @@ def test_a_linked_mesh_of_the_name_of_the_results_is_no_hindrance(tmp_path):
 
 
 def test_more_than_two_of_one_side_are_numbered():
-    """By the order from front to back in the middle; left and right, a pair has one number."""
+    """They are numbered from front to back in the middle; a left-right pair has one number."""
     for axis, names in ((1, ["Top 1", "Top 2", "Top 3", "Top 4"]), (0, FOUR_HALVES)):
         target = grid("Bump", bump)
         for line in (-0.5, 0.0, 0.5):
@@ -203,8 +203,8 @@ def fill_group(target, name, wanted):
 
 
 def test_a_vertex_group_gives_its_name_to_the_piece_it_covers(source):
-    fill_group(source, "All", lambda _: True)  # tells nothing
-    fill_group(source, "Sleeve", lambda co: co.x > -0.3)  # a little of the other piece too
+    fill_group(source, "All", lambda _: True)  # does not distinguish
+    fill_group(source, "Sleeve", lambda co: co.x > -0.3)  # also a little of the other piece
     source.vertex_groups.new(name="Empty")
     assert sorted(flatten(source)) == ["Sleeve", "Top Right"]
     assert middle_of(source, "Sleeve")[0] > 0
@@ -212,7 +212,7 @@ def test_a_vertex_group_gives_its_name_to_the_piece_it_covers(source):
 
 def test_a_weak_weight_is_no_membership(source):
     source.vertex_groups.new(name="Faint").add(range(81), 0.3, "REPLACE")
-    fill_group(source, "Half", lambda co: co.x > 0.6)  # not most of the piece
+    fill_group(source, "Half", lambda co: co.x > 0.6)  # less than half of the piece
     assert sorted(flatten(source)) == HALVES
 
 
@@ -274,7 +274,7 @@ def test_joined_and_copied_pieces_keep_what_they_can(source):
     bpy.ops.object.join()
     names = flatten(source)
     assert len(set(names)) == 4
-    assert {"Sleeve", "Top Right"} < set(names)  # on one of each pair of equals
+    assert {"Sleeve", "Top Right"} < set(names)  # on one of each equal pair
     assert len({entry.piece_id for entry in source.wirewarp_pieces}) == 4
 
 

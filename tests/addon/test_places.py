@@ -29,12 +29,12 @@ from surfaces import (
 
 SEAM = on_line(0, 0.0)
 HALVES = ["Top Left", "Top Right"]
-NEAR = 1e-5  # of coordinates of about 10, in single precision
+NEAR = 1e-5  # for coordinates of about 10 in single precision
 
 
 @pytest.fixture
 def source():
-    """Two pieces, flattened."""
+    """Return two flattened pieces."""
     target = grid("Bump", bump)
     mark_seam(target, SEAM)
     bpy.ops.object.wirewarp_flatten()
@@ -50,7 +50,7 @@ def vertices_of(source, name):
 
 
 def places_of(source):
-    """{(name of the piece, vertex of the model): place}, of vertices that are in the piece once."""
+    """Return {(name of the piece, vertex of the model): place} for vertices that occur once in the piece."""
     places, sources = flat_places(source), flat_sources(source)
     own = [(name, vertex) for name in names_of(source) for vertex in vertices_of(source, name)]
     return {(name, int(sources[vertex])): places[vertex] for name, vertex in own}
@@ -68,7 +68,7 @@ def boxes(source):
 
 
 def assert_true(source):
-    """Every edge of the outlines has its length on the model."""
+    """Check that every outline edge has its length on the model."""
     flat, sources = flat_of(source).data, flat_sources(source)
     on_model = dict(zip(map(frozenset, edge_vertices(source.data).tolist()), edge_lengths(source), strict=True))
     outline = np.bincount(read(flat.loops, "edge_index", np.int32), minlength=len(flat.edges)) == 1
@@ -86,7 +86,7 @@ def names_of(source):
 
 
 def move(source, name, angle=0.0, by=(0.0, 0.0)):
-    """Turns a piece about the origin and shifts it, as in Edit Mode."""
+    """Rotate a piece about the origin and shift it, as in Edit Mode."""
     flat = flat_of(source).data
     for vertex in vertices_of(source, name):
         place = complex(*flat.vertices[vertex].co[:2]) * complex(math.cos(angle), math.sin(angle)) + complex(*by)
@@ -107,7 +107,7 @@ def test_pieces_moved_and_turned_by_the_user_stay(source):
     move(source, "Top Left", angle=2.0, by=(5, -7))
     before = places_of(source)
     for vertex in source.data.vertices:
-        vertex.co.z *= 1.02  # other shapes, nearly
+        vertex.co.z *= 1.02  # slightly different shapes
     flatten(source)
     again = places_of(source)
     assert 1e-4 < farthest(again, before) < 0.05
@@ -146,7 +146,7 @@ def test_several_new_pieces_do_not_overlap(source):
     found = list(boxes(source).values())
     assert len(found) == 14
     crowded = [(k, j) for k in range(14) for j in range(k) if not are_apart(found[k], found[j])]
-    assert len(crowded) <= 1  # boxes of the two that stayed may meet, for they need not be upright
+    assert len(crowded) <= 1  # boxes of the two that stayed may overlap, because the pieces may be rotated
 
 
 def test_a_piece_that_grew_into_another_goes_beside_it_and_that_is_said(source, notes):
@@ -173,7 +173,7 @@ def test_pieces_that_the_user_put_over_each_other_stay_there(source, notes):
 
 
 def flip_one(source):
-    """Turns a face of Top Left over: the piece fails. Once more, and it is well again."""
+    """Flip a face of Top Left, so that the piece fails; a second call restores it."""
     max(source.data.polygons, key=lambda each: each.center.x).flip()
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flat pieces do not lie over each other or over models, and keep the spacing asked for."""
+"""Flat pieces do not overlap each other or models, and keep the requested spacing."""
 
 import bpy
 import numpy as np
@@ -10,7 +10,7 @@ from two_sided import select_side
 
 
 def test_models_flattened_together_have_their_pieces_at_one_height_and_under_none_of_them():
-    """A small model, a tall one right of it, and one that hovers where the pieces of the first would lie."""
+    """A small model, a tall one on its right, and one that hovers where the pieces of the first would be."""
     models = [grid(name, bump) for name in ("Left", "Tall", "Hovering")]
     for model, place in zip(models, [(0, 0, 0), (7, 0, -1), (3.5, 0, 4)], strict=True):
         model.location = place
@@ -26,13 +26,13 @@ def test_models_flattened_together_have_their_pieces_at_one_height_and_under_non
 
 
 def world_box(target):
-    """(2,2) from above."""
+    """Return its box (2,2) from above."""
     corners = np.array([(target.matrix_world @ Vector(corner))[:2] for corner in target.bound_box])
     return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
 def gap_of_two(size, meters, mark_widths=lambda _: None):
-    """Between two pieces that are 50 mm apart, in meters; mark_widths: marks allowances on the model."""
+    """Return the space between two pieces 50 mm apart, in meters. mark_widths: marks allowances on the model."""
     bpy.context.scene.unit_settings.scale_length = meters
     source = grid("Plane", lambda x, y: (size * x, size * y, 0))
     mark_seam(source, on_line(0, 0.0))
@@ -51,23 +51,23 @@ def gap_of_two(size, meters, mark_widths=lambda _: None):
 
 @pytest.mark.parametrize(("size", "meters"), [(0.5, 1.0), (4.0, 1.0), (500.0, 0.001)])
 def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, meters):
-    """From one line to cut to the other: here these are 10 mm away from the pieces."""
+    """It is the distance of the cutting lines, which are 10 mm outside the pieces here."""
     assert gap_of_two(size, meters) == pytest.approx(0.05 + 2 * 0.01, abs=1e-5)
 
 
 def mark_everywhere(source):
-    """40 mm on all edges."""
+    """Mark 40 mm on all edges."""
     widths = source.data.attributes.new("wirewarp_allowance", "FLOAT", "EDGE")
     widths.data.foreach_set("value", np.full(len(source.data.edges), 0.04, dtype=np.float32))
 
 
 def mark_one_side(source):
-    """40 mm on one side of the seam."""
+    """Mark 40 mm on one side of the seam."""
     flatten(source, spacing=50.0)
     select_side(source, -1)
     assert bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=40.0) == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
-    bpy.data.objects.remove(flat_of(source))  # its pieces would stay where they lie
+    bpy.data.objects.remove(flat_of(source))  # otherwise its pieces would keep their places
     select_only(source)
 
 

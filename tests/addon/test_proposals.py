@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons that mend what failed: what they write, when they refuse, and that the piece lies flat then."""
+"""The buttons that fix failures: what they write, when they refuse, and that the piece is then flat."""
 
 import json
 import math
@@ -69,7 +69,7 @@ def test_one_proposal_leaves_the_others_good():
 def test_two_sleeves_are_mended_at_once_as_mirror_images(addon):
     """By its own proposal, the second sleeve would get its seam on the same side as the first."""
     source, other = tube(place=-2.0), tube("Other", place=2.0)
-    for target in (source, other):  # narrower towards one side, so that a seam has its best place there
+    for target in (source, other):  # narrower on one side, which makes that the best place for a seam
         for vertex in target.data.vertices:
             vertex.co.y *= 1 + 0.2 * abs(vertex.co.x)
     joined(source, other)
@@ -79,13 +79,13 @@ def test_two_sleeves_are_mended_at_once_as_mirror_images(addon):
     ends = read(source.data.vertices, "co", np.float32, 3)[seams_of(source)]
     middles = {tuple(place) for place in ends.mean(axis=1).round(4).tolist()}
     assert middles and middles == {(-x, y, z) for x, y, z in middles}
-    assert take(issue=1) == {"CANCELLED"}  # done already
+    assert take(issue=1) == {"CANCELLED"}  # already done
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 
 def test_twins_without_mirrored_meshes_are_mended_at_once_each_by_its_own_seam():
     source, other = tube(), tube("Other", place=4.0)
-    other.data.transform(Matrix.Rotation(0.1, 4, "Z"))  # about the world's axis: no mirror image in X, Y or Z
+    other.data.transform(Matrix.Rotation(0.1, 4, "Z"))  # about the world's axis: not a mirror image in X, Y or Z
     joined(source, other)
     flatten_fails(CUT)
     assert take(issue=1) == {"FINISHED"}
@@ -99,7 +99,7 @@ def test_the_flat_pieces_of_the_others_take_it_to_the_model():
     bpy.ops.object.mode_set(mode="EDIT")
     assert take() == {"FINISHED"}
     assert len(seams_of(source)) > 0
-    assert bpy.context.mode == "OBJECT"  # where undo brings back the model too
+    assert bpy.context.mode == "OBJECT"  # where undo also restores the model
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
@@ -136,14 +136,14 @@ def test_there_is_nothing_to_take():
 
 
 def neighbors(source, pairs):
-    """Whether the edges lead from each to the next."""
+    """Return whether the edges connect each vertex with the next."""
     return all(set(a) & set(b) for a, b in zip(pairs, pairs[1:], strict=False)) and {
         tuple(sorted(pair)) for pair in pairs
     } <= {tuple(sorted(pair)) for pair in edge_vertices(source.data).tolist()}
 
 
 def test_a_proposed_diagonal_goes_round_its_face_the_shorter_way(addon):
-    """The grid has nine vertices a row; pairs of its cells are one hexagon each."""
+    """The grid has nine vertices per row; each hexagon is a pair of cells."""
     source = grid("Bump", round_bump, faces="ngons")
     arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
     around = addon.solve.flatten.seams_on_edges
@@ -170,7 +170,7 @@ def test_a_proposed_diagonal_goes_round_its_face_the_shorter_way(addon):
 
 @pytest.fixture
 def loosen(addon):
-    """A model with two wires, and the proposal of a tolerance for the first, as the library words it."""
+    """Return a model with two wires, and the library's proposal of a tolerance for the first."""
     source = grid("Bump", bump)
     mark(source, WIRE)
     mark(source, on_line(1, 0.5), kind="ELASTIC", tolerance=0.2)
@@ -197,7 +197,7 @@ def loosen(addon):
 
 
 def tolerances_on(source, value):
-    """Of the edges on a line of the model."""
+    """Return the tolerances of the edges on a line of the model."""
     places = read(source.data.vertices, "co", np.float32, 3)
     on = [on_line(1, value)(places[a], places[b]) for a, b in edge_vertices(source.data)]
     return read(source.data.attributes["wirewarp_tolerance"].data, "value", np.float32)[on]
@@ -217,7 +217,7 @@ def test_the_proposed_tolerances_are_written_and_none_becomes_tighter(loosen, ad
 
 
 def inside(a, b):
-    """For edges that are not part of the outline of a grid."""
+    """Select edges that are not on the outline of a grid."""
     return not any(abs(a[k]) > 1 - 1e-6 and abs(a[k] - b[k]) < 1e-6 for k in (0, 1))
 
 

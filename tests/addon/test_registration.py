@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on comes and goes; its operators and properties are what they should be."""
+"""The add-on registers and unregisters with its operators and properties."""
 
 import inspect
 import sys
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.api
 
 
 def handlers_of(addon) -> list[tuple[str, str]]:
-    """The add-on's own among all handlers of the application: list and function."""
+    """Return the add-on's handlers among all handlers of the application: list and function."""
     return [
         (name, function.__qualname__)
         for name, functions in inspect.getmembers(bpy.app.handlers, lambda member: isinstance(member, list))
@@ -24,7 +24,7 @@ def handlers_of(addon) -> list[tuple[str, str]]:
 
 
 def all_that_blender_knows() -> dict:
-    """What add-ons add to."""
+    """Return everything that add-ons add to."""
     kinds = ("Scene", "Object", "Mesh", "Collection", "WindowManager", "AddonPreferences")
     known = {kind: set(getattr(bpy.types, kind).bl_rna.properties.keys()) for kind in kinds}
     known["types"] = {name for name in dir(bpy.types) if hasattr(bpy.types, name)}
@@ -122,7 +122,7 @@ def test_every_class_of_the_add_on_is_registered(addon):
 
 
 def test_the_panels_of_the_sidebar_come_in_the_order_of_the_work(addon):
-    """Blender shows them as they are registered."""
+    """Blender shows them in the order of registration."""
     panels = [cls for cls in addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
     first = "Flatten, Settings, Advanced, Suggestions, Export, Mark, Pieces, Wires, Report"
     own = [cls.bl_label for cls in panels if getattr(cls, "bl_parent_id", "") != "VIEW3D_PT_wirewarp_report"]
@@ -177,7 +177,7 @@ def test_what_the_caller_leaves_out_is_taken_from_the_scene(addon):
 
 
 class MenuLayout(SimpleNamespace):
-    """Notes what is drawn into a menu; as after an entry of Blender's own that is executed and not invoked."""
+    """Records what is drawn into a menu, as after an entry of Blender that is executed and not invoked."""
 
     def __init__(self):
         super().__init__(operator_context="EXEC_REGION_WIN", contexts=[], menus=[], entries=[])
@@ -195,7 +195,7 @@ class MenuLayout(SimpleNamespace):
 
 
 def test_menu_entries_take_the_settings_of_the_scene_and_stand_under_the_add_on_s_name(addon):
-    """F3 finds them by it."""
+    """F3 finds them by this name."""
     tools = SimpleNamespace(mesh_select_mode=(False, True, False))
     menus = addon.ui.menus
     for name, draw in menus.ADDED.items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The JSON report and what is kept for the panel."""
+"""The JSON report, and the data kept for the panel."""
 
 import csv
 import io
@@ -111,7 +111,7 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
         left = iter(range(steps, 0, -1))
 
         def start(*what, **options):
-            """A job that is done, cancelled when its shape has taken so many steps."""
+            """Return a finished job, canceled after this many steps."""
             stops = lambda stage, _: stage != "shape" or next(left, 0) > 0  # noqa: E731
             result = library.flatten(*what, progress=stops, **options)
             return SimpleNamespace(is_done=lambda: True, cancel=lambda: None, result=lambda: result)
@@ -132,7 +132,7 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
 
 
 def test_what_is_only_good_to_know_is_no_warning(addon, source):
-    """In the message after a run; what may be wrong with the pieces is."""
+    """It is only in the message after a run, together with possible faults of the pieces."""
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     report = addon.state.reports.last_report(source)
@@ -150,7 +150,7 @@ def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
 
     by_length = piece(method="WIREWARP_PLUS_PLUS", node_weight="LENGTH")
     assert by_length["arap_energy"] != piece(method="WIREWARP_PLUS_PLUS", node_weight="UNIFORM")["arap_energy"]
-    assert piece()["arap_energy"] < by_length["arap_energy"]  # what the refined method is for
+    assert piece()["arap_energy"] < by_length["arap_energy"]  # the purpose of the refined method
     options = flatten_with_report(tmp_path, fairness=0.25)["objects"][0]["options"]
     assert (options["method"], options["fairness"]) == ("refined", 0.25)
     rough, smooth = piece(fairness=0.02), piece(fairness=1.0)
@@ -188,7 +188,7 @@ def test_lengths_and_areas_are_shown_in_the_scenes_units(addon, system, unit, sc
 
 
 def test_the_report_says_what_stood_upright(source, tmp_path):
-    """Without a grain wire that is what is up, whatever was asked for."""
+    """Without a grain wire, the report names what is up, whatever was requested."""
 
     def upright(**settings):
         return flatten_with_report(tmp_path, **settings)["objects"][0]["options"]["orientation"]

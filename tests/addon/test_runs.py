@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs beside Blender, and what is made again by itself. The window's part of both: tests/window."""
+"""Runs beside Blender, and automatic updates. tests/window tests their parts in the window."""
 
 import subprocess
 import sys
@@ -46,7 +46,7 @@ def test_a_run_that_is_given_up_is_cancelled_in_the_core_too(addon, started):
 
 @pytest.fixture
 def started(addon, monkeypatch):
-    """References to the core's jobs that begin from now on: their threads have ended when these are dead."""
+    """Collect references to the core's jobs started from now on: when they are dead, their threads have ended."""
     jobs, library = [], addon.core.library()
     start = library.start
 
@@ -60,7 +60,7 @@ def started(addon, monkeypatch):
 
 
 class FakeWindow:
-    """All of a context that a run asks for."""
+    """The part of a context that a run uses."""
 
     def __init__(self):
         self.window_manager, self.workspace, self.window = self, self, None
@@ -134,7 +134,7 @@ def begun(addon):
 
 
 def test_a_run_that_is_done_may_still_be_cancelled(addon, begun):
-    """An update that waits for the mouse."""
+    """An update may wait for the mouse."""
     run = begun(solving(addon))
     assert run.is_done
     addon.ui.window_run.cancel()
@@ -240,7 +240,7 @@ def test_there_is_no_second_run_beside_another(addon, source, monkeypatch):
 
 
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
-    """No operator is unregistered for it, which would take Adjust Last Operation away; in the end all go."""
+    """No operator is unregistered for it, which would remove Adjust Last Operation; in the end all are unregistered."""
     updating = addon.flatten.auto_update.updating_in
     idnames = [updating(group).idname_py() for group in ("Move", "Mark Seam", "Move", "Update Flat Pieces")]
     assert len(set(idnames)) == 3 and idnames[0] == idnames[2] and idnames[3] == "object.wirewarp_update"
@@ -260,7 +260,7 @@ def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source):
     bpy.context.scene.wirewarp.auto_update = True
     move_a_vertex(source)
     assert canceled not in draw_panels(addon)
-    assert taken(addon) == ["Bump"]  # as the update does, which then is canceled
+    assert taken(addon) == ["Bump"]  # as in the update, which is then canceled
     assert canceled in draw_panels(addon)
     move_a_vertex(source)
     bpy.context.view_layer.update()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sample files: they are what their script makes, and Flatten keeps every length on them."""
+"""The sample files are what their script makes, and Flatten keeps every length on them."""
 
 import json
 import sys
@@ -67,7 +67,7 @@ def test_the_file_holds_eases_and_cloth(name, addon):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_model_fills_the_view_that_the_file_opens_with(name):
-    """In a window a half as wide again as high, by Blender's own projection of 50 mm."""
+    """For a window 1.5 times as wide as high, with Blender's projection of 50 mm."""
     source = open_sample(name)
     points = read(source.data.vertices, "co", np.float32, 3)
     areas = [area for screen in bpy.data.screens for area in screen.areas if area.type == "VIEW_3D"]
@@ -80,7 +80,7 @@ def test_the_model_fills_the_view_that_the_file_opens_with(name):
 
 
 def flatten_as_the_file_says(folder):
-    """The object's part of the report."""
+    """Return the object's part of the report."""
     settings = bpy.context.scene.wirewarp
     chosen = {name: getattr(settings, name) for name in ("cloth", "worn_across", "worn_along", "fairness")}
     report_path = folder / "report.json"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams are numbered once: what is chalked on cloth stays true, whatever else is marked or changed."""
+"""Seams keep their numbers, which may be chalked on fabric, whatever else is marked or changed."""
 
 from copy import copy
 from types import SimpleNamespace
@@ -31,7 +31,7 @@ def source():
 
 
 def seams(addon, target):
-    """Of the last report: where they run, by name."""
+    """Return the places of the last report's seams by name."""
     report = addon.state.reports.last_report(target)
     places = read(target.data.vertices, "co", np.float32, 3)
     return {seam.name: places[seam.edges].mean(axis=(0, 1))[:2].round(2).tolist() for seam in report.seams}
@@ -57,7 +57,7 @@ def test_a_number_is_not_given_again(addon, source):
     mark_seam(source, DOWN)
     flatten(source)
     assert seams(addon, source) == {"Seam 1": [0.5, 0.0], "Seam 3": [0.0, 0.0]}
-    mark_seam(source, at(-0.5))  # what was a seam before is that one again
+    mark_seam(source, at(-0.5))  # a seam that is marked again has its old number
     flatten(source)
     assert seams(addon, source)["Seam 2"] == [-0.5, 0.0]
 
@@ -90,7 +90,7 @@ def test_a_seam_that_ends_inside_its_piece_is_a_dart(addon):
     flatten(target)
     assert list(seams(addon, target)) == ["Dart 1"]
     assert addon.state.reports.last_report(target).tables.seams[0].note == "Bump"
-    mark_seam(target, DOWN)  # all the way through: the same seam, and no dart any more
+    mark_seam(target, DOWN)  # all the way through: the same seam, but not a dart now
     flatten(target)
     assert list(seams(addon, target)) == ["Seam 1"]
 
@@ -131,7 +131,7 @@ def test_seams_keep_their_numbers_with_modifiers(addon, source):
 def test_a_seam_whose_name_was_cleared_gets_one_again(addon, source):
     source.wirewarp_seams[0].name = ""
     flatten(source)
-    assert list(seams(addon, source)) == ["Seam 2"]  # 1 is not given again
+    assert list(seams(addon, source)) == ["Seam 2"]  # 1 is not reused
 
 
 def test_names_stay_in_view_when_a_run_is_refused(addon, source):
@@ -143,7 +143,7 @@ def test_names_stay_in_view_when_a_run_is_refused(addon, source):
 
 
 class MovingEntries(list):
-    """As Blender's collections: add() may move all entries, and those taken before are no longer in it."""
+    """Behaves like Blender's collections: add() may move all entries, so that earlier references are invalid."""
 
     def add(self):
         self[:] = [*map(copy, self), SimpleNamespace(seam_id=0, name="")]

@@ -24,7 +24,7 @@ CUT, ACROSS = on_line(0, 0.0), on_line(1, 0.0)
 
 
 def with_islands(faces="quads"):
-    """A grid whose map, in its own x and y, has the faces right of x = 0 moved aside."""
+    """Return a grid whose map, its own x and y, has the faces right of x = 0 moved aside."""
     target = grid("Bump", bump, faces=faces)
     mesh = target.data
     layer = mesh.uv_layers.new(name="Map")
@@ -88,7 +88,7 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
 
 def test_the_active_one_of_several_maps_is_read_and_ours_if_there_is_no_other(capfd):
     target = with_islands()
-    plain = target.data.uv_layers.new(name="Plain", do_init=False)  # all in one point
+    plain = target.data.uv_layers.new(name="Plain", do_init=False)  # all UVs are one point
     target.data.uv_layers.active = plain
     select_edges(target)
     assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"CANCELLED"}
@@ -114,7 +114,7 @@ def test_without_a_map_nothing_is_marked():
 
 
 def cube(*, with_map=True):
-    """Closed, with a map in which its six faces are unfolded into one island."""
+    """Return a closed cube with a map in which its six faces form one unfolded island."""
     bpy.ops.mesh.primitive_cube_add(calc_uvs=with_map)
     return bpy.context.active_object
 
@@ -129,18 +129,18 @@ def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addo
     found = uv_seams_of(addon, source)
     assert (found.pieces, found.failed, found.is_good) == (1, 0, True)
     assert found.stretch == pytest.approx(0, abs=1e-6)
-    assert len(seam_edges(source.data)) == 0  # it was only tried
+    assert len(seam_edges(source.data)) == 0  # only tried
     report = addon.state.reports.last_report(source)
     step = addon.report_panel.next_step.next_step(report, [])
     assert step.sentence == "The seams of the UV map make 1 piece, stretch 0.0%."
     assert bpy.ops.object.wirewarp_mend(**step.settings) == {"FINISHED"}
-    assert len(seam_edges(source.data)) == 7  # of twelve, five hold the six faces together
+    assert len(seam_edges(source.data)) == 7  # of twelve edges, five connect the six faces
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
     assert uv_seams_of(addon, source) is None
 
 
 def test_before_the_first_run_the_seams_of_the_map_are_a_button(addon):
-    """A model of an island for each piece so is a pattern in one click. Not if something is marked already."""
+    """A model with one island per piece becomes a pattern in one click, but not if something is marked already."""
     source, buttons = with_islands(), []
     select_only(source)
     draw_panels(addon, buttons)
@@ -171,13 +171,13 @@ def test_seams_of_a_map_that_lowers_the_stretch_are_offered_for_a_model_without_
     report = addon.state.reports.last_report(source)
     assert report.uv_seams.pieces == 2
     assert 0 < report.uv_seams.stretch < report.pieces[0].needed
-    mark_seam(source, ACROSS)  # now the user has seams of their own
+    mark_seam(source, ACROSS)  # now the user has seams
     flatten(source)
     assert uv_seams_of(addon, source) is None
 
 
 def test_who_cancels_while_the_seams_of_the_map_are_tried_has_the_pieces(addon, monkeypatch):
-    """And the bar never goes back."""
+    """The bar never goes backwards."""
     source, scene, solver = with_islands(), bpy.context.scene, addon.flatten.models
     flatten_arrays, runs, fractions = solver.flatten_arrays, [], []
 

@@ -97,7 +97,7 @@ def test_of_a_mesh_with_modifiers_the_flat_pieces_are_shown():
     target.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     bpy.ops.mesh.wirewarp_select_result(what="SEAM", index=0)
-    assert len(selected(flat_of(target), "edges")) == 32  # both sides, each edge of the model in two
+    assert len(selected(flat_of(target), "edges")) == 32  # both sides: each edge of the model is in two pieces
 
 
 def test_a_model_that_has_changed_is_said(source):
@@ -115,7 +115,7 @@ def wired(source):
 
 
 def places(target, edges):
-    """The edges' ends (k,2,3)."""
+    """Return the ends (k,2,3) of the edges."""
     return read(target.data.vertices, "co", np.float32, 3)[edge_vertices(target.data)[edges]]
 
 
@@ -128,7 +128,7 @@ def test_a_wire_on_the_model_and_on_the_flat_pieces(wired, what):
     flat = flat_of(wired)
     select_only(flat)
     bpy.ops.mesh.wirewarp_select_result(what=what, index=0)
-    edges = selected(flat, "edges")  # and back in Object Mode, where attributes can be read
+    edges = selected(flat, "edges")  # back in Object Mode, where attributes can be read
     ids = read(flat.data.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.array_equal(edges, np.flatnonzero(ids))
 
@@ -189,7 +189,7 @@ def test_buttons_say_what_they_do(addon, name):
     properties = bpy.context.window_manager.operator_properties_last(f"mesh.wirewarp_{name}")
     operator = getattr(bpy.types, f"MESH_OT_wirewarp_{name}")
     if name == "select_issues":
-        assert operator.description(bpy.context, properties) == ""  # its own sentence
+        assert operator.description(bpy.context, properties) == ""  # the button has its own tooltip
         return
     said = []
     for item in properties.rna_type.properties["what"].enum_items:

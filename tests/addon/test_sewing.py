@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sewing edges join what is one on the model; the shape key folds the pieces onto it; a cloth simulation sews them."""
+"""Sewing edges join vertices that are one on the model; the shape key folds pieces onto it; a cloth simulation sews
+them.
+"""
 
 import bpy
 import numpy as np
@@ -19,7 +21,7 @@ def sewing_of(source):
 
 @pytest.fixture
 def source():
-    """Two pieces, the right one with a dart."""
+    """Return two pieces, the right one with a dart."""
     target = grid("Bump", bump)
     mark_seam(target, SEAM)
     mark_seam(target, lambda a, b: on_line(1, 0.0)(a, b) and a.x + b.x > 0 and max(a.x, b.x) < 0.8)
@@ -40,7 +42,7 @@ def loose_edges(target):
 
 
 def worn(target):
-    """(n,3) of the world, with the shape key on."""
+    """Return world positions (n,3) with the shape key on."""
     target.data.shape_keys.key_blocks["On the Model"].value = 1.0
     bpy.context.view_layer.update()
     evaluated = target.evaluated_get(bpy.context.evaluated_depsgraph_get())
@@ -56,7 +58,7 @@ def test_sewing_edges_join_the_vertices_that_are_one_on_the_model(source):
     assert set(numbers[joined[:, 0]].tolist()) == set(np.flatnonzero(copies > 1).tolist())
     assert (
         len(joined) == (copies[copies > 1] - 1).sum() + 1
-    )  # where the dart opens there are three, each joined to each
+    )  # where the dart opens, each of the three is joined to both others
     assert len(edge_vertices(target.data)) == len(edge_vertices(flat_of(source).data)) + len(joined)
 
 
@@ -83,7 +85,7 @@ def test_without_pieces_it_is_a_sentence():
 
 
 def test_cloth_is_sewn_along_them():
-    """Two squares, 1 m apart when they are flat, close up."""
+    """Two squares, 1 m apart when flat, are pulled together."""
     vertices = [(x / 4, y / 4, 0) for y in range(5) for x in range(9)]
     faces = [[9 * y + x, 9 * y + x + 1, 9 * y + x + 10, 9 * y + x + 9] for y in range(4) for x in range(8)]
     source = make_object("Squares", vertices, faces)
@@ -126,7 +128,7 @@ def test_it_is_to_be_seen_where_the_pieces_are_not(source, put_away):
 
 
 def test_a_seam_of_a_piece_that_has_no_layout_is_left_out():
-    """A ring beside the others that is cut once: a tube, which cannot lie flat."""
+    """A ring beside the others with one cut is a tube and has no flat shape."""
     source = grid("Bump", bump)
     bpy.ops.mesh.primitive_torus_add(location=(4, 0, 0), major_segments=12, minor_segments=8)
     select_only(source, bpy.context.object)

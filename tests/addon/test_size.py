@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Models that nobody could sew in the size they have: told, with the units that would do."""
+"""Models that are too large or small to sew are reported, with units that would work."""
 
 import math
 
@@ -11,7 +11,7 @@ from surfaces import bump, flat_of, grid
 
 @pytest.fixture
 def sized(addon):
-    """A model so many Blender units wide; returns the sentence on its size and the units offered, in words."""
+    """Make a model this many Blender units wide; return the sentence on its size and the offered units."""
 
     def make(width):
         source = grid("Chair", lambda x, y: [width / 2 * value for value in bump(x, y)])
@@ -31,7 +31,7 @@ def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
     sentence, offered = sized(77)
     assert sentence == '"Chair" is 77 m large. Was it modeled in another unit?'
     assert offered == ["Centimeters: 77 cm", "Millimeters: 7.7 cm", "Inches: 196 cm"]
-    assert sized(14.5)[1][0] == "Decimeters: 145 cm"  # as MakeHuman has it
+    assert sized(14.5)[1][0] == "Decimeters: 145 cm"  # as in MakeHuman
     assert sized(939)[1] == ["Millimeters: 93.9 cm"]
     sentence, offered = sized(0.0017)
     assert sentence.endswith("is 1.7 mm small. Was it modeled in another unit?")
@@ -55,9 +55,9 @@ def test_the_unit_follows_from_the_height_that_the_model_should_have(addon, size
     sized(77)
     source, buttons = bpy.data.objects["Chair"], []
     draw_panels(addon, buttons)
-    assert buttons.count("scene.wirewarp_set_unit") == 4 * 2  # three units and the height; narrow and wide
+    assert buttons.count("scene.wirewarp_set_unit") == 4 * 2  # three units and the height, narrow and wide
     across = source.dimensions.x
-    source.rotation_euler.y = math.pi / 2  # as importers turn models
+    source.rotation_euler.y = math.pi / 2  # as importers rotate models
     bpy.context.view_layer.update()
     assert addon.blender.objects.unit_of_height(source, 1.2) == pytest.approx(1.2 / across)
     source.rotation_euler.y = 0.0

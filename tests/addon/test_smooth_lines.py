@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Smooth lines cut into the mesh: of suggestions and of the user's own seams; surface, marks and maps stay."""
+"""Smooth lines cut into the mesh, for suggestions and the user's seams; surface, marks and maps do not change."""
 
 import bpy
 import numpy as np
@@ -14,12 +14,12 @@ pytestmark = pytest.mark.api
 SIZE = 8
 
 
-# Vertices of the grid, in a row or column: along edges that it has of n-gons, too.
+# Vertices of the grid, in a row or column, so that n-gons also have edges along them.
 STAIRS = [(2, 2), (3, 2), (4, 2), (4, 3), (5, 3), (6, 3), (6, 4)]
 
 
 def stairs(target):
-    """Marks a seam along stairs inside the grid; returns its ends."""
+    """Mark a seam along stairs inside the grid; return its ends."""
     path = [x + (SIZE + 1) * y for x, y in STAIRS]
     steps = {frozenset(pair) for pair in zip(path, path[1:], strict=False)}
     for edge in target.data.edges:
@@ -28,7 +28,7 @@ def stairs(target):
 
 
 def smooth(target, line=lambda a, b: True):
-    """Presses Smooth Seam with these edges selected."""
+    """Press Smooth Seam with these edges selected."""
     select_edges(target, line)
     result = bpy.ops.mesh.wirewarp_smooth_seam()
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -40,12 +40,12 @@ def places(source):
 
 
 def seam_places(source):
-    """The ends of each seam edge (k,2,3)."""
+    """Return the ends (k,2,3) of each seam edge."""
     return places(source)[np.array(seams_of(source)).reshape(-1, 2)]
 
 
 def surface(source):
-    """The area, and the volume above the ground: of the triangles that Blender shows."""
+    """Return the area, and the volume above the ground, of the displayed triangles."""
     source.data.calc_loop_triangles()
     corners = places(source)[np.array([each.vertices for each in source.data.loop_triangles])]
     u, v = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
@@ -113,7 +113,7 @@ def test_the_new_line_is_selected_and_the_old_one_is_no_seam_any_more():
     new = pairs(seams_of(source))
     selected = {tuple(sorted(each.vertices)) for each in source.data.edges if each.select}
     assert new == selected
-    assert old - new  # but for what both follow
+    assert old - new  # except for parts that both follow
 
 
 def test_wires_other_seams_and_eases_are_met_where_they_were_and_stay(addon):
@@ -134,7 +134,7 @@ def test_wires_other_seams_and_eases_are_met_where_they_were_and_stay(addon):
         mark_allowance_and_smooth(source)
     assert len(source.data.vertices) == count
     assert smooth(source, lambda a, b: max(a[1], b[1]) < 0.45) == {"FINISHED"}
-    assert len(crossed) == 2 and crossed == on_the_wire(source)  # of the stairs, and of the seam that was left as it is
+    assert len(crossed) == 2 and crossed == on_the_wire(source)  # of the stairs, and of the unchanged seam
     marked = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.count_nonzero(marked) == np.count_nonzero(wires)
     eases = read(source.data.attributes["wirewarp_side_ease"].data, "value", np.float32)
@@ -174,7 +174,7 @@ def test_a_suggestion_is_cut_smoothly_and_flattened(addon, kind, faces):
 
 
 def ends_of(edges):
-    """The vertices at which lines of edges end."""
+    """Return the vertices at which lines of edges end."""
     vertices, counts = np.unique(np.array(list(edges)), return_counts=True)
     return set(vertices[counts != 2].tolist())
 

@@ -15,7 +15,7 @@ from view_context import view_context
 
 
 def ball():
-    """Closed, of triangles, smaller at one side."""
+    """Return a closed ball of triangles, smaller on one side."""
     bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=2)
     source = bpy.context.object
     places = read(source.data.vertices, "co", np.float32, 3)
@@ -36,12 +36,12 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     cuts, chosen = suggestions.cuts, suggestions.cuts[suggestions.chosen]
     assert f"{len(cuts)} sets of seams suggested. Chosen: {chosen.num_pieces} piece" in capfd.readouterr().out
     assert all(cut.is_first and cut.piece == 0 and len(cut.lengths) == 1 for cut in cuts)
-    for few, more in pairwise(cuts):  # each row has more pieces than the one above, and less stretch
+    for few, more in pairwise(cuts):  # each row has more pieces and less stretch than the one above
         assert few.num_pieces <= more.num_pieces and few.strain > more.strain
     words = draw_panels(addon)
     assert f"Suggested Seams, {source.name}" in words and "→" not in words
     row = addon.solve.suggest.row_text("SEAMS", chosen, None, addon.blender.objects.length_text(bpy.context.scene))
-    assert row in words and "stretch" not in row  # which the sentence below the list says
+    assert row in words and "stretch" not in row  # the sentence below the list contains it
     (drawn,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == source)
     places = read(source.data.vertices, "co", np.float32, 3)[np.unique(chosen.edges)]
     proposed = {tuple(place) for place in drawn.failures.lines["proposed"].tolist()}
@@ -50,7 +50,7 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     assert pairs(seams_of(source)) == pairs(chosen.edges)
     pieces = addon.state.reports.last_report(source).pieces
     assert pieces and all(piece.ok for piece in pieces)
-    assert widespread(addon, source) <= chosen.strain * 1.05  # of all pieces; that of the worst one is claimed
+    assert widespread(addon, source) <= chosen.strain * 1.05  # of all pieces; the row claims that of the worst one
 
 
 @pytest.mark.parametrize("take", ["SUGGESTION", "SMOOTH"])

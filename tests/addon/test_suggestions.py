@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested darts and seams: what the list says is what flattening with them gives; shown, taken, undone, refused."""
+"""Suggested darts and seams have the figures of flattening with them; they are shown, taken, undone and refused."""
 
 import math
 
@@ -28,7 +28,7 @@ SIDES = ("wirewarp_side_ease", "wirewarp_side_allowance")
 
 
 def two_hills(size=8):
-    """Surface and mesh are mirror images of themselves across x = 0."""
+    """Return a surface and mesh that are their own mirror images across x = 0."""
     steps = [2 * i / size - 1 for i in range(size + 1)]
     vertices = [(x, y, 0.5 * math.exp(-6 * ((abs(x) - 0.5) ** 2 + (y - 0.75) ** 2))) for y in steps for x in steps]
     row, faces = size + 1, []
@@ -40,7 +40,7 @@ def two_hills(size=8):
 
 
 def widespread(addon, source):
-    """The strain that 99% of the flat area of the model stays below, when flattened as it is now."""
+    """Return the strain that 99% of the model's flat area stays below when it is flattened now."""
     bpy.ops.object.wirewarp_flatten()
     mesh = flat_of(source).data
     ratios = read(mesh.attributes["aspect_ratio"].data, "value", np.float32) - 1
@@ -71,7 +71,7 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     assert pairs(edge_vertices(source.data)) - edges == pairs(suggestions.cuts[0].diagonals)
     flattened = addon.state.reports.last_report(source).pieces
     assert len(flattened) == (1 if kind == "DARTS" else 1 + len(suggestions.cuts[0].lengths))
-    if faces == "triangles":  # else a face has one figure for two triangles; single precision is worth 1e-6 of .1
+    if faces == "triangles":  # other faces have one figure for two triangles; single precision gives 1e-6 of .1
         assert widespread(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=1e-5)
 
 
@@ -103,7 +103,7 @@ def test_the_list_is_of_the_chosen_piece_and_goes_when_the_model_changes(addon, 
     buttons.clear()
     words = draw_panels(addon, buttons)
     assert "Suggested Darts, Left Half" in words
-    assert words.count("stretch") >= 2 * len(found(addon, source).cuts)  # in a narrow and in a wide sidebar
+    assert words.count("stretch") >= 2 * len(found(addon, source).cuts)  # in a narrow and a wide sidebar
     assert "object.wirewarp_mend" in buttons
     source.data.vertices[24].co.z += 0.1
     source.data.update()
@@ -121,7 +121,7 @@ def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, monkeypatch):
     bpy.ops.object.wirewarp_flatten()
     SUGGEST["DARTS"]()
     first, second, *_ = found(addon, source).cuts
-    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)  # else what changes soon is seen late
+    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)  # otherwise, quick changes are seen late
     monkeypatch.setattr(addon.state.drawings, "FELT", math.inf)
 
     def drawn():
@@ -217,7 +217,7 @@ def test_another_grain_is_told_with_a_cloth(addon):
     settings = bpy.context.scene.wirewarp
     settings.cloth = "WOVEN"
     SUGGEST["DARTS"]()
-    settings.gives_across = 10  # warned of in the report, no part of the search
+    settings.gives_across = 10  # a warning in the report, but not used in the search
     assert "Suggest again" not in draw_panels(addon)
     source.data.wirewarp_grain = found(addon, source).wire_ids.copy().pop()
     assert "Settings changed since (Grain Wire). Suggest again." in draw_panels(addon)
@@ -228,7 +228,7 @@ def test_another_grain_is_told_with_a_cloth(addon):
 
 
 def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
-    """Along the diagonal of a ridge no edge runs."""
+    """No edge runs along the diagonal of a ridge."""
     source = grid("Ridge", lambda x, y: (x, y, 0.6 * math.exp(-8 * (x - y) ** 2) * (1 - x * x) * (1 - y * y)))
     mark(source, lambda a, b: on_line(1, -0.75)(a, b) and max(a[0], b[0]) < -0.4)
     for name in SIDES:
@@ -262,7 +262,7 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
 
 
 def write_sides(mesh, name):
-    """Each side of each edge gets another value; eases only those of the outline, where they may be."""
+    """Give each side of each edge another value; only outline edges may have eases."""
     edges = read(mesh.loops, "edge_index", np.int32)
     is_asked = (name == "wirewarp_side_allowance") | (np.bincount(edges)[edges] == 1)
     values = np.where(is_asked, np.linspace(0.01, 0.02, len(edges)), 0).astype(np.float32)
@@ -270,7 +270,7 @@ def write_sides(mesh, name):
 
 
 def sides_of(mesh, name):
-    """The values by the ends of their edges, in the direction of the side; but zeros."""
+    """Return the nonzero values by the ends of their edges, in the direction of the side."""
     starts = read(mesh.loops, "vertex_index", np.int32)
     following = np.concatenate([np.roll(polygon.loop_indices, -1) for polygon in mesh.polygons])
     values = read(mesh.attributes[name].data, "value", np.float32)

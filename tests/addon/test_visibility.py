@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is hidden, excluded, deleted or scaled: results stay true and in sight, and what cannot be shown is said."""
+"""With hidden, excluded, deleted or scaled objects, results are true and visible, or the problem is reported."""
 
 import bpy
 import numpy as np
@@ -11,7 +11,7 @@ pytestmark = pytest.mark.api
 
 
 def failed_source():
-    """A source whose report names elements, with flat pieces of an earlier run."""
+    """Return a source whose report names elements, with flat pieces of an earlier run."""
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     source.data.vertices[0].co = source.data.vertices[1].co
@@ -79,7 +79,7 @@ def test_flattening_again_makes_the_size_true_and_keeps_the_place(addon):
 
 
 def shadow(target):
-    """The lowest and the highest corner of an object in the world, seen from above."""
+    """Return the lowest and the highest corner of an object in the world, seen from above."""
     bpy.context.view_layer.update()
     corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])[:, :2]
     return corners.min(axis=0), corners.max(axis=0)
@@ -91,7 +91,7 @@ def are_apart(first, second):
 
 
 def neighbor(x, bottom, top, size=0.5):
-    """A box that stands at x beside the model, in its middle."""
+    """Add a box at x beside the middle of the model."""
     bpy.ops.mesh.primitive_cube_add(size=1, location=(x, 0, (bottom + top) / 2), scale=(size, size, top - bottom))
     return bpy.context.object
 
@@ -104,7 +104,7 @@ def test_new_pieces_lie_clear_of_what_stands_beside_the_model():
     place = tuple(flat_of(source).location)
     neighbor(*flat_of(source).location[:1], 0.0, 1.0)
     flatten(source)
-    assert tuple(flat_of(source).location) == place  # theirs, or the user's, from now on
+    assert tuple(flat_of(source).location) == place  # their place, or the user's, from now on
 
 
 @pytest.mark.parametrize(

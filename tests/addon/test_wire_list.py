@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The list of wires follows the marks, and changes them: names, kinds, tolerances."""
+"""The list of wires follows the marks and changes them: names, kinds, tolerances."""
 
 import math
 
@@ -16,7 +16,7 @@ EAST_WEST, NORTH_SOUTH = on_line(1, 0.0), on_line(0, 0.0)
 
 @pytest.fixture
 def source():
-    """Two crossing wires, Bust (rigid) and Middle (elastic)."""
+    """Return two crossing wires, Bust (rigid) and Middle (elastic)."""
     target = grid("Bump", bump)
     mark(target, EAST_WEST)
     mark(target, NORTH_SOUTH, kind="ELASTIC", tolerance=0.05)
@@ -26,7 +26,7 @@ def source():
 
 
 def listed(addon, target):
-    """Name, tolerance and number of edges of each line."""
+    """Return name, tolerance and number of edges of each line."""
     bpy.context.view_layer.update()
     return [(name, wire.tolerance, len(wire.edges)) for name, wire in addon.state.identities.listed_wires(target)]
 
@@ -74,7 +74,7 @@ def test_one_id_with_two_tolerances_is_two_wires_and_both_keep_theirs(addon, sou
     assert sorted(name for name, _, _ in before) == ["Bust", "Bust (2)", "Middle"]
     assert sorted((tolerance, count) for _, tolerance, count in before) == [(0, 4), (0.05, 8), (0.1, 4)]
     assert len({wire for wire, _ in wire_marks(source.data)}) == 2
-    mark(source, on_line(1, 0.5))  # any marking mends the ids
+    mark(source, on_line(1, 0.5))  # any marking repairs the ids
     assert sorted(listed(addon, source)) == sorted([*before, ("Wire 4", 0, 8)])
     assert len({wire for wire, _ in wire_marks(source.data)}) == 4
 
@@ -114,7 +114,7 @@ def test_a_wire_whose_edges_are_gone_vanishes(addon, source):
 
 
 def test_what_was_marked_last_is_chosen_in_the_list(source):
-    """The buttons below the list act on it."""
+    """The buttons below the list apply to it."""
     names = source.data.wirewarp_names
     mark(source, on_line(0, 0.5))
     assert source.data.wirewarp_active_wire == len(names) - 1
@@ -177,7 +177,7 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
 
 
 def test_what_has_no_row_of_its_own_stands_below_and_what_is_gone_nowhere(addon, source):
-    """A wire cut in two by hand, without Mark, and one whose edges were cleared by a script."""
+    """A wire cut in two by hand without Mark, and one whose edges a script cleared."""
     wires = dict(addon.state.identities.listed_wires(source))
     for row in wires["Bust"].edges[3:5]:
         source.data.attributes["wirewarp_wire"].data[row].value = 0
@@ -190,4 +190,4 @@ def test_what_has_no_row_of_its_own_stands_below_and_what_is_gone_nowhere(addon,
     source.data.wirewarp_active_wire = 0
     buttons = []
     draw_panels(addon, buttons)
-    assert buttons.count("mesh.wirewarp_change_wire") == 2 * 2  # the chosen and the unlisted one; narrow and wide
+    assert buttons.count("mesh.wirewarp_change_wire") == 2 * 2  # the chosen and the unlisted one, narrow and wide

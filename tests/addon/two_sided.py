@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A model of two pieces, the sides of its seam, and the lengths that its lines come to."""
+"""A model of two pieces, the sides of its seam, and the resulting lengths of its lines."""
 
 import bmesh
 import bpy
@@ -10,7 +10,7 @@ SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
 
 
 def two_pieces():
-    """Left and right of a seam; a Blender unit is 100 mm."""
+    """Return pieces left and right of a seam; a Blender unit is 100 mm."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Bump", bump)
     mark_seam(target, SEAM)
@@ -18,7 +18,7 @@ def two_pieces():
 
 
 def join_split_and_turn_over(source):
-    """Edits that marks survive: another mesh is joined, edges are split, all faces turned over."""
+    """Make edits that marks survive: join another mesh, split edges, flip all faces."""
     other = grid("Other", lambda x, y: (x + 3, y, 0))
     select_only(source, other)
     bpy.context.view_layer.objects.active = source
@@ -38,7 +38,7 @@ def ease(target, line, **settings):
 
 
 def lengths(source, line):
-    """Of the line on the model, and of it on the left and on the right piece; two equal ones inside of a piece."""
+    """Return the line's length on the model, on the left and on the right piece; two equal ones inside a piece."""
     flat = flat_of(source).data
     model = read(source.data.vertices, "co", np.float32, 3).astype(float)
     sources = read(flat.attributes["source_vertex"].data, "value", np.int32)
@@ -56,13 +56,13 @@ def lengths(source, line):
 
 
 def shares(source, line=SEAM):
-    """By how much the left and the right side are longer than the line on the model."""
+    """Return how much longer the left and the right side are than the line on the model."""
     spatial, left, right = lengths(source, line)
     return [left / spatial - 1, right / spatial - 1]
 
 
 def select_side(source, side, line=SEAM):
-    """Edit Mode of the pieces, the line selected on the one left (-1) or right (1) of the seam; 0: on both."""
+    """Enter Edit Mode of the pieces with the line selected left (-1) or right (1) of the seam; 0: on both."""
     flat = flat_of(source)
     model = read(source.data.vertices, "co", np.float32, 3)
     sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the overlay sees of a 3D view: one of the file's own, for without a window none is drawn."""
+"""Gives the overlay a 3D view of the file, because none is drawn without a window."""
 
 from types import SimpleNamespace
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random arguments are the same in every run, so that a failure is a change of ours; `./dev fuzz` searches for others.
+"""Random arguments are the same in every run, so that a failure comes from a change; `./dev fuzz` searches for others.
 
-What a search finds is told with a decorator, @reproduce_failure, that repeats it.
+A search reports what it finds with a decorator, @reproduce_failure, that repeats it.
 """
 
 import signal
@@ -12,12 +12,12 @@ from wirewarp.pattern.label import fonts, glyphs
 
 settings.register_profile("repeatable", max_examples=150, derandomize=True, deadline=None)
 settings.register_profile("search", max_examples=3_000, deadline=None, database=None, print_blob=True)
-settings.load_profile("repeatable")  # the option --hypothesis-profile takes another
+settings.load_profile("repeatable")  # the option --hypothesis-profile selects another
 
 
 @pytest.fixture
 def python_handles_ctrl_c():
-    """A run in the background has it ignored."""
+    """Enable Ctrl-C, which background processes ignore."""
     handler = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, handler)
@@ -25,7 +25,7 @@ def python_handles_ctrl_c():
 
 @pytest.fixture
 def no_fonts(monkeypatch):
-    """No font of this machine is found, so that a test draws the same letters everywhere."""
+    """Hide the fonts of this machine, so that a test draws the same letters everywhere."""
 
     def forget():
         for cached in (fonts.font_with, fonts._font, fonts._files, glyphs.line_of):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the refined method minimizes beside the ARAP energy, from a piece's arrays alone, the fairness of wires
+"""Terms that the refined method minimizes beside the ARAP energy, from a piece's arrays alone: the fairness of wires
 
 1/2 Σ_nodes D³/ℓ |r|²,   r = (u_c - u_b) / l_bc - R(π - α) (u_b - u_a) / l_ab   at a corner a → b → c of the network
 
@@ -15,7 +15,9 @@ import wirewarp
 
 
 def next_around(faces: np.ndarray, points: np.ndarray) -> dict[tuple[int, int], tuple[int, float]]:
-    """(b, c): the edge b-d that follows b-c counter-clockwise around b, as d, and the surface angle between them."""
+    """Return for (b, c) the edge b-d that follows b-c counter-clockwise around b: d, and the surface angle between
+    them.
+    """
     b, c, d = (np.concatenate([faces[:, (k + shift) % 3] for k in range(3)]) for shift in range(3))
     p, q = points[c] - points[b], points[d] - points[b]
     angles = np.arctan2(np.linalg.norm(np.cross(p, q), axis=1), (p * q).sum(axis=1))
@@ -28,7 +30,7 @@ def next_around(faces: np.ndarray, points: np.ndarray) -> dict[tuple[int, int], 
 def held_half_edges(
     piece: wirewarp.Piece, held_edges: Iterable[tuple[int, int]], following: dict
 ) -> set[tuple[int, int]]:
-    """Both directions of every edge of the piece that is on its outline or among the held ones of the input."""
+    """Return both directions of every edge of the piece that is on its outline or among the held edges of the input."""
     held_inside = {frozenset(edge) for edge in held_edges}
     source = piece.source_vertex.tolist()
     edges = {(b, c) for b, c in following} | {(c, b) for b, c in following}
@@ -42,8 +44,11 @@ def held_half_edges(
 def fairness_term(
     piece: wirewarp.Piece, vertices: np.ndarray, held_edges: Iterable[tuple[int, int]], fairness: float
 ) -> float:
-    """Over the piece's area in 3D. held_edges: vertex pairs of rigid and elastic wires in the input, whose vertices
-    these are; the outline is held anyway."""
+    """Return the term over the piece's 3D area.
+
+    held_edges: vertex pairs of rigid and elastic wires in the input; the outline is always held. vertices: of the
+    input.
+    """
     points = vertices[piece.source_vertex]
     following = next_around(piece.faces, points)
     held = held_half_edges(piece, held_edges, following)
@@ -68,7 +73,7 @@ def fairness_term(
 
 
 def flip_barrier(piece: wirewarp.Piece, vertices: np.ndarray) -> float:
-    """Over the piece's area in 3D. vertices: of the input."""
+    """Return the barrier over the piece's 3D area. vertices: of the input."""
     a, b, c = np.moveaxis(vertices[piece.source_vertex][piece.faces], 1, 0)
     area_3d = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
     a, b, c = np.moveaxis(piece.vertices[piece.faces], 1, 0)

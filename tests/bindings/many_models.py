@@ -20,12 +20,13 @@ import numpy as np
 import psutil
 
 KILLS = ("worker", "driver", "worker")
-SMALL_PIPE = 4096  # bytes, some ten lines: the run waits for whoever reads them, and cannot end before it is killed
+SMALL_PIPE = 4096  # bytes, about ten lines: the run waits for a reader, and cannot end before it is killed
 
 
 def write_models(folder, count):
-    """OBJ files of 50 to 200 triangles in folders of a hundred: bumpy sheets, some cut in two; every 20th is closed and
-    cannot be flat, every 50th is no model at all.
+    """Write OBJ files of 50 to 200 triangles in folders of a hundred: bumpy sheets, some of them divided.
+
+    Every 20th is closed and cannot be flat; every 50th is not a model.
     """
     for number in range(count):
         path = folder / f"{number // 100:03d}" / f"model {number:05d}.obj"
@@ -37,7 +38,7 @@ def write_models(folder, count):
 
 
 def _sheet(random_numbers):
-    """100 mm wide, 5 to 10 squares each way; the map has one island, or two."""
+    """Return a sheet 100 mm wide, with 5 to 10 squares in each direction; its map has one or two islands."""
     columns, rows = random_numbers.integers(5, 11, 2)
     x, y = np.meshgrid(np.linspace(0, 0.1, columns + 1), np.linspace(0, 0.1, rows + 1))
     phase, bump = random_numbers.random(2) * 6, random_numbers.random() * 0.02
@@ -57,7 +58,7 @@ def _sheet(random_numbers):
 
 
 def _ball():
-    """A closed box, whose map is a single point."""
+    """Return a closed box whose map is a single point."""
     corners = [(x, y, z) for x in (0, 0.1) for y in (0, 0.1) for z in (0, 0.1)]
     lines = [f"v {x} {y} {z}" for x, y, z in corners] + ["vt 0 0"]
     for face in ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4)):
@@ -78,15 +79,15 @@ def start(models, out, jobs):
 
 
 def run(models, out, jobs):
-    """The lines of a whole run."""
+    """Return the lines of a whole run."""
     with start(models, out, jobs) as process:
         return [json.loads(line) for line in process.stdout]
 
 
 def run_with_kills(models, out, jobs, seed=0):
-    """Kills workers and drivers and goes on until all is done; the lines of the last run, and what was killed."""
+    """Kill workers and drivers, and rerun until all is done. Return the lines of the last run, and what was killed."""
     count = sum(1 for _ in models.rglob("*.obj"))
-    # In the first half of the models, each later than the last: a run that was killed is gone through again.
+    # Kill in the first half of the models, each time later: a killed run is repeated.
     places = sorted(random.Random(seed).sample(range(1, count // 2), len(KILLS)))
     killed = []
     while len(killed) < len(KILLS):
@@ -94,15 +95,16 @@ def run_with_kills(models, out, jobs, seed=0):
             for number, _ in enumerate(process.stdout):
                 if len(killed) < len(KILLS) and number >= places[len(killed)]:
                     killed += _kill(process.pid, KILLS[len(killed)])
-        assert process.returncode in (-9, 2, 3), process.returncode  # with models that are none, nothing is better
+        # Some files are not models, so nothing better is possible.
+        assert process.returncode in (-9, 2, 3), process.returncode
     while any(line["verdict"] == "stopped" for line in run(models, out, jobs)):
-        pass  # until none is left that a kill has stopped
-    # A process that outlived its driver by a moment may have left a hidden folder, which goes with the next run.
+        pass  # until no model is left that a kill has stopped
+    # A process that ends just after its driver may leave a hidden folder, which the next run removes.
     return run(models, out, jobs), killed
 
 
 def _kill(driver, kind):
-    """[kind] if there was one to kill: between two models there may be no worker."""
+    """Return [kind] if there was one to kill: between two models there may be no worker."""
     if kind == "driver":
         os.kill(driver, 9)
         return [kind]
@@ -117,18 +119,20 @@ def _kill(driver, kind):
 
 
 def contents(folder):
-    """Digests of all files by their names, hidden ones too."""
+    """Return digests of all files by name, including hidden ones."""
     files = (path for path in folder.rglob("*") if path.is_file() or path.name.startswith("."))
     return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
 
 
 def told(lines):
-    """Lines by model, without what may differ."""
+    """Return lines by model, without values that may differ."""
     return {line["model"]: {key: line[key] for key in line if key not in ("seconds", "skipped")} for line in lines}
 
 
 def check_kills(folder, count, jobs):
-    """Asserts that nothing is lost, nothing is there twice, and all is as in one run; the seconds of both ways."""
+    """Assert that nothing is lost or duplicated, and that the files are those of one run. Return the seconds of
+    both.
+    """
     models = folder / "models"
     write_models(models, count)
     begin = time.monotonic()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattenings for tests of patterns. Shapely, which has no part in making a pattern, measures what is on it."""
+"""Flattenings for tests of patterns. Shapely, which is not used to make patterns, measures them."""
 
 from functools import cache
 
@@ -11,7 +11,7 @@ from samples import flattened
 from wirewarp.pattern import Line, Pattern, PatternPiece
 
 MILLIMETER = 72 / 25.4  # PDF's points in it
-SCALE = 4.0  # pixels per millimeter of what is measured
+SCALE = 4.0  # pixels per millimeter of measured pages
 
 
 @cache
@@ -20,14 +20,16 @@ def sample(name: str, **options) -> Pattern:
 
 
 def quads(points, corners, **options) -> wirewarp.FlattenResult:
-    """Of quads (q,4) between points (n,2) in millimeters, which lie in a plane already."""
+    """Return the flattening of quads (q,4) between points (n,2) in millimeters, which are planar already."""
     vertices = np.column_stack([np.array(points) / 1000, np.zeros(len(points))])
     faces = [triangle for a, b, c, d in corners for triangle in ((a, b, c), (a, c, d))]
     return wirewarp.flatten(vertices, np.array(faces), **options)
 
 
 def rectangle(width: float, height: float) -> wirewarp.FlattenResult:
-    """Millimeters; no seam. Its vertices are 0, 1, 2, 3, counterclockwise from the lower left."""
+    """Return a rectangle in millimeters without a seam. Its vertices 0 to 3 run counterclockwise from the lower
+    left.
+    """
     return quads([(0, 0), (width, 0), (width, height), (0, height)], [(0, 1, 2, 3)])
 
 
@@ -37,7 +39,7 @@ def cut_polygon(piece: PatternPiece) -> shapely.Polygon:
 
 
 def sew_polygon(piece: PatternPiece) -> shapely.Polygon:
-    """The outlines that were flattened, from the sew lines; the largest one with the others as holes."""
+    """Return the flattened outlines from the stitching lines: the largest one, with the others as holes."""
     rings = shapely.polygonize([line_string(line) for line in piece.of_role("sew")]).geoms
     return max(rings, key=lambda ring: shapely.Polygon(ring.exterior).area)
 
@@ -51,12 +53,12 @@ def cut_points(pattern: Pattern) -> list[np.ndarray]:
 
 
 def dark(page: pypdfium2.PdfPage, scale: float = SCALE) -> np.ndarray:
-    """(h,w) bool, the first row at the bottom: where there is a line."""
+    """Return (h,w) bool, bottom row first: where there is a line."""
     image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy()
     return image.reshape(image.shape[:2])[::-1] < 128
 
 
 def extent(pixels: np.ndarray, scale: float = SCALE) -> tuple[float, float]:
-    """Millimeters from the first to the last dark pixel, across and upwards."""
+    """Return the millimeters from the first to the last dark pixel, across and upwards."""
     columns, rows = (np.flatnonzero(pixels.any(axis=axis)) for axis in (0, 1))
     return (columns[-1] - columns[0] + 1) / scale, (rows[-1] - rows[0] + 1) / scale

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Processes that others have started."""
+"""Processes that other processes have started."""
 
 import time
 
@@ -7,7 +7,7 @@ import psutil
 
 
 def wait_until_gone(pid):
-    """A system that has much to do takes a while to end it."""
+    """Wait until the process has ended, which takes a while on a busy system."""
     end = time.monotonic() + 60
     while not _is_gone(pid):
         assert time.monotonic() < end
@@ -16,6 +16,6 @@ def wait_until_gone(pid):
 
 def _is_gone(pid):
     try:
-        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE  # in containers nobody may ask for its code
+        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE  # in containers nobody may read its exit code
     except psutil.NoSuchProcess:
         return True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reports of samples, as the command line makes them."""
+"""Reports of samples, like those of the command line."""
 
 from samples import SAMPLES
 from wirewarp import Ease, Options, Wire, flatten

@@ -15,7 +15,7 @@ SAMPLES = {shape.name: shape for shape in all_shapes()}
 
 
 def flatten(shape: Shape, tolerance: float | None = None, eases=(), **options) -> wirewarp.FlattenResult:
-    """tolerance: of all wires, in place of their own."""
+    """Flatten a sample. tolerance: of all wires, instead of their own."""
     wires = [
         wirewarp.Wire(wire.vertices, wire.tolerance if tolerance is None else tolerance, wire.name)
         for wire in shape.wires
@@ -37,7 +37,7 @@ def flattened(name: str, tolerance: float | None = None, **options) -> wirewarp.
 
 @cache
 def flattened_as_made(name: str) -> wirewarp.FlattenResult:
-    """With the eases of the sample, and in its cloth."""
+    """Flatten a sample with its eases and in its fabric."""
     shape = SAMPLES[name]
     cloth = None
     if shape.cloth:

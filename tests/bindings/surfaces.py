@@ -10,8 +10,10 @@ Mesh = tuple[np.ndarray, np.ndarray]
 
 
 def grid(columns: int, rows: int, point: Callable[[float, float], tuple[float, float, float]]) -> Mesh:
-    """Vertex (i, j) has index j * (columns + 1) + i and lies at point(i / columns, j / rows); faces look along the
-    cross product of the derivatives by the first and the second parameter."""
+    """Return a grid with vertex (i, j) at index j * (columns + 1) + i and at point(i / columns, j / rows).
+
+    The faces point along the cross product of the derivatives by the first and the second parameter.
+    """
     vertices = [point(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
     faces = []
     for j in range(rows):
@@ -23,12 +25,12 @@ def grid(columns: int, rows: int, point: Callable[[float, float], tuple[float, f
 
 
 def half_cylinder(columns: int = 8, rows: int = 4) -> Mesh:
-    """Radius 1, height 2, open."""
+    """Return an open half cylinder of radius 1 and height 2."""
     return grid(columns, rows, lambda u, v: (-math.cos(math.pi * u), -math.sin(math.pi * u), 2 * v))
 
 
 def spherical_patch(columns: int = 8, rows: int = 8) -> Mesh:
-    """A quarter turn in longitude and latitude of the unit sphere, seen from outside."""
+    """Return a quarter turn in longitude and latitude of the unit sphere, seen from outside."""
 
     def point(u: float, v: float) -> tuple[float, float, float]:
         longitude, latitude = math.pi / 2 * (u - 0.5), math.pi / 2 * (v - 0.5)
@@ -48,7 +50,7 @@ def tetrahedron() -> Mesh:
 
 
 def column_chain(columns: int, rows: int, i: int) -> list[int]:
-    """The vertices of column i of a grid, one row after the other."""
+    """Return the vertices of column i of a grid, row by row."""
     return [j * (columns + 1) + i for j in range(rows + 1)]
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whatever a script passes: the same result as from plain arrays of the same numbers, or a FlattenError; never a crash,
-and never a change of the caller's arrays."""
+"""Any arguments give the same result as plain arrays of the same numbers, or a FlattenError.
+
+They never cause a crash or change the caller's arrays.
+"""
 
 import numpy as np
 import pytest
@@ -13,7 +15,7 @@ from surfaces import chain_edges, column_chain, half_cylinder
 VERTICES, FACES = half_cylinder()
 SEAMS = chain_edges(column_chain(8, 4, 4))
 
-# Byte orders, sizes and kinds that are none of the library's own included.
+# Includes byte orders, sizes and kinds that the library does not use.
 NUMBERS = st.one_of(hnp.integer_dtypes(), hnp.unsigned_integer_dtypes(), hnp.floating_dtypes(), hnp.boolean_dtypes())
 ANY_DTYPE = st.one_of(NUMBERS, hnp.complex_number_dtypes(), hnp.byte_string_dtypes(), hnp.datetime64_dtypes())
 ANY_SHAPE = hnp.array_shapes(min_dims=0, max_dims=4, min_side=0, max_side=5)
@@ -22,7 +24,7 @@ HUGE = st.one_of(st.integers(-3, 200), st.sampled_from([2**31 - 1, 2**31, -(2**3
 
 @st.composite
 def rearranged(draw, array):
-    """The same numbers in another dtype that holds them, order, stride and writability."""
+    """Return the same numbers in another dtype, order, stride or writability."""
     kinds = ("i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "f4", "f8", "g")
     held = [kind for kind in kinds if (array >= 0).all() or not kind.startswith("u")]
     held = [kind for kind in held if (array.astype(kind) == array).all()]
@@ -39,12 +41,12 @@ def rearranged(draw, array):
 
 @given(st.data())
 def test_any_arrangement_of_the_same_numbers_gives_the_same_bits(data):
-    # Numbers that small dtypes hold.
+    # Numbers that fit small dtypes.
     plain = {"vertices": np.round(VERTICES * 8), "faces": FACES, "seams": np.array(SEAMS)}
     passed = {name: data.draw(rearranged(array)) for name, array in plain.items()}
     before = [array.copy() for array in passed.values()]
     if any(np.issubdtype(passed[name].dtype, np.floating) for name in ("faces", "seams")):
-        with pytest.raises(wirewarp.FlattenError) as caught:  # indices are whole numbers
+        with pytest.raises(wirewarp.FlattenError) as caught:  # indices must be whole numbers
             wirewarp.flatten(**passed)
         assert caught.value.code == "invalid_type"
     else:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which arrays are taken, with the same result, and how the others are refused."""
+"""Which arrays are accepted, with equal results, and how the others are refused."""
 
 import numpy as np
 import pytest
@@ -12,14 +12,14 @@ EXPECTED = wirewarp.flatten(VERTICES, FACES, seams=SEAMS).corner_uv.copy()
 
 
 def unaligned(array):
-    """The same values at an odd address."""
+    """Return the same values at an odd address."""
     raw = np.zeros(array.nbytes + 1, dtype=np.uint8)[1:]
     result = raw.view(array.dtype).reshape(array.shape)
     result[:] = array
     return result
 
 
-# What else arrays may be like, test_any_arrays.py draws at random.
+# test_any_arrays.py draws all other arrangements at random.
 ARRANGED = {"list": np.ndarray.tolist, "tuple of rows": tuple, "unaligned": unaligned}
 
 
@@ -42,7 +42,7 @@ def test_no_seams(seams):
 
 
 def refused(code, **arguments):
-    """The FlattenError of a flatten() or, with corner_uv, a measure() that must not run."""
+    """Return the FlattenError of flatten() or, with corner_uv, of measure()."""
     arguments = {"vertices": VERTICES, "faces": FACES} | arguments
     run = wirewarp.measure if "corner_uv" in arguments else wirewarp.flatten
     with pytest.raises(wirewarp.FlattenError) as caught:

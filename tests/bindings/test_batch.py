@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp batch: folders and lists of models, each in a process of its own, none lost and none twice."""
+"""python -m wirewarp batch runs each model of folders and lists in its own process, none lost and none twice."""
 
 import json
 import os
@@ -28,7 +28,7 @@ from works_apart import hang_or_wait, square_or_crash, take_memory_and_hang
 
 posix = pytest.mark.skipif(os.name != "posix", reason="shell scripts and limits of POSIX")
 NEVER = Limits(3600.0, 10**12)
-# A run of the tests in the background ignores SIGINT, and so do the programs that it starts.
+# Background runs of the tests and the programs that they start ignore SIGINT.
 HEARS_CTRL_C = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
 COMMAND = """
 import runpy
@@ -46,7 +46,7 @@ def run_apart(*words, **how):
 
 @pytest.fixture
 def models(tmp_path):
-    """Two of one name in two folders, and what is no model."""
+    """Write two models of one name in two folders, and a file that is not a model."""
     folder = tmp_path / "models"
     for path in ("a.obj", "deep/er/a.obj", "notes.txt", ".hidden/b.obj", ".c.obj"):
         (folder / path).parent.mkdir(parents=True, exist_ok=True)
@@ -73,7 +73,7 @@ def test_what_a_killed_run_has_left_of_a_model_that_is_done_goes_with_the_next_r
     run(*words)
     done = {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")}
     request = parsed(["batch", *map(str, words)]).requests[0]
-    left = staged_folder(request)  # entered and never left, as by who is killed
+    left = staged_folder(request)  # entered but never left, as after a kill
     (left.__enter__() / "a.svg").write_text("half")
     assert all("skipped" in line for line in run(*words)[0])
     assert {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")} == done
@@ -178,7 +178,7 @@ def test_ctrl_c_halfway_through_a_start_ends_what_was_started(tmp_path, monkeypa
     assert active_children() == []
 
 
-# The server of processes loads such a module first.
+# The server of processes loads this module first.
 LOADS_SLOWLY = """
 import os, time
 open(os.environ["BEGUN"], "w").close()
@@ -303,7 +303,7 @@ for form in job["formats"]:
 
 
 def bag():
-    """The report of two triangles of half a square meter each."""
+    """Return the report of two triangles of half a square meter each."""
     square, triangles = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float), [[0, 1, 2], [0, 2, 3]]
     report = make_report(flatten(square, triangles, seams=[[0, 2]]), square, triangles, name="Bag")
     report.notes.append(Note("It is inside out.", is_warning=True))
@@ -316,7 +316,7 @@ def refused_bag():
 
 @pytest.fixture
 def blender(tmp_path):
-    """Answers as flatten_in_blender.py does, whose own test is in tests/addon."""
+    """Write a program that answers like flatten_in_blender.py, which tests/addon tests."""
     program = tmp_path / "blender"
     program.write_text(BLENDER.format(python=sys.executable, reports=json.dumps([bag(), refused_bag()])))
     program.chmod(0o755)
@@ -367,7 +367,7 @@ def test_of_what_is_stopped_nothing_is_left(blender, tmp_path):
 
 @posix
 def test_nobody_who_reads_is_one_sentence_and_nothing_hidden_is_left(models, blender, tmp_path):
-    """As of `| head`: the second model hangs when the line of the first cannot be printed."""
+    """`| head` closes the pipe: the second model hangs when the line of the first cannot be printed."""
     (models / "b hangs").mkdir()
     (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
     shut, stdout = os.pipe()
@@ -388,7 +388,7 @@ def test_ctrl_c_ends_all_and_nothing_hidden_is_left(models, blender, tmp_path):
     piped = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     with subprocess.Popen(command, start_new_session=True, **piped) as process:
         assert json.loads(process.stdout.readline())["verdict"] == "ready to cut"
-        os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+        os.killpg(process.pid, signal.SIGINT)  # as terminals do
         assert process.stderr.read() == "stopped\n"
     assert process.returncode == 130
     assert all(not path.name.startswith(".") for path in (tmp_path / "out").rglob("*"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples of batch on the engines of others."""
+"""The examples of batch run on their engines."""
 
 import json
 import shutil
@@ -11,7 +11,7 @@ import pytest
 from commands import FOLDED
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples" / "batch"
-# What Flamenco has in the job types it runs, as far as ours uses it.
+# The part of Flamenco's job types that ours uses.
 FLAMENCO = """
 const author = {
     Task: (name, type) => ({ name, type, commands: [], addCommand(command) { this.commands.push(command); } }),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Only pieces that changed are solved again, and nobody can tell from the result."""
+"""Only changed pieces are solved again, and the result does not show it."""
 
 import math
 from concurrent.futures import ThreadPoolExecutor
@@ -15,7 +15,7 @@ COLUMNS, ROWS = 12, 6
 
 @pytest.fixture
 def sheet():
-    """Arguments of flatten(): three bumps in a row with seams between them, a wire across each."""
+    """Return arguments of flatten(): three bumps in a row with seams between them and a wire across each."""
 
     def point(u, v):
         return 3 * u, v, 0.2 * abs(math.sin(3 * math.pi * u)) * math.sin(3 * v)
@@ -27,7 +27,7 @@ def sheet():
 
 
 def contents(result):
-    """All of a result but the time it took and what was reused."""
+    """Return all of a result except its times and what was reused."""
     plain = result.to_dict()
     del plain["report"]
     for piece in plain["pieces"]:
@@ -36,7 +36,7 @@ def contents(result):
 
 
 def run_again(cache, arguments, reused):
-    """A run with the cache equals one without; so many pieces come from it."""
+    """Check that a run with the cache equals one without, and takes this many pieces from it."""
     result = wirewarp.flatten(**arguments, cache=cache)
     fresh = wirewarp.flatten(**arguments)
     assert contents(result) == contents(fresh)
@@ -63,7 +63,7 @@ def test_only_the_piece_of_a_changed_wire_is_solved(sheet):
     chain = sheet["wires"][1].vertices
     run_again(cache, sheet | {"wires": [sheet["wires"][0], Wire(chain, 0.04, "wire 6"), sheet["wires"][2]]}, 2)
     run_again(cache, sheet | {"wires": [sheet["wires"][0], sheet["wires"][2]]}, 2)
-    # The last run is what counts, and names do not.
+    # Only the last run counts, and names do not.
     run_again(cache, sheet | {"wires": [Wire(wire.vertices, wire.tolerance) for wire in sheet["wires"]]}, 2)
 
 
@@ -85,7 +85,7 @@ def test_a_new_seam_changes_its_piece(sheet):
 
 
 def test_another_numbering_elsewhere_changes_nothing(sheet):
-    """Vertices and faces that are added before all others shift every index."""
+    """Vertices and faces added before all others shift every index."""
     cache = Cache()
     run_again(cache, sheet, 0)
     more = half_cylinder()
@@ -143,7 +143,7 @@ def test_a_cancelled_piece_is_solved_next_time(sheet):
     cache = Cache()
     cancelled = wirewarp.flatten(**sheet, cache=cache, progress=lambda stage, fraction: stage == "charts")
     ends = [piece.report.termination for piece in cancelled.pieces]
-    assert "cancelled" in ends  # that of the calling thread; others may be flat before they hear of it
+    assert "cancelled" in ends  # the calling thread's; others may finish first
     assert cache.size == ends.count("converged")
     run_again(cache, sheet, cache.size)
 

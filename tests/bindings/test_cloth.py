@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cloth is right once it exists, and Options take it."""
+"""A Cloth is checked when it is created, and Options accept it."""
 
 import copy
 import json
@@ -131,8 +131,10 @@ def test_metrics_tell_the_strain_of_threads_with_and_without_a_cloth():
 
 
 def test_a_piece_that_only_the_stretch_spoils_is_cut_at_its_stretched_lengths():
-    """A slim triangle hangs on a square by a seam that runs across the one and along the other. The stretch leaves a
-    fifth of the triangle's legs, but three times as much of the seam."""
+    """A slim triangle is joined to a square by a seam that runs across the grain of one and along that of the other.
+
+    The stretch leaves a fifth of the triangle's legs, but three times as much of the seam.
+    """
     around = [(i / 4, 0, 0) for i in range(5)] + [(0.5, 0.08, 0)]
     vertices = [*around, *((i / 4, 0, -1) for i in range(5))]
     faces = [(i, i + 1, 5) for i in range(4)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a woven gains on the samples, at lengths as exact as without a cloth."""
+"""Gains of a woven on the samples, with lengths as exact as without a fabric."""
 
 import numpy as np
 import pytest
@@ -8,12 +8,12 @@ from samples import SAMPLES, Shape, flatten, flattened
 
 pytestmark = pytest.mark.core
 
-STRAINED = 1e-3  # samples below are unfolded: they have no strain to lower
+STRAINED = 1e-3  # samples with less are unfolded: they have no strain to lower
 WOVEN = wirewarp.Cloth(1, 1, 0.05)
 
 
 def thread_strain(shape: Shape, result: wirewarp.FlattenResult) -> float:
-    """99th percentile, by area on the model, of what the more strained thread of each triangle is off by."""
+    """Return the 99th percentile, by area on the model, of the strain of each triangle's more strained thread."""
     strain, area = [], []
     for piece in result.pieces:
         weft, warp = piece.metrics.face_weft_strain, piece.metrics.face_warp_strain
@@ -27,7 +27,7 @@ def thread_strain(shape: Shape, result: wirewarp.FlattenResult) -> float:
 
 @pytest.fixture(scope="module")
 def ratios() -> dict[str, tuple[float, float]]:
-    """Of thread strain, woven over none: as the grain lies, and in the best direction."""
+    """Return ratios of thread strain, woven over none: with the marked grain, and in the best direction."""
     found = {}
     for name, shape in SAMPLES.items():
         plain = thread_strain(shape, flattened(name))

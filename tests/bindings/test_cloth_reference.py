@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cloth against figures computed independently of this code. Skipped where they are not at hand.
+"""Cloth against figures computed independently of this code. Skipped if they are not available.
 
-The pieces were computed without the term against zigzags: what it changes is allowed for. Jersey is left out: there the
-figures have its stiffnesses as they are written, not over the larger one. The samples were computed with
-it, with a bending term that differs where lines cross and edges are short.
+The pieces were computed without the term against zigzags, whose effect is allowed for. Jersey is left out, because the
+figures do not divide its stiffnesses by the larger one. The samples were computed with that term, and with a bending
+term that differs where lines cross and edges are short.
 """
 
 import json

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp: models from files, the same result as through Python, a sentence for whatever is wrong."""
+"""python -m wirewarp reads models from files, gives the same result as Python, and reports faults in a sentence."""
 
 import errno
 import itertools
@@ -37,7 +37,7 @@ def model(tmp_path):
 
 
 def write_sample(name, path):
-    """In Blender's order, quads as quads."""
+    """Write the file in Blender's order, with quads."""
     shape = SAMPLES[name]
     lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(shape.vertices, dtype=float).tolist()]
     lines += ["f " + " ".join(str(corner + 1) for corner in face) for face in shape.faces]
@@ -51,7 +51,7 @@ def write_sample(name, path):
 
 
 def lengths(result):
-    """Of all outlines and wires, flat; result: as a dict."""
+    """Return the flat lengths of all outlines and wires. result: a dict."""
     chains = [chain for piece in result["pieces"] for chain in (*piece["boundaries"], *piece["wires"])]
     return sorted(chain["length_2d"] for chain in chains)
 
@@ -128,10 +128,10 @@ def test_the_picture_shows_the_pieces_in_scale(model, tmp_path):
     pixels = np.array(Image.open(tmp_path / "out" / "Folded-strain.png")).astype(int)
     assert max(pixels.shape) == pytest.approx(2000, abs=100)
     is_black = pixels.sum(axis=2) < 60
-    # 60 pixels of margin: the outlines fill the width between.
+    # The margin is 60 pixels, and the outlines fill the width between.
     columns = np.flatnonzero(is_black[:-100].any(axis=0))
     assert (columns[0], columns[-1]) == pytest.approx((60, pixels.shape[1] - 60), abs=4)
-    # The bar of the legend is 100 mm of a layout whose size the report has.
+    # The bar of the legend is 100 mm; the report contains the size of the layout.
     report = json.loads((tmp_path / "out" / "Folded.json").read_text())
     across = np.ptp([x for piece in report["pieces"] for x, _ in piece["vertices"]])
     last = is_black[-60 - 12 - 10 : -60 - 12 + 10]
@@ -152,7 +152,7 @@ def longest_run(row):
 
 
 def test_the_strain_of_a_stretched_square():
-    # The flat square is 10 % wider and 20 % lower than the one on the model.
+    # The flat square is 10% wider and 20% lower than that on the model.
     square = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], dtype=float)
     flat = SimpleNamespace(vertices=square[:, :2] * (1.1, 0.8), faces=np.array([(0, 1, 2), (0, 2, 3)]))
     assert strain(square, flat) == pytest.approx([0.2, 0.2])
@@ -166,7 +166,7 @@ def test_what_was_done_before_is_left_out_until_something_changes(model, tmp_pat
     assert again["skipped"] and again["verdict"] == "ready to cut"
     assert (tmp_path / "out" / "Folded.pdf").stat().st_mtime_ns == before
     assert "skipped" not in run(*words, "--allowance", "5mm")[0][0]
-    assert "skipped" not in run(*words)[0][0]  # the report is of the other allowance now
+    assert "skipped" not in run(*words)[0][0]  # the report has the other allowance now
     (tmp_path / "out" / "Folded.svg").unlink()
     assert "skipped" not in run(*words)[0][0]
     model.write_text(FOLDED.replace(".04", ".03"))
@@ -202,7 +202,7 @@ def test_what_is_refused_leaves_what_was_done_before(model, tmp_path):
 
 @pytest.mark.parametrize("words", [("--marker", "2cm"), ("--marker", "6m"), ("--page", "120mm")])
 def test_what_is_refused_leaves_no_new_file(model, tmp_path, words):
-    """Neither cloth nor paper is as wide as it must be, or as readers show."""
+    """The width of the roll or of the paper is out of range."""
     refused = (model, "--out", tmp_path / "out", "--format", "svg,pdf", "--seconds", 0, *words)
     run(*refused, "--picture", code=2)
     assert list((tmp_path / "out").iterdir()) == []
@@ -221,7 +221,7 @@ def contents(folder):
 
 
 def failing_at(number):
-    """As Path.replace, which fails once: at the move of that number to or from the folder "out"."""
+    """Return a Path.replace that fails once: for the move of this number to or from the folder "out"."""
     replace, count = Path.replace, itertools.count()
 
     def failing(self, target):
@@ -233,7 +233,8 @@ def failing_at(number):
 
 
 @pytest.mark.parametrize("is_killed", [False, True])
-@pytest.mark.parametrize("number", range(6))  # three files go, three come; the second that comes is the fifth of all
+# Three files are moved out and three in; the second one in is the fifth move.
+@pytest.mark.parametrize("number", range(6))
 def test_files_of_two_runs_are_never_mixed(model, tmp_path, monkeypatch, number, is_killed):
     words = ["flatten", str(model), "--out", str(tmp_path / "out")]
     flatten_model(parsed([*words, "--format", "svg,dxf"]).requests[0])
@@ -241,7 +242,7 @@ def test_files_of_two_runs_are_never_mixed(model, tmp_path, monkeypatch, number,
     (request,) = parsed([*words, "--format", "svg,plt", "--allowance", "5mm"]).requests
     with monkeypatch.context() as patched:
         patched.setattr(Path, "replace", failing_at(number))
-        if is_killed:  # nobody is left to put the old files back
+        if is_killed:  # nobody puts the old files back
             patched.setattr(staged, "_remove", lambda *_: None)
         line = flatten_model(request)
     assert (line["verdict"], line["codes"]) == ("refused", ["file"]) and "Permission denied" in line["problems"][0]
@@ -257,7 +258,7 @@ def test_files_of_others_stay_as_they_are(model, tmp_path, name):
     theirs = tmp_path / "out" / name
     theirs.parent.mkdir()
     theirs.write_text("{}")
-    (tmp_path / "out" / "Folded.pdf").write_text("theirs")  # in no way of a run that writes SVG
+    (tmp_path / "out" / "Folded.pdf").write_text("theirs")  # does not conflict with a run that writes SVG
     words = (model, "--out", tmp_path / "out", "--format", "svg")
     ((line,), _) = run(*words, code=2)
     (problem,) = line["problems"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp with a cloth, its stretch, a thickness, and eases."""
+"""python -m wirewarp with a fabric, its stretch, a thickness, and eases."""
 
 import json
 
@@ -43,7 +43,7 @@ def test_eases_and_a_cloth_change_what_is_made(model, tmp_path):
     assert seam["length_2d"] == pytest.approx([0.1 * 0.9 * 1.2, 0.1 * 0.9])
     ((woven,), _) = run(*words, "--wires", lines, "--cloth", "woven", "--orientation", "best")
     pieces = json.loads((tmp_path / "out" / "Folded.json").read_text())["pieces"]
-    assert all(piece["metrics"]["cloth_energy"] >= 0 for piece in pieces)  # which is NaN without a cloth
+    assert all(piece["metrics"]["cloth_energy"] >= 0 for piece in pieces)  # NaN without a cloth
     assert len({line["made_of"] for line in (plain, eased, woven)}) == 3
 
 
@@ -54,7 +54,7 @@ def test_eases_and_a_cloth_change_what_is_made(model, tmp_path):
         (1.0, (), "needs stretch fabric", 0),
         (1.0, ("--cloth", "swim"), "ready to cut", 0),
         (2.5, ("--cloth", "woven"), "not ready to cut", 1),
-        (6.0, (), "not ready to cut", 1),  # no fabric comes to twice its length
+        (6.0, (), "not ready to cut", 1),  # no fabric stretches to twice its length
     ],
 )
 def test_the_verdict_asks_for_a_fabric(tmp_path, bulge, words, verdict, code):

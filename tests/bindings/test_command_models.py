@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is read of models in files."""
+"""Models read from files."""
 
 import numpy as np
 import pytest
@@ -28,7 +28,7 @@ def test_names_and_comments_may_be_in_any_encoding(tmp_path, head):
 def test_materials_change_neither_numbers_nor_maps(tmp_path):
     first, second = FOLDED[: FOLDED.index("f ")], FOLDED[FOLDED.index("f ") :].splitlines()
     (tmp_path / "a.mtl").write_text("newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n")
-    # The face that comes first is of the last material, and does not have the first vertex.
+    # The first face has the last material and does not use the first vertex.
     (tmp_path / "a.obj").write_text(f"mtllib a.mtl\n{first}usemtl red\n{second[1]}\nusemtl blue\n{second[0]}\n")
     (tmp_path / "b.obj").write_text(f"{first}{second[1]}\n{second[0]}\n")
     colored, plain = read_model(tmp_path / "a.obj"), read_model(tmp_path / "b.obj")

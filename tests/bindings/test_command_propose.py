@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp propose: what propose_darts() and its kin find, one line of JSON a model."""
+"""python -m wirewarp propose prints the cuts of propose_darts() and related functions, one line of JSON per model."""
 
 import json
 

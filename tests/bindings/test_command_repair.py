@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""--repair and --take-proposals: what was wrong is repaired, what was suggested is marked, and both are said."""
+"""--repair and --take-proposals repair faults, mark suggestions, and report both."""
 
 import json
 from types import SimpleNamespace
@@ -47,7 +47,7 @@ def test_vertices_that_are_merely_near_stay_apart():
 
 
 def test_a_face_without_area_goes_and_its_neighbor_is_cut_there():
-    """Of a square whose right triangle's long edge has a vertex in its middle, which the left one does not know."""
+    """A square whose right triangle has a vertex in the middle of its long edge, which the left one does not use."""
     vertices = [*SQUARE, (0.5, 0.5, 0)]
     uv = np.array([SQUARE[list(face), :2] for face in [(0, 2, 3)]] + [np.zeros((3, 2))] * 3)
     faces = [(0, 2, 3), (0, 4, 2), (0, 1, 4), (1, 2, 4)]
@@ -55,7 +55,7 @@ def test_a_face_without_area_goes_and_its_neighbor_is_cut_there():
     assert found.done == ["1 zero-area face removed"]
     assert areas(found.model) == pytest.approx([0.25] * 4)
     new = [row for row, face in enumerate(found.model.faces.tolist()) if {3, 4} <= set(face)]
-    for row in new:  # the map is cut where the face is
+    for row in new:  # the map is divided at the same place
         for corner, vertex in enumerate(found.model.faces[row]):
             assert found.model.corner_uv[row, corner] == pytest.approx(np.array(vertices[vertex])[:2])
 
@@ -75,7 +75,7 @@ def test_two_flat_faces_between_two_others_leave_them_joined():
 
 def test_a_strip_with_one_side_is_left_as_it_is():
     count = 12
-    angles = np.pi * np.arange(count) / count  # half a turn of the strip while it goes round once
+    angles = np.pi * np.arange(count) / count  # half a turn of the strip for one round
     middle = np.column_stack([np.cos(2 * angles), np.sin(2 * angles), np.zeros(count)])
     across = np.column_stack([np.cos(angles)[:, None] * middle[:, :2], np.sin(angles)]) / 3
     vertices = np.concatenate([middle - across, middle + across])
@@ -88,7 +88,7 @@ def test_a_strip_with_one_side_is_left_as_it_is():
 
 
 def test_lines_of_the_file_are_translated():
-    """A merged vertex, an edge that is divided, and the side of a face that is flipped."""
+    """A merged vertex, a divided edge, and the side of a flipped face."""
     apart = repaired(
         model_of([*SQUARE, (1 + 1e-6, 0, 0), (2, 0, 0), (1, 1 + 1e-6, 0)], [(0, 1, 2), (0, 2, 3), (4, 5, 6)])
     )
@@ -125,16 +125,16 @@ def test_edges_of_three_faces_become_seams():
 
 def test_a_model_that_fails_is_repaired_on_request(tmp_path):
     path = tmp_path / "double.obj"
-    path.write_text(FOLDED + "f 1/1 2/2 5/3 4/4\n")  # a face twice
+    path.write_text(FOLDED + "f 1/1 2/2 5/3 4/4\n")  # a duplicate face
     ((line,), _) = run(path, "--out", tmp_path / "out", code=1)
     assert line["verdict"] == "not ready to cut"
     ((line,), _) = run(path, "--out", tmp_path / "out", "--repair")
-    assert line["repairs"] == ["2 duplicate faces removed"]  # of the two triangles of the square
+    assert line["repairs"] == ["2 duplicate faces removed"]  # the two triangles of the square
     assert line["pieces"] == 1 and "repairs" in json.loads((tmp_path / "out" / "double.json").read_text())["line"]
 
 
 def test_suggested_seams_are_marked_on_request(tmp_path):
-    """Of a tube, which has to be cut once."""
+    """For a tube, which needs one cut."""
     count = 12
     turn = 2 * np.pi * np.arange(count) / count
     rings = [f"v {np.cos(a) / 20} {np.sin(a) / 20} {z}" for z in (0, 0.1) for a in turn]
@@ -156,7 +156,7 @@ def test_of_several_suggested_tolerances_the_widest_counts_once(monkeypatch):
 
     def flattened_again(*_, wires, **__):
         rounds.append([wire.tolerance for wire in wires])
-        return result((0, 0.05))  # which the wire has already
+        return result((0, 0.05))  # the wire has this tolerance already
 
     monkeypatch.setattr(proposals, "flatten", flattened_again)
     lines = Lines([Wire([0, 1]), Wire([1, 2])])

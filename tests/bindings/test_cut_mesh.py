@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""cut_mesh: arrays in and out, attributes, darts across faces; tests/native/test_cut_mesh.cpp has more."""
+"""cut_mesh: arrays, attributes and darts across faces. tests/native/test_cut_mesh.cpp has more tests."""
 
 import pickle
 
@@ -12,13 +12,13 @@ Lines = list[wirewarp.SurfacePath]
 
 
 def across(columns: int, at: float, end: float) -> wirewarp.SurfacePath:
-    """In a grid of as many columns and rows over the unit square, from the left outline at a height to the right."""
+    """Return a path across a grid over the unit square, from the left outline at one height to the right one."""
     cell = int(at * columns)
     faces, coordinates = [], []
     fraction = at * columns - cell
     for column in range(int(end * columns)):
         lower = 2 * (cell * columns + column)  # corners: lower left, lower right, upper right
-        # Through the upper left triangle to the diagonal, through the other one to the edge on the right.
+        # Through the upper left triangle to the diagonal, then through the other one to the edge on the right.
         faces += [lower + 1, lower]
         coordinates += [(1 - fraction, 0, fraction), (1 - fraction, 0, fraction)]
     faces.append(lower)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What documents say of the package is so: their examples run, their tables name what there is."""
+"""Documents are right about the package: their examples run, and their tables list what exists."""
 
 import json
 import re

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic and free wires: lengths within tolerance, chosen for the least distortion."""
+"""Elastic and free wires have lengths within their tolerance, with the least distortion."""
 
 import math
 
@@ -18,7 +18,7 @@ METHODS = pytest.mark.parametrize("method", ["wirewarp++", "refined"])
 
 
 def flatten(mesh: Mesh, *tolerances: float, **options) -> wirewarp.Piece:
-    """The patch with its meridian and its parallel at these tolerances (the second as the first, if not given)."""
+    """Flatten the patch with its meridian and its parallel at these tolerances; one tolerance is for both."""
     wires = [
         wirewarp.Wire(chain, tolerance) for chain, tolerance in zip((MERIDIAN, PARALLEL), tolerances * 2, strict=False)
     ]
@@ -50,7 +50,7 @@ def test_an_elastic_wire_has_its_length_within_the_tolerance(patch, tolerance, m
         assert (part.kind, part.tolerance) == ("elastic", tolerance)
         assert abs(part.variation) <= tolerance + 1e-12
         assert part.length_2d == pytest.approx((1 + part.variation) * part.length_3d, rel=1e-9)
-        assert part.max_edge_error < 1e-9  # every edge has its even share
+        assert part.max_edge_error < 1e-9  # all edges change by the same share
     for boundary in piece.boundaries:
         assert boundary.length_2d == pytest.approx(boundary.length_3d, rel=1e-9)
 
@@ -103,7 +103,7 @@ def test_the_rigid_method_uses_no_tolerance(patch, tolerance):
 
 @METHODS
 def test_each_part_of_a_wire_has_its_own_length(method):
-    """The patch is cut off the middle, so the two parts of the parallel differ in length and in curvature."""
+    """The patch is divided off the middle, so the two parts of the parallel differ in length and in curvature."""
     vertices, faces = spherical_patch(columns=8, rows=8)
     seam = [(v, v + 9) for v in range(2, 72, 9)]
     result = wirewarp.flatten(
@@ -127,7 +127,7 @@ def test_what_was_done_is_counted(patch):
     assert elastic.gradient_evaluations > elastic.outer_iterations
     assert elastic.termination == "converged"
     refined = flatten(patch, 0.05).report
-    assert refined.outer_iterations > 0  # near the end several with one factor
+    assert refined.outer_iterations > 0  # near the end, several steps use one factor
     assert 0 < refined.factorizations <= 8
     assert refined.inner_solves == refined.gradient_evaluations == 0
     assert refined.termination == "converged"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One exception type, one enum of codes, with a meaning and a remedy each."""
+"""There is one exception type and one enum of codes, each with a meaning and a remedy."""
 
 import copy
 import importlib
@@ -111,7 +111,7 @@ def refused_wire() -> FlattenError:
 
 
 def tube() -> FlattenError:
-    """Two rings of three vertices, of which one is larger; each outline is a triangle."""
+    """Return two rings of three vertices, one of them larger; each outline is a triangle."""
     around = 2 * np.pi * np.arange(3) / 3
     ring = np.stack([np.cos(around), np.sin(around)], axis=1)
     vertices = np.vstack([np.c_[ring, np.zeros(3)], np.c_[2 * ring, np.full(3, 9.0)]])
@@ -161,7 +161,8 @@ def test_a_bad_chart_carries_its_error_and_spares_the_others():
     assert np.array_equal(bad.source_vertex[bad.faces], ball_faces + len(vertices))
     assert np.isnan(bad.metrics.face_arap).tolist() == [True] * 4
     assert np.isnan([bad.metrics.arap_energy, bad.metrics.area_2d, bad.metrics.angle_deviation_max]).all()
-    assert bad.metrics.area_3d == pytest.approx(3 * 1 / 2 + np.sqrt(3) / 2)  # three half squares and their hypotenuses
+    # Three half squares and the triangle on their hypotenuses.
+    assert bad.metrics.area_3d == pytest.approx(3 * 1 / 2 + np.sqrt(3) / 2)
     assert np.isnan(result.corner_uv[len(faces) :]).all()
     assert np.isfinite(result.corner_uv[: len(faces)]).all()
     assert result.report["pieces"] == 2
@@ -169,7 +170,7 @@ def test_a_bad_chart_carries_its_error_and_spares_the_others():
 
 
 def test_the_package_can_be_carried_inside_another(tmp_path, monkeypatch):
-    """An add-on may hold the package; its errors are its own."""
+    """An add-on may contain the package; its errors are separate."""
     shutil.copytree(Path(wirewarp.__file__).parent, tmp_path / "carrier" / "wirewarp")
     monkeypatch.syspath_prepend(tmp_path)
     inner = importlib.import_module("carrier.wirewarp")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Rigid wires that contradict one another: the error names them, and its proposal can be taken as it is."""
+"""The error of rigid wires that contradict one another names them, and its proposal works."""
 
 import pytest
 from surfaces import grid
@@ -18,7 +18,7 @@ def test_the_proposed_tolerances_can_be_taken_as_they_are():
     proposed = dict(piece.error.proposed_tolerances)
     named = {tuple(sorted(wires[index].vertices.tolist())) for index in proposed}
     assert {tuple(sorted(edge)) for edge in piece.error.edges} == named
-    assert max(proposed.values()) <= 0.03  # what elastic cloth gives without a thought
+    assert max(proposed.values()) <= 0.03  # an amount that elastic fabric stretches easily
 
     looser = [Wire(wire.vertices, proposed.get(i, 0)) for i, wire in enumerate(wires)]
     result = flatten(vertices, faces, wires=looser)

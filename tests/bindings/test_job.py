@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""wirewarp.start: flatten() beside Python."""
+"""wirewarp.start: flatten() while Python continues."""
 
 import copy
 import gc
@@ -78,7 +78,7 @@ def test_proposals_are_found_in_a_job(kind):
     with pytest.raises(wirewarp.FlattenError, match="is flat enough"):
         start(*half_cylinder()).result()
     with pytest.raises(wirewarp.FlattenError, match="no_seam"):
-        start(*mesh, no_seam="all")  # of a wrong type: at once
+        start(*mesh, no_seam="all")  # wrong type: raised at once
     job = start(*spherical_patch(100, 100))
     job.cancel()
     with pytest.raises(wirewarp.FlattenError) as caught:
@@ -94,7 +94,7 @@ def test_a_plan_is_found_in_a_job():
     assert [each.to_dict() for each in found] == [each.to_dict() for each in wirewarp.plan_cuts(*mesh, **limits)]
     assert all(each.strain_left < found[0].strain_before for each in found)
     with pytest.raises(wirewarp.FlattenError, match="it must be dart or seam"):
-        wirewarp.start_plan(*mesh, kind="zip")  # at once
+        wirewarp.start_plan(*mesh, kind="zip")  # raised at once
     with pytest.raises(wirewarp.FlattenError, match="option most is 0: it must be at least 1"):
         wirewarp.start_plan(*mesh, most=0).result()
     job = wirewarp.start_plan(*spherical_patch(100, 100), most=3)
@@ -116,7 +116,7 @@ def test_a_job_that_nobody_holds_is_cancelled():
     job = wirewarp.start(*spherical_patch(300, 300), cache=cache)
     del job
     gc.collect()  # returns when its thread has ended
-    assert cache.size == 0  # cancelled pieces are not kept, others are
+    assert cache.size == 0  # canceled pieces are not kept, others are
 
 
 @pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="this system sends no signals to threads")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects leave the process, are made in odd ways, and Python ends: always an exception, never an abort."""
+"""Objects that are pickled, created oddly or used while Python ends cause exceptions, never an abort."""
 
 import copy
 import math
@@ -22,7 +22,7 @@ COMPILED = [cls for cls in CLASSES if not issubclass(cls, str | Exception)]
 
 
 def rich_result() -> wirewarp.FlattenResult:
-    """Two pieces, one of them with an error that proposes seams, wires of two kinds and a seam."""
+    """Return two pieces, one with an error that proposes seams, with wires of two kinds and a seam."""
     vertices, faces = half_cylinder()
     ball = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]]) + 5
     ball_faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]) + len(vertices)
@@ -36,7 +36,7 @@ def rich_result() -> wirewarp.FlattenResult:
 
 
 def same(one: object, other: object) -> bool:
-    """Field by field and bit for bit, NaN included."""
+    """Compare field by field and bit for bit, including NaN."""
     if hasattr(one, "_fields"):
         return type(one) is type(other) and all(
             same(getattr(one, name), getattr(other, name)) for name in type(one)._fields

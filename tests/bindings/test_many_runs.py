@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Over many runs: cancelled at every step, and none leaves memory behind."""
+"""Many runs, canceled at every step, leave no memory behind."""
 
 import os
 import sys
@@ -29,9 +29,9 @@ def test_cancelled_at_every_call_a_piece_is_cancelled_or_exact(method):
     for last in range(len(calls)):
         asked = []
         piece = flatten(method, lambda *call, asked=asked, last=last: asked.append(call) or len(asked) <= last)
-        if piece.error is None:  # the guarantee holds whenever there is no error
+        if piece.error is None:  # without an error, the guarantee holds
             assert piece.report.termination in ("cancelled", "converged", "stalled")
-            assert not piece.report.objective < (1 - 1e-9) * whole.report.objective  # NaN but for the refined method
+            assert not piece.report.objective < (1 - 1e-9) * whole.report.objective  # NaN except for the refined method
         else:
             assert piece.error.code == "cancelled"
             assert np.isnan(piece.vertices).all()
@@ -45,15 +45,15 @@ def resident_megabytes():
 @pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 @pytest.mark.parametrize("method", METHODS)
 def test_a_thousand_runs_leave_no_memory_behind(method):
-    """One result is about 0.2 MB: a leak of a hundredth of it would show."""
+    """One result takes about 0.2 MB: a leak of a hundredth of it would be seen."""
 
     def run(times):
         for number in range(times):
-            flatten(method, progress=lambda *_, number=number: number % 3 > 0)  # every third is cancelled at once
+            flatten(method, progress=lambda *_, number=number: number % 3 > 0)  # every third run is canceled at once
             with pytest.raises(wirewarp.FlattenError):
                 wirewarp.flatten(VERTICES, FACES + len(VERTICES))
 
-    run(100)  # until the allocator has what it needs
+    run(100)  # until the allocator has enough memory
     before = resident_megabytes()
     run(1000)
     assert resident_megabytes() - before < 2

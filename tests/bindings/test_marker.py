@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Markers: pieces lie on the cloth, apart, along the grain, as often as they are cut; shapely measures them."""
+"""Pieces of markers are on the fabric, apart, along the grain, and in their quantity; shapely measures them."""
 
 import json
 import math
@@ -28,7 +28,7 @@ ENGINES = ["slides", "spyrrow"]
 
 @pytest.fixture(params=ENGINES)
 def engine(request, monkeypatch):
-    """Both find markers; the test that has it runs with each."""
+    """Run the test with each of the two nesting engines."""
     if request.param == "spyrrow":
         pytest.importorskip("spyrrow")
     else:
@@ -59,7 +59,7 @@ def test_pieces_lie_apart_on_the_cloth_along_the_grain(name, grain, engine):
 
 
 def test_squares_fill_the_cloth():
-    # 4 x 3 squares of 100 mm with 10 mm between them, and 0.4 mm for outlines with fewer points.
+    # 4 x 3 squares of 100 mm with gaps of 10 mm, and 0.4 mm for simplified outlines.
     pattern = Pattern.from_result(rectangle(100, 100), allowance=0).with_quantities({1: (12, 0)})
     marker = pattern.nested(435, gap=10.0, seconds=0)
     assert marker.length == pytest.approx(3 * 100 + 2 * 10.4, abs=0.1)
@@ -117,7 +117,7 @@ def test_texts_beside_a_small_piece_make_it_no_other_piece():
     for pattern in (marked, marked.with_only(["sew"])):
         (piece,) = pattern.laid_on(marker).pieces
         assert sorted(piece.size) == pytest.approx([2, 40])
-        assert not piece.texts and not piece.of_role("card leader")  # other pieces lie there
+        assert not piece.texts and not piece.of_role("card leader")  # other pieces are there
 
 
 def test_texts_in_a_piece_stay_on_a_marker():
@@ -134,7 +134,7 @@ def test_an_opened_piece_has_no_texts_that_were_left_out():
     laid = named.laid_on(named.nested(400, seconds=0))
     assert [{text.role for text in piece.texts} for piece in laid.pieces] == [{"line name"}] * 2
     left, right = sorted(text.center[0] for text in laid.pieces[0].texts)
-    assert left > 10 and right < 210  # inside of the sew lines, on both sides of the fold
+    assert left > 10 and right < 210  # inside the stitching lines, on both sides of the fold
 
 
 def test_the_grain_runs_along_the_cloth():
@@ -170,7 +170,7 @@ def test_a_marker_is_kept_as_json_and_fits_no_other_pieces():
 
 
 def dented(x, y):
-    """A rectangle of 100 x 60 mm with a point of its upper side at x, y, as it lies."""
+    """Return a rectangle of 100 x 60 mm with a point of its upper side at x, y, in place."""
     points = [(0, 0), (50, 0), (100, 0), (100, 60), (x, y), (0, 60)]
     (piece,) = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)]).pieces
     flat = flat_piece(piece, "Yoke", 1000.0)
@@ -217,7 +217,7 @@ def test_what_spyrrow_stumbles_over_is_told_and_pieces_are_packed_all_the_same(m
     described, searched = wirewarp.pattern.nest.spyrrow_nesting._described, wirewarp.pattern.nest.nesting.searched
 
     def searched_to_the_end(*what):
-        """However long the process takes to begin."""
+        """Search to the end, however long the process takes to start."""
         yield from list(searched(*what[:-1], 60.0))
 
     monkeypatch.setattr("wirewarp.pattern.nest.nesting.searched", searched_to_the_end)
@@ -234,7 +234,7 @@ def test_what_spyrrow_stumbles_over_is_told_and_pieces_are_packed_all_the_same(m
 
 @pytest.fixture
 def searches(monkeypatch):
-    """The processes that have been started since."""
+    """Return the processes started from here on."""
     pytest.importorskip("spyrrow")
     started = []
 
@@ -252,7 +252,7 @@ def test_no_process_searches_on_where_progress_raises(searches):
         if searches:
             raise ZeroDivisionError
 
-    with pytest.raises(ZeroDivisionError) as raised:  # whose traceback is kept
+    with pytest.raises(ZeroDivisionError) as raised:  # the traceback stays alive
         sample("Hat").nested(1400, seconds=600, progress=progress)
     (search,) = searches
     assert search.returncode is not None and not Path(search.args[-1]).parent.exists(), raised
@@ -274,7 +274,7 @@ def test_a_search_ends_with_the_process_that_was_killed(tmp_path):
     caller.kill()
     caller.wait()
     wait_until_gone(search)
-    assert os.name != "posix" or not list(tmp_path.iterdir())  # Windows keeps files that are open
+    assert os.name != "posix" or not list(tmp_path.iterdir())  # Windows keeps open files
 
 
 @pytest.mark.parametrize(
@@ -348,7 +348,7 @@ def test_a_long_marker_has_several_pages_that_overlap(tmp_path):
     pages = [page.get_size() for page in pypdfium2.PdfDocument(tmp_path / "long.pdf")]
     assert np.array(pages) * 25.4 / 72 == pytest.approx(np.array(sizes), abs=0.01)
     assert len(sizes) == 2 and max(size.max() for size in sizes) <= 5000
-    # Margins of 10 mm around each page, the block to measure on the first, 10 mm of overlap.
+    # Margins of 10 mm around each page, the test square on the first, 10 mm of overlap.
     assert sum(size[1] for size in sizes) == pytest.approx(length + 2 * 20 + 158 + 10)
     with pytest.raises(wirewarp.FlattenError, match=r"needs a roll of 920 mm, not 910 mm"):
         laid.page_sizes(910.0)
@@ -376,5 +376,5 @@ def test_230_pieces():
     pattern = Pattern.from_result(quads(points, np.arange(4 * count).reshape(-1, 4).tolist()), allowance=0)
     marker = pattern.nested(870, gap=5.0, seconds=0)
     assert len(marker.placements) == count
-    # Each takes 35.4 mm, and with the rows that the cloth is divided into 37.2 mm: 23 side by side.
+    # Each takes 35.4 mm, or 37.2 mm with the rows of the grid: 23 side by side.
     assert marker.length == pytest.approx(10 * 30 + 9 * 5.4, abs=0.1)

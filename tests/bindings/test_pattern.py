@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Patterns of the samples and of made-up pieces: lines, notches, darts, what is told, and what is refused."""
+"""Patterns of samples and of made-up pieces: lines, notches, darts, warnings and errors."""
 
 import math
 
@@ -77,7 +77,7 @@ def test_notches_pair_at_equal_sewn_length_and_no_seam_fits_upside_down(name):
                 places.setdefault(point.pair, []).append((at, line.length))
     seams = {}
     for (seam, _), ends in places.items():
-        # On a dart both sides have one line's name; elsewhere the outline runs the other way on the other side.
+        # On a dart both sides have one line's name; elsewhere the other side's outline runs in the opposite direction.
         (first, length), (second, _) = ends
         assert min(abs(first - second), abs(first - (length - second))) < 1e-6
         seams.setdefault(seam, (length, []))[1].append(first)
@@ -109,14 +109,14 @@ def test_seams_of_a_back_have_double_notches():
 
 
 def junction() -> wirewarp.FlattenResult:
-    """Four pieces about a vertex; seams run straight over it one way, and meet it slanted the other way."""
+    """Return four pieces at a vertex: seams run straight across it one way, and meet it at an angle the other way."""
     points = [(0, 0), (160, 0), (300, 0), (0, 100), (150, 100), (300, 100), (0, 200), (190, 200), (300, 200)]
     corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
     return quads(points, corners, seams=[(1, 4), (4, 7), (3, 4), (4, 5)])
 
 
 def test_both_allowances_of_a_seam_end_on_the_cut_lines_that_cross_it():
-    # The seam across runs straight over seams 1-4 and 4-7, so these are sewn first; pressed open, they end with it.
+    # The cross seam is straight across seams 1-4 and 4-7, so these are sewn first; pressed open, they end on it.
     result = junction()
     sticks_out, falls_short = np.zeros(4), np.zeros(4)
     for piece in Pattern.from_result(result).pieces:
@@ -159,8 +159,8 @@ def test_a_hem_is_wider_and_side_allowances_differ_by_side():
 
 
 def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
-    """A rectangle of 300 x 200 with a dart from the middle of its lower edge, made by folding the mouth away."""
-    # The dart's legs are sewn, so the model is a cone: the flat piece opens by itself.
+    """Return a rectangle of 300 x 200 with a dart from the middle of its lower edge, made by folding the mouth away."""
+    # The dart's legs are sewn, so the model is a cone and the flat piece opens by itself.
     half = mouth / 2
     leg = math.hypot(half, depth)
     rise = math.sqrt(leg**2 - depth**2)
@@ -184,11 +184,11 @@ def test_a_dart_is_closed_cut_out_or_slit():
     (piece,) = Pattern.from_result(result, allowance=0.0).pieces
     gap = cut_polygon(piece).difference(sew_polygon(piece))
     (hole,) = [point for point in piece.points if point.role == "drill"]
-    assert gap.contains(shapely.Point(hole.at))  # in the fold of the dart, where the seam covers it
+    assert gap.contains(shapely.Point(hole.at))  # in the fold of the dart, where the seam hides it
 
 
 def test_no_notch_leaps_to_a_cut_line_far_away():
-    # Between the legs of a narrow dart that is cut out, the allowances run together: there is nothing to notch.
+    # Between the legs of a narrow cut-out dart, the allowances merge and cannot be notched.
     (piece,) = Pattern.from_result(dart(40, 100), darts="cut").pieces
     outline = sew_polygon(piece)
     assert all(outline.distance(shapely.Point(point.at)) < 10.01 for point in piece.points)
@@ -341,7 +341,7 @@ def test_room_for_text_is_found_in_a_ring_and_beside_its_wires():
     turn = np.linspace(0, 2 * math.pi, 60, endpoint=False)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
     center, depth = innermost_point([100 * circle, 60 * circle + (20, 0)], [])
-    assert depth == pytest.approx(30, abs=2)  # left, where the ring is widest
+    assert depth == pytest.approx(30, abs=2)  # on the left, where the ring is widest
     assert np.linalg.norm(center + (70, 0)) < 20
     square = 100 * np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
     assert innermost_point([square], [])[1] == pytest.approx(50, abs=1)
@@ -361,7 +361,7 @@ def test_the_date_stands_on_every_piece():
 
 @pytest.mark.parametrize(("height", "depth"), [(8, 2.4), (60, 5.0)])
 def test_notches_without_allowance_that_face_each_other_do_not_meet(height, depth):
-    """At both ends of a wire across; each is 0.3 of the way deep, at most 5 mm."""
+    """There is one at each end of a wire across; each is 0.3 of the way deep, at most 5 mm."""
     points = [(0, 0), (100, 0), (200, 0), (200, height), (100, height), (0, height)]
     result = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)], wires=[wirewarp.Wire([1, 4])])
     (piece,) = Pattern.from_result(result, allowance=0, notch_spacing=0).pieces

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cut lines lie at the widths asked for, in one loop, whatever the outline; corners are as each type says."""
+"""Cut lines have the requested widths, in one loop, for any outline; corners have the shapes of their types."""
 
 import math
 
@@ -51,7 +51,7 @@ def test_any_widths_round_any_outline_make_one_loop_at_these_widths(seed):
     corners = shapely.MultiPoint([section.points[-1] for section in loop])
     zone = 4 * max(section.width for section in loop)
     lines = [shapely.LineString(section.points) for section in loop]
-    # What the allowance encloses outside of the piece is a bay of the outline, no slit between strips.
+    # An area that the allowance encloses outside the piece is a bay of the outline, not a slit between strips.
     for pocket in found.pockets:
         places = shapely.points(pocket)
         for section, line in zip(loop, lines, strict=True):
@@ -68,12 +68,14 @@ def test_any_widths_round_any_outline_make_one_loop_at_these_widths(seed):
     for number, (section, line) in enumerate(zip(loop, lines, strict=True)):
         nearest = places[distances.argmin(axis=0) == number]
         feet = shapely.line_interpolate_point(line, shapely.line_locate_point(line, nearest))
-        on_edges = shapely.distance(feet, vertices) > 1e-6  # from a vertex the mitre is a little farther
+        on_edges = shapely.distance(feet, vertices) > 1e-6  # the mitre is slightly farther from a vertex
         assert np.all(np.abs(shapely.distance(feet, nearest)[on_edges] - section.width) < 0.01)
 
 
 def square(widths, corner: Corner) -> list[Section]:
-    """Of 100 mm, from the lower left corner on; the corner type is that of the lower right corner."""
+    """Return the sections of a square of 100 mm from the lower left corner on. corner: type of the lower right
+    corner.
+    """
     points = np.array([[0.0, 0], [100, 0], [100, 100], [0, 100], [0, 0]])
     corners = [corner, Corner(), Corner(), Corner()]
     return [Section(points[i : i + 2], widths[i], corners[i]) for i in range(4)]
@@ -84,23 +86,23 @@ def square(widths, corner: Corner) -> list[Section]:
     [
         ("mitre", 10, 10, 100),
         ("mitre", 20, 10, 200),
-        ("step", 20, 20, 400),  # there is no step between equal widths
-        ("fold-back", 20, 10, 200),  # at a right angle the mirror image of the neighbor is its own continuation
-        ("extend", 10, 10, 50),  # straight from one end to the other: half the square
+        ("step", 20, 20, 400),  # equal widths have no step
+        ("fold-back", 20, 10, 200),  # at a right angle, the mirror image of the neighbor continues it
+        ("extend", 10, 10, 50),  # straight from end to end: half the square
         ("round", 10, 10, 25 * math.pi),
         ("mitre", 0, 10, 0),
     ],
 )
 def test_the_area_in_a_corner(kind, a, b, area):
     (outer,) = cut_lines([square([a, b, 0, 0], Corner(kind))]).outer
-    sides = 100 * a + 100 * b  # nothing is beyond the corners to the sides without allowance
+    sides = 100 * a + 100 * b  # nothing beyond the corners to sides without allowance
     assert signed_area(outer) == pytest.approx(100 * 100 + sides + area, abs=0.3 if kind == "round" else 0.01)
 
 
 @pytest.mark.parametrize("of_next", [False, True])
 @pytest.mark.parametrize("degrees", [60, 75, 90, 105, 120])
 def test_an_allowance_that_folds_back_ends_on_the_cut_line_of_its_neighbor(degrees, of_next):
-    # A triangle-like piece whose lower edge (y = 0, the piece above) meets another at an inner angle of `degrees`.
+    # A nearly triangular piece whose lower edge (y = 0, piece above) meets another edge at an inner angle of `degrees`.
     inner = math.radians(degrees)
     far = np.array([200 - 300 * math.cos(inner), 300 * math.sin(inner)])
     points = np.array([[-400.0, 0], [200, 0], far, [-400, far[1]], [-400, 0]])
@@ -114,14 +116,14 @@ def test_an_allowance_that_folds_back_ends_on_the_cut_line_of_its_neighbor(degre
     far_off, width = 1000 * along, 14 if of_next else 10
 
     def beside(reach: float) -> shapely.Polygon:
-        """The allowance, or what lies under it once folded, from 60 mm before the corner on."""
+        """Return the allowance, or the area below it when folded, from 60 mm before the corner on."""
         first, last = end - 60 * along, end + far_off
         return cut.intersection(shapely.Polygon([first, last, last + reach * normal, first + reach * normal]))
 
     allowance = np.array(beside(1000).exterior.coords)
     folded = shapely.Polygon(allowance - 2 * ((allowance - end) @ normal)[:, None] * normal)
     assert folded.difference(cut).area < 0.01  # nothing shows beyond the cut line,
-    assert beside(-width).difference(folded).area < 0.01  # and it reaches up to it
+    assert beside(-width).difference(folded).area < 0.01  # and it reaches the line
 
 
 def test_a_sharp_corner_is_cut_off_at_two_and_a_half_widths():
@@ -165,7 +167,7 @@ def right_of(a, b):
 
 
 def half_strip(section, at_end):
-    """The half of a straight section's allowance that is next to its end, or to its start."""
+    """Return the half of a straight section's allowance at its end or start."""
     a, b = section.points
     near, far = (b, (a + b) / 2) if at_end else (a, (a + b) / 2)
     aside = section.width * right_of(a, b)
@@ -179,7 +181,7 @@ def half_strip(section, at_end):
     st.data(),
 )
 def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_whole(sides, widths, of_next, data):
-    """On convex polygons that turn alike; folded over its sew line, the allowance does not show beside the piece."""
+    """On convex polygons; folded over its stitching line, the allowance does not show beside the piece."""
     start = data.draw(st.floats(0, 6))
     angles = start + np.linspace(0, 2 * np.pi, sides, endpoint=False)
     points = 300 * np.column_stack([np.cos(angles), np.sin(angles)])
@@ -194,7 +196,7 @@ def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_
         turn = 2 * np.pi / sides
         back, other = (second, first) if of_next else (first, second)
         if back.width + other.width > 2.2 * min(back.width, other.width):
-            continue  # a corner that would lead too far is cut as a mitre
+            continue  # a corner that would reach too far becomes a mitre
         if turn <= np.pi / 2:
             assert cut.buffer(1e-3).contains(half_strip(other, at_end=other is first))
         a, b = back.points
@@ -210,15 +212,15 @@ def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_
 @pytest.mark.parametrize("width", [3.0, 10.0])
 @pytest.mark.parametrize("degrees", [8, 30, 46, 48, 60, 90, 150])
 def test_a_tip_inside_of_a_section_is_a_mitre_that_is_cut_square_at_its_limit(degrees, width):
-    """The mitre of an outline that turns by a tip of this angle is width / sin(angle / 2) away."""
+    """The mitre of an outline that turns at a tip of this angle is width / sin(angle / 2) away."""
     half = math.radians(degrees / 2)
     tip, leg = np.array([0.0, 0.0]), 400.0
     ends = leg * np.array([[-math.cos(half), -math.sin(half)], [-math.cos(half), math.sin(half)]])
-    outline = np.array([ends[1], [-1.5 * leg, 0.0], ends[0], tip, ends[1]])  # begins elsewhere
+    outline = np.array([ends[1], [-1.5 * leg, 0.0], ends[0], tip, ends[1]])  # starts elsewhere
     (outer,) = cut_lines([[Section(outline, width)]]).outer
     straight_on = shapely.LineString([tip, (50 * width, 0)]).intersection(shapely.LinearRing(outer))
     expected = min(2.5 * width, width / math.sin(half))
     assert shapely.distance(straight_on, shapely.Point(tip)) == pytest.approx(expected, abs=1e-3)
-    if expected == 2.5 * width:  # square to the way straight on
+    if expected == 2.5 * width:  # square to the direction straight on
         edge = outer[np.abs(outer[:, 0] - expected) < 1e-3]
         assert len(edge) == 2 and edge[:, 1].sum() == pytest.approx(0, abs=1e-3)

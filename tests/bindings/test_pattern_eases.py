@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams with a side that is longer: notches are sewn onto each other all the same, and the paper says what to do."""
+"""For seams with a longer side, notches still match, and the paper says what to do."""
 
 import sys
 from pathlib import Path
@@ -15,12 +15,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "addon"))
 
 from drawing import Drawing
 
-COUNT, LENGTH = 20, 400.0  # edges of the seam, and its millimeters
+COUNT, LENGTH = 20, 400.0  # number of edges, and length of the seam in millimeters
 SEAM = [(x, x + 1) for x in range(COUNT)]
 
 
 def two_strips(eased, **options) -> wirewarp.FlattenResult:
-    """Of 150 mm each, below and above of a seam in steps of 20 mm; eased: (begin, end, ratio) of edges on the lower."""
+    """Return two strips of 150 mm, below and above a seam in steps of 20 mm; eased: (start, end, ratio) on the lower
+    one.
+    """
     row = COUNT + 1
     points = [(x * LENGTH / COUNT, y) for y in (0, 150, -150) for x in range(row)]
     above = [(x, x + 1, row + x + 1, row + x) for x in range(COUNT)]
@@ -30,7 +32,7 @@ def two_strips(eased, **options) -> wirewarp.FlattenResult:
 
 
 def notches_in_file(path: Path, name: str) -> list[float]:
-    """Lengths from the end of the seam with the farther notch at which those of a piece, made longer, meet it."""
+    """Return the distances of a piece's notches, after lengthening, from the end of the seam with the farther notch."""
     drawing = Drawing(path)
     (seam,) = [line for line in drawing.lines(name, "Sew") if len(line) == COUNT + 1]
     line = shapely.LineString(seam)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Each kind of file but PDF, read by a library that did not write it; and what is true of all kinds."""
+"""Other libraries read each kind of file except PDF; and rules that hold for all kinds."""
 
 import io
 import re
@@ -20,7 +20,7 @@ from wirewarp.pattern import FORMATS, STAGES, Pattern
 
 
 def same_up_to_moves(found: list[np.ndarray], wanted: list[np.ndarray], within: float) -> None:
-    """Every outline is there, in true size; where it lies does not matter."""
+    """Check that every outline is there in actual size; its place does not matter."""
     assert len(found) == len(wanted)
     shapes = sorted((normalized(points) for points in found), key=lambda points: (len(points), points.sum()))
     others = sorted((normalized(points) for points in wanted), key=lambda points: (len(points), points.sum()))
@@ -82,7 +82,7 @@ def test_names_in_any_script(tmp_path, no_fonts, ending):
 
 @pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
 def test_half_a_surrogate_pair_in_a_title_is_written_as_a_question_mark_or_left_out(tmp_path, ending):
-    """Names that were cut off as UTF-16 end so."""
+    """Names that were cut off as UTF-16 end this way."""
     pattern = Pattern.from_result(rectangle(100, 100), title="A\ud83d", date="\ud83d")
     pattern.write(tmp_path / f"a.{ending}")
     if ending == "pdf":
@@ -107,13 +107,13 @@ def test_svg_is_drawn_in_true_size_by_another_renderer(tmp_path, preset):
     pattern.write(tmp_path / "strip.svg", preset=preset)
     pixels = rendered_svg(tmp_path / "strip.svg")
     assert pixels.shape == pytest.approx(pattern.svg_size[::-1] * SCALE, abs=1)
-    pixels = pixels[round(115 * SCALE) :]  # above the square to measure
+    pixels = pixels[round(115 * SCALE) :]  # above the test square
     line = {"print": 0.5, "laser": 0.1, "cricut": 0.3}[preset]
     assert extent(pixels) == pytest.approx((170 + line, 720 + line), abs=1.5 / SCALE)
 
 
 def rendered_svg(path) -> np.ndarray:
-    """(h,w) bool, as dark()."""
+    """Return (h,w) bool, like dark()."""
     resvg = pytest.importorskip("resvg_py", exc_type=ImportError)
     image = Image.open(
         io.BytesIO(resvg.svg_to_bytes(svg_path=str(path), dpi=96, zoom=SCALE * 25.4 / 96, background="#ffffff"))
@@ -277,7 +277,7 @@ def test_what_progress_raises_leaves_the_old_file(tmp_path, monkeypatch):
         if len(list(tmp_path.iterdir())) > 1:  # the new one is being written
             raise ZeroDivisionError
 
-    with pytest.raises(ZeroDivisionError) as raised:  # whose traceback is kept
+    with pytest.raises(ZeroDivisionError) as raised:  # the traceback stays alive
         sample("Hat").write(path, progress=progress)
     assert path.read_bytes() == b"old" and list(tmp_path.iterdir()) == [path], raised
 
@@ -331,7 +331,7 @@ def test_what_is_left_out_is_in_no_file(tmp_path):
 
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_dialogs_are_told_every_option_of_a_format(tmp_path, suffix):
-    """What they offer is what the writer takes; paper and keep_places come with pages."""
+    """They offer exactly the writer's options; paper and keep_places belong to pages."""
     chosen = FORMATS[suffix]
     pages = ["paper", "keep_places"] if chosen.has_pages else []
     assert sorted(signature(chosen.write).parameters) == sorted(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Plane geometry: which outlines overlap and which only touch, and what lies inside of one or how far from it."""
+"""Plane geometry: which outlines overlap or touch, and which points are inside and how far."""
 
 import math
 
@@ -21,12 +21,12 @@ def test_outlines_that_cross_or_contain_each_other_overlap():
     assert not overlap(big, square(20, 0, 1))
     ring = big + square(2, 2, 6)
     assert not overlap(ring, square(3, 3, 1))  # in its hole
-    assert not overlap(ring, square(2, 2, 6))  # that fills it
+    assert not overlap(ring, square(2, 2, 6))  # fills it
     assert overlap(ring, square(1.9, 2, 6))
 
 
 def polygon(corners, scale=1.0, start=0):
-    """In single precision as of a mesh."""
+    """Return a polygon in single precision, like those of a mesh."""
     return [np.roll(np.float32(scale * np.array(corners)).astype(float), -start, axis=0)]
 
 
@@ -36,10 +36,10 @@ SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
 @pytest.mark.parametrize(
     "other",
     [
-        [(1, 0), (3, 0), (3, 2), (1, 2)],  # slid along a side
+        [(1, 0), (3, 0), (3, 2), (1, 2)],  # shifted along a side
         SQUARE,
-        [(1, 1), (2, 1), (3, 1), (3, 2), (3, 3), (1, 3), (1, 2)],  # corners where they cross
-        [(-1, 0.3), (3, 0.3), (3, 0.4), (-1, 0.4)],  # across, no middle of a side inside
+        [(1, 1), (2, 1), (3, 1), (3, 2), (3, 3), (1, 3), (1, 2)],  # corners at the crossings
+        [(-1, 0.3), (3, 0.3), (3, 0.4), (-1, 0.4)],  # across; no middle of a side is inside
         [(1.9, 1.9), (5, 2), (5, 5), (2, 5)],  # one corner
     ],
 )

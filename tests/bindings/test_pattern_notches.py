@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Notches along seams are at one place of the model on all pieces that meet there, on round ones too."""
+"""Notches along seams are at one place of the model on all pieces that meet there, also on round ones."""
 
 import math
 
@@ -16,7 +16,9 @@ CORNERS, RADIUS = 24, 100.0  # millimeters
 
 
 def disc_in_ring(*more_seams):
-    """A disc in a ring, cut apart along the circle between. Vertex 0 is the center, then come the two circles."""
+    """Return a disc in a ring, separated along the circle between them. Vertex 0 is the center, then come the
+    circles.
+    """
     angles = 2 * math.pi * np.arange(CORNERS) / CORNERS
     circle = RADIUS * np.column_stack([np.cos(angles), np.sin(angles)])
     points = np.concatenate([[(0, 0)], circle, 2 * circle])
@@ -39,18 +41,18 @@ def test_a_seam_all_around_begins_at_a_notch_and_has_one_more():
     assert [len(own) for own in found] == [2, 2]
     apart = [np.linalg.norm(first.at - second.at) for first, second in found]
     assert apart[0] == pytest.approx(apart[1], abs=0.01)
-    assert RADIUS < apart[0] < 1.95 * RADIUS  # or the ring could be sewn in turned by half
+    assert RADIUS < apart[0] < 1.95 * RADIUS  # otherwise the ring could be sewn half a turn off
     assert [len(own) for own in notches(ring, 0.0)] == [0, 0]
 
 
 def test_seams_that_meet_on_a_smooth_outline_end_at_notches():
     halves = disc_in_ring((1, 1 + CORNERS), (1 + CORNERS // 2, 1 + CORNERS + CORNERS // 2))
-    # The disc has two ends and two middles; each half of the ring has corners there, and middles of three seams.
+    # The disc has two ends and two middles; each half of the ring has corners there, and the middles of three seams.
     assert sorted(len(own) for own in notches(halves, 1000.0)) == [3, 3, 4]
 
 
 def strap(length, **options):
-    """Two strips of 100 mm side by side."""
+    """Return two strips of 100 mm side by side."""
     points = [(x, y) for y in (0, length) for x in (-100, 0, 100)]
     return quads(points, [(0, 1, 4, 3), (1, 2, 5, 4)], seams=[(1, 4)], **options)
 
@@ -72,13 +74,13 @@ def test_a_wire_that_ends_at_a_seam_has_a_notch_on_the_other_side_too():
     points = [(x, y) for y in (0, 60, 200) for x in (-100, 0, 100)]
     corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
     result = quads(points, corners, seams=[(1, 4), (4, 7)], wires=[wirewarp.Wire([4, 5])])
-    assert sorted(len(own) for own in notches(result, 0.0)) == [1, 2]  # the wire has another end on the outline
+    assert sorted(len(own) for own in notches(result, 0.0)) == [1, 2]  # the wire's other end is on the outline
     sewn = [point.along for own in notches(result, 0.0) for point in own if point.pair]
     assert sewn == pytest.approx([60, 60]) or sewn == pytest.approx([140, 140])
 
 
 def test_where_four_pieces_meet_the_one_that_is_straight_there_has_a_notch():
-    """One piece below; three with corners of 60 degrees above."""
+    """One piece below, and three with corners of 60 degrees above."""
     rim = [(100 * math.cos(math.radians(60 * k)), 100 * math.sin(math.radians(60 * k))) for k in range(6)]
     vertices = np.array([(0, 0, 0), *((x, y, 0) for x, y in rim)]) / 1000
     faces = np.array([(0, 1 + k, 1 + (k + 1) % 6) for k in range(6)])
@@ -93,7 +95,7 @@ def test_where_four_pieces_meet_the_one_that_is_straight_there_has_a_notch():
 @pytest.mark.parametrize(("depth", "before"), [(80, 13), (26.5, 13), (20, 10), (4, 2)])
 @pytest.mark.parametrize("mouth", [8.0, 0.0])
 def test_a_hole_is_drilled_13_mm_before_the_tip_of_a_dart_or_halfway(depth, before, mouth):
-    """1/2 in is usual; a shut dart has its hole on the line that its legs are."""
+    """1/2 in is usual; a closed dart has its hole on the line of its legs."""
     tip, ends = np.array([30.0, depth]), np.array([(30 - mouth / 2, 0.0), (30 + mouth / 2, 0.0)])
     first = Side(0, np.array([1, 2]), np.array([ends[0], tip]), 0, False)
     second = Side(0, np.array([2, 1]), np.array([tip, ends[1]]), 0, False)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is said of pages before they are written is what a reader finds on them."""
+"""What is reported of pages before they are written is true of the written pages."""
 
 import re
 from dataclasses import replace
@@ -29,7 +29,7 @@ def test_the_pages_are_told_before_they_are_written(tmp_path, paper):
 @pytest.mark.parametrize("keep_places", [False, True])
 @pytest.mark.parametrize(("paper", "margin"), [("a4", 10.0), ("a3", 10.0), (2500.0, 0.0), ("projector", 0.0)])
 def test_the_pages_show_the_pattern_where_they_are_said_to(tmp_path, paper, margin, keep_places):
-    """Every point of a cut line is dark on the pages that show it, and on one at least."""
+    """Every point of a cut line is dark on the pages that show it, and on at least one."""
     pattern = sample("Hat").with_only([])
     apart = np.array([[0.0, 0.0], [33.0, 21.0]])[np.arange(len(pattern.pieces)) % 2]
     pattern = replace(pattern, pieces=[piece.moved(by) for piece, by in zip(pattern.pieces, apart, strict=True)])
@@ -56,7 +56,7 @@ def test_the_pages_show_the_pattern_where_they_are_said_to(tmp_path, paper, marg
 
 @cache
 def whole_and_alone():
-    """60 straps of 60 by 2 mm, whose names stand beside them, and their lines to cut alone."""
+    """Return 60 straps of 60 by 2 mm with their names beside them, and their cutting lines alone."""
     pieces = straps(60)
     return Pattern.from_pieces(pieces, [], allowance=0), Pattern.of_cut_lines(pieces, allowance=0)
 
@@ -73,12 +73,12 @@ def test_lines_to_cut_alone_have_the_same_pages(paper, keep_places):
 
 @pytest.mark.parametrize("angle", [45, 90])
 def test_every_text_beside_a_piece_is_on_a_sheet(angle):
-    """Wherever a strap lies at the edge of a sheet: none of the sheets is shown for texts alone."""
+    """Wherever a strap is at the edge of a sheet, no sheet is shown only for texts."""
     (strap,) = straps(1)
     turned = strap.vertices @ turn(angle)
     low, high = turned.min(axis=0), turned.max(axis=0)
     corner = replace(strap, vertices=strap.vertices - strap.vertices.min(axis=0))
-    for right in np.arange(160.0, 200.0, 4.0):  # the first sheet ends at 185, the second begins at 175
+    for right in np.arange(160.0, 200.0, 4.0):  # the first sheet ends at 185, the second starts at 175
         last = replace(strap, name="A strap with a name", vertices=turned - (high[0], low[1]) + (right, 195.0))
         laid, pages = Pattern.from_pieces([corner, last], [], allowance=0).pages("a4", keep_places=True)
         for text in (text for piece in laid.pieces for text in piece.texts):
@@ -90,7 +90,7 @@ def test_every_text_beside_a_piece_is_on_a_sheet(angle):
 
 
 def turn(angle):
-    """(2,2) for rows of points, degrees counterclockwise."""
+    """Return (2,2) for rows of points. angle: degrees counterclockwise."""
     cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
     return np.array([[cosine, sine], [-sine, cosine]])
 
@@ -124,7 +124,7 @@ def test_sheets_show_every_piece_apart_from_others(name, once):
 
 @pytest.mark.parametrize(("once", "most"), [(False, 20), (True, 11)])
 def test_the_fitted_top_takes_few_sheets(tmp_path, once, most):
-    """The map is one of them; 22 and 12 if no piece is turned."""
+    """The map is one of them; it takes 22 and 12 if no piece is rotated."""
     path = tmp_path / "top.pdf"
     sample("Fitted top", pairs=once, on_fold=once).write(path)
     assert len(pypdfium2.PdfDocument(path)) <= most

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces that are cut as mirrored pairs or on the fold: what is cut is still every piece, in its true shape."""
+"""Pieces cut as mirrored pairs or on the fold: the result is still every piece, in its actual shape."""
 
 from dataclasses import replace
 
@@ -12,11 +12,11 @@ from wirewarp.pattern import Pattern
 from wirewarp.pattern.geometry import Motion, right_normals
 from wirewarp.pattern.make.outline import flat_piece
 
-HALF = np.array([(0, 0), (120, 0), (150, 80), (0, 110)])  # of a symmetric piece, right of its fold
+HALF = np.array([(0, 0), (120, 0), (150, 80), (0, 110)])  # half of a symmetric piece, right of its fold
 
 
 def symmetric(angle, **options):
-    """A piece of two halves with a wire across and one on the fold; turned by degrees from an upright fold."""
+    """Return a piece of two halves with a wire across and one on the fold, rotated by degrees from an upright fold."""
     points = np.array([*HALF, *(HALF[1:3] * (-1, 1)), (0, 40), (60, 40), (-60, 40)])
     faces = [
         (0, 1, 7),
@@ -73,7 +73,7 @@ def test_a_wire_on_one_half_alone_is_not_lost():
 
 @pytest.mark.parametrize("name", ["Fitted top", "Ball of six gores", "Jeans", "Wetsuit upper body", "Swimsuit"])
 def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
-    """What lies on the fabric, opened and mirrored, against the places of notches that all sides of a seam share."""
+    """Pieces on the fabric, opened and mirrored, have their notches where all sides of a seam have them."""
     drawn, whole = sample(name, pairs=True, on_fold=True), sample(name)
     marker = drawn.nested(5000, seconds=0)
     laid = zip(drawn.laid_on(marker).pieces, marker.placements, strict=True)
@@ -82,7 +82,8 @@ def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
     for opened_piece, placement in laid:
         own = drawn.pieces[placement.piece - 1]
         original = whole.pieces[names.index(own.mirrored_name if placement.mirrored else own.name)]
-        turned = [opened_piece.placed(Motion(np.zeros(2), angle)) for angle in (0.0, 180.0)]  # pieces lie either way up
+        # Pieces may be rotated by half a turn.
+        turned = [opened_piece.placed(Motion(np.zeros(2), angle)) for angle in (0.0, 180.0)]
         moved = [each.moved(original.bounds[0] - each.bounds[0]) for each in turned]
         shape = cut_polygon(original)
         apart, piece = min(
@@ -109,7 +110,7 @@ def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
 
 
 def test_a_mirror_keeps_the_grain():
-    """Two equal squares are a pair, and a square is cut on the fold, only if the grain of the copy is right."""
+    """Two equal squares are a pair, or a square is cut on the fold, only if the grain of the copy is right."""
     points = [(0, 0), (90, 0), (90, 120), (0, 120), (200, 0), (290, 0), (290, 120), (200, 120)]
     result = quads(points, [(0, 1, 2, 3), (4, 5, 6, 7)])
     pieces = [flat_piece(piece, "Front", 1000.0) for piece in result.pieces]
@@ -158,7 +159,7 @@ def test_a_piece_on_the_fold_is_one_half_to_the_fold(angle):
     area = cut_polygon(whole.pieces[0]).area
     (cut,) = piece.of_role("cut")
     assert shapely.Polygon(cut.points).area == pytest.approx(area / 2, rel=1e-6)
-    # The fold goes from cut line to cut line: 110 mm of the piece and an allowance at both ends, wider where it slants.
+    # The fold runs from cut line to cut line: 110 mm of the piece and an allowance at both ends, wider if slanted.
     slant = 8.0 / np.cos(np.arctan2(30, 150))
     assert np.linalg.norm(fold.points[1] - fold.points[0]) == pytest.approx(110 + 8 + slant, abs=1e-3)
     wires = {line.name: line for line in piece.of_role("wire")}
@@ -189,7 +190,7 @@ def test_a_folded_piece_opens_to_the_whole(angle):
 
 
 def opened(result, folds):
-    """The half with these marked folds, and the piece that it opens to."""
+    """Return the half with these marked folds, and the piece that it opens to."""
     half = Pattern.from_result(result, folds=folds, allowance=10.0)
     (piece,) = half.laid_on(half.nested(1400, seconds=0)).pieces
     return half, piece
@@ -206,7 +207,7 @@ def test_a_half_opens_at_whichever_of_its_edges_is_the_fold(fold, area):
     sewn = piece.of_role("sew")
     assert len(sewn) == 2 * len(half.pieces[0].of_role("sew"))
     inside = shapely.MultiPoint(np.concatenate([line.points for line in sewn])).convex_hull
-    for line in sewn:  # the piece is on its left, where names stand
+    for line in sewn:  # the piece is on its left, where the names are
         outside = (line.points[:-1] + line.points[1:]) / 2 + 5 * right_normals(line.points)
         assert all(cut.contains(shapely.Point(point)) for point in outside)
         assert not any(inside.contains(shapely.Point(point)) for point in outside)

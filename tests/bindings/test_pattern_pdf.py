@@ -22,7 +22,7 @@ def test_pages_have_the_size_of_the_paper(tmp_path, paper, size):
 
 
 def test_what_is_printed_has_its_true_size(tmp_path):
-    # Without marks and texts: the outermost lines are the cut line of a rectangle, 0.5 mm wide.
+    # Without marks and texts, the outermost lines are the cut line of a rectangle, 0.5 mm wide.
     pattern = Pattern.from_result(rectangle(150, 700), allowance=10.0)
     pattern.write(tmp_path / "strip.pdf", paper=1000)
     (page,) = pypdfium2.PdfDocument(tmp_path / "strip.pdf")
@@ -53,7 +53,7 @@ def test_tiles_put_together_are_the_one_page(tmp_path):
         low = np.array([(int(column) - 1) * step[0] + 1, (rows - (ord(row) - 64)) * step[1] + 1])
         x, y = np.rint(low * scale).astype(int)
         whole[y : y + inner.shape[0], x : x + inner.shape[1]] |= inner
-    # All of the cut line is there, and at its place to a pixel; it begins 5 mm from the edge of what is printed.
+    # All of the cut line is there, at its place to a pixel; it starts 5 mm from the edge of the printed area.
     (cut,) = cut_points(pattern)
     top = (np.array([columns, rows]) * step + 10)[1]
     line = shapely.LinearRing(cut + (5, top - pattern.size[1] - 5))
@@ -67,14 +67,14 @@ def test_a4_sheets_put_together_are_the_one_page_line_by_line(tmp_path, name):
     pattern = sample(name).with_only([])
     pattern.write(tmp_path / "tiles.pdf", paper="a4", keep_places=True)
     pattern.write(tmp_path / "page.pdf", paper="projector")
-    scale, wide = 6.0, 2  # pixels per millimeter; lines may be so many pixels off
+    scale, wide = 6.0, 2  # pixels per millimeter; allowed shift of lines in pixels
 
-    def black(page):  # cut lines alone: all that is printed around them is gray
+    def black(page):  # only cut lines: everything else is gray
         image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy().squeeze()
         return image[::-1] < 40
 
     (page,) = pypdfium2.PdfDocument(tmp_path / "page.pdf")
-    bottom = round((10 + 158) * scale)  # margin, and the block to measure
+    bottom = round((10 + 158) * scale)  # margin and test square
     size = np.ceil(pattern.size * scale).astype(int)
     one = black(page)[bottom - 12 : bottom + size[1] + 12, 60 - 12 : 60 + size[0] + 12]
 
@@ -87,7 +87,7 @@ def test_a4_sheets_put_together_are_the_one_page_line_by_line(tmp_path, name):
         inner = black(sheet)[60:-60, 60:-60]
         x, y = np.rint((int(column) - 1, high - (ord(row) - 64)) * (shown - 10) * scale).astype(int)
         whole[y : y + inner.shape[0], x : x + inner.shape[1]] |= inner
-    # Rows are counted from the top, where the pattern ends 5 mm below the edge of what is printed.
+    # Rows count from the top, where the pattern ends 5 mm below the edge of the printed area.
     top = round((high * (shown[1] - 10) + 10 - 5) * scale)
     tiled = whole[top - size[1] - 12 : top + 12, 30 - 12 : 30 + size[0] + 12]
     for first, second in ((one, tiled), (tiled, one)):
@@ -109,7 +109,7 @@ def test_pieces_that_fit_on_sheets_are_not_cut_apart(tmp_path):
         pixels = dark(page, 2.0)
         frame = round(12 * 2)
         inside = pixels[frame:-frame, frame:-frame]
-        long = inside.sum(axis=1) > 200, inside.sum(axis=0) > 200  # rows and columns with lines: texts are shorter
+        long = inside.sum(axis=1) > 200, inside.sum(axis=0) > 200  # rows and columns with lines; texts are shorter
         across, up = sorted(extent(np.outer(*long), 2.0))
         assert (across, up) == pytest.approx((220.5, 320.5), abs=1)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The proof sheet says of every piece and every side of a seam what is cut."""
+"""The proof sheet describes how every piece and every side of a seam is cut."""
 
 import numpy as np
 import pypdfium2
@@ -9,7 +9,7 @@ from wirewarp.pattern import Pattern
 
 
 def proof_lines(pattern, path, paper="a4"):
-    """Of the pages after those of the pattern."""
+    """Return the lines of the pages after those of the pattern."""
     pattern.write(path, paper=paper, proof=True)
     pages = list(pypdfium2.PdfDocument(path))
     assert len(pages) == len(pattern.page_sizes(paper, proof=True))
@@ -52,7 +52,7 @@ def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):
 
 
 def two_squares(**options):
-    """Of 200 mm, sewn to each other; the second is the left one of the edge from 1 to 4."""
+    """Return two squares of 200 mm, sewn to each other; the second is on the left of the edge from 1 to 4."""
     points = [(200 * x, 200 * y) for y in range(2) for x in range(3)]
     return Pattern.from_result(quads(points, [(0, 1, 4, 3), (1, 2, 5, 4)], seams=[(1, 4)]), **options)
 
@@ -70,7 +70,7 @@ def test_the_proof_says_where_notches_stand(tmp_path):
         own = [point for point in piece.points if point.pair]
         assert [point.along for point in own] == list(places)
         starts = [side[0], side[-1]]
-        # All are counted from one end, 10 mm beside the sew line.
+        # All are counted from one end, 10 mm beside the stitching line.
         assert any(
             [np.hypot(*(point.at - start)) for point in own] == pytest.approx([np.hypot(p, 10) for p in places])
             for start in starts

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names in scripts that are not Latin, with fonts that are made here: each letter is a box of its own width."""
+"""Names in non-Latin scripts, with fonts made here: each letter is a box of its own width."""
 
 import numpy as np
 import pypdfium2
@@ -28,13 +28,13 @@ LETTERS = {
     "٣": 350,
     "(": 150,
     ")": 450,
-}  # widths, of 1000
-NO_OUTLINE = "👗"  # as in fonts that have pictures of emoji
+}  # widths in thousandths
+NO_OUTLINE = "👗"  # fonts have pictures of emoji
 
 
 @pytest.fixture
 def folder(tmp_path, no_fonts):
-    """The one folder with fonts: one font."""
+    """Return the one folder with fonts, which has one font."""
     (tmp_path / "fonts").mkdir()
     write_font(tmp_path / "fonts" / "boxes.ttf", LETTERS | {NO_OUTLINE: 0})
     (tmp_path / "fonts" / "broken.ttf").write_bytes(b"no font")
@@ -70,7 +70,7 @@ def write_font(path, widths):
 
 
 def boxes(text):
-    """Where each letter begins and how wide it is, from left to right, in thousandths."""
+    """Return start and width of each letter from left to right, in thousandths."""
     found = []
     for operator, points in glyphs.line_of(text).parts:
         if operator == "m":
@@ -87,7 +87,7 @@ def test_letters_stand_side_by_side(folder):
 def test_what_is_read_from_the_right_begins_there(folder):
     assert boxes("من") == [(0, 300), (300, 400)]
     assert boxes("ж من") == [(0, 600), (850, 300), (1150, 400)]
-    # The line begins with the Arabic word, so the other one comes to its left.
+    # The line starts with the Arabic word, so the other one is to its left.
     assert boxes("من ж") == [(0, 600), (850, 300), (1150, 400)]
 
 
@@ -120,7 +120,7 @@ def test_they_are_printed_in_the_height_of_the_text(folder):
 
 
 def longest(dark):
-    """Pixels of the longest run in the rows where at least 3 mm in the column are dark too."""
+    """Return the pixels of the longest run in the rows where the column is also dark for at least 3 mm."""
     solid = dark & np.roll(dark, 15, axis=0) & np.roll(dark, -15, axis=0)
     best = 0
     for row in solid[solid.any(axis=1)]:

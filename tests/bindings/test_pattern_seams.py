@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams of the samples: what is sewn first is pressed open, and ends on both sides with what crosses it."""
+"""Seams of the samples: the seam sewn first is pressed open, and ends on both sides on the seam that crosses it."""
 
 import collections
 import itertools
@@ -11,13 +11,13 @@ from patterns import cut_polygon, flattened, line_string, sample, sew_polygon
 from shapely.ops import substring
 from wirewarp.pattern import PatternPiece
 
-NEAR = 15.0  # millimeters along a seam that are looked at
-STRAIGHT = 8.0  # degrees by which what crosses a seam turns there at most
-OTHERS = 10.0  # degrees by which it turns more at the other seams of the place
+NEAR = 15.0  # millimeters of each seam that are checked
+STRAIGHT = 8.0  # degrees: largest turn of the crossing line at a seam
+OTHERS = 10.0  # degrees: smallest extra turn at other seams of the place
 
 
 def seam_ends(name: str) -> dict:
-    """By vertex of the model and seam, of each side: the piece, the points of the sew line from there, the angle."""
+    """Return by vertex and seam, for each side: the piece, the points of the stitching line from there, the angle."""
     found = collections.defaultdict(list)
     for piece, flat in zip(sample(name).pieces, flattened(name).pieces, strict=True):
         boundary = np.isin(flat.source_vertex, np.concatenate([each.vertices for each in flat.boundaries]))
@@ -33,13 +33,13 @@ def seam_ends(name: str) -> dict:
 
 
 def angle_inside(outline: shapely.Polygon, place: np.ndarray) -> float:
-    """Degrees, from the share of a small circle that the piece covers."""
+    """Return degrees, from the share of a small circle inside the piece."""
     circle = shapely.Point(place).buffer(0.5, quad_segs=64)
     return 360 * circle.intersection(outline).area / circle.area
 
 
 def lines_from(piece: PatternPiece, place: np.ndarray) -> list:
-    """The seams that end there, None for an outline, and their points from there."""
+    """Return the seams that end there, None for an outline, and their points from there."""
     lines = [line for line in piece.of_role("sew") if not line.closed]
     ways = [(line.seam, points) for line in lines for points in (line.points, line.points[::-1])]
     return [(seam, points) for seam, points in ways if np.allclose(points[0], place, rtol=0, atol=1e-9)]
@@ -53,7 +53,9 @@ def is_straight(points: np.ndarray) -> bool:
 
 
 def off_when_pressed(piece: PatternPiece, points: np.ndarray) -> tuple[float, float]:
-    """Square millimeters of the allowance that stick out of the piece it is folded back onto, and that are missing."""
+    """Return the allowance that sticks out of the piece when folded back, and the missing part, in square
+    millimeters.
+    """
     cut, end = cut_polygon(piece), points[0]
     other = np.array(shapely.LineString(points).interpolate(NEAR).coords[0])
     along = (end - other) / NEAR
@@ -85,7 +87,7 @@ def test_both_allowances_of_a_seam_end_on_the_line_that_crosses_it(name, count):
             checked += 1
             for piece, points, _ in ends[first]:
                 sticks_out, is_missing = off_when_pressed(piece, points)
-                assert sticks_out < 0.5 and is_missing < 0.5  # with mitres 6 to 10
+                assert sticks_out < 0.5 and is_missing < 0.5  # 6 to 10 with mitres
     assert checked == count
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The order of sewing on the proof sheet can be followed, and finished measures are those of the model."""
+"""The order of sewing on the proof sheet works, and finished measures are those of the model."""
 
 import numpy as np
 import pypdfium2
@@ -20,8 +20,8 @@ CONNECTED = ["Fitted top", "Ball of six gores", "Cushion", "Hat", "Jeans", "Wets
 
 @pytest.mark.parametrize("name", CONNECTED)
 def test_the_kinds_of_steps_add_up_to_the_model(name):
-    """Euler's characteristic of the model: of its pieces, one less with each that is joined and with each ring that is
-    closed, one more where nothing stays open. So no more rings are closed than there are.
+    """Euler's characteristic of the model is that of its pieces, minus one for each joined piece and each closed
+    ring, plus one where nothing stays open. So no more rings are closed than exist.
     """
     steps, result = sample(name).steps, flattened(name)
     assert sorted(step.seam for step in steps) == sorted(f"Seam {n}" for n in range(1, len(result.seams) + 1))
@@ -32,7 +32,7 @@ def test_the_kinds_of_steps_add_up_to_the_model(name):
 
 
 def test_the_top_is_sewn_as_sewers_do():
-    """Shoulders, sleeves while they are flat, sides, and then the seams under the arms."""
+    """Shoulders, sleeves while they are flat, sides, then the seams under the arms."""
     names = ("Front", "Back", "Left sleeve", "Right sleeve")
     steps = sample("Fitted top", piece_names=names).steps
     pieces = [set(step.pieces) for step in steps]
@@ -53,7 +53,7 @@ def test_a_closed_body_has_one_gap_to_turn_it_through(name, tmp_path):
 
 
 def test_a_dart_is_closed_first(tmp_path):
-    """In the upper one of two pieces, from its free edge down to its middle."""
+    """The dart is in the upper one of two pieces, from its free edge to its middle."""
     points = [(x, y) for y in (-80, 0, 50, 100) for x in (0, 100, 200)]
     faces = [
         (row + column, row + column + 1, row + column + 4, row + column + 3) for row in (0, 3, 6) for column in (0, 1)
@@ -61,7 +61,7 @@ def test_a_dart_is_closed_first(tmp_path):
     pattern = Pattern.from_result(quads(points, faces, seams=[(3, 4), (4, 5), (7, 10)]))
     assert [step.kind for step in pattern.steps] == ["dart", "flat"]
     areas = sorted(cut_polygon(piece).area for piece in pattern.pieces)
-    assert areas == pytest.approx([220 * 100, 220 * 120], rel=1e-6)  # the dart is shut
+    assert areas == pytest.approx([220 * 100, 220 * 120], rel=1e-6)  # the dart is closed
     assert "Close the dart in Piece" in proof(pattern, tmp_path / "a.pdf")
 
 
@@ -89,7 +89,7 @@ def test_steps_are_numbered_and_rigid_wires_measured(tmp_path):
 
 
 def proof(pattern, path):
-    """The words on all pages after those of the pattern."""
+    """Return the words on all pages after those of the pattern."""
     pattern.write(path, proof=True)
     pages = list(pypdfium2.PdfDocument(path))[len(pattern.page_sizes()) :]
     return "\n".join(page.get_textpage().get_text_range() for page in pages)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How SVG looks: layers, colors and dashes of kinds of lines, a square to measure, names of groups."""
+"""The look of SVG: layers, colors and dashes of kinds of lines, a test square, names of groups."""
 
 import re
 import sys
@@ -21,7 +21,7 @@ KINDS = ["Rigid Wires", "Elastic Wires", "Free Wires"]
 
 @pytest.fixture
 def drawn(tmp_path):
-    """Two pieces with a wire of each kind across both."""
+    """Return two pieces with a wire of each kind across both."""
     points = [(x, y) for y in (0, 60, 120, 180, 240) for x in (0, 150, 300)]
     corners = [(3 * row + x, 3 * row + x + 1, 3 * row + x + 4, 3 * row + x + 3) for row in range(4) for x in range(2)]
     wires = [
@@ -46,14 +46,14 @@ def test_kinds_of_lines_are_told_by_layer_color_and_dashes(drawn):
     by_label = {layer.get(LABEL): layer for layer in layers}
     labels = ["Cut", *KINDS, "Notches", "Sew"]
     assert set(by_label) == {*labels, "Grain", "Text", "Line Names"}
-    assert list(by_label)[-1] == "Cut"  # what is inside is cut first
+    assert list(by_label)[-1] == "Cut"  # lines inside are cut first
     lines = [by_label[label].find(f"{SVG}path") for label in labels]
     assert len({line.get("stroke") for line in lines}) == 6
     assert ["stroke-dasharray" in line.attrib for line in lines] == [False, False, True, True, False, True]
 
 
 def test_every_line_says_itself_how_it_looks(drawn):
-    """Programs of cutters read no style sheet, and fill with black what does not say otherwise."""
+    """Cutters' programs do not read style sheets, and fill lines without attributes with black."""
     root = drawn()[1].root
     lines = list(root.iter(f"{SVG}path"))
     assert lines

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What stands on the pieces can be read, says what is sewn to what, and shows which way the grain runs."""
+"""Texts on the pieces can be read, name what is sewn together, and show the grain."""
 
 from dataclasses import replace
 from itertools import combinations
@@ -45,7 +45,7 @@ def test_a_piece_names_no_allowance_that_it_does_not_have():
 
 
 def box(text):
-    """Lower left and upper right corner of a level text, whose letters are at least half as wide as high."""
+    """Return the lower left and upper right corner of a level text, whose letters are at least half as wide as high."""
     half = np.array([len(text.lines[0]) * text.height / 4, text.height / 2])
     return text.center - half, text.center + half
 
@@ -70,7 +70,7 @@ def test_what_a_piece_has_no_room_for_stands_beside_it_with_a_line_to_it():
 
 
 def letters(text):
-    """About where those of a text of one line stand, at least half as wide as high."""
+    """Return the approximate place of the letters of a text of one line, at least half as wide as high."""
     half = np.array([len(text.lines[0]) / 2, 1.0]) * text.height / 2
     turned = shapely.affinity.rotate(shapely.box(*-half, *half), text.angle, origin=(0, 0))
     return shapely.affinity.translate(turned, *text.center)
@@ -93,7 +93,7 @@ def test_texts_beside_pieces_in_rows_keep_apart(angle):
 
 @pytest.mark.parametrize("angle", [20, 45, 135])
 def test_texts_beside_a_piece_are_nearer_than_sheets_overlap(angle):
-    """So that a sheet that shows a part of the piece has them: sheets overlap by 10 mm."""
+    """A sheet that shows a part of the piece then contains them: sheets overlap by 10 mm."""
     strap = flat_piece(rectangle(60, 2).pieces[0], "A strap to tie", 1000.0)
     turned = replace(strap, vertices=strap.vertices @ turn(angle), grain=strap.grain @ turn(angle))
     (piece,) = Pattern.from_pieces([turned], [], allowance=0).pieces
@@ -107,7 +107,7 @@ def test_texts_beside_a_piece_are_nearer_than_sheets_overlap(angle):
 
 
 def turn(angle):
-    """(2,2) for rows of points, counterclockwise."""
+    """Return (2,2) for rows of points, counterclockwise."""
     cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
     return np.array([[cosine, sine], [-sine, cosine]])
 
@@ -169,7 +169,7 @@ def test_every_piece_has_a_grain_line():
 
 
 def strips(*widths):
-    """A level sheet, 200 mm long, cut into strips of these widths, with a wire across all of them."""
+    """Return a level sheet, 200 mm long, divided into strips of these widths, with a wire across all of them."""
     xs = np.concatenate([[0], np.cumsum(widths)]).tolist()
     row = len(xs)
     points = [(x, 50.0 * y) for y in range(5) for x in xs]
@@ -204,7 +204,7 @@ def test_a_wire_shorter_than_its_name_goes_without_and_others_have_it_in_the_pie
 
 
 def test_where_a_wire_ends_at_a_seam_its_number_stands_beside():
-    """It would stand in the middle otherwise."""
+    """It would be in the middle otherwise."""
     points = [(x, y) for y in (0, 100, 200) for x in (-150, 0, 150)]
     corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
     result = quads(points, corners, seams=[(1, 4), (4, 7)], wires=[wirewarp.Wire([3, 4, 5], name="Waist")])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What holds of methods and tolerances, on the samples: more tolerance never means more distortion."""
+"""Relations of methods and tolerances on the samples: more tolerance never means more distortion."""
 
 import math
 
@@ -12,7 +12,7 @@ pytestmark = [pytest.mark.core, pytest.mark.parametrize("name", SAMPLES)]
 
 
 def least_value(piece: wirewarp.Piece, method: str) -> float:
-    """What the method minimizes."""
+    """Return the value that the method minimizes."""
     return piece.report.objective if method == "refined" else piece.metrics.arap_energy
 
 
@@ -22,7 +22,7 @@ def test_more_tolerance_never_means_more_distortion(name, method):
     for tolerance in (0, 0.01, 0.03, 0.1, math.inf):
         result = flattened(name, tolerance, method=method)
         least = np.array([least_value(piece, method) for piece in result.pieces])
-        # A free wire has no corners: it counts for less in what the refined method minimizes.
+        # A free wire has no corners, so it contributes less to the refined method's objective.
         if before is not None:
             assert np.all(least <= before * (1 + 1e-6) + 1e-18), f"at {tolerance}"
         for piece in result.pieces:

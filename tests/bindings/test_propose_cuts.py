@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Darts and seams that are proposed for pieces that lie flat, but distorted."""
+"""Darts and seams proposed for pieces that are flat but distorted."""
 
 import json
 import pickle
@@ -58,7 +58,7 @@ def test_strain_is_the_figure_of_the_report_and_gets_less(wire, options):
 
 
 def ball(around=12, rings=10):
-    """Closed, of radius 1."""
+    """Return a closed ball of radius 1."""
     angles, heights = 2 * np.pi * np.arange(around) / around, np.pi * np.arange(1, rings) / rings
     x, y = (np.outer(np.sin(heights), each(angles)).ravel() for each in (np.cos, np.sin))
     vertices = np.vstack([[0, 0, -1], np.column_stack([x, y, -np.repeat(np.cos(heights), around)]), [0, 0, 1]])

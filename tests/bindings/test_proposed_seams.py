@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Real garment parts that cannot lie flat, and the seams proposed for them. Skipped where they are not at hand."""
+"""Real garment parts without a flat shape, and the seams proposed for them. Skipped if they are not available."""
 
 import numpy as np
 import pytest

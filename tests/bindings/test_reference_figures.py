@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Energies and angles of known cases, computed independently of this code. Skipped where they are not at hand."""
+"""Energies and angles of known cases, computed independently of this code. Skipped if they are not available."""
 
 import json
 import math
@@ -27,7 +27,7 @@ pytestmark = pytest.mark.skipif(not FIGURES.exists(), reason=NO_FIGURES)
 
 
 def entries(method: str) -> list:
-    """(case, entry) of all results of a method with tolerances, the same one on every wire."""
+    """Return (case, entry) of all results of a method with one tolerance for all wires."""
     if not FIGURES.exists():
         return [pytest.param("", "", id="none", marks=pytest.mark.skip(reason=NO_FIGURES))]
     cases = {name: case for name, case in json.loads(FIGURES.read_text()).items() if isinstance(case, dict)}
@@ -35,8 +35,10 @@ def entries(method: str) -> list:
 
 
 def quarter_sphere(n: int) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
-    """Longitude 0 to 90, latitude -75 to 75 degrees in n by 2 n quads with alternating diagonals; wires on the middle
-    meridian and the equator."""
+    """Return longitude 0 to 90, latitude -75 to 75 degrees in n by 2 n quads with alternating diagonals.
+
+    The wires are on the middle meridian and the equator.
+    """
     longitude, latitude = np.meshgrid(np.linspace(0, math.pi / 2, n + 1), np.radians(np.linspace(-75, 75, 2 * n + 1)))
     vertices = np.stack(
         [np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)], axis=-1
@@ -120,8 +122,8 @@ def test_refined(name: str, entry: str):
     (piece,) = result.pieces
     assert piece.error is None  # exact lengths, no flipped face, no overlap
     assert piece.report.termination == "converged"
-    # Where lines with edges shorter than D/8 meet, corners weigh less than in the reference: the least f is below that,
-    # and more of it may be in E.
+    # Where lines with edges shorter than D/8 meet, corners have less weight than in the reference: the least f is
+    # lower, and E may be a larger part of it.
     chains = (*wires, *(boundary.vertices for boundary in piece.boundaries))
     shortest = min(np.linalg.norm(np.diff(vertices[chain], axis=0), axis=1).min() for chain in chains)
     has_short_edges = shortest < fairness * math.sqrt(piece.metrics.area_3d) / 8

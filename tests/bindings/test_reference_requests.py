@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Requests that have an answer, found independently of this code. Skipped where they are not at hand."""
+"""Requests that have a solution, found independently of this code. Skipped if they are not available."""
 
 import json
 from pathlib import Path
@@ -26,7 +26,7 @@ pytestmark = pytest.mark.skipif(not CASES.exists(), reason="the requests are not
 
 
 def request_of(name: str) -> tuple[np.ndarray, np.ndarray, list[wirewarp.Wire]]:
-    """Vertices, faces and wires."""
+    """Return vertices, faces and wires."""
     request = json.loads((CASES / f"{name}.json").read_text())
     wires = [wirewarp.Wire(wire["vertices"], wire["tolerance"]) for wire in request["wires"]]
     return np.array(request["vertices"]), np.array(request["faces"]), wires

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams that give, against figures computed independently of this code. Skipped where they are not at hand."""
+"""Elastic seams, against figures computed independently of this code. Skipped if they are not available."""
 
 import json
 import math
@@ -18,7 +18,7 @@ pytestmark = pytest.mark.skipif(not FIGURES.exists(), reason=NO_FIGURES)
 
 
 def entries() -> list:
-    """(sample, tolerance) of all results."""
+    """Return (sample, tolerance) of all results."""
     if not FIGURES.exists():
         return [pytest.param("", "", id="none", marks=pytest.mark.skip(reason=NO_FIGURES))]
     samples = {name: sample for name, sample in json.loads(FIGURES.read_text()).items() if isinstance(sample, dict)}
@@ -27,7 +27,7 @@ def entries() -> list:
 
 @pytest.fixture(scope="module")
 def seams():
-    """The seams of each sample as chains."""
+    """Return the seams of each sample as chains."""
     return {}
 
 

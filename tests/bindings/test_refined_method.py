@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The refined method on the samples: the objective it reports, and that no method keeps the lengths with less."""
+"""The refined method on the samples: its objective, and that no method keeps the lengths with less."""
 
 import math
 import sys
@@ -27,7 +27,7 @@ def chain_edges(chain) -> list[tuple[int, int]]:
 
 
 def flatten(shape: shapes.Shape, tolerance: float | None, **options) -> wirewarp.FlattenResult:
-    """The sample, its wires with one tolerance or, with None, their own."""
+    """Flatten the sample with one tolerance for its wires, or with None their own."""
     return wirewarp.flatten(
         shape.vertices,
         shape.triangles(),
@@ -73,14 +73,14 @@ def test_no_shape_with_such_lengths_has_less(shape, tolerance):
             assert part.kind != "elastic" or abs(part.variation) <= part.tolerance + 1e-12
 
 
-@pytest.mark.parametrize("fairness", [0.03, 0.1, 0.2])  # beyond, corners weigh less than in fairness_term
+@pytest.mark.parametrize("fairness", [0.03, 0.1, 0.2])  # for larger values, corners weigh less than in fairness_term
 def test_fairness_trades_distortion_for_smooth_wires(fairness):
     shape = SAMPLES["Quarter sphere"]
     (piece,) = flatten(shape, 0, fairness=fairness).pieces
     (fairer,) = flatten(shape, 0, fairness=2 * fairness).pieces
     assert piece.error is None
     assert fairer.error is None
-    # Each is the least of its own E + s F: a larger s has more E and less F.
+    # Each minimizes its own E + s F: a larger s gives more E and less F.
     assert fairer.metrics.arap_energy > piece.metrics.arap_energy
     assert fairness_of(shape, 0, fairer) < fairness_of(shape, 0, piece)
     assert fairer.metrics.arap_energy + fairness_of(shape, 0, fairer, fairness) > piece.report.objective
@@ -91,7 +91,7 @@ def test_free_wires_are_as_if_unmarked():
     chains = [range(36, 45), range(4, 81, 9)]
     free = wirewarp.flatten(vertices, faces, wires=[wirewarp.Wire(chain, math.inf) for chain in chains])
     unmarked = wirewarp.flatten(vertices, faces)
-    # They may lie turned in the plane: a piece is laid along its wires.
+    # They may be rotated in the plane, because a piece is aligned with its wires.
     assert free.pieces[0].report.objective == pytest.approx(unmarked.pieces[0].report.objective, rel=1e-12)
     assert free.pieces[0].metrics.face_arap == pytest.approx(unmarked.pieces[0].metrics.face_arap, rel=1e-9)
     for part in free.pieces[0].wires:
@@ -116,7 +116,7 @@ def test_cancelled_at_any_moment_a_piece_has_exact_lengths_or_says_so(wires):
     wirewarp.flatten(vertices, faces, wires=wires, progress=lambda *call: calls.append(call))
     asked = [stage for stage, _ in calls].count("shape")
     assert asked > 2
-    for last in range(1, asked):  # the last call of the stage tells that it is done
+    for last in range(1, asked):  # the last call of the stage reports its end
         answers = iter(range(1, asked + 1))
         result = wirewarp.flatten(
             vertices,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""wirewarp.report: how far fabric must stretch, the verdict on it, and where a dart would help."""
+"""wirewarp.report: how far fabric must stretch, the verdict, and where a dart would help."""
 
 import json
 import math
@@ -32,7 +32,9 @@ from wirewarp.report.wording import strain_text
 
 
 def report_of_pieces(*stretches, name="Bump", limits=None):
-    """Pieces that must stretch so far, of a fabric with this maximum stretch, if any; None: a piece that failed."""
+    """Return a report of pieces that must stretch this far, with a fabric of this maximum stretch; None: a failed
+    piece.
+    """
     (sample,) = report_of("Half cylinder").pieces
     pieces = [
         replace(sample, index=index, name=f"Piece {index + 1}", ok=stretch is not None, stretch=stretch)
@@ -51,7 +53,7 @@ def kinds(*reports):
     return [line.kind for line in verdict(*reports).lines]
 
 
-# Of the whole area 99% lies below the figure, so no rounding decides: the shares stand apart by more.
+# 99% of the area is below the figure; the shares differ by more, so rounding does not decide.
 @pytest.mark.parametrize(
     ("stretches", "limits", "expected"),
     [
@@ -151,7 +153,7 @@ def test_success_says_whether_lengths_were_to_stay():
 
 
 def test_the_figure_is_that_by_which_suggestions_are_ranked():
-    """Recomputed here from the core's aspect ratios: the least value that 99% of the area does not exceed."""
+    """Computed here from the core's aspect ratios: the least value that 99% of the area does not exceed."""
     shape = SAMPLES["Fitted top"]
     wires = [Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires]
     result = flatten(shape.vertices, shape.triangles(), seams=shape.seams, wires=wires)
@@ -166,7 +168,7 @@ def test_the_figure_is_that_by_which_suggestions_are_ranked():
 
 
 def test_a_half_sphere_keeps_its_lengths_but_not_every_fabric_can_follow():
-    # No rim of length 2 pi encloses more than pi, half the area: some of it is squeezed by sqrt(2) one way at least.
+    # No loop of length 2 pi encloses more than pi, half the area: some of it is compressed by at least sqrt(2) one way.
     report = report_of("Quarter sphere")
     assert report.ok and verdict(report).kind in (Kind.NEEDS_STRETCH, Kind.NO_FABRIC)
     assert report.pieces[0].needed > ANY_FABRIC
@@ -181,21 +183,21 @@ def test_what_unfolds_is_ready_for_any_fabric():
 
 
 def test_gathers_are_wanted_and_no_strain():
-    """The waist of the sample's skirt is cut twice as long as its band: compressed to half, as it is gathered."""
+    """The waist of the sample's skirt is cut twice as long as its band: it is compressed to half by its gathers."""
     shape = SAMPLES["Gathered skirt"]
     vertices, faces, wires = shape.vertices, shape.triangles(), [Wire(wire.vertices) for wire in shape.wires]
     eases = [Ease(ease.half_edges, ease.ratio) for ease in shape.eases]
     options = Options(fairness=shape.fairness)
     result = flatten(vertices, faces, seams=shape.seams, wires=wires, eases=eases, options=options)
     gathered = make_report(result, vertices, faces, wires=wires, eases=eases)
-    unwanted = make_report(result, vertices, faces, wires=wires)  # the same shape, which nobody has asked for
+    unwanted = make_report(result, vertices, faces, wires=wires)  # the same shape without eases
     assert max(piece.needed for piece in gathered.pieces) < 0.1
     assert max(piece.needed for piece in unwanted.pieces) > 0.9
     assert unwanted.hints and not gathered.hints
 
 
 def test_built_in_stretch_is_wanted():
-    """A cylinder unfolds: its fabric must stretch exactly as far as it is to be stretched."""
+    """A cylinder unfolds: its fabric must stretch exactly by its negative ease."""
     shape = SAMPLES["Half cylinder"]
     vertices, faces = shape.vertices, shape.triangles()
     cloth = Cloth(stretch=(0.2, 0.2))
@@ -210,7 +212,9 @@ def test_built_in_stretch_is_wanted():
 
 
 def test_every_fabric_stretches_as_far_as_any_must():
-    """So that what is ready for any fabric is ready for each of the table; and each has its words and figures."""
+    """A piece that is ready for any fabric is ready for each fabric of the table; and each has its words and
+    figures.
+    """
     for name in Cloth.presets():
         assert min(Cloth.preset(name).limits) >= ANY_FABRIC
         about = Cloth.about(name)
@@ -227,7 +231,7 @@ def test_a_chosen_fabric_decides(fabric, kind):
 
 
 def triangle_metrics(flat):
-    """Of a flat triangle whose model is the right angle with sides of 1, upright, so the flat one lies elsewhere."""
+    """Return the metrics of a flat triangle whose model is the right triangle with sides of 1."""
     vertices, faces = np.array([[0.0, 0, 0], [1, 0, 0], [0, 0, 1]]), np.array([[0, 1, 2]])
     (piece,) = measure(vertices, faces, np.array([flat], float)).pieces
     return piece.metrics
@@ -237,9 +241,9 @@ def triangle_metrics(flat):
     ("flat", "stretch", "ease"),
     [
         ([[0, 0], [1, 0], [0, 1]], 0, 0),
-        ([[5, 5], [5, 6], [4, 5]], 0, 0),  # moved and turned
-        ([[0, 0], [0.8, 0], [0, 1]], 0.25, 0),  # fabric of 0.8 has to cover 1
-        ([[0, 0], [1.25, 0], [0, 1]], 0, 0.2),  # fabric of 1.25 has to go into 1
+        ([[5, 5], [5, 6], [4, 5]], 0, 0),  # moved and rotated
+        ([[0, 0], [0.8, 0], [0, 1]], 0.25, 0),  # fabric of 0.8 must cover 1
+        ([[0, 0], [1.25, 0], [0, 1]], 0, 0.2),  # fabric of 1.25 must fit into 1
         ([[0, 0], [0.8, 0], [0, 1.25]], 0.25, 0.2),
         # Sheared by k, (1, 0) and (k, 1): singular values s and 1/s with s - 1/s = k; for k = 1.5 that is s = 2.
         ([[0, 0], [1, 0], [1.5, 1]], 1.0, 0.5),
@@ -298,7 +302,7 @@ def test_regions_hang_together_by_edges():
 
 def test_a_winding_region_is_one():
     count = 300
-    order = np.random.default_rng(1).permutation(count)  # neighbors far apart in number
+    order = np.random.default_rng(1).permutation(count)  # neighbors have distant numbers
     strip = np.array([[k, k + 1, k + 2] for k in range(count)])
     piece = SimpleNamespace(faces=strip[order], vertices=np.zeros((count + 2, 2)))
     (region,) = connected_regions(piece, np.ones(count, dtype=bool))
@@ -306,7 +310,7 @@ def test_a_winding_region_is_one():
 
 
 def test_the_list_of_strained_places_begins_with_the_worst_piece():
-    """And every one of the worst pieces is in it, however small it is beside the others."""
+    """And it contains every one of the worst pieces, however small."""
     report = report_of("Toy")
     places = [hint.piece for hint in report.hints if hint.code == "strained"]
     worst_first = sorted(report.pieces, key=lambda piece: -piece.needed)
@@ -329,7 +333,7 @@ def test_unused_tolerances_are_noted():
 
 
 def test_what_a_piece_does_not_keep_was_asked_for_by_its_eases():
-    """Three edges of length 2, 1 and 1: a wire that came to 1.1, a side of 1.05 on it and on the next."""
+    """Three edges of lengths 2, 1 and 1: a wire of length 1.1, and an ease of 1.05 on it and on the next."""
     chain = np.array([0, 1, 2, 3])
     broken = SimpleNamespace(vertices=chain, length_3d=4.0, length_2d=5.0, max_edge_error=0.1)
     exact = SimpleNamespace(vertices=np.array([3, 0]), length_3d=1.0, length_2d=0.8, max_edge_error=0.0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where a coarse model gives a curve corners, a hint says so; corners of the model are left alone."""
+"""If a coarse model gives a curve corners, a hint reports it; corners of the model are ignored."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from wirewarp.report import COARSE, make_report
 
 
 def disc(count, **options):
-    """A regular polygon of 200 mm, of triangles around its center."""
+    """Return a regular polygon of 200 mm, of triangles around its center."""
     angles = 2 * np.pi * np.arange(count) / count
     rim = 0.1 * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(count)])
     faces = np.array([(0, 1 + k, 1 + (k + 1) % count) for k in range(count)])

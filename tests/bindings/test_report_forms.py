@@ -147,11 +147,11 @@ def test_names_in_the_table_are_no_formulas_and_stay_one_line():
     wires = [line for line in lines if line["Kind"] == "Wire"]
     assert pieces[0]["Name"] == "'=1+1"
     assert wires[0]["Name"] == 'Waist, "high"\nline'
-    assert wires[0]["Difference (cm)"] == "0.000000"  # what rounds to nothing has no sign
+    assert wires[0]["Difference (cm)"] == "0.000000"  # values that round to zero have no sign
 
 
 def test_a_renamed_wire_renames_no_piece_and_no_object():
-    """A wire, a piece and an object may have one name."""
+    """A wire, a piece and an object may have the same name."""
     report = report_of("Fitted top")
     for number, wire in enumerate(report.wires, start=1):
         wire.wire_id, wire.name = number, f"Wire {number}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""End to end through Python, and what the result objects promise."""
+"""End to end through Python, and the guarantees of the result objects."""
 
 import gc
 import importlib.metadata
@@ -17,7 +17,7 @@ def chain_length(points: np.ndarray) -> float:
 
 
 def corner_of(result: wirewarp.FlattenResult, faces: np.ndarray) -> np.ndarray:
-    """The flat position of each vertex, where all its corners agree."""
+    """Return the flat position of each vertex whose corners agree."""
     flat = np.full((faces.max() + 1, 2), np.nan)
     flat[faces] = result.corner_uv
     return flat

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Progress, cancelling, and several threads."""
+"""Progress, cancellation, and several threads."""
 
 import signal
 import sys
@@ -72,7 +72,7 @@ def test_ctrl_c_stops_the_run(python_handles_ctrl_c):
 
 @pytest.fixture
 def no_forced_switches():
-    """Threads change only where one lets go of the GIL by itself."""
+    """Switch threads only if one releases the GIL itself."""
     interval = sys.getswitchinterval()
     sys.setswitchinterval(1000)
     yield

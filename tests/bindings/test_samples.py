@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The samples keep every promise: lengths, seams, wires across pieces and darts, no distortion where none is needed."""
+"""The samples keep every guarantee: lengths, seams, wires across pieces and darts, no distortion if none is needed."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ pytestmark = pytest.mark.core
 
 
 def edges_with_use(faces):
-    """Vertex pairs (k, 2), the smaller first, and the number of faces of each."""
+    """Return vertex pairs (k, 2), the smaller first, and the number of faces of each."""
     sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
     return np.unique(sides, axis=0, return_counts=True)
 
@@ -51,7 +51,7 @@ def test_the_sides_of_every_seam_are_equal(name):
 
 
 def parts(result, name):
-    """(piece, length) of each part of a wire."""
+    """Return (piece, length) of each part of a wire."""
     found = [(i, wire.length_2d) for i, piece in enumerate(result.pieces) for wire in piece.wires if wire.name == name]
     (whole,) = [wire for wire in result.wires if wire.name == name]
     assert sum(length for _, length in found) == pytest.approx(whole.length_3d, rel=1e-12)
@@ -60,20 +60,20 @@ def parts(result, name):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_refined_method_takes_few_factorizations(name):
-    # On the quarter sphere no step from a free flattening reaches exact lengths, and a saddle is on the way.
+    # On the quarter sphere no step from a free flattening reaches exact lengths, and there is a saddle.
     most = 16 if name == "Quarter sphere" else 8
     for piece in flattened(name).pieces:
-        assert piece.report.factorizations <= most  # none where it unfolds
+        assert piece.report.factorizations <= most  # 0 if it unfolds
 
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_inner_problem_takes_few_factorizations(name):
-    # On the quarter sphere symmetry holds the wires straight: the least-norm steps stray, and a saddle is on the way.
+    # On the quarter sphere, symmetry keeps the wires straight: the least-norm steps fail, and there is a saddle.
     most = 24 if name == "Quarter sphere" else 16
     for piece in flattened(name, method="wirewarp++").pieces:
         evaluations = piece.report.gradient_evaluations
         assert 0 < piece.report.inner_solves <= most * (1 + evaluations)
-        assert piece.report.factorizations == (2 if evaluations else 1)  # one more to begin the choice of lengths
+        assert piece.report.factorizations == (2 if evaluations else 1)  # one more for the first lengths
         assert piece.report.projected_gradient < 1e-10
         assert piece.report.constraint_residual < 1e-12
 

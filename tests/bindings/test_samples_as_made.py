@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Samples with eases, and in cloth that is stretched when worn: what is cut has the lengths asked for."""
+"""Samples with eases, and in fabric that is stretched when worn, are cut with the requested lengths."""
 
 from collections import defaultdict
 
@@ -15,7 +15,7 @@ STRETCHED = [name for name, shape in SAMPLES.items() if any(shape.stretch)]
 
 
 def flat_half_edges(result: wirewarp.FlattenResult) -> dict[tuple[int, int], np.ndarray]:
-    """(2,) vector in the plane by the vertices on the model, in the order of the triangle that it belongs to."""
+    """Return planar vectors (2,), by the vertices on the model in the order of their triangle."""
     return {
         (int(piece.source_vertex[a]), int(piece.source_vertex[b])): piece.vertices[b] - piece.vertices[a]
         for piece in result.pieces
@@ -65,7 +65,7 @@ def test_the_skirt_is_twice_as_wide_as_its_waistband():
 
 @pytest.mark.parametrize("name", STRETCHED)
 def test_negative_ease_follows_the_direction_on_the_cloth(name):
-    """The length of an edge across or along is divided by 1 + stretch, that of others by what is between.
+    """The length of an edge across or along the grain is divided by 1 + stretch, that of others by a value in between.
 
     That of a seam is divided by the mean of its sides.
     """

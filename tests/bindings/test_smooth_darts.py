@@ -27,7 +27,7 @@ MIDDLE = column_chain(12, 12, 6)[3:8]
 
 
 def flat(paths: list[SurfacePath], **more):
-    """The dome with cuts, its report and what was cut."""
+    """Flatten the dome with cuts; return its report and the cut mesh."""
     vertices, faces, edges, sources = cut_mesh(*DOME, paths)
     result = flatten(vertices, faces, seams=edges, **more)
     options = more.get("options")
@@ -36,7 +36,7 @@ def flat(paths: list[SurfacePath], **more):
 
 
 def turns(path: SurfacePath) -> np.ndarray:
-    """Of a line at its points between the ends, on the surface, radians: the bends of the sphere left out."""
+    """Return the turns of a line at its inner points on the surface, radians, without the curvature of the sphere."""
     vertices, faces = DOME
     places = np.einsum("ij,ijk->ik", path.coordinates, vertices[faces[path.faces]])
     normals = places / np.linalg.norm(places, axis=1)[:, None]  # of the sphere

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""straighten_path: arrays in and out; what the lines are like is tested in tests/native/test_straighten_path.cpp."""
+"""straighten_path: arrays in and out; tests/native/test_straighten_path.cpp tests the lines."""
 
 import numpy as np
 import pytest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The type stubs name what there is, with its types, and the package has all that the C++ headers have."""
+"""The type stubs list what exists, with its types, and the package has everything in the C++ headers."""
 
 import ast
 import inspect
@@ -29,7 +29,7 @@ def stub(name: str) -> ast.Module:
 
 
 def names(body: list[ast.stmt]) -> set[str]:
-    """What the statements define for users, but for __init__."""
+    """Return what the statements define for users, except __init__."""
     found = set()
     for node in body:
         if isinstance(node, ast.ClassDef | ast.FunctionDef):
@@ -93,7 +93,7 @@ def test_everything_public_is_documented(module):
 
 
 def parameters(function: ast.FunctionDef) -> list[tuple[str, str]]:
-    """(name, default) of each, those by keyword alone after a star."""
+    """Return (name, default) of each, with keyword-only ones after a star."""
     arguments = function.args
     plain = [*arguments.posonlyargs, *arguments.args]
     defaults = [None] * (len(plain) - len(arguments.defaults)) + arguments.defaults
@@ -133,14 +133,14 @@ def test_python_has_every_field_of_the_headers():
 
 
 def fits(value: object, hint: object) -> bool:
-    """Whether a value has the type that the stub gives it."""
+    """Return whether a value has the type that the stub declares."""
     origin, arguments = typing.get_origin(hint), typing.get_args(hint)
     if origin is typing.Literal:
         return value in arguments
     if origin in (types.UnionType, typing.Union):
         return any(fits(value, each) for each in arguments)
     if isinstance(value, np.ndarray):
-        return hint == NDArray[value.dtype.type]  # an alias from numpy 2.5 on, which typing does not look into
+        return hint == NDArray[value.dtype.type]  # an alias since numpy 2.5, which typing does not resolve
     if origin in (list, tuple):
         return isinstance(value, origin) and all(fits(each, arguments[0]) for each in value)
     if origin is dict:
@@ -149,7 +149,7 @@ def fits(value: object, hint: object) -> bool:
 
 
 def all_within(value: object) -> list:
-    """The object and all of ours that its attributes hold."""
+    """Return the object and all of ours in its attributes."""
     if isinstance(value, list):
         return [inner for each in value for inner in all_within(each)]
     if type(value).__name__ not in CLASSES:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The verdict on every sample, for every fabric."""
+"""The verdict on every sample for every fabric."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ pytestmark = pytest.mark.core
 
 
 def share_within(piece: wirewarp.Piece, name: str, limits: tuple[float, float]) -> float:
-    """Of the area that stretches no more than that along a thread; the lesser share of both threads."""
+    """Return the share of the area that stretches at most this far along a thread; the smaller one of both threads."""
     shape = SAMPLES[name]
     a, b, c = shape.vertices[shape.triangles()[piece.source_face]].transpose(1, 0, 2)
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)

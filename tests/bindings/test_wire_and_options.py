@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wire and Options are right once they exist."""
+"""Wire and Options are checked when they are created."""
 
 import array
 import copy

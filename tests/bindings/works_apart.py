@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What processes of tests do: one number comes in."""
+"""The work of processes in tests; its argument is one number."""
 
 import os
 import signal
@@ -9,7 +9,7 @@ import time
 
 
 def square_or_crash(number):
-    """The square; 13 crashes as C++ does, and 14 as Python does."""
+    """Return the square; 13 crashes like C++, and 14 like Python."""
     if number == 13:
         os.kill(os.getpid(), getattr(signal, "SIGSEGV", signal.SIGABRT))
     if number == 14:
@@ -18,7 +18,9 @@ def square_or_crash(number):
 
 
 def hang_or_wait(task):
-    """("hang", path): starts another process, writes its number to the path, and hangs. ("wait", path): until then."""
+    """("hang", path): start another process, write its number to the path, and hang. ("wait", path): wait until
+    then.
+    """
     kind, path = task
     if kind == "hang":
         other = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(3600)"])

@@ -3,9 +3,9 @@
 
 blender ... --enable-event-simulate --python-expr "import drive; drive.main()" -- SCRIPT FUNCTION...
 
-A tour yields a condition (any function without arguments) wherever Blender is to go on until it is true. Its script
-imports this module by the name `drive`. Each tour begins in Blender's startup file. Blender exits with 0 after the last
-tour, and with 1 if one of them raises or waits too long.
+A tour yields a condition (any function without arguments) to let Blender continue until it is true. Its script imports
+this module as `drive`. Each tour starts in Blender's startup file. Blender exits with 0 after the last tour, and with 1
+if one of them raises or waits too long.
 """
 
 import importlib
@@ -19,17 +19,17 @@ from types import ModuleType
 
 import bpy
 
-if "COVERAGE_PROCESS_START" in os.environ:  # names the settings; see tools/addon_coverage.py
+if "COVERAGE_PROCESS_START" in os.environ:  # path of the settings; see tools/addon_coverage.py
     import coverage
 
 TICK = 0.02  # seconds
-PATIENCE = 120.0  # seconds until a condition counts as never true: machines without a graphics card are slow
+PATIENCE = 120.0  # seconds until a condition counts as never true; machines without a graphics card are slow
 Tour = Iterator[Callable[[], bool]]
 _replaced: list[tuple[object, str, object]] = []
 
 
 def install(path: str) -> None:
-    """As add-on or as extension; either way scripts know it as wirewarp_addon."""
+    """Install as add-on or as extension; scripts import both as wirewarp_addon."""
     if "legacy" in Path(path).name:
         bpy.ops.preferences.addon_install(filepath=path, overwrite=True)
         bpy.ops.preferences.addon_enable(module="wirewarp_addon")
@@ -43,12 +43,12 @@ def view_area() -> bpy.types.Area:
 
 
 def region(kind: str) -> bpy.types.Region:
-    """Of the 3D view: WINDOW, UI (the sidebar), HEADER."""
+    """Return a region of the 3D view: WINDOW, UI (the sidebar) or HEADER."""
     return next(each for each in view_area().regions if each.type == kind)
 
 
 def in_view() -> object:
-    """For `with`: operators run as if called in the 3D view."""
+    """Return a context for `with`, in which operators run as if called in the 3D view."""
     window = bpy.context.window_manager.windows[0]
     return bpy.context.temp_override(window=window, area=view_area(), region=region("WINDOW"))
 
@@ -58,20 +58,20 @@ def middle(of: bpy.types.Region) -> tuple[int, int]:
 
 
 def send(kind: str, value: str = "PRESS", at: tuple[int, int] | None = None, **modifiers: bool) -> None:
-    """One event, by default over the middle of the 3D view."""
+    """Send one event, by default over the middle of the 3D view."""
     x, y = at or middle(region("WINDOW"))
     bpy.context.window_manager.windows[0].event_simulate(type=kind, value=value, x=x, y=y, **modifiers)
 
 
 def press(kind: str, at: tuple[int, int] | None = None, **modifiers: bool) -> Tour:
-    """A key or mouse button down and up, the mouse brought there first."""
+    """Move the mouse there, then press and release a key or mouse button."""
     for kind_now, value in (("MOUSEMOVE", "NOTHING"), (kind, "PRESS"), (kind, "RELEASE")):
         send(kind_now, value, at, **modifiers)
         yield from ticks(2)
 
 
 def type_text(text: str) -> Tour:
-    """Small letters and spaces, into the field that has the cursor."""
+    """Type small letters and spaces into the field with the cursor."""
     x, y = middle(region("WINDOW"))
     for letter in text:
         kind = "SPACE" if letter == " " else letter.upper()
@@ -82,7 +82,7 @@ def type_text(text: str) -> Tour:
 
 
 def move_mouse_until(condition: Callable[[], bool]) -> Tour:
-    """To and fro over the 3D view, at least once each way."""
+    """Move the mouse back and forth over the 3D view, at least once each way."""
     x, y = middle(region("WINDOW"))
     for step in range(60):
         if step > 1 and condition():
@@ -93,13 +93,13 @@ def move_mouse_until(condition: Callable[[], bool]) -> Tour:
 
 
 def ticks(count: int) -> Tour:
-    """Lets the window handle its events and redraw."""
+    """Let the window handle its events and redraw."""
     for _ in range(count):
         yield lambda: True
 
 
 def open_tab(panel: type) -> Tour:
-    """Shows the sidebar with the tab of this panel. Blender 3.4 has no other way than to click the tabs one by one."""
+    """Show the sidebar with the tab of this panel. In Blender 3.4 the tabs can only be clicked one by one."""
     drawn = []
     view_area().spaces.active.show_region_ui = True
     yield lambda: region("UI").width > 1
@@ -113,13 +113,13 @@ def open_tab(panel: type) -> Tour:
 
 
 def click_button(command: str, share: float = 0.4) -> Tour:
-    """Clicks the button of the sidebar that runs this operator: that of which Blender copies this command.
+    """Click the button of the sidebar that runs this operator: the one for which Blender copies this command.
 
-    share: of the sidebar's width, how far right to look for it.
+    share: where to look for it, as a share of the sidebar's width from the left.
     """
     sidebar = region("UI")
     window = bpy.context.window_manager.windows[0]
-    window_manager().clipboard = ""  # or what an earlier click has copied is met
+    window_manager().clipboard = ""  # otherwise, an earlier copy would match
     for y in range(sidebar.y + sidebar.height - 20, sidebar.y, -12):
         place = (sidebar.x + int(share * sidebar.width), y)
         send("MOUSEMOVE", "NOTHING", (place[0], y + 1))
@@ -139,30 +139,30 @@ def window_manager() -> bpy.types.WindowManager:
 
 
 def screenshot(name: str) -> None:
-    """The whole window as NAME.png among the pictures."""
+    """Save the whole window as NAME.png among the pictures."""
     window = window_manager().windows[0]
     with bpy.context.temp_override(window=window, area=window.screen.areas[0]):
         bpy.ops.screen.screenshot(filepath=str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
 
 
 def replace(owner: object, name: str, value: object) -> None:
-    """Sets an attribute until the end of the tour."""
+    """Set an attribute until the end of the tour."""
     _replaced.append((owner, name, getattr(owner, name)))
     setattr(owner, name, value)
 
 
 def start_anew() -> Tour:
-    """Undoes replacements and loads Blender's startup file."""
+    """Undo replacements and load Blender's startup file."""
     while _replaced:
         setattr(*_replaced.pop())
-    send("MOUSEMOVE", "NOTHING")  # off any button: its window is about to go
+    send("MOUSEMOVE", "NOTHING")  # away from buttons, because the window is about to close
     yield from ticks(5)
     bpy.ops.wm.read_homefile(use_factory_startup=True)
-    yield from ticks(25)  # the new window is drawn
+    yield from ticks(25)  # until the new window is drawn
 
 
 def one_after_another(script: ModuleType, names: list[str]) -> Generator[Callable[[], bool], None, list[str]]:
-    """Runs the tours; returns the names of those that failed, with their tracebacks and last pictures."""
+    """Run the tours; return the names of failed ones, with their tracebacks and last pictures."""
     failed = []
     for name in names:
         if name != names[0]:
@@ -178,7 +178,7 @@ def one_after_another(script: ModuleType, names: list[str]) -> Generator[Callabl
 
 
 class Driver:
-    """Steps through the tours, a step each tick of a timer."""
+    """Steps through the tours, one step per tick of a timer."""
 
     def __init__(self, tours: Generator[Callable[[], bool], None, list[str]]) -> None:
         self._tours = tours
@@ -202,7 +202,7 @@ class Driver:
 
 
 def leave(code: int) -> None:
-    """At once: Blender would swallow an exception of a timer, and ask whether to save."""
+    """Exit at once: Blender would ignore an exception in a timer, and ask whether to save."""
     if "COVERAGE_PROCESS_START" in os.environ:
         measured = coverage.Coverage.current()
         measured.stop()
@@ -213,7 +213,7 @@ def leave(code: int) -> None:
 
 
 def main() -> None:
-    """Must be called from this module as imported: of a script that it runs itself, Blender clears the names."""
+    """Must be called from this module as imported, because Blender clears the names of scripts that it runs itself."""
     script, *names = sys.argv[sys.argv.index("--") + 1 :]
     sys.path.insert(0, str(Path(script).parent))
     if "COVERAGE_PROCESS_START" in os.environ:

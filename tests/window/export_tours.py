@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through the export: its dialog, its run, and what is left when it is cancelled."""
+"""Tours through the export: its dialog, its run, and the state after cancellation."""
 
 from collections.abc import Callable, Generator
 from contextlib import closing
@@ -16,7 +16,9 @@ Stages = Generator[tuple[str, float], None, object]
 
 
 def open_dialog(path: Path) -> drive.Tour:
-    """Of the export, with this name, in the window of the other editors: no event reaches another window."""
+    """Open the export dialog with this name, in the window of the other editors, because events reach no other
+    window.
+    """
     bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
     with drive.in_view():
         bpy.ops.object.wirewarp_export("INVOKE_DEFAULT", filepath=str(path))
@@ -30,12 +32,12 @@ def browser() -> bpy.types.Area | None:
 
 
 def told(operator: bpy.types.Operator) -> str:
-    """What the dialog says above the settings."""
+    """Return the dialog's text above the settings."""
     return " ".join(sentence for sentence, _ in operator._beforehand.sentences)
 
 
 def region(kind: str) -> bpy.types.Region:
-    """Of the dialog: TOOL_PROPS (the settings), EXECUTE (the button)."""
+    """Return a region of the dialog: TOOL_PROPS (the settings) or EXECUTE (the button)."""
     return next(each for each in browser().regions if each.type == kind)
 
 
@@ -45,7 +47,7 @@ def press_export() -> drive.Tour:
 
 
 def tick_failed_pieces() -> drive.Tour:
-    """The lowest of the settings."""
+    """Tick the lowest of the settings."""
     settings, operator = region("TOOL_PROPS"), browser().spaces.active.active_operator
     for y in range(settings.y + 20, settings.y + settings.height, 10):
         yield from drive.press("LEFTMOUSE", (settings.x + 20, y))
@@ -55,7 +57,7 @@ def tick_failed_pieces() -> drive.Tour:
 
 
 def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
-    """And leaves Edit Mode to the user, however often it is drawn."""
+    """It also never leaves Edit Mode, however often it is drawn."""
     source = marked_bump()
     yield from flatten()
     select_only(source)
@@ -64,7 +66,7 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
     yield from open_dialog(path)
     operator = browser().spaces.active.active_operator
     assert "sheets and a first page with the map of A4." in told(operator)
-    operator.paper = "A0"  # of which Blender tells the dialog no sooner than of what the user does
+    operator.paper = "A0"  # Blender updates the dialog only after the user does something
     assert "with the map of A4." in told(operator)
     yield from tick_failed_pieces()
     assert operator.failed_pieces and "with the map of A0." in told(operator)
@@ -77,7 +79,7 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
 
 
 def halting(exporting: Callable[..., Stages]) -> Callable[..., Stages]:
-    """This export, but it does not come to its end: it stands still as soon as its file is there, unfinished."""
+    """Return this export, but stopped as soon as its unfinished file exists."""
 
     def export_and_wait(parts: object, choices: object, path: Path) -> Stages:
         with closing(exporting(parts, choices, path)) as steps:
@@ -91,12 +93,12 @@ def halting(exporting: Callable[..., Stages]) -> Callable[..., Stages]:
 
 
 def unfinished(path: Path) -> list[Path]:
-    """What is written beside the file until it is whole."""
+    """Return the files that are written beside the target until it is complete."""
     return list(path.parent.glob(".wirewarp-*.part"))
 
 
 def escape_leaves_the_file_as_it_was() -> drive.Tour:
-    """The view goes on meanwhile, and the next export is whole."""
+    """The view continues meanwhile, and the next export is complete."""
     source = marked_bump()
     yield from flatten()
     select_only(source)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through the overlay: what is on the screen, by its pixels."""
+"""Tours through the overlay, checked by the pixels on the screen."""
 
 import os
 import sys
@@ -16,11 +16,11 @@ import wirewarp_addon
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only
 
 STYLES = wirewarp_addon.overlay.lines.STYLES
-COLORFUL = {"outline", "rigid", "elastic", "free"}  # white and black are in Blender's own letters and shadows too
+COLORFUL = {"outline", "rigid", "elastic", "free"}  # Blender's own letters and shadows are also white and black
 
 
 def marked() -> bpy.types.Object:
-    """Two pieces with a wire of each kind, in an empty scene."""
+    """Return two pieces with a wire of each kind, in an empty scene."""
     bpy.data.batch_remove(list(bpy.data.objects))
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.0))
@@ -35,7 +35,7 @@ def kinds_seen(name: str, editor: str) -> set[str]:
 
 
 def pixels_seen(name: str, editor: str) -> dict[str, int]:
-    """Of each kind of line, in a picture of the editor's lower left part, where its legend is not."""
+    """Return the pixels of each kind of line, in the lower left part of the editor, away from the legend."""
     drive.screenshot(name)
     image = bpy.data.images.load(str(Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.png"))
     pixels = np.empty(len(image.pixels), dtype=np.float32)
@@ -56,7 +56,7 @@ def look_from_above() -> drive.Tour:
 
 
 def lines_are_on_the_screen() -> drive.Tour:
-    """On the model in either mode and on the pieces; none once they are switched off."""
+    """They are drawn on the model in either mode and on the pieces, and nowhere once they are switched off."""
     source = marked()
     yield from look_from_above()
     assert kinds_seen("model", "VIEW_3D") == COLORFUL
@@ -76,7 +76,7 @@ def lines_are_on_the_screen() -> drive.Tour:
 
 
 def lines_are_whole_in_a_large_scene() -> drive.Tour:
-    """Where a unit is a centimeter, the view is so far away that the depth buffer tells little apart."""
+    """If a unit is a centimeter, the view is so far away that the depth buffer distinguishes little."""
     source = marked()
     bpy.context.scene.wirewarp.show_names = False
     counts = []
@@ -110,7 +110,9 @@ def lines_are_in_the_uv_editor() -> drive.Tour:
 
 
 def marks_are_undone() -> drive.Tour:
-    """Marking, clearing, changing a wire, eases, allowances, the grain wire, seams from islands: one undo step each."""
+    """Marking, clearing, changing a wire, eases, allowances, the grain wire and seams from islands are one undo step
+    each.
+    """
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     source.data.edges.foreach_set("use_seam", [False] * len(source.data.edges))
@@ -141,11 +143,11 @@ def marks_are_undone() -> drive.Tour:
 
 
 def state() -> tuple:
-    """Marks, names of wires, the grain wire and seams."""
+    """Return marks, names of wires, the grain wire and seams."""
     source = bpy.data.objects["Bump"]
     assert source.mode == "EDIT"
     source.update_from_editmode()
-    copied = source.data.copy()  # attributes can be read outside of Edit Mode only
+    copied = source.data.copy()  # attributes can only be read outside Edit Mode
     names = [entry.name for entry in copied.wirewarp_names]
     read_values = wirewarp_addon.blender.attributes.read_values
     marks = [read_values(copied, mark).tolist() for mark in wirewarp_addon.names.MARKS]
@@ -155,7 +157,7 @@ def state() -> tuple:
 
 
 def frame_button() -> drive.Tour:
-    """Brings model and pieces back into a view that looked elsewhere."""
+    """The button brings model and pieces back into view."""
     source = marked()
     bpy.ops.object.wirewarp_flatten()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)

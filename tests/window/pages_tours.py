@@ -8,7 +8,7 @@ from surfaces import flat_of, select_only
 
 
 def pages_are_on_the_screen() -> drive.Tour:
-    """Over the pieces, with the button beside Export; none in Edit Mode, where pieces are moved."""
+    """They are drawn over the pieces with the button beside Export, but not in Edit Mode, where pieces are moved."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     source = marked()
     bpy.ops.object.wirewarp_flatten()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through runs that do not come to their end, or not undisturbed."""
+"""Tours through runs that are canceled, fail or are disturbed."""
 
 import json
 from pathlib import Path
@@ -15,7 +15,7 @@ solve_models = wirewarp_addon.flatten.models
 
 
 def collect_messages() -> list[tuple[str, str]]:
-    """What operators tell the user from now on, with their level."""
+    """Collect the messages of operators from now on, with their level."""
     messages = []
     steps = wirewarp_addon.flatten.operators.FlattenSteps
     drive.replace(steps, "message", lambda _operator, level, text: messages.append((level, text)))
@@ -23,7 +23,7 @@ def collect_messages() -> list[tuple[str, str]]:
 
 
 def begin_held_run() -> Event:
-    """Starts a run that goes on until the event is set, or until it is cancelled; later runs do so too."""
+    """Start a run that continues until the event is set or it is canceled; later runs do so, too."""
     goes_on = hold_runs()
     with drive.in_view():
         bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
@@ -32,7 +32,7 @@ def begin_held_run() -> Event:
 
 
 def escape_cancels() -> drive.Tour:
-    """Esc in a long run leaves the file as it was, and Flatten works again after it."""
+    """After Esc in a long run, the file is unchanged and Flatten works again."""
     large = grid("Large", bump, size=300)
     remember()
     before, messages = contents(large), collect_messages()
@@ -48,7 +48,7 @@ def escape_cancels() -> drive.Tour:
 
 
 def only_one_run() -> drive.Tour:
-    """A second run is refused while one is going on; looking around is not, editing is."""
+    """During a run, a second run and editing are refused, but looking around is not."""
     source = marked_bump()
     goes_on = begin_held_run()
     try:
@@ -84,7 +84,7 @@ def a_changed_model_is_not_written() -> drive.Tour:
 
 
 def a_failed_piece_opens_no_window() -> drive.Tour:
-    """That of an error would lie over Flatten and what it says; in the sidebar everything is told."""
+    """An error's window would cover Flatten and its message; the sidebar shows everything."""
     tube()
     remember()
     messages = collect_messages()
@@ -96,7 +96,7 @@ def a_failed_piece_opens_no_window() -> drive.Tour:
 
 
 def a_fault_of_the_core_is_told() -> drive.Tour:
-    """Whatever it raises becomes a message; nothing is written."""
+    """Any exception becomes a message; nothing is written."""
 
     def fail(*_: object) -> None:
         raise MemoryError("no room for 8 GB")
@@ -151,7 +151,7 @@ def quitting_ends_the_run() -> drive.Tour:
 
 
 def cancel_button() -> drive.Tour:
-    """While a run goes on the button is a bar, and the one beside it, which the mouse reaches, stops the run."""
+    """During a run the button is a bar, and the button beside it, which the mouse can reach, stops the run."""
     source = marked_bump()
     before, messages = contents(source), collect_messages()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
@@ -168,7 +168,7 @@ def cancel_button() -> drive.Tour:
 
 
 def mending_is_one_undo_step() -> drive.Tour:
-    """Seams and pieces come and go together, in both modes."""
+    """Seams and pieces are undone and redone together, in both modes."""
     for mode in ("OBJECT", "EDIT"):
         source = tube(f"Tube {mode}")
         name = source.name
@@ -177,7 +177,7 @@ def mending_is_one_undo_step() -> drive.Tour:
             bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
         yield lambda: not window_run.is_running()
         if mode == "EDIT":
-            yield from drive.press("LEFTMOUSE", (300, 300))  # the error's window closes
+            yield from drive.press("LEFTMOUSE", (300, 300))  # closes the error's window
             yield from drive.press("TAB")
             yield lambda: bpy.context.mode == "EDIT_MESH"
         with drive.in_view():
@@ -196,7 +196,7 @@ def mending_is_one_undo_step() -> drive.Tour:
 
 
 def state_of(name: str) -> tuple[bool, bool]:
-    """Whether it has seams, and flat pieces."""
+    """Return whether it has seams, and flat pieces."""
     source = bpy.data.objects[name]
     source.update_from_editmode()
     return any(edge.use_seam for edge in source.data.edges), f"{name} Flat" in bpy.data.objects

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tours have in common: models to flatten, running, undoing, and looking at the file. Runs in Blender."""
+"""Shared parts of the tours: models to flatten, running, undoing, and checking the file. Runs in Blender."""
 
 import sys
 from collections.abc import Generator
@@ -18,7 +18,7 @@ window_run = wirewarp_addon.ui.window_run
 
 
 def contents(source: bpy.types.Object) -> tuple:
-    """All that a run may change in the file."""
+    """Return everything that a run may change in the file."""
     blocks = (bpy.data.objects, bpy.data.meshes, bpy.data.collections, bpy.data.materials)
     mesh = source.data
     return (
@@ -31,7 +31,7 @@ def contents(source: bpy.types.Object) -> tuple:
 
 
 def remember() -> None:
-    """What a script made is no undo step by itself."""
+    """Push an undo step, because a script's changes are not one."""
     with drive.in_view():
         bpy.ops.ed.undo_push(message="Made")
 
@@ -52,7 +52,7 @@ def redo() -> drive.Tour:
 
 
 def marked_bump() -> bpy.types.Object:
-    """With a wire along its middle."""
+    """Return a bump with a wire along its middle."""
     source = grid("Bump", bump)
     mark(source, on_line(1, 0.0))
     remember()
@@ -60,7 +60,7 @@ def marked_bump() -> bpy.types.Object:
 
 
 def hold_runs() -> Event:
-    """From now on a run goes on until the event is set, or until it is cancelled."""
+    """Make runs from now on continue until the event is set or they are canceled."""
     solve_models = wirewarp_addon.flatten.models
     goes_on, flatten_arrays = Event(), solve_models.flatten_arrays
 

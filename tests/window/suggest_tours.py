@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through suggested darts: searched while the window goes on, shown, taken, undone."""
+"""Tours through suggested darts: searched while the window continues, shown, taken, undone."""
 
 from collections.abc import Generator
 from threading import Event
@@ -25,7 +25,7 @@ def suggest() -> drive.Tour:
 
 
 def take_and_undo(source: bpy.types.Object, picture: str) -> drive.Tour:
-    """What is chosen after the search."""
+    """Take the cut chosen by the search, and undo it."""
     remember()
     yield from flatten()
     before = contents(source)
@@ -42,7 +42,7 @@ def take_and_undo(source: bpy.types.Object, picture: str) -> drive.Tour:
     yield from undo()
     yield lambda: contents(bpy.data.objects["Bump"]) == before
     assert seam_count() == 0
-    assert current(bpy.data.objects["Bump"]).cuts == found.cuts  # the model is what it was when they were found
+    assert current(bpy.data.objects["Bump"]).cuts == found.cuts  # the model is the same as when they were found
     yield from redo()
     yield lambda: seam_count() == len(edges)
 
@@ -77,7 +77,7 @@ def cuts_towards_an_aim_are_taken_and_undone_with_one_click_each() -> drive.Tour
 
 
 def escape_ends_the_search() -> drive.Tour:
-    source = grid("Bump", bump, size=200)  # for many seconds
+    source = grid("Bump", bump, size=200)  # searches for many seconds
     remember()
     with drive.in_view():
         bpy.ops.object.wirewarp_suggest_seams("INVOKE_DEFAULT", True)
@@ -98,7 +98,7 @@ def a_model_that_changes_during_the_search_gets_no_suggestion() -> drive.Tour:
 
 
 def a_search_ends_under_a_tool() -> drive.Tour:
-    """It leaves no Edit Mode then, for that crashes Blender."""
+    """It does not leave Edit Mode then, which would crash Blender."""
     source = grid("Bump", bump)
     select_edges(source, on_line(0, 0.0))
     remember()
@@ -118,13 +118,13 @@ def a_search_ends_under_a_tool() -> drive.Tour:
     yield lambda: not window_run.is_running()
     yield from drive.ticks(10)
     assert source.mode == "EDIT" and current(source)
-    assert drive.window_manager().operators[-1].name != "Move"  # it still goes on
+    assert drive.window_manager().operators[-1].name != "Move"  # it still runs
     yield from drive.press("ESC")
     assert source.mode == "EDIT" and current(source)
 
 
 def a_fault_of_the_core_ends_the_search() -> drive.Tour:
-    """It is told, and another search can begin."""
+    """It is reported, and another search can start."""
     source = grid("Bump", bump)
     run, operators, told = wirewarp_addon.suggest.operators, wirewarp_addon.suggest.operators, []
     suggest_cuts, fault_sentence = run.suggest_cuts, operators.fault_sentence

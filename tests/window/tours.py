@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through Blender's window; drive.py drives."""
+"""Tours through Blender's window, driven by drive.py."""
 
 import bmesh
 import bpy
@@ -20,7 +20,7 @@ def panel_button() -> drive.Tour:
 
 
 def one_undo_step() -> drive.Tour:
-    """Undo takes back all that a run wrote, and redo brings it back."""
+    """Undo removes everything that a run wrote, and redo restores it."""
     before = contents(marked_bump())
     yield from flatten()
     after = contents(bpy.data.objects["Bump"])
@@ -54,7 +54,7 @@ def flat_vertices(source: bpy.types.Object) -> int:
 
 
 def auto_update() -> drive.Tour:
-    """Marking a seam in Edit Mode makes the pieces again, in one undo step with the mark. The mouse rests."""
+    """Marking a seam in Edit Mode updates the pieces, in one undo step with the mark. The mouse does not move."""
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True
@@ -79,7 +79,7 @@ def auto_update() -> drive.Tour:
 
 
 def auto_update_waits_for_a_tool() -> drive.Tour:
-    """While vertices are being moved nothing is made again; once they are dropped, all of it is one undo step."""
+    """While vertices are moved, nothing is updated; once they are dropped, everything is one undo step."""
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True
@@ -91,7 +91,7 @@ def auto_update_waits_for_a_tool() -> drive.Tour:
         x, y = drive.middle(drive.region("WINDOW"))
         drive.send("MOUSEMOVE", "NOTHING", (x + 10 * step, y + 5 * step))
         yield from drive.ticks(10)
-    yield from drive.ticks(50)  # the mouse rests, but not the tool
+    yield from drive.ticks(50)  # the mouse rests, but the tool is active
     assert not window_run.is_running()
     assert (source.mode, source["wirewarp_report"]) == ("EDIT", report)
     yield from drive.press("RET", (x + 40, y + 20))
@@ -105,7 +105,7 @@ def auto_update_waits_for_a_tool() -> drive.Tour:
 
 
 def settings_can_be_adjusted_after_a_run() -> drive.Tour:
-    """A run in the window takes the scene's settings, and Blender can repeat it at once with other ones."""
+    """A run in the window uses the scene's settings, and Blender can repeat it at once with others."""
     source = marked_bump()
     bpy.context.scene.wirewarp.mirror = True
     yield from flatten()
@@ -119,7 +119,9 @@ def settings_can_be_adjusted_after_a_run() -> drive.Tour:
 
 
 def report_shows_the_place() -> drive.Tour:
-    """A button of the report selects in Edit Mode and moves the view there, on the model and on the flat pieces."""
+    """A button of the report selects elements in Edit Mode and moves the view there, on the model and on flat
+    pieces.
+    """
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.0))
     remember()
@@ -131,13 +133,13 @@ def report_shows_the_place() -> drive.Tour:
         with drive.in_view():
             bpy.ops.mesh.wirewarp_select_result("INVOKE_DEFAULT", True, what="OUTLINE", index=0)
             assert (bpy.context.mode, bpy.context.object) == ("EDIT_MESH", target)
-        yield lambda before=before: (view.view_location - before).length > 0.2  # a half of the dome, which is 2 wide
+        yield lambda before=before: (view.view_location - before).length > 0.2  # half of the dome, which is 2 wide
         with drive.in_view():
             bpy.ops.object.mode_set(mode="OBJECT")
 
 
 def report_turns_the_view_to_what_is_on_the_back() -> drive.Tour:
-    """And leaves it as it is where all can be seen; flat pieces are looked at from above."""
+    """It leaves the view unchanged if everything is visible; flat pieces are seen from above."""
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.0))
     remember()
@@ -165,7 +167,7 @@ def report_turns_the_view_to_what_is_on_the_back() -> drive.Tour:
 
 
 def copies_the_report() -> drive.Tour:
-    """As a table to the clipboard, of which there is none without a window."""
+    """It copies a table to the clipboard, which does not exist without a window."""
     source = grid("Bump", bump)
     mark(source, on_line(1, 0.0))
     yield from flatten()

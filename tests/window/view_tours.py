@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours to what a user finds and sees besides the sidebar."""
+"""Tours to what users find and see besides the sidebar."""
 
 import bpy
 import drive
@@ -10,7 +10,7 @@ from surfaces import bump, flat_of, grid, mark, on_line, select_only
 
 
 def pieces_are_seen_in_local_view() -> drive.Tour:
-    """Where the model is looked at alone, the pieces that it had before are added, and other objects are not."""
+    """If the model is in local view, its earlier pieces are added, but other objects are not."""
     source = grid("Bump", bump)
     mark(source, on_line(1, 0.0))
     yield from flatten()
@@ -44,7 +44,7 @@ def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
 
 
 def the_first_pieces_are_brought_into_view() -> drive.Tour:
-    """Once: after that the view is the user's. With the preference off, never."""
+    """Only once: afterwards the view belongs to the user. With the preference off, never."""
     source = grid("Bump", bump)
     view = drive.view_area().spaces.active.region_3d
     view.view_location, view.view_distance = (100, 100, 100), 1
