@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens every sample with the add-on and shows what came out:
+"""Flattens every sample with the add-on and shows the results:
 
 blender --background --factory-startup --python-exit-code 1 --addons wirewarp_addon \\
     --python blend_samples/demo.py -- OUTPUT_FOLDER [SAMPLE ...]
@@ -29,13 +29,13 @@ from tables import object_tables  # noqa: E402
 
 
 def settings_of_the_file() -> dict[str, str | float]:
-    """How the sample is to be flattened: an operator that a script calls takes none of the scene's settings itself."""
+    """Return the scene's settings, because an operator called by a script does not use them itself."""
     names = ("cloth", "worn_across", "worn_along", "fairness")
     return {name: getattr(bpy.context.scene.wirewarp, name) for name in names}
 
 
 def flatten_sample(name: str, output: Path, terminal: TextIO) -> bool:
-    """Writes the files of one sample and prints its lengths; False if a guarantee is broken."""
+    """Write the files of one sample and print its lengths. Return False if a guarantee is broken."""
     bpy.ops.wm.open_mainfile(filepath=str(FOLDER / f"{name}.blend"))
     model = bpy.context.view_layer.objects.active
     report_path = output / f"{name}.json"
@@ -43,7 +43,7 @@ def flatten_sample(name: str, output: Path, terminal: TextIO) -> bool:
     problem = ""
     try:
         bpy.ops.object.wirewarp_flatten(report_path=str(report_path), **settings_of_the_file())
-    except RuntimeError as error:  # the add-on has written what there is; the demo goes on with the next sample
+    except RuntimeError as error:  # the add-on has written its results; the demo continues with the next sample
         problem = str(error)
     seconds = time.monotonic() - begin
     report = json.loads(report_path.read_text())["objects"][0]
@@ -60,9 +60,9 @@ def flatten_sample(name: str, output: Path, terminal: TextIO) -> bool:
 
 @contextmanager
 def log_of_blender(path: Path) -> Iterator[TextIO]:
-    """Sends all that Blender says while it loads, saves and draws to a file; yields the terminal.
+    """Send all messages of Blender while it loads, saves and draws to a file. Yields the terminal.
 
-    After an error the terminal is back, for Blender to show it; otherwise what Blender still says goes to the file.
+    After an error the terminal is restored, so that Blender can show it; otherwise later messages go to the file.
     """
     terminal = os.fdopen(os.dup(1), "w", buffering=1)
     errors = os.dup(2)
@@ -81,7 +81,7 @@ def main() -> int:
     arguments = sys.argv[sys.argv.index("--") + 1 :]
     output = Path(arguments[0]).resolve()
     output.mkdir(parents=True, exist_ok=True)
-    bpy.context.preferences.filepaths.save_version = 0  # no .blend1 beside a file that is written again
+    bpy.context.preferences.filepaths.save_version = 0  # no .blend1 backup of a file that is written again
     with log_of_blender(output / "blender.log") as terminal:
         failed = [name for name in arguments[1:] or VIEWS if not flatten_sample(name, output, terminal)]
         print(f"\nPictures, .blend files with the pieces and reports: {output}", file=terminal)

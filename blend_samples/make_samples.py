@@ -24,16 +24,16 @@ from views import Projection, fit  # noqa: E402 (the folder must be on the path 
 CLOTHS = (  # in the order of the add-on's setting
     "", "woven", "denim", "jersey", "swim", "leather", "neoprene", "felt", "fleece", "minky", "vinyl", "foam",
 )  # fmt: skip
-COTANGENTS = (1.7, 2.6)  # of half the angles of Blender's usual view, the sidebar and the toolbar taken off
+COTANGENTS = (1.7, 2.6)  # of half the angles of Blender's usual view without the sidebar and the toolbar
 
 
 def wire_id(name: str) -> int:
-    """The 31-bit id that the add-on draws at random, here the same in every run."""
+    """Return a 31-bit id like the add-on's random ones, but the same in every run."""
     return zlib.crc32(name.encode()) & 0x7FFFFFFF
 
 
 def add_mesh(shape: Shape) -> bpy.types.Mesh:
-    """The shape as a smooth mesh with Blender's seams and the add-on's wire attributes."""
+    """Add the shape as a smooth mesh with Blender's seams and the add-on's wire attributes."""
     corners = np.concatenate(shape.faces).astype(np.int32)
     sizes = np.array([len(face) for face in shape.faces], dtype=np.int32)
     following = np.concatenate([np.roll(face, -1) for face in shape.faces])
@@ -86,7 +86,7 @@ def add_mesh(shape: Shape) -> bpy.types.Mesh:
 
 
 def settings(shape: Shape) -> dict[str, int | float]:
-    """The add-on's settings of the scene that are not its defaults; it keeps them in a property of this form."""
+    """Return the add-on's scene settings that are not defaults, in the form of its property."""
     found: dict[str, int | float] = {}
     if shape.cloth:
         found["cloth"] = CLOTHS.index(shape.cloth)
@@ -101,7 +101,7 @@ def file_name(shape: Shape) -> str:
 
 
 def show_all(points: np.ndarray) -> None:
-    """In every 3D view of the file, with the sidebar open."""
+    """Show all points in every 3D view of the file, with the sidebar open."""
     for screen in bpy.data.screens:
         for space in (space for area in screen.areas if area.type == "VIEW_3D" for space in area.spaces):
             if space.type != "VIEW_3D":
@@ -113,7 +113,7 @@ def show_all(points: np.ndarray) -> None:
 
 
 def write_sample(shape: Shape) -> Path:
-    """One file with one object, in millimeters on the screen."""
+    """Write a file with one object, whose lengths are displayed in millimeters."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     units = bpy.context.scene.unit_settings
     units.system, units.length_unit = "METRIC", "MILLIMETERS"
@@ -131,7 +131,7 @@ def write_sample(shape: Shape) -> Path:
     return path
 
 
-bpy.context.preferences.filepaths.save_version = 0  # no .blend1 beside a file that is written again
+bpy.context.preferences.filepaths.save_version = 0  # no .blend1 backup of a file that is written again
 wanted = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
 for sample in all_shapes():
     if wanted and file_name(sample).removesuffix(".blend") not in wanted:

@@ -28,11 +28,11 @@ MOVED, STILLS = "fitted_top", ("toy", "armchair_cover", "carnival_mask", "wetsui
 WIDTH, HEIGHT = 7.2, 4.2  # inches of 100 pixels
 MODEL_BOX, FLAT_BOX = Box(-3.5, -0.9, -1.7, 1.9), Box(-0.7, 3.5, -1.7, 1.9)
 STILL, MOVING = 8, 30  # frames with the model alone, and with moving pieces
-DELAY = 0.4  # of the time that all pieces move: how much later the last piece starts
+DELAY = 0.4  # start of the last piece, as a share of the time of all movement
 
 
 def way(time: float) -> float:
-    """Return how much of its way a piece has gone: slowly at first and at the end."""
+    """Return the share of its path that a piece has covered: slow at the start and at the end."""
     t = min(max(time, 0.0), 1.0)
     return t * t * (3 - 2 * t)
 
@@ -53,11 +53,11 @@ class Sample:
         worn = self.body.vertices[self.pieces.source_vertex]
         stretch = cloth_stretch(self.pieces.vertices[:, :2], worn, self.pieces.triangles)
         self.colors = stretch_colors(stretch, round_limit(stretch))
-        self.number = np.zeros(len(self.flat), dtype=int)  # of the piece of each vertex
+        self.number = np.zeros(len(self.flat), dtype=int)  # number of the piece of each vertex
         self.number[self.pieces.triangles] = self.pieces.piece[:, None]
 
     def draw(self, path: Path, time: float | None) -> None:
-        """time: None for the model alone, else from 0, all pieces on the model, to 1, all flat."""
+        """Draw a frame. time: None for the model alone, otherwise from 0, all pieces on the model, to 1, all flat."""
         sheet = Sheet(WIDTH, HEIGHT)
         draw_model(sheet, self.body, self.on_model + [0, 0, -10], self.body.normals @ self.matrix.T)
         if time is not None:

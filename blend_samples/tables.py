@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The JSON report of a flattening as tables in millimeters. Needs nothing but Python."""
+"""Formats the JSON report of a flattening as tables in millimeters. Needs only Python."""
 
 from __future__ import annotations
 
 
 def object_tables(report: dict) -> str:
-    """Every piece's lines and every seam of one object of the report, with their lengths on the model and flat."""
+    """Return every piece's lines and every seam of one object of the report, with their lengths on the model and
+    flat.
+    """
     blocks = [_piece_table(piece) for piece in report["pieces"]]
     if report["seams"]:
         blocks.append(_seam_table(report["seams"]))
@@ -45,7 +47,7 @@ def _seam_table(seams: list[dict]) -> str:
 
 
 def _row(name: str, line: dict) -> list[str]:
-    """Name, model length, flat length of each side, largest difference."""
+    """Return name, model length, flat length of each side, largest difference."""
     flat = " | ".join(_millimeters(length, 3) for length in line["length_2d_m"])
     differences = [abs(length) for length in line["difference_m"] if length is not None]
     worst = _millimeters(max(differences, default=None), 4)

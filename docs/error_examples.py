@@ -7,7 +7,7 @@ from typing import Any
 
 WIRES = ["Hip", "Bust"]
 Example = tuple[str, dict[str, Any], dict[str, int], dict[str, Any]]
-# The code, its arguments, numbers of faces that only the add-on knows, and the elements of the error.
+# The code, its arguments, faces that only the add-on knows, and the elements of the error.
 PROPOSED = {"proposed_seams": [(0, 1)]}
 EXAMPLES: list[Example] = [
     ("empty_mesh", {}, {}, {}),

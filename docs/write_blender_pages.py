@@ -17,9 +17,9 @@ import bpy
 sys.path.insert(0, str(Path(__file__).parent))
 from error_examples import EXAMPLES, example_sentence  # noqa: E402 (the folder must be on the path first)
 
-ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]  # of whichever Blender's kind of add-on it is
+ADDON = type(bpy.context.scene.wirewarp).__module__.rpartition(".")[0]  # for both kinds of add-on
 PARTS = {"FRONT": "Flatten", "MAIN": "Flatten > Settings", "ADVANCED": "Flatten > Settings > Advanced"}
-PANELS = {  # the class of a group of other settings: where Blender shows them
+PANELS = {  # class of a group of other settings: where Blender shows it
     "PatternSettings": "Export Pattern",
     "TargetSettings": "Suggest Darts and Suggest Seams",
     "EaseAmount": "Mark > Ease",
@@ -76,7 +76,7 @@ def settings_of_scene() -> Iterator[tuple[str, list[bpy.types.Property]]]:
     for part, panel in PARTS.items():
         yield panel, [properties[each.name] for each in table if each.part(settings) == part]
     kinds = [kind for kind in type(settings).__mro__ if vars(kind).get("__annotations__")]
-    for kind in [*kinds[1:], kinds[0]]:  # those of the class itself last
+    for kind in [*kinds[1:], kinds[0]]:  # those of the class itself come last
         if kind.__name__ != "FlattenSettings":
             yield PANELS[kind.__name__], [properties[name] for name in vars(kind)["__annotations__"]]
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the reference of the Python package as HTML into a folder: pdoc's, with the types of the stub for wirewarp;
-wirewarp.pattern and wirewarp.report are Python and have their own.
+"""Writes the reference of the Python package as HTML into a folder, with pdoc.
 
-Usage: python write_reference.py FOLDER. pdoc by itself shows what pybind11 makes of signatures and getters.
+wirewarp gets the types of the stub; wirewarp.pattern and wirewarp.report are Python and have their own types.
+
+Usage: python write_reference.py FOLDER. Without the stub, pdoc would show pybind11's signatures and getters.
 """
 
 import inspect
@@ -24,7 +25,7 @@ class Plain(str):
 
 
 def read_stub() -> dict[str, Any]:
-    """What the stub defines, by name."""
+    """Return the definitions of the stub by name."""
     source = Path(wirewarp.__file__).with_name("_wirewarp.pyi").read_text()
     defined: dict[str, Any] = {"__package__": "wirewarp"}
     exec("from __future__ import annotations\n" + source, defined)
@@ -44,13 +45,13 @@ def plain(signature: inspect.Signature) -> inspect.Signature:
 
 
 def describe_function(function: pdoc.doc.Function, stub: Any) -> None:  # noqa: ANN401
-    """pybind11 begins the docstring with the signature."""
+    """Remove the signature with which pybind11 starts the docstring."""
     _, _, function.docstring = function.docstring.partition("\n")
     function.signature = plain(inspect.signature(stub))
 
 
 def describe_class(kind: pdoc.doc.Class, stub: Any) -> None:  # noqa: ANN401
-    if "__init__" not in vars(stub):  # only the library makes such objects
+    if "__init__" not in vars(stub):  # only the library creates such objects
         kind.members.pop("__init__", None)
     for name, member in kind.members.items():
         bound, typed = getattr(kind.obj, name, None), getattr(stub, name, None)

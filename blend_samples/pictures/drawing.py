@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A sheet of paper in Blender, seen straight from above: x right, y up, in inches; rendered by Workbench."""
+"""A sheet of paper in Blender, seen from above: x right, y up, in inches; rendered by Workbench."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ class Box:
     top: float
 
     def fit(self, points: np.ndarray) -> float:
-        """The largest scale at which points (n, 3) fit, seen from above."""
+        """Return the largest scale at which points (n, 3) fit, seen from above."""
         width, height = np.ptp(points[:, :2], axis=0)
         return min((self.right - self.left) / width, (self.top - self.bottom) / height)
 
     def center(self, points: np.ndarray, scale: float) -> np.ndarray:
-        """The points, scaled, in the middle of the box."""
+        """Return the scaled points in the middle of the box."""
         middle = (points.min(axis=0) + points.max(axis=0)) / 2
         return scale * (points - middle) + [(self.left + self.right) / 2, (self.bottom + self.top) / 2, 0]
 
 
 class Sheet:
-    """A scene of its own, width by height inches with the origin in the middle."""
+    """A separate scene, width by height inches, with the origin in the middle."""
 
     def __init__(self, width: float, height: float) -> None:
         self.scene = bpy.data.scenes.new("WireWarp sheet")
@@ -51,7 +51,7 @@ class Sheet:
         self._font = bpy.data.fonts.load(str(FONT)) if FONT.exists() else None
 
     def add_triangles(self, corners: np.ndarray, colors: np.ndarray) -> None:
-        """Triangles (m, 3, 3) with a color at each corner (m, 3, 4)."""
+        """Add triangles (m, 3, 3) with a color at each corner (m, 3, 4)."""
         mesh = bpy.data.meshes.new("Triangles")
         mesh.from_pydata(corners.reshape(-1, 3).tolist(), [], np.arange(3 * len(corners)).reshape(-1, 3).tolist())
         mesh.color_attributes.new("Color", "FLOAT_COLOR", "CORNER")
@@ -59,7 +59,7 @@ class Sheet:
         self._add(bpy.data.objects.new("Triangles", mesh))
 
     def add_lines(self, lines: list[np.ndarray], width: float, color: np.ndarray) -> None:
-        """Round polylines (n, 3) each."""
+        """Add round polylines, (n, 3) each."""
         curve = bpy.data.curves.new("Lines", "CURVE")
         curve.dimensions, curve.bevel_depth, curve.bevel_resolution = "3D", width / 2, 2
         curve.use_fill_caps = True
@@ -70,12 +70,12 @@ class Sheet:
         self._add(bpy.data.objects.new("Lines", curve), color)
 
     def add_rimmed_lines(self, lines: list[np.ndarray], width: float, color: np.ndarray, rim: np.ndarray) -> None:
-        """Lines on a slightly wider rim; they are nearer to the viewer, so that it shows at both sides only."""
+        """Add lines on slightly wider ones, which are farther from the viewer and show on both sides."""
         self.add_lines(lines, 1.6 * width, rim)
         self.add_lines([line + [0, 0, 0.8 * width] for line in lines], width, color)
 
     def add_text(self, text: str, x: float, y: float, size: float, color: np.ndarray, align: str = "LEFT") -> None:
-        """A line of text; y is its base line."""
+        """Add a line of text. y: base line."""
         curve = bpy.data.curves.new("Text", "FONT")
         curve.body, curve.size, curve.align_x = text, size, align
         if self._font:
@@ -83,7 +83,7 @@ class Sheet:
         self._add(bpy.data.objects.new("Text", curve), color).location = (x, y, 2.0)
 
     def render(self, path: Path) -> None:
-        """Writes a PNG and removes the scene."""
+        """Write a PNG and remove the scene."""
         settings = self.scene.render
         settings.engine = "BLENDER_WORKBENCH"
         settings.resolution_x, settings.resolution_y = (round(PIXELS_PER_INCH * s) for s in (self.width, self.height))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where numbers stand on flat pieces. Needs numpy alone."""
+"""Places of numbers on flat pieces. Needs only numpy."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ import numpy as np
 
 from .surfaces import Flat
 
-ROOM = 0.5  # that a number needs around it, as a share of its usual distance from the seam
-NARROW = 0.6  # of that distance, where the piece is narrow
+ROOM = 0.5  # space around a number, as a share of its usual distance from the seam
+NARROW = 0.6  # of that distance, if the piece is narrow
 
 
 def inside_point(candidates: np.ndarray, lines: np.ndarray) -> tuple[np.ndarray, float]:
-    """The candidate (k, 3) that is farthest from all points of lines (n, 3), and how far it is."""
+    """Return the candidate (k, 3) farthest from all points of lines (n, 3), and its distance."""
     distances = [np.min(np.linalg.norm(lines - candidate, axis=1)) for candidate in candidates]
     best = int(np.argmax(distances))
     return candidates[best], distances[best]
@@ -21,9 +21,9 @@ def inside_point(candidates: np.ndarray, lines: np.ndarray) -> tuple[np.ndarray,
 def seam_labels(
     pieces: Flat, points: np.ndarray, seams: list[dict], offset: float, taken: list[np.ndarray]
 ) -> list[tuple[int, np.ndarray]]:
-    """(number, place) beside each side of each seam, offset into the piece, near its middle.
+    """Return (number, place) beside each side of each seam, offset into the piece, near its middle.
 
-    They keep clear of all lines, of each other and of the places taken (3,); a seam that finds no room has none.
+    The numbers avoid all lines, each other and the places taken (3,); a seam without room has none.
     """
     rows_of: dict[frozenset[int], list[int]] = {}
     for row, pair in enumerate(pieces.source_vertex[pieces.outline].tolist()):
@@ -31,7 +31,7 @@ def seam_labels(
     lines = points[np.unique(np.concatenate([pieces.outline, pieces.wires]))]
     labels: list[tuple[int, np.ndarray]] = []
     for seam in seams:
-        rows = [rows_of.get(frozenset(edge), []) for edge in seam["edges"]]  # none in a piece without a layout
+        rows = [rows_of.get(frozenset(edge), []) for edge in seam["edges"]]  # empty for a piece without a layout
         numbers = [*taken, *(place for _, place in labels)]
         for distance in (offset, NARROW * offset):
             room, places = _best_places(pieces, points, rows, distance, (lines, numbers))
@@ -44,7 +44,9 @@ def seam_labels(
 def _best_places(
     pieces: Flat, points: np.ndarray, rows: list[list[int]], offset: float, obstacles: tuple
 ) -> tuple[float, list[np.ndarray]]:
-    """The room around, and the places beside, the best edge of a seam; rows: of the outline, for each edge."""
+    """Return the space around the best edge of a seam, and the places beside it. rows: of the outline, for each
+    edge.
+    """
     lines, numbers = obstacles
     best: tuple[float, float, list[np.ndarray]] = (-np.inf, 0.0, [])
     for step, sides in enumerate(rows):
@@ -52,7 +54,7 @@ def _best_places(
         if not places:
             continue
         room = min(np.linalg.norm(lines - place, axis=1).min() for place in places)
-        for number in numbers:  # they are as large as what is placed: twice the room is needed between them
+        for number in numbers:  # other numbers are equally large, so twice the space is needed
             room = min(room, *(np.linalg.norm(number - place) / 2 for place in places))
         off_middle = abs((step + 0.5) / len(rows) - 0.5)
         best = max(best, (min(room, offset) - 0.5 * offset * off_middle, room, places), key=lambda choice: choice[0])
@@ -60,7 +62,7 @@ def _best_places(
 
 
 def _beside(pieces: Flat, points: np.ndarray, row: int, offset: float) -> np.ndarray:
-    """The point at a distance from the middle of an outline edge, inside its piece."""
+    """Return the point at a distance from the middle of an outline edge, inside its piece."""
     a, b = points[pieces.outline[row]]
     at_edge = np.isin(pieces.triangles, pieces.outline[row]).sum(axis=1) == 2
     normal = np.array([a[1] - b[1], b[0] - a[0], 0]) / np.linalg.norm(b - a)

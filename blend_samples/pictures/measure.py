@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the pictures show, computed from the arrays of a flat piece. Needs numpy alone."""
+"""Values that the pictures show, computed from the arrays of a flat piece. Needs only numpy."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 
 
 def cloth_stretch(flat: np.ndarray, worn: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """How much longer the cloth around each vertex is on the model than flat, the mean of all directions.
+    """Return how much longer the fabric around each vertex is on the model than flat, as a mean of all directions.
 
     flat (n, 2) and worn (n, 3) are positions. 0.1 is stretched by 10%, -0.1 is compressed by 10%.
     """
@@ -21,7 +21,9 @@ def _areas_around(points: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def chains(edges: np.ndarray) -> list[list[int]]:
-    """Edges (k, 2) joined to polylines that end where not exactly two of them meet; closed ones repeat their first."""
+    """Return edges (k, 2) as polylines that end where not exactly two edges meet; closed ones repeat their first
+    vertex.
+    """
     neighbors: dict[int, list[int]] = {}
     for a, b in edges.tolist():
         neighbors.setdefault(a, []).append(b)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Colors that people with any color vision tell apart, and the scale of stretch. Needs numpy alone."""
+"""Colors that people with any color vision can distinguish, and the scale of stretch. Needs only numpy."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 
 
 def linear(hex_color: str) -> np.ndarray:
-    """The linear RGBA that Blender works with, of a color as screens write it, "#rrggbb"."""
+    """Return Blender's linear RGBA of a screen color "#rrggbb"."""
     srgb = np.array([int(hex_color[k : k + 2], 16) for k in (1, 3, 5)]) / 255
     rgb = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
     return np.append(rgb, 1.0)
@@ -19,29 +19,31 @@ INSIDE = linear("#8d8a85")
 INK = linear("#22262e")
 FAINT_INK = linear("#6b7078")
 SEAM = linear("#22262e")
-# Wires by kind, as the add-on draws them over models and pieces, each with a rim that sets it off from any ground.
+# Wires by kind, as the add-on draws them, each with a border that contrasts with any background.
 RIGID, ELASTIC, FREE = (linear(color) for color in ("#0048e8", "#ffc400", "#4fc3f7"))
 LIGHT_RIM, DARK_RIM = linear("#ffffff"), linear("#3a3a3a")
 
-# From squeezed over unchanged to stretched: blue, near white, orange.
+# From compressed over unchanged to stretched: blue, near white, orange.
 _SCALE = [linear(c) for c in ("#08519c", "#5a9bd4", "#f6f4ef", "#f2a03d", "#a63c06")]
 
 
 def stretch_colors(stretch: np.ndarray, limit: float) -> np.ndarray:
-    """(..., 4) linear colors of relative stretch; beyond -limit and limit they stay the same."""
+    """Return linear colors (..., 4) of relative stretch, constant beyond -limit and limit."""
     at = np.clip(np.asarray(stretch) / limit, -1, 1)
     stops = np.linspace(-1, 1, len(_SCALE))
     return np.stack([np.interp(at, stops, [color[k] for color in _SCALE]) for k in range(4)], axis=-1)
 
 
 def lit(normals: np.ndarray, color: np.ndarray) -> np.ndarray:
-    """(..., 4) the color of a cloth under soft light from the upper left; unit normals (..., 3), z to the viewer."""
+    """Return the color (..., 4) of fabric in soft light from the upper left. normals (..., 3): unit, z to the
+    viewer.
+    """
     lamp = np.array([-0.35, 0.55, 0.76])
     share = 0.30 + 0.70 * np.clip(0.15 + 0.85 * normals @ lamp, 0, 1)
     return np.concatenate([share[..., None] * color[:3], np.ones((*normals.shape[:-1], 1))], axis=-1)
 
 
 def round_limit(stretch: np.ndarray) -> float:
-    """A round end for the scale, from 1% on, that leaves out at most one value in a hundred."""
+    """Return a round end of the scale, at least 1%, that leaves out at most 1% of the values."""
     needed = np.quantile(np.abs(stretch), 0.99)
     return next((limit for limit in (0.01, 0.02, 0.05, 0.1, 0.2, 0.3) if needed <= limit), 0.5)

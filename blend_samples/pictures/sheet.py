@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One picture of a sample: the model with seams and wires beside its flat pieces, both at one scale."""
+"""Draws one picture of a sample: the model with seams and wires beside its flat pieces, both at one scale."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ LINE_WIDTH = 0.04
 def draw_sample(
     model: bpy.types.Object, flat: bpy.types.Object, view: tuple[float, float], report: dict, path: Path
 ) -> None:
-    """Renders the picture from the two objects and the object's part of the JSON report.
+    """Render the picture from the two objects and the object's part of the JSON report.
 
-    view is (yaw, pitch) in degrees: how far the model is turned to the left and tipped toward the viewer.
+    view: (yaw, pitch) in degrees, the rotation of the model to the left and its tilt toward the viewer.
     """
     sheet = Sheet(WIDTH, HEIGHT)
     body = read_model(model)
@@ -58,7 +58,7 @@ def draw_sample(
 
 
 def draw_model(sheet: Sheet, body: Model, points: np.ndarray, normals: np.ndarray) -> None:
-    """The surface under soft light, its inside darker, with its lines."""
+    """Draw the surface in soft light, its inside darker, with its lines."""
     corners = points[body.triangles]
     away = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 2] < 0
     colors = lit(normals[body.triangles], MODEL)
@@ -81,7 +81,7 @@ def _draw_wires(sheet: Sheet, surface: Model | Flat, points: np.ndarray) -> None
 
 
 def _draw_numbers(sheet: Sheet, pieces: Flat, points: np.ndarray, report: dict) -> None:
-    """A large number in each piece, a small one on both sides of each seam, as the printed tables count them."""
+    """Draw a large number in each piece and a small one on both sides of each seam, as in the printed tables."""
     lines = points[np.unique(np.concatenate([pieces.outline, pieces.wires]))]
     taken = []
     for piece in np.unique(pieces.piece):
@@ -95,7 +95,7 @@ def _draw_numbers(sheet: Sheet, pieces: Flat, points: np.ndarray, report: dict) 
 
 
 def _draw_lengths(sheet: Sheet, report: dict) -> None:
-    """Each wire's length on the model and flat, and how well the seams match."""
+    """Draw each wire's length on the model and flat, and how well the seams match."""
     columns = (MODEL_BOX.left, MODEL_BOX.left + 3.5, MODEL_BOX.left + 4.65)
     rows = [("Length in mm", "on the model", "flat")]
     for wire in report["wires"]:
@@ -112,7 +112,7 @@ def _draw_lengths(sheet: Sheet, report: dict) -> None:
 
 
 def view_matrix(yaw: float, pitch: float) -> np.ndarray:
-    """From the model (z up, its front toward -y) to the sheet (y up, z toward the viewer)."""
+    """Return the rotation from the model (z up, front toward -y) to the sheet (y up, z toward the viewer)."""
     upright = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
     a, b = np.radians([yaw, pitch])
     turn = np.array([[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a picture needs of a model and of its flat pieces, as arrays read from Blender meshes."""
+"""The data of a model and its flat pieces for a picture, as arrays from Blender meshes."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Model:
-    """A sample as modeled; edges are vertex pairs."""
+    """A modeled sample; edges are vertex pairs."""
 
     vertices: np.ndarray  # (n, 3), Blender units
     normals: np.ndarray  # (n, 3), unit
-    triangles: np.ndarray  # (m, 3), quads and n-gons cut from their first corner
+    triangles: np.ndarray  # (m, 3), quads and n-gons divided from their first corner
     seams: np.ndarray  # (k, 2)
-    outline: np.ndarray  # (k, 2), edges of one face
+    outline: np.ndarray  # (k, 2), edges with one face
     wires: np.ndarray  # (k, 2)
     tolerances: np.ndarray  # (k,) of the wires' edges
 
@@ -27,8 +27,8 @@ class Flat:
     """Its flat pieces; their outline includes their sides of the seams."""
 
     vertices: np.ndarray  # (p, 3), Blender units, z 0
-    source_vertex: np.ndarray  # (p,) the model's vertex of each
-    triangles: np.ndarray  # (m, 3), cut as the model's
+    source_vertex: np.ndarray  # (p,) vertex of the model
+    triangles: np.ndarray  # (m, 3), divided like the model's
     piece: np.ndarray  # (m,) number of the piece, from 0
     outline: np.ndarray  # (k, 2)
     wires: np.ndarray  # (k, 2)
@@ -36,7 +36,7 @@ class Flat:
 
 
 def read_model(thing: bpy.types.Object) -> Model:
-    """A mesh with Blender's seams and the add-on's wires."""
+    """Return a mesh with Blender's seams and the add-on's wires."""
     mesh = thing.data
     seam = np.empty(len(mesh.edges), dtype=bool)
     mesh.edges.foreach_get("use_seam", seam)
@@ -54,7 +54,7 @@ def read_model(thing: bpy.types.Object) -> Model:
 
 
 def read_flat(thing: bpy.types.Object) -> Flat:
-    """The object that the add-on made of the model."""
+    """Return the flat object that the add-on made from the model."""
     mesh = thing.data
     triangles, polygon = _triangles(mesh)
     edges = _edges(mesh)
@@ -90,14 +90,14 @@ def _edges(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _face_counts(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(e,) the number of faces at each edge."""
+    """Return the number (e,) of faces at each edge."""
     edge_of_corner = np.empty(len(mesh.loops), dtype=np.int32)
     mesh.loops.foreach_get("edge_index", edge_of_corner)
     return np.bincount(edge_of_corner, minlength=len(mesh.edges))
 
 
 def _triangles(mesh: bpy.types.Mesh) -> tuple[np.ndarray, np.ndarray]:
-    """(m, 3) corners, and the polygon of each triangle."""
+    """Return corners (m, 3), and the polygon of each triangle."""
     cut = [
         (polygon.index, face[0], face[k], face[k + 1])
         for polygon in mesh.polygons

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From where each sample is drawn: degrees it is turned to the left and tipped toward the viewer."""
+"""View of each sample: its rotation to the left and its tilt toward the viewer, in degrees."""
 
 VIEWS = {
     "fitted_top": (-28, 8),

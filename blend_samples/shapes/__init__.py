@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sample surfaces as plain arrays: needs numpy alone, so that tests can use them without Blender."""
+"""The sample surfaces as plain arrays. Needs only numpy, so that tests can use them without Blender."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ __all__ = [
 
 
 def all_shapes() -> list[Shape]:
-    """Every sample, in the order in which the demo shows them."""
+    """Return every sample, in the order of the demo."""
     return [
         fitted_top(), quarter_sphere(), ball(), half_cylinder(), lampshade(), cushion(), hat(), mask(),
         jeans(), wetsuit_collar(), wetsuit_upper_body(), toy(), armchair_cover(), swimsuit(), set_in_sleeve(),

@@ -8,23 +8,24 @@ import numpy as np
 from .curves import coons_patch
 from .shape import Shape, ShapeBuilder
 
-# Plan: the wall of arms and back runs round the seat from the left arm's front to the right one's; meters.
+# Plan: the wall of arms and back runs around the seat from the left arm's front to the right one's; meters.
 HALF_SEAT, FRONT, BACK, CORNER = 0.27, -0.36, 0.25, 0.10  # inner face: |x|, y of front and back, corner radius
 THICKNESS = 0.15
 BOTTOM, SEAT, ARM, TOP = 0.06, 0.40, 0.60, 0.88  # heights of hem, seat seam, arms and back
-RISE_BEGIN, RISE_END = 0.32, 0.90  # lengths along the wall from the arm's front between which it rises to the back
-RECLINE, LEAN_BEGIN = 0.26, 0.25  # how far the back leans, times its squared height over where it begins to, 1/m
-BACK_PUFF, FRONT_PUFF, SEAT_PUFF, NOSE = 0.035, 0.012, 0.055, 0.045  # how far panels, seat and its front edge swell
+# Length along the wall, from the arm's front, at which it starts and ends to rise to the back.
+RISE_BEGIN, RISE_END = 0.32, 0.90
+RECLINE, LEAN_BEGIN = 0.26, 0.25  # backward lean of the back over its squared height above its start, 1/m
+BACK_PUFF, FRONT_PUFF, SEAT_PUFF, NOSE = 0.035, 0.012, 0.055, 0.045  # bulge of the panels, the seat and its front edge
 TOLERANCE = 0.05
 
 
 def armchair_cover(
     arm: int = 13, corner: int = 5, back: int = 10, outside: int = 16, roll: int = 8, inside: int = 8, across: int = 4
 ) -> Shape:
-    """The cover with a rigid line round its outside and elastic lines along and across.
+    """Return the cover with a rigid line around its outside and elastic lines along and across.
 
-    Counts of edges: arm, half a corner and back along the wall; outside, roll and inside over it; across an arm's
-    front, whose sides take the rest of the roll.
+    Numbers of edges: arm, half a corner and back along the wall; outside, roll and inside over it; across an arm's
+    front, whose sides get the remaining edges of the roll.
     """
     builder = ShapeBuilder()
     wall = builder.add_grid(_wall(arm, corner, back, outside, roll, inside))
@@ -53,9 +54,10 @@ def armchair_cover(
 
 
 def _wall(arm: int, corner: int, back: int, outside: int, roll: int, inside: int) -> np.ndarray:
-    """(rows + 1, columns + 1, 3) points from the hem up the outside, over the top and down the inside to the seat.
+    """Return points (rows + 1, columns + 1, 3) from the hem up the outside, over the top and down the inside to the
+    seat.
 
-    Columns go from the left arm's front round the back to the right arm's front.
+    Columns run from the left arm's front around the back to the right arm's front.
     """
     angle = np.linspace(0, np.pi / 2, 2 * corner + 1)[1:-1, None]
     turn = np.concatenate([np.cos(angle), np.sin(angle)], axis=1)
@@ -91,9 +93,9 @@ def _wall(arm: int, corner: int, back: int, outside: int, roll: int, inside: int
 
 
 def _seat(inner: np.ndarray, depth: int, apron: int) -> np.ndarray:
-    """(apron + depth + 1, c, 3) points from the hem up the front and back over the seat, from the right to the left.
+    """Return points (apron + depth + 1, c, 3) from the hem up the front and back over the seat, from right to left.
 
-    inner is the wall's edge round the seat from the left arm's front to the right one's, depth edges along each arm.
+    inner: the wall's edge around the seat from the left arm's front to the right one's. depth: edges along each arm.
     """
     right, rear, left = inner[-1 : -depth - 2 : -1], inner[-depth - 1 : depth - 1 : -1], inner[: depth + 1]
     front = np.linspace(right[0], left[0], len(rear))
@@ -108,14 +110,16 @@ def _seat(inner: np.ndarray, depth: int, apron: int) -> np.ndarray:
 
 
 def _near_the_nose(points: np.ndarray) -> np.ndarray:
-    """How far the points are relaxed, 0 to 1: the seat's front edge becomes round between the arms."""
+    """Return the share of relaxation of the points, 0 to 1: the seat's front edge becomes round between the arms."""
     x, y, z = points.T
     between, front, high = (HALF_SEAT - np.abs(x)) / 0.08, (FRONT + 0.16 - y) / 0.1, (z - 0.2) / 0.1
     return 0.6 * np.clip(between, 0, 1) * np.clip(front, 0, 1) * np.clip(high, 0, 1)
 
 
 def _arm_front(border: np.ndarray, across: int) -> np.ndarray:
-    """(r, across + 1, 3) points within the border from the hem up inside the left arm, over it and down outside."""
+    """Return points (r, across + 1, 3) within the border: from the hem up inside the left arm, over it and down
+    outside.
+    """
     sides = (len(border) - 1 - across) // 2
     left, top, right = border[: sides + 1], border[sides : sides + across + 1], border[: -sides - 2 : -1]
     points = coons_patch(np.linspace(border[0], border[-1], across + 1), top, left, right)

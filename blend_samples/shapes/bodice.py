@@ -9,7 +9,7 @@ from . import torso
 from .curves import chord_lengths, cubic_spline, even_parameters
 
 # The left armhole from the front underarm over the shoulder tip to the back underarm: distance x from the middle, and
-# how far down from the shoulder line (0) to the underarm (-1 in front, 1 behind).
+# the position between the shoulder line (0) and the underarm (-1 in front, 1 behind).
 ARMHOLE = np.array(
     [
         [0.1700, -1.0], [0.1690, -0.975], [0.1600, -0.90], [0.1510, -0.75], [0.1500, -0.55], [0.1580, -0.32],
@@ -21,7 +21,9 @@ NECK_POINT = 0.072  # x
 
 
 def armhole(half: int, points: np.ndarray = ARMHOLE) -> np.ndarray:
-    """(n, 2) longitude and v from the underarm to the shoulder tip; points are as in ARMHOLE, the tip in the middle."""
+    """Return longitude and v (n, 2) from the underarm to the shoulder tip. points: as in ARMHOLE, the tip in the
+    middle.
+    """
     loop = cubic_spline(chord_lengths(points * [4, 1]), points)(np.linspace(0, 1, 1601))
     x, down = loop[loop[:, 1] <= 0].T if half > 0 else loop[::-1][loop[::-1, 1] >= 0].T
     v = 1 - np.abs(down) * (1 - torso.UNDERARM_V)
@@ -31,15 +33,17 @@ def armhole(half: int, points: np.ndarray = ARMHOLE) -> np.ndarray:
 
 
 def neckline(depth: float) -> np.ndarray:
-    """(n, 2) from the right neck point to the left; depth of its middle, in v between shoulder line and underarm."""
-    end = np.radians(66)  # not vertical at the neck points, where the columns of the grid are
+    """Return points (n, 2) from the right neck point to the left. depth: of its middle, in v from shoulder line to
+    underarm.
+    """
+    end = np.radians(66)  # not vertical at the neck points, where the columns of the grid are vertical
     t = np.linspace(-end, end, 400)
     drop = depth * (1 - torso.UNDERARM_V) * (np.cos(t) - np.cos(end)) / (1 - np.cos(end))
     return np.stack([torso.longitude_at(NECK_POINT, 1.0) * np.sin(t) / np.sin(end), 1 - drop], axis=-1)
 
 
 def evenly(body: torso.Half, curve: np.ndarray, count: int) -> np.ndarray:
-    """count + 1 points of a curve in longitude and v, at equal distances on the body; its ends are kept exactly."""
+    """Return count + 1 points of a curve in longitude and v, at equal distances on the body, with exact ends."""
     at = chord_lengths(body.points(curve[:, 0], curve[:, 1]))
     even = np.linspace(0, 1, count + 1)
     points = np.stack([np.interp(even, at, curve[:, k]) for k in range(2)], axis=-1)
@@ -48,7 +52,7 @@ def evenly(body: torso.Half, curve: np.ndarray, count: int) -> np.ndarray:
 
 
 def level_row(body: torso.Half, v: float, begin: float, end: float, columns: int) -> np.ndarray:
-    """(columns + 1, 2) evenly spaced points of a level row between two longitudes."""
+    """Return evenly spaced points (columns + 1, 2) of a level row between two longitudes."""
     phi = even_parameters(lambda t: body.points(t, np.full_like(t, v)), begin, end, columns)
     return np.stack([phi, np.full_like(phi, v)], axis=-1)
 
@@ -56,10 +60,11 @@ def level_row(body: torso.Half, v: float, begin: float, end: float, columns: int
 def upper_block(
     bust: np.ndarray, left: np.ndarray, upper: np.ndarray, body: torso.Half, straight: bool = False
 ) -> np.ndarray:
-    """(r, c, 2) rows from the bust line (c, 2) to the upper edge (c, 2), as wide as left edge (r, 2) and its mirror.
+    """Return rows (r, c, 2) from the bust line (c, 2) to the upper edge (c, 2), between left edge (r, 2) and its mirror
+    image.
 
-    All edges run from right to left or from the bust line up. The columns between follow the left edge, or, if they are
-    to be straight, follow it only near it.
+    All edges run from right to left or from the bust line up. The columns between follow the left edge, or only near it
+    if they must be straight.
     """
     t = chord_lengths(body.points(left[:, 0], left[:, 1]))[:, None]
     across = (1 - t) * bust[:, 0] / bust[-1, 0] + t * upper[:, 0] / upper[-1, 0]  # -1 at the right edge, 1 at the left
@@ -71,7 +76,9 @@ def upper_block(
 
 
 def upper_edge(body: torso.Half, tip: np.ndarray, depth: float, shoulder: int, neck: int) -> np.ndarray:
-    """(2 * shoulder + neck + 1, 2) points over the right shoulder, along the neckline and to the left shoulder."""
+    """Return points (2 * shoulder + neck + 1, 2) over the right shoulder, along the neckline and to the left
+    shoulder.
+    """
     middle = evenly(body, neckline(depth), neck)
     ridge = evenly(body, np.linspace(middle[-1], tip, 200), shoulder)
     return np.concatenate([ridge[::-1] * [-1, 1], middle[1:-1], ridge])

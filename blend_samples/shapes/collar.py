@@ -8,8 +8,8 @@ import numpy as np
 from .curves import chord_lengths, cubic_spline, hermite_curves
 from .shape import Shape, ShapeBuilder
 
-# The neckline that lies on chest and shoulders, and the top of the neck, of the wearer's left half from the middle of
-# the front over the shoulder to the middle of the back: x to the left, y back, z up, meters.
+# The neckline on chest and shoulders, and the top of the neck. Wearer's left half, from the middle of the front over
+# the shoulder to the middle of the back: x to the left, y back, z up, meters.
 HEM = np.array([
     [0.000, -0.095, -0.078], [0.044, -0.081, -0.062], [0.077, -0.037, -0.030], [0.090, 0.009, -0.010],
     [0.073, 0.048, -0.004], [0.040, 0.068, -0.006], [0.000, 0.073, -0.008],
@@ -18,15 +18,15 @@ TOP = np.array([
     [0.000, -0.074, 0.074], [0.034, -0.062, 0.078], [0.054, -0.026, 0.086], [0.058, 0.008, 0.093],
     [0.048, 0.034, 0.097], [0.026, 0.048, 0.099], [0.000, 0.052, 0.100],
 ])  # fmt: skip
-OPENING = 0.012  # half the width of the gap behind, at its hem and top
-SPREAD = 0.055  # how far the skin goes inward from the hem before it turns up the neck
-SLOPES = (1.3, 2.4)  # of the skin at the hem, upward against inward: on the shoulder and on the chest
-RISE = 0.105  # how straight it rises to the top
+OPENING = 0.012  # half the width of the gap at the back, at its hem and top
+SPREAD = 0.055  # distance from the hem, inward, at which the skin turns up the neck
+SLOPES = (1.3, 2.4)  # of the skin at the hem, upward over inward: on the shoulder and on the chest
+RISE = 0.105  # velocity at the top; larger values make it straighter
 TOLERANCE = 0.05
 
 
 def wetsuit_collar(half_columns: int = 34, rows: int = 24) -> Shape:
-    """The collar with two elastic wires: round the base of the neck, and down the middle of the front."""
+    """Return the collar with two elastic wires: around the base of the neck, and down the middle of the front."""
     builder = ShapeBuilder()
     left = _half(half_columns, rows)
     grid = builder.add_grid(np.concatenate([left[:, :0:-1] * [-1, 1, 1], left], axis=1))
@@ -36,7 +36,7 @@ def wetsuit_collar(half_columns: int = 34, rows: int = 24) -> Shape:
 
 
 def _half(columns: int, rows: int) -> np.ndarray:
-    """(rows + 1, columns + 1, 3) points from the hem up, from the middle of the front to the gap behind."""
+    """Return points (rows + 1, columns + 1, 3) from the hem up, from the middle of the front to the gap at the back."""
     hem, top = _round(HEM, columns), _round(TOP, columns)
     inward = (top - hem) * [1, 1, 0]
     inward = inward / np.linalg.norm(inward, axis=1, keepdims=True)
@@ -48,7 +48,7 @@ def _half(columns: int, rows: int) -> np.ndarray:
 
 
 def _round(points: np.ndarray, columns: int) -> np.ndarray:
-    """(columns + 1, 3) evenly spaced points of a smooth curve that crosses the middle at right angles."""
+    """Return evenly spaced points (columns + 1, 3) of a smooth curve that crosses the middle at right angles."""
     mirrored = np.concatenate([points[2:0:-1] * [-1, 1, 1], points, points[-2:-4:-1] * [-1, 1, 1]])
     knots = chord_lengths(mirrored)
     fine = cubic_spline(knots, mirrored)(np.linspace(knots[2], knots[-3], 2001))

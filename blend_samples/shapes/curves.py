@@ -9,7 +9,7 @@ import numpy as np
 
 
 def cubic_spline(knots: np.ndarray, values: np.ndarray) -> Callable[[np.ndarray], np.ndarray]:
-    """The natural cubic spline through values (n, ...) at increasing knots (n,)."""
+    """Return the natural cubic spline through values (n, ...) at increasing knots (n,)."""
     knots = np.asarray(knots, dtype=float)
     values = np.asarray(values, dtype=float)
     step = np.diff(knots)
@@ -33,19 +33,19 @@ def cubic_spline(knots: np.ndarray, values: np.ndarray) -> Callable[[np.ndarray]
 
 
 def chord_lengths(points: np.ndarray) -> np.ndarray:
-    """Length along a polyline (n, d) up to each of its points, from 0 to 1."""
+    """Return the length along a polyline (n, d) to each of its points, from 0 to 1."""
     lengths = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
     return lengths / lengths[-1]
 
 
 def even_parameters(curve: Callable[[np.ndarray], np.ndarray], begin: float, end: float, count: int) -> np.ndarray:
-    """Parameters of count + 1 points at equal distances along curve(t), begin <= t <= end."""
+    """Return parameters of count + 1 points at equal distances along curve(t), begin <= t <= end."""
     t = np.linspace(begin, end, 2001)
     return np.interp(np.linspace(0, 1, count + 1), chord_lengths(curve(t)), t)
 
 
 def hermite(t: np.ndarray, begin: np.ndarray, leave: np.ndarray, end: np.ndarray, arrive: np.ndarray) -> np.ndarray:
-    """Points at t, 0 to 1, of cubic curves from begin to end with the velocities leave and arrive there."""
+    """Return points at t, 0 to 1, of cubic curves from begin to end with the velocities leave and arrive there."""
     return (
         (1 + 2 * t) * (1 - t) ** 2 * begin
         + t * (1 - t) ** 2 * leave
@@ -55,12 +55,14 @@ def hermite(t: np.ndarray, begin: np.ndarray, leave: np.ndarray, end: np.ndarray
 
 
 def hermite_curves(begin: np.ndarray, leave: np.ndarray, end: np.ndarray, arrive: np.ndarray, count: int) -> np.ndarray:
-    """(count + 1, n, d) points of cubic curves from begin to end (n, d) with the velocities leave and arrive there."""
+    """Return points (count + 1, n, d) of cubic curves from begin to end (n, d) with the velocities leave and arrive
+    there.
+    """
     return hermite(np.linspace(0, 1, count + 1)[:, None, None], begin, leave, end, arrive)
 
 
 def coons_patch(bottom: np.ndarray, top: np.ndarray, left: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """(r, c, d) points between bottom and top (c, d), from left to right, and left and right (r, d), upward."""
+    """Return points (r, c, d) between bottom and top (c, d), from left to right, and left and right (r, d), upward."""
     s, t = chord_lengths((bottom + top) / 2), chord_lengths((left + right) / 2)
     s, t = s[None, :, None], t[:, None, None]
     between_rows = (1 - t) * bottom + t * top
@@ -70,5 +72,5 @@ def coons_patch(bottom: np.ndarray, top: np.ndarray, left: np.ndarray, right: np
 
 
 def _column(numbers: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """numbers shaped so that they multiply the rows of values."""
+    """Return the numbers in a shape that multiplies the rows of values."""
     return np.reshape(numbers, np.shape(numbers) + (1,) * (values.ndim - 1))

@@ -9,14 +9,14 @@ from .shape import Shape, ShapeBuilder
 
 HALF_WIDTH = 0.25
 CORNER_RADIUS = 0.06
-CORNER_DENSITY = 2.0  # points along the round corners against the straight sides
+CORNER_DENSITY = 2.0  # density of points along the round corners over that on the straight sides
 CROWN = 0.035  # rise of the top over its seam
 STRIP_HEIGHT = 0.08
 STRIP_BULGE = 0.006
 
 
 def cushion(core: int = 20, rings: int = 7, strip_rows: int = 6) -> Shape:
-    """The cushion with a middle line all round it, and a second one across it."""
+    """Return the cushion with a middle line all around it, and a second one across it."""
     builder = ShapeBuilder()
     x, y = _panel(core, rings)
     crown = _inflate(x, y, core, rings)
@@ -42,7 +42,9 @@ def cushion(core: int = 20, rings: int = 7, strip_rows: int = 6) -> Shape:
 
 
 def _line_around(tops: dict[int, np.ndarray], strip: np.ndarray, core: int, rings: int, first: int) -> np.ndarray:
-    """The closed chain over the top, down the strip, under the bottom and up: it begins in the middle of side first."""
+    """Return the closed chain over the top, down the strip, under the bottom and up, from the middle of side
+    `first`.
+    """
     begin, end = (side * core + core // 2 for side in (first, first + 2))
     spokes = _spokes(core, rings)
     across = [*spokes[begin][::-1], *_core_line(core, first)[1:-1], *spokes[end]]
@@ -51,13 +53,13 @@ def _line_around(tops: dict[int, np.ndarray], strip: np.ndarray, core: int, ring
     )
 
 
-# The plane panel: a square core of (core+1)^2 points, row by row, then rings of 4*core points each around it.
+# The planar panel: a square core of (core+1)^2 points, row by row, then rings of 4*core points around it.
 
 
 def _panel(core: int, rings: int) -> tuple[np.ndarray, np.ndarray]:
     side = np.linspace(-1, 1, core + 1)
     inner = 0.45 * HALF_WIDTH
-    # The core bulges a little towards a disk, so that its corners do not crowd the rings there.
+    # The core bulges towards a disk, so that the rings are not too close at its corners.
     bulge = 1 + 0.22 * (1 - side**2)
     core_x = inner * side[None, :] * bulge[:, None]
     core_y = inner * side[:, None] * bulge[None, :]
@@ -71,7 +73,7 @@ def _panel(core: int, rings: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _rounded_square(core: int) -> np.ndarray:
-    """4*core points, counter-clockwise, from the middle of the corner (-, -)."""
+    """Return 4*core points, counter-clockwise, from the middle of the corner (-, -)."""
     straight = HALF_WIDTH - CORNER_RADIUS
     t = np.linspace(0, np.pi / 2, 200)
     corner = np.stack([straight + CORNER_RADIUS * np.cos(t), straight + CORNER_RADIUS * np.sin(t)], axis=-1)
@@ -88,26 +90,30 @@ def _rounded_square(core: int) -> np.ndarray:
 
 
 def _core_border(core: int) -> np.ndarray:
-    """Indices of the 4*core border points of the core, counter-clockwise from its corner (-, -)."""
+    """Return indices of the 4*core border points of the core, counter-clockwise from its corner (-, -)."""
     grid = np.arange((core + 1) ** 2).reshape(core + 1, core + 1)
     return np.concatenate([grid[0, :-1], grid[:-1, -1], grid[-1, :0:-1], grid[:0:-1, 0]])
 
 
 def _core_line(core: int, first: int) -> np.ndarray:
-    """The middle line of the core, from the middle of side first (0 the front, -y; 1 the right, +x) to the other."""
+    """Return the middle line of the core, from the middle of side `first` (0 the front, -y; 1 the right, +x) to the
+    other.
+    """
     grid = np.arange((core + 1) ** 2).reshape(core + 1, core + 1)
     return grid[:, core // 2] if first == 0 else grid[core // 2, ::-1]
 
 
 def _spokes(core: int, rings: int) -> np.ndarray:
-    """(4*core + 1, rings + 1) indices of the lines from the core's border to the outline; the last is the first."""
+    """Return indices (4*core + 1, rings + 1) of the lines from the core's border to the outline; the last is the
+    first.
+    """
     ring_points = (core + 1) ** 2 + np.arange(rings * 4 * core).reshape(rings, 4 * core)
     spokes = np.concatenate([_core_border(core)[None], ring_points]).T
     return np.concatenate([spokes, spokes[:1]])
 
 
 def _panel_quads(core: int, rings: int) -> np.ndarray:
-    """(k, 4) indices, counter-clockwise seen from above."""
+    """Return indices (k, 4), counter-clockwise from above."""
     grid = np.arange((core + 1) ** 2).reshape(core + 1, core + 1)
     spokes = _spokes(core, rings)
     quads = [
@@ -117,7 +123,10 @@ def _panel_quads(core: int, rings: int) -> np.ndarray:
 
 
 def _inflate(x: np.ndarray, y: np.ndarray, core: int, rings: int) -> np.ndarray:
-    """The membrane under even pressure with its outline held (Poisson's equation, linear elements), 1 at the top."""
+    """Return the heights of a membrane under even pressure with a fixed outline (Poisson's equation, linear elements).
+
+    The maximum is 1.
+    """
     quads = _panel_quads(core, rings)
     triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
     stiffness = np.zeros((len(x), len(x)))
@@ -135,7 +144,7 @@ def _inflate(x: np.ndarray, y: np.ndarray, core: int, rings: int) -> np.ndarray:
 
 
 def _strip(x: np.ndarray, y: np.ndarray, rows: int) -> np.ndarray:
-    """(rows + 1, c, 3) points of the strip over the closed outline, bottom row first, bulging outward."""
+    """Return points (rows + 1, c, 3) of the strip over the closed outline, bottom row first, bulging outward."""
     outline = np.stack([x, y], axis=-1)
     along = np.roll(outline[:-1], -1, axis=0) - np.roll(outline[:-1], 1, axis=0)
     normal = np.stack([along[:, 1], -along[:, 0]], axis=-1) / np.linalg.norm(along, axis=1, keepdims=True)

@@ -18,10 +18,10 @@ def add_sector(
     rows: int,
     flip: bool = False,
 ) -> list[np.ndarray]:
-    """Fills the sector of longitudes begin..end around a pole; returns the vertices of each row, pole first.
+    """Fill the sector of longitudes begin..end around a pole. Return the vertices of each row, pole first.
 
-    surface(row, longitudes) gives the (c, 3) points of a row, 0 the pole. Faces look along the pole for increasing
-    longitudes unless flipped.
+    surface(row, longitudes) returns the points (c, 3) of a row; row 0 is the pole. Faces point along the pole for
+    increasing longitudes unless flipped.
     """
     fan = []
     for row in range(rows + 1):

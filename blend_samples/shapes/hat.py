@@ -14,14 +14,14 @@ from .shape import Shape, ShapeBuilder
 # Radius and height of the crown's profile from its top to the hem; a head of 58 cm.
 CROWN_PROFILE = np.array([[0.0, 0.118], [0.045, 0.112], [0.075, 0.093], [0.088, 0.060], [0.092, 0.028], [0.093, 0.0]])
 BRIM_PROFILE = np.array([[0.093, 0.0], [0.112, -0.018], [0.135, -0.032]])
-LENGTH, WIDTH = 1.08, 0.92  # front to back (y) and side to side (x), against the profile's radius
+LENGTH, WIDTH = 1.08, 0.92  # front to back (y) and side to side (x), over the profile's radius
 
 
 def hat(fan_rows: int = 12, side_rows: int = 7, brim_rows: int = 6, sectors: int = 8) -> Shape:
-    """A round hat; the head line runs round the crown, across the middle seam and both darts."""
+    """Return a round hat. The head line runs around the crown, across the middle seam and both darts."""
     builder = ShapeBuilder()
     profile = _profile(np.concatenate([CROWN_PROFILE[:0:-1] * [-1, 1], CROWN_PROFILE]))
-    share = fan_rows / (fan_rows + side_rows * 0.62)  # of the profile's length that the fan covers
+    share = fan_rows / (fan_rows + side_rows * 0.62)  # share of the profile's length that the fan covers
     top = even_parameters(profile, 0.5, 0.5 + 0.5 * share, fan_rows)
     side = even_parameters(profile, 0.5 + 0.5 * share, 1.0, side_rows)
     fans = []

@@ -9,14 +9,14 @@ from . import legs
 from .curves import chord_lengths
 from .shape import Shape, ShapeBuilder
 
-SIDE_OF_CROTCH = 0.850  # height at the side of the row that ends at the crotch
+SIDE_OF_CROTCH = 0.850  # height, at the side, of the row that ends at the crotch
 HIP, THIGH = 0.930, 0.790  # heights of the lines at the side
 CREASE_AT_WAIST = 0.090  # x
 TOLERANCE = 0.05
 
 
 def jeans(leg: int = 30, seat: int = 9, yoke: int = 4, band: int = 3, columns: int = 14) -> Shape:
-    """The jeans with rigid hip and knee lines, elastic thigh lines and elastic creases down front and back.
+    """Return the jeans with rigid hip and knee lines, elastic thigh lines and elastic creases down front and back.
 
     Rows of faces: leg from the hem to the crotch, then seat, yoke and band up to the waist.
     """
@@ -36,7 +36,7 @@ def jeans(leg: int = 30, seat: int = 9, yoke: int = 4, band: int = 3, columns: i
                 builder.add_seam(grid[yoke_seam])
             grids[side, wearer] = grid
     builder.relax(_near_the_crotch, 12)
-    builder.add_seam(grids[1, 1][waist_seam:, 0])  # the waistband closes in front
+    builder.add_seam(grids[1, 1][waist_seam:, 0])  # the waistband opens in front
 
     hip, thigh, knee = (int(np.abs(heights - z).argmin()) for z in (HIP, THIGH, legs.KNEE))
     quarters = [(1, 1), (-1, 1), (-1, -1), (1, -1)]
@@ -52,25 +52,25 @@ def jeans(leg: int = 30, seat: int = 9, yoke: int = 4, band: int = 3, columns: i
 
 
 def _around(grids: dict[tuple[int, int], np.ndarray], quarters: list[tuple[int, int]], row: int) -> np.ndarray:
-    """The closed chain along one row: outward in the first quarter, inward in the second, and so on."""
+    """Return the closed chain along one row: outward in the first quarter, inward in the second, and so on."""
     chains = [grids[quarter][row, :: 1 if k % 2 == 0 else -1] for k, quarter in enumerate(quarters)]
     return np.concatenate([chains[0], *(chain[1:] for chain in chains[1:])])
 
 
 def _side_heights(leg: int, rise: int) -> np.ndarray:
-    """Heights of the rows along the outer seam; below the crotch they get closer upward."""
+    """Return heights of the rows along the outer seam; below the crotch they become denser upward."""
     below = _graded(leg, 0.55)
     above = np.linspace(SIDE_OF_CROTCH, legs.WAIST, rise + 1)
     return np.concatenate([legs.HEM + (SIDE_OF_CROTCH - legs.HEM) * below, above[1:]])
 
 
 def _graded(count: int, last: float) -> np.ndarray:
-    """count + 1 numbers from 0 to 1 whose steps shrink evenly to the share last of the first one."""
+    """Return count + 1 numbers from 0 to 1 whose last step is `last` times the first."""
     return np.concatenate([[0], np.cumsum(np.linspace(1, last, count))]) / np.linspace(1, last, count).sum()
 
 
 def _panel(side: int, leg: int, heights: np.ndarray, columns: int) -> tuple[np.ndarray, np.ndarray]:
-    """Angles and heights (r, columns + 1) of the left front or back, from the inner seams to the side."""
+    """Return angles and heights (r, columns + 1) of the left front or back, from the inner seams to the side."""
     inner_angle, inner_height = _inner_edge(side, leg, len(heights) - 1 - leg)
     s = np.linspace(0, 1, columns + 1)
     near = (1 - s) ** 3  # the corner at the crotch fades out quickly
@@ -84,7 +84,7 @@ def _panel(side: int, leg: int, heights: np.ndarray, columns: int) -> tuple[np.n
 
 
 def _inner_edge(side: int, leg: int, rise: int) -> tuple[np.ndarray, np.ndarray]:
-    """Angles and heights along the inseam, the crotch and the middle up to the waist."""
+    """Return angles and heights along the inseam, the crotch and the middle up to the waist."""
     z = legs.CROTCH + (legs.WAIST - legs.CROTCH) * np.linspace(0, 1, 4001) ** 2
     curve = legs.Half(side).points(legs.middle_angle(z), z)
     z = np.interp(_graded(rise, 0.65), chord_lengths(curve), z)
@@ -94,6 +94,6 @@ def _inner_edge(side: int, leg: int, rise: int) -> tuple[np.ndarray, np.ndarray]
 
 
 def _near_the_crotch(points: np.ndarray) -> np.ndarray:
-    """How far the points are relaxed, 0 to 1: between the legs the rows run together."""
+    """Return the share of relaxation of the points, 0 to 1: between the legs the rows converge."""
     distance = np.linalg.norm((points - [0, 0, legs.CROTCH]) / [0.15, 0.20, 0.14], axis=1)
     return np.clip(1.2 - distance, 0, 0.7)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hips and legs as a smooth surface: left front and left back, each from the inner leg and the middle to the side.
 
-A point is given by an angle (0 the inner leg, pi/2 the middle of the thigh, pi the side) and its height z. Above the
-crotch the middle of the body cuts the angles off. The front looks along -y, the wearer's left is +x; meters.
+A point has an angle (0 the inner leg, pi/2 the middle of the thigh, pi the side) and a height z. Above the crotch, the
+angles end at the middle of the body. The front faces -y, the wearer's left is +x; meters.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ PROFILE = np.array([
     [1.080, 0.141, 0.080, 0.092, 0.094, 0.000],
 ])  # fmt: skip
 HEM, KNEE, CROTCH, WAIST = 0.060, 0.480, 0.835, 1.080  # heights
-MERGE, POWER = 0.18, 4  # height above the crotch over which two legs become one body, and how soon
+# Height above the crotch over which two legs become one body, and the exponent of the transition.
+MERGE, POWER = 0.18, 4
 GAP, SPREAD = 0.020, 0.026  # half of the gap between the thighs, and how much wider it is at the hem
 SEAT_POINT = np.array([0.082, 0.915])  # x and z
 SEAT_RISE, SEAT_SIZE = 0.034, 0.070
@@ -35,19 +36,19 @@ _profile = cubic_spline(PROFILE[:, 0], PROFILE[:, 1:])
 
 
 def middle_angle(z: np.ndarray) -> np.ndarray:
-    """The angle at which the section at height z meets the middle of the body; 0 at the crotch and below it."""
+    """Return the angle at which the section at height z meets the middle of the body; 0 at or below the crotch."""
     return np.arccos(np.clip(1 - (z - CROTCH) / MERGE, 0, 1) ** POWER)
 
 
 def angle_at(x: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """The angle of the points of the left half at x, on front and back."""
+    """Return the angle of the points of the left half at x, on front and back."""
     outer, inner = np.moveaxis(_profile(z), -1, 0)[:2]
     center = _center(z, inner)
     return np.arccos(np.clip((center - x) / np.where(x < center, inner, outer - center), -1, 1))
 
 
 def center(z: np.ndarray) -> np.ndarray:
-    """x of the middle of the thigh, smooth through the crotch."""
+    """Return x of the middle of the thigh, smooth through the crotch."""
     return _center(z, _profile(z)[..., 1])
 
 
@@ -65,7 +66,7 @@ class Half:
     side: int
 
     def points(self, angle: np.ndarray, z: np.ndarray) -> np.ndarray:
-        """Points (..., 3) of the left half at angles and heights of one shape."""
+        """Return points (..., 3) of the left half at angles and heights of one shape."""
         outer, inner, front, back, y = np.moveaxis(_profile(z), -1, 0)
         center = _center(z, inner)
         cosine = np.cos(angle)

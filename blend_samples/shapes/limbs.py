@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Limbs and ears sewn into rectangular holes of a grid: loops round a hole, tubes, caps and envelopes."""
+"""Limbs and ears sewn into rectangular holes of a grid: loops around a hole, tubes, caps and envelopes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .shape import ShapeBuilder
 
 @dataclass(frozen=True)
 class Hole:
-    """A hole in a grid of quads, half_width columns to both sides of a seam's column."""
+    """A hole in a grid of quads, half_width columns to each side of a seam's column."""
 
     row: int  # its lowest row of vertices
     column: int
@@ -21,12 +21,12 @@ class Hole:
     half_width: int
 
     def cut(self, holes: np.ndarray) -> None:
-        """Marks its quads (r - 1, c - 1) as missing."""
+        """Mark its quads (r - 1, c - 1) as missing."""
         columns = slice(self.column - self.half_width, self.column + self.half_width)
         holes[self.row : self.row + self.rows, columns] = True
 
     def loop(self, grid: np.ndarray) -> np.ndarray:
-        """Its closed border, counter-clockwise seen from outside, from the seam below it."""
+        """Return its closed border, counter-clockwise from outside, starting at the seam below it."""
         left, right = self.column - self.half_width, self.column + self.half_width
         top = self.row + self.rows
         return np.concatenate([
@@ -38,9 +38,10 @@ class Hole:
 def tube(
     loop: np.ndarray, center: np.ndarray, axis: np.ndarray, radius: float, fullness: float, rows: int
 ) -> np.ndarray:
-    """(rows + 1, n + 1, 3) points from a closed loop (n + 1, 3) to a circle round the limb's axis at its center.
+    """Return points (rows + 1, n + 1, 3) from a closed loop (n + 1, 3) to a circle around the limb's axis at its
+    center.
 
-    fullness is how far the tube goes straight before it bends.
+    fullness: distance over which the tube is straight before it bends.
     """
     axis, leave = axis / np.linalg.norm(axis), loop_normal(loop)
     up = np.array([0.0, 0.0, 1.0]) - axis[2] * axis
@@ -53,7 +54,7 @@ def tube(
 
 
 def round_end(ring: np.ndarray, rows: int, share: float) -> np.ndarray:
-    """(rows, n, 3) rings of the half ball on a circle (n, 3), the last one with that share of its radius."""
+    """Return rings (rows, n, 3) of the hemisphere on a circle (n, 3); the last one has that share of its radius."""
     center = ring[:-1].mean(axis=0)
     radius = np.linalg.norm(ring[0] - center)
     angle = np.linspace(0, np.arccos(share), rows + 1)[1:, None, None]
@@ -61,13 +62,13 @@ def round_end(ring: np.ndarray, rows: int, share: float) -> np.ndarray:
 
 
 def loop_normal(loop: np.ndarray) -> np.ndarray:
-    """The unit normal of a closed loop (n + 1, 3), toward the side from where it runs counter-clockwise."""
+    """Return the unit normal of a closed loop (n + 1, 3), toward the side from which it is counter-clockwise."""
     normal = np.cross(loop[:-1] - loop.mean(axis=0), loop[1:] - loop.mean(axis=0)).sum(axis=0)
     return normal / np.linalg.norm(normal)
 
 
 def add_cap(builder: ShapeBuilder, ring: np.ndarray, height: float, flip: bool) -> np.ndarray:
-    """Closes a tube's round end of 16 edges (17, 3) with a dome; returns the chain over it from vertex 0 to 8."""
+    """Close a tube's round end of 16 edges (17, 3) with a dome. Return the chain over it from vertex 0 to 8."""
     center = ring[:-1].mean(axis=0)
     normal = loop_normal(ring) * (-1 if flip else 1)
     halfway = center + 0.55 * (ring[::2] - center) + (1 - 0.55**2) * height * normal

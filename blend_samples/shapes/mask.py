@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A carnival mask: one piece with two holes, which wires join to each other and to the outline."""
+"""A carnival mask: one piece with two holes, which wires connect with each other and with the outline."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 from .curves import chord_lengths, cubic_spline, even_parameters
 from .shape import Shape, ShapeBuilder
 
-# Plane drawing of one half (x >= 0), from the arch over the nose round the cheek and the temple to the brow.
+# Planar drawing of one half (x >= 0), from the arch over the nose around the cheek and the temple to the brow.
 OUTLINE = np.array(
     [
         [0.000, -0.017], [0.008, -0.021], [0.016, -0.034], [0.030, -0.042], [0.052, -0.037], [0.072, -0.021],
@@ -25,9 +25,9 @@ NOSE_RISE = 0.012
 
 
 def mask(around: int = 72, rings: int = 9) -> Shape:
-    """The mask, bent round a face; around counts the points round each eye."""
+    """Return the mask, bent around a face. around: number of points around each eye."""
     builder = ShapeBuilder()
-    below, above = around // 10, around // 12  # columns that end on the middle line, below and above the bridge
+    below, above = around // 10, around // 12  # columns that end on the middle line below and above the bridge
     rays, temple = _half(around, rings, below, above)
     left, right = (builder.add_grid(_bend(rays * [side, 1]), flip=side > 0) for side in (1, -1))
     builder.add_wire(np.concatenate([left[-1, below::-1], left[-1, -2 : -2 - above : -1]]), "Middle")
@@ -38,9 +38,9 @@ def mask(around: int = 72, rings: int = 9) -> Shape:
 
 
 def _half(around: int, rings: int, below: int, above: int) -> tuple[np.ndarray, int]:
-    """(rings + 1, around + 1, 2) points from the eye to the outline, and the column that ends at the temple.
+    """Return points (rings + 1, around + 1, 2) from the eye to the outline, and the column that ends at the temple.
 
-    Columns go from the bridge of the nose down the middle line, along the outline and back to the bridge.
+    Columns run from the bridge of the nose down the middle line, along the outline and back to the bridge.
     """
     mirrored = np.concatenate([OUTLINE[2:0:-1] * [-1, 1], OUTLINE, OUTLINE[-2:-4:-1] * [-1, 1]])  # smooth at the middle
     knots = chord_lengths(mirrored)
@@ -64,7 +64,7 @@ def _half(around: int, rings: int, below: int, above: int) -> tuple[np.ndarray, 
 
 
 def _bend(plane: np.ndarray) -> np.ndarray:
-    """Wraps the plane drawing round a face that looks along -y, with a rise for the nose."""
+    """Wrap the planar drawing around a face that faces -y, with a rise for the nose."""
     x, z = plane[..., 0], plane[..., 1]
     nose = NOSE_RISE * np.exp(-((x / 0.016) ** 2)) / (1 + np.exp((z - 0.004) / 0.008))
     radius = FACE_RADIUS - 0.5 * z**2 / 0.12 + nose

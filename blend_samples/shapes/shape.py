@@ -9,12 +9,12 @@ from dataclasses import dataclass, field
 import numpy as np
 
 FAIRNESS = 0.05  # the default of wirewarp.Options
-WELD_DISTANCE = 1e-7  # meters; patches of one sample meet in equal points to about 1e-15
+WELD_DISTANCE = 1e-7  # meters; common points of a sample's patches are equal to about 1e-15
 
 
 @dataclass
 class Wire:
-    """A line whose length matters: a chain of vertices joined by edges; a closed one repeats its first vertex."""
+    """A line with a measured length: a chain of vertices joined by edges; a closed one repeats its first vertex."""
 
     vertices: list[int]
     name: str
@@ -23,15 +23,15 @@ class Wire:
 
 @dataclass
 class Ease:
-    """A side of a seam, or a stretch of outline, that is cut longer than it is on the surface."""
+    """A side of a seam, or a section of outline, that is cut longer than on the surface."""
 
-    half_edges: np.ndarray  # (k, 2) an edge from a to b is that of the face with a, b in its own order
-    ratio: float  # 0.05: by 5%
+    half_edges: np.ndarray  # (k, 2); an edge from a to b is the side of the face with a, b in its own order
+    ratio: float  # 0.05 for 5%
 
 
 @dataclass
 class Shape:
-    """A surface in meters, quads and triangles seen from outside counter-clockwise."""
+    """A surface in meters, of quads and triangles that are counter-clockwise from outside."""
 
     name: str
     vertices: np.ndarray  # (n, 3)
@@ -39,18 +39,18 @@ class Shape:
     seams: np.ndarray  # (k, 2) vertex pairs
     wires: list[Wire] = field(default_factory=list)
     eases: list[Ease] = field(default_factory=list)
-    cloth: str = ""  # a name of wirewarp.Cloth.presets() that stretches far enough; none: any fabric does
-    stretch: tuple[float, float] = (0.0, 0.0)  # how far that cloth is stretched when worn, across and along the grain
+    cloth: str = ""  # a name in wirewarp.Cloth.presets() that stretches far enough; empty: any fabric does
+    stretch: tuple[float, float] = (0.0, 0.0)  # stretch of that fabric when worn, across and along the grain
     fairness: float = FAIRNESS  # of wirewarp.Options
-    groups: dict[str, list[int]] = field(default_factory=dict)  # vertices of parts that pieces are named after
+    groups: dict[str, list[int]] = field(default_factory=dict)  # vertices of parts that give pieces their names
 
     def triangles(self) -> np.ndarray:
-        """(m, 3) triangles; quads are cut from their first to their third corner, as Blender cuts them."""
+        """Return triangles (m, 3); quads are divided from their first to their third corner, like in Blender."""
         return np.array([(face[0], face[k], face[k + 1]) for face in self.faces for k in range(1, len(face) - 1)])
 
 
 def chain_of(edges: np.ndarray) -> list[int]:
-    """The vertices of a seam (k, 2), in their order."""
+    """Return the vertices of a seam (k, 2) in order."""
     first, *others = edges.tolist()
     if others and first[0] in others[0] and first[1] not in others[0]:
         first.reverse()
@@ -73,9 +73,9 @@ class ShapeBuilder:
         self._groups: dict[str, np.ndarray] = {}
 
     def add_points(self, points: np.ndarray) -> np.ndarray:
-        """Vertex indices of an array of points (..., 3), in an array of shape (...)."""
+        """Return vertex indices of an array of points (..., 3), in shape (...)."""
         flat = points.reshape(-1, 3)
-        # The offset keeps round coordinates (0, 0.05, ...) off the borders of the welding cells.
+        # The offset keeps round coordinates (0, 0.05, ...) away from the borders of the welding cells.
         cells = np.floor((flat + 0.3183 * WELD_DISTANCE) / WELD_DISTANCE).astype(np.int64)
         indices = []
         for point, cell in zip(flat, cells, strict=True):
@@ -86,7 +86,7 @@ class ShapeBuilder:
         return np.array(indices).reshape(points.shape[:-1])
 
     def add_grid(self, points: np.ndarray, flip: bool = False, holes: np.ndarray | None = None) -> np.ndarray:
-        """Quads between the rows of (r, c, 3) points, seen with rows upward and columns to the right unless flipped.
+        """Add quads between the rows of points (r, c, 3), with rows upward and columns to the right unless flipped.
 
         holes (r - 1, c - 1) is true where there is no quad.
         """
@@ -98,11 +98,11 @@ class ShapeBuilder:
         return grid
 
     def points(self, vertices: np.ndarray) -> np.ndarray:
-        """Positions (..., 3) of vertices (...)."""
+        """Return positions (..., 3) of vertices (...)."""
         return np.array(self._points)[vertices]
 
     def add_face(self, corners: tuple[int, ...], flip: bool = False) -> None:
-        """One triangle or quad; a quad begins at an end of its shorter diagonal, along which it will be cut."""
+        """Add one triangle or quad; a quad starts at an end of its shorter diagonal, which will divide it."""
         corners = tuple(int(c) for c in (corners[::-1] if flip else corners))
         if len(corners) == 4:
             a, b, c, d = (self._points[v] for v in corners)
@@ -111,9 +111,9 @@ class ShapeBuilder:
         self._faces.append(corners)
 
     def relax(self, share: Callable[[np.ndarray], np.ndarray], rounds: int) -> None:
-        """Moves every vertex, that share of the way, to the middle of its neighbors along edges of quads and triangles.
+        """Move every vertex by that share towards the mean of its neighbors along edges of quads and triangles.
 
-        share(points) gives (n,) numbers from 0 to 1 for (n, 3) points. Open edges stay where they are.
+        share(points) returns numbers (n,) from 0 to 1 for points (n, 3). Open edges do not move.
         """
         sides = np.concatenate([np.column_stack([face, np.roll(face, -1)]) for face in self._faces])
         edges, use = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
@@ -129,25 +129,25 @@ class ShapeBuilder:
         self._points = list(points)
 
     def add_seam(self, chain: np.ndarray) -> None:
-        """Cuts the surface along a chain of vertices."""
+        """Cut the surface along a chain of vertices."""
         self._seams.update((int(min(a, b)), int(max(a, b))) for a, b in zip(chain[:-1], chain[1:], strict=True))
 
     def add_wire(self, chain: np.ndarray, name: str, tolerance: float = 0.0) -> None:
-        """Marks a wire along a chain of vertices: rigid, or elastic with a tolerance, 0.05 for 5%."""
+        """Mark a wire along a chain of vertices: rigid, or elastic with a tolerance, 0.05 for 5%."""
         self._wires.append(Wire([int(v) for v in chain], name, tolerance))
 
     def add_ease(self, chain: np.ndarray, ratio: float) -> None:
-        """Makes one side of a chain of vertices longer: that of the faces to its left, seen from outside."""
+        """Make one side of a chain of vertices longer: the side of the faces on its left from outside."""
         self._eases.append(Ease(np.column_stack([chain[:-1], chain[1:]]), ratio))
 
     def add_group(self, vertices: np.ndarray, name: str) -> None:
-        """Pieces with these vertices get this name."""
+        """Name pieces with these vertices."""
         self._groups[name] = np.unique(vertices)
 
     def build(
         self, name: str, cloth: str = "", stretch: tuple[float, float] = (0.0, 0.0), fairness: float = FAIRNESS
     ) -> Shape:
-        """The finished surface, without the points inside holes; the rest is how it is to be flattened, see Shape."""
+        """Return the finished surface, without the points inside holes. The other arguments are fields of Shape."""
         used = np.unique(np.concatenate(self._faces))
         number = np.full(len(self._points), -1)
         number[used] = np.arange(len(used))

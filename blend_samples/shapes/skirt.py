@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A skirt gathered to its waistband: front and back are cut twice as wide at the top as the band they are sewn to."""
+"""A skirt gathered to its waistband: the tops of front and back are cut twice as wide as the band they are sewn to."""
 
 from __future__ import annotations
 
@@ -18,12 +18,14 @@ PROFILE = np.array([
     [0.520, 0.132, 0.094],  # the waist
 ])  # fmt: skip
 BAND = 0.035  # height
-GATHERS = 1.0  # of the top edge: two lengths of skirt on one of waistband
-FAIRNESS = 0.2  # a gathered edge is far too long for the cloth below it, and would run in waves with less
+GATHERS = 1.0  # of the top edge: two lengths of skirt for one of waistband
+FAIRNESS = 0.2  # a gathered edge is far too long for the fabric below it, and would become wavy with less
 
 
 def gathered_skirt(panel: int = 40, length: int = 20, band: int = 3) -> Shape:
-    """Two panels and a band, which closes behind; the counts are edges across a panel, down it and up the band."""
+    """Return two panels and a band with its opening at the back. Counts are edges across a panel, down it and up the
+    band.
+    """
     builder = ShapeBuilder()
     waist = PROFILE[-1, 0]
     heights = np.linspace(0, waist, length + 1)
@@ -42,7 +44,9 @@ def gathered_skirt(panel: int = 40, length: int = 20, band: int = 3) -> Shape:
 
 
 def _rings(heights: np.ndarray, radii: np.ndarray, edges: int) -> np.ndarray:
-    """(r, edges + 1, 3) points of closed ellipses with radii (r, 2) at heights (r,), from the left over the back."""
+    """Return points (r, edges + 1, 3) of closed ellipses with radii (r, 2) at heights (r,), from the left over the
+    back.
+    """
     turn = np.linspace(0, 2 * np.pi, edges + 1)
     x, y = radii[:, :1] * np.cos(turn), radii[:, 1:] * np.sin(turn)
     points = np.stack([x, y, np.broadcast_to(heights[:, None], x.shape)], axis=-1)

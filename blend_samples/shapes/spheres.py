@@ -15,7 +15,9 @@ BALL_RADIUS = 0.11  # a football
 
 
 def quarter_sphere(segments: int = 28, cap: float = np.radians(20)) -> Shape:
-    """A quarter of a sphere less its tips (cap: their polar angle), with its middle meridian and the arc across it."""
+    """Return a quarter sphere without its tips (cap: their polar angle), with its middle meridian and the arc across
+    it.
+    """
     builder = ShapeBuilder()
     polar = np.linspace(np.pi - cap, cap, 2 * segments + 1)[:, None]
     longitude = np.linspace(-np.pi / 4, np.pi / 4, segments + 1)[None, :]
@@ -30,7 +32,7 @@ def quarter_sphere(segments: int = 28, cap: float = np.radians(20)) -> Shape:
 
 
 def ball(rows: int = 17, gores: int = 6) -> Shape:
-    """A ball sewn from gores; its equator is one closed wire through all of them."""
+    """Return a ball sewn from gores; its equator is one closed wire through all of them."""
     builder = ShapeBuilder()
     equator = []
     for gore in range(gores):
@@ -48,6 +50,6 @@ def _hemisphere(radius: float, rows: int, pole: int) -> Callable[[int, np.ndarra
 
 
 def _direction(polar: np.ndarray | float, longitude: np.ndarray) -> np.ndarray:
-    """Unit vectors (..., 3) at polar angles from +z and longitudes."""
+    """Return unit vectors (..., 3) at polar angles from +z and longitudes."""
     x, y = np.sin(polar) * np.cos(longitude), np.sin(polar) * np.sin(longitude)
     return np.stack(np.broadcast_arrays(x, y, np.cos(polar)), axis=-1)

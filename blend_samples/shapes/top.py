@@ -13,13 +13,13 @@ NECK_DEPTH = {1: 0.40, -1: 0.12}  # of the neckline's middle, in v between shoul
 CUFF_CENTER = np.array([0.285, 0.005, 0.385])
 CUFF_RADII = np.array([0.058, 0.064])  # along the sleeve's underarm-to-shoulder direction, and front to back
 ARM = np.array([0.76, 0.0, -0.65]) / np.hypot(0.76, 0.65)  # direction of the left arm
-CAP_FULLNESS = 0.16  # how far the sleeve leaves the armhole before it bends to the arm
+CAP_FULLNESS = 0.16  # distance over which the sleeve leaves the armhole straight before it bends to the arm
 
 
 def fitted_top(
     shoulder: int = 8, neck: int = 16, hem: int = 11, ribs: int = 10, side: int = 4, armhole: int = 14, sleeve: int = 12
 ) -> Shape:
-    """The top with its bust, waist and upper-arm lines and middle lines; the counts are edges along each stretch."""
+    """Return the top with its bust, waist, upper-arm and middle lines; the counts are edges along each section."""
     builder = ShapeBuilder()
     bust, underarm, columns = hem + ribs, hem + ribs + side, 2 * shoulder + neck
     grids, armholes = {}, {}
@@ -48,14 +48,16 @@ def fitted_top(
 
 
 def _lower_rows(half: int, hem: int, ribs: int, columns: int) -> np.ndarray:
-    """(hem + ribs + 1, columns + 1, 2) longitudes and v of level rows from the hip over the waist to the bust."""
+    """Return longitudes and v (hem + ribs + 1, columns + 1, 2) of level rows from the hip over the waist to the
+    bust.
+    """
     heights = np.concatenate([np.linspace(0, torso.WAIST, hem + 1), np.linspace(torso.WAIST, torso.BUST, ribs + 1)[1:]])
     levels = [torso.v_at_height(z) for z in heights]
     return np.array([bodice.level_row(torso.Half(half), v, -np.pi / 2, np.pi / 2, columns) for v in levels])
 
 
 def _upper_block(half: int, bust: np.ndarray, shoulder: int, neck: int, side: int, armhole: int) -> np.ndarray:
-    """Longitudes and v of the rows from the bust line up to shoulders and neckline, between the armholes."""
+    """Return longitudes and v of the rows from the bust line up to shoulders and neckline, between the armholes."""
     body = torso.Half(half)
     stub = np.linspace(bust[-1], [np.pi / 2, torso.UNDERARM_V], side + 1)
     left = np.concatenate([stub[:-1], bodice.evenly(body, bodice.armhole(half), armhole)])
@@ -63,7 +65,7 @@ def _upper_block(half: int, bust: np.ndarray, shoulder: int, neck: int, side: in
 
 
 def _sleeve(armhole: np.ndarray, rows: int) -> np.ndarray:
-    """(rows + 1, c, 3) points of the left sleeve from the armhole, begun and ended at the underarm, to the cuff."""
+    """Return points (rows + 1, c, 3) of the left sleeve from the armhole, closed at the underarm, to the cuff."""
     half = len(armhole) // 2
     angle = np.concatenate(
         [np.pi * chord_lengths(armhole[: half + 1]), np.pi * (1 + chord_lengths(armhole[half:])[1:])]

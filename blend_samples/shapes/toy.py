@@ -17,12 +17,12 @@ BODY = np.array([
 HEAD = np.array([
     [0.038, 0.130], [0.054, 0.139], [0.071, 0.161], [0.076, 0.187], [0.068, 0.216], [0.042, 0.237], [0.000, 0.244],
 ])  # fmt: skip
-DEPTH = 0.94  # front to back against side to side
+DEPTH = 0.94  # front to back over side to side
 SNOUT = np.array([0.0, -0.072, 0.176])
 SNOUT_RISE, SNOUT_SIZE = 0.017, 0.034
 GORES, FAN_ROWS = 6, 8
 COLUMNS = GORES * FAN_ROWS
-FIRST_LONGITUDE = np.radians(150)  # of column 0; 0 is the front and 90 degrees the left, where the arm's seam is
+FIRST_LONGITUDE = np.radians(150)  # of column 0; 0 is the front and 90 degrees the left, with the arm's seam
 FRONT, LEFT_LEG, LEFT_ARM, RIGHT_ARM, RIGHT_LEG = 28, 32, 40, 16, 24  # columns
 ARM_CENTER, ARM_AXIS, ARM_RADIUS = np.array([0.120, -0.020, 0.080]), np.array([0.90, -0.32, -0.28]), 0.018
 LEG_CENTER, LEG_AXIS, LEG_RADIUS = np.array([0.066, -0.118, 0.027]), np.array([0.36, -0.93, 0.02]), 0.027
@@ -32,7 +32,7 @@ TOLERANCE = 0.05
 
 
 def toy(body_rows: int = 15, head_rows: int = 14, limb_rows: int = 9, ear_rows: int = 6) -> Shape:
-    """The bear with elastic lines round belly, head, arms and legs and down the middle of the front."""
+    """Return the bear with elastic lines around belly, head, arms and legs and down the middle of the front."""
     builder = ShapeBuilder()
     legs = [Hole(1, column, 4, 2) for column in (LEFT_LEG, RIGHT_LEG)]
     arms = [Hole(body_rows - 7, column, 4, 2) for column in (LEFT_ARM, RIGHT_ARM)]
@@ -64,11 +64,11 @@ def toy(body_rows: int = 15, head_rows: int = 14, limb_rows: int = 9, ear_rows: 
 def _add_trunk(
     builder: ShapeBuilder, outline: np.ndarray, rows: int, holes: list[Hole], pole_first: bool
 ) -> np.ndarray:
-    """Body or head; returns the grid (rows + 1, COLUMNS + 1) between the fan round its pole and the neck."""
+    """Add body or head. Return the grid (rows + 1, COLUMNS + 1) between the fan around its pole and the neck."""
     if not pole_first:
         outline = outline[::-1]
     profile = cubic_spline(chord_lengths(outline), outline)
-    share = FAN_ROWS / (FAN_ROWS + rows * 1.12)  # of the profile's length that the fan covers
+    share = FAN_ROWS / (FAN_ROWS + rows * 1.12)  # share of the profile's length that the fan covers
     fan_at = even_parameters(profile, 0.0, share, FAN_ROWS)
     grid_at = even_parameters(profile, share, 1.0, rows)
     for gore in range(GORES):
@@ -93,7 +93,7 @@ def _add_trunk(
 
 
 def _around(profile_point: np.ndarray, longitudes: np.ndarray) -> np.ndarray:
-    """Points at longitudes of one height, with the snout."""
+    """Return points at longitudes of one height, with the snout."""
     radius, height = profile_point
     x, y = radius * np.sin(longitudes), -radius * DEPTH * np.cos(longitudes)
     points = np.stack([x, y, np.full_like(x, height)], axis=-1)
@@ -102,7 +102,7 @@ def _around(profile_point: np.ndarray, longitudes: np.ndarray) -> np.ndarray:
 
 
 def _add_ear(builder: ShapeBuilder, left_loop: np.ndarray, rows: int, mirror: int) -> None:
-    """Two halves between the hole's border and a round rim, sewn together along the rim."""
+    """Add two halves between the hole's border and a round edge along which they are sewn together."""
     half = len(left_loop) // 2
     bottom, top = left_loop[0], left_loop[half]
     along = (top - bottom) / np.linalg.norm(top - bottom)

@@ -10,7 +10,7 @@ from .curves import coons_patch, cubic_spline
 from .shape import Shape, ShapeBuilder
 
 NECK_DEPTH = {1: 0.17, -1: 0.05}  # of the neckline's middle, in v between shoulder line and underarm
-# Longitudes of the side panels' seams at hem, waist and bust line; they end in the armhole.
+# Longitudes of the side panels' seams at hem, waist and bust line; the seams end in the armhole.
 SEAM_LONGITUDES = {1: np.radians([57, 55, 59]), -1: np.radians([59, 57, 61])}
 TOLERANCE = 0.05
 
@@ -18,9 +18,10 @@ TOLERANCE = 0.05
 def wetsuit_upper_body(
     shoulder: int = 7, neck: int = 14, hem: int = 12, ribs: int = 11, stub: int = 5, under: int = 5, armhole: int = 13
 ) -> Shape:
-    """The suit with rigid bust and waist lines and elastic lines down front and back and round the ribs.
+    """Return the suit with rigid bust and waist lines and elastic lines down front and back and around the ribs.
 
-    The counts are edges along each stretch; an armhole has under of them below each side panel's seam, armhole above.
+    The counts are edges along each section; an armhole has `under` of them below each side panel's seam, `armhole`
+    above.
     """
     builder = ShapeBuilder()
     columns, bust = 2 * shoulder + neck, hem + ribs
@@ -59,7 +60,7 @@ def wetsuit_upper_body(
 
 
 def _seam(half: int, hem: int, ribs: int, stub: int, under: int, armhole: int) -> np.ndarray:
-    """(hem + ribs + stub + 1, 2) longitudes and v of the side panel's seam from the hem up to the armhole."""
+    """Return longitudes and v (hem + ribs + stub + 1, 2) of the side panel's seam from the hem up to the armhole."""
     end = bodice.evenly(torso.Half(half), bodice.armhole(half), armhole)[under]
     knots = [0.0, torso.v_at_height(torso.WAIST), torso.v_at_height(torso.BUST), end[1]]
     curve = cubic_spline(knots, [*SEAM_LONGITUDES[half], end[0]])
@@ -74,7 +75,7 @@ def _seam(half: int, hem: int, ribs: int, stub: int, under: int, armhole: int) -
 def _panel(
     half: int, seam: np.ndarray, bust: int, stub: int, under: int, armhole: int, shoulder: int, neck: int
 ) -> np.ndarray:
-    """(bust + stub + armhole + 1, c, 2) longitudes and v of the front or back between the side panels."""
+    """Return longitudes and v (bust + stub + armhole + 1, c, 2) of the front or back between the side panels."""
     body = torso.Half(half)
     columns = 2 * shoulder + neck
     rows = np.array([bodice.level_row(body, v, -phi, phi, columns) for phi, v in seam[: bust + 1]])
@@ -84,7 +85,9 @@ def _panel(
 
 
 def _side(half: int, seam: np.ndarray, bust: int, stub: int, under: int, armhole: int) -> np.ndarray:
-    """(bust + stub + 1, under + 1, 2) longitudes and v of a side panel's half, from its seam to under the arm."""
+    """Return longitudes and v (bust + stub + 1, under + 1, 2) of a side panel's half, from its seam to under the
+    arm.
+    """
     body = torso.Half(half)
     rows = np.array([bodice.level_row(body, v, phi, np.pi / 2, under) for phi, v in seam[: bust + 1]])
     top = bodice.evenly(body, bodice.armhole(half), under + armhole)[under::-1]

@@ -7,7 +7,7 @@ from pathlib import Path
 from PIL import Image
 
 COLORS = 96  # keeps the file below 2 MB; the colors of stretch stay smooth
-FRAME, LAST = 60, 2500  # milliseconds that a frame, and the last one, is shown
+FRAME, LAST = 60, 2500  # display time of a frame, and of the last one, in milliseconds
 
 
 def main() -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Crops pictures and makes their files small: shrink_pictures.py FROM TO. Needs Pillow.
+"""Crops pictures and reduces their files: shrink_pictures.py FROM TO. Needs Pillow.
 
-Beside FROM/NAME.png, NAME.json names the part to keep: left, top, right, bottom; without it all is kept.
+Beside FROM/NAME.png, NAME.json names the part to keep: left, top, right, bottom; without it the picture is not cropped.
 """
 
 import json
@@ -19,7 +19,7 @@ def shrink(source: Path, target: Path) -> None:
     if part.exists():
         picture = picture.crop(json.loads(part.read_text()))
     palette = picture.quantize(COLORS, method=Image.Quantize.MEDIANCUT, kmeans=4)
-    few = picture.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)  # scales of colors stay smooth
+    few = picture.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)  # color scales remain smooth
     few.save(target, optimize=True)
     print(f"{target.name}: {few.width} x {few.height}, {target.stat().st_size / 1000:.0f} kB")
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pictures of the pages, by tours through Blender's window with the sample fitted top. See tools/pictures.py."""
+"""Takes the pictures of the pages, by tours through Blender's window with the sample fitted top. See
+tools/pictures.py.
+"""
 
 import json
 import os
@@ -14,11 +16,11 @@ from mathutils import Euler, Vector
 
 SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "fitted_top.blend"
 PANEL = "VIEW3D_PT_wirewarp_"
-MODEL, PIECES, BOTH = 480, 420, 110  # pixels at the left of the view, beside what is shown, that pictures leave out
+MODEL, PIECES, BOTH = 480, 420, 110  # pixels on the left of the view that pictures leave out
 
 
 def open_sample(*opened: str) -> drive.Tour:
-    """The sample in a window that is all 3D view; only these panels of ours are open (the first at once)."""
+    """Open the sample in a window with only a 3D view and only these panels of ours open (the first at once)."""
     panels = [cls for cls in wirewarp_addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
     for panel in panels:
         bpy.utils.unregister_class(panel)
@@ -67,13 +69,13 @@ def look_at_both() -> drive.Tour:
 
 
 def hide_others() -> None:
-    """All objects but the active one."""
+    """Hide all objects except the active one."""
     for each in bpy.context.view_layer.objects:
         each.hide_set(each != bpy.context.view_layer.objects.active)
 
 
 def select_edges(wanted: Callable[[Vector, Vector], bool]) -> None:
-    """In Edit Mode, those with such ends."""
+    """Select edges with such ends in Edit Mode."""
     source = bpy.context.view_layer.objects.active
     with drive.in_view():
         if source.mode != "EDIT":
@@ -95,24 +97,24 @@ def flatten() -> drive.Tour:
 
 
 def park_mouse() -> drive.Tour:
-    """Where it lights up no button."""
+    """Move the mouse to where it highlights no button."""
     region = drive.region("WINDOW")
     drive.send("MOUSEMOVE", "NOTHING", (region.x + 40, region.y + 40))
     yield from drive.ticks(10)
 
 
 def take_picture(name: str, left: int) -> drive.Tour:
-    """NAME.png, and in NAME.json the part of it to keep: left, top, right, bottom in pixels from the top left."""
+    """Write NAME.png, and NAME.json with the part to keep: left, top, right, bottom in pixels from the top left."""
     yield from park_mouse()
     drive.screenshot(name)
     area, height = drive.view_area(), bpy.context.window_manager.windows[0].height
     top = height - area.y - area.height
-    box = (area.x + left, top + 1, area.x + area.width, top + area.height - 1)  # without the line around it
+    box = (area.x + left, top + 1, area.x + area.width, top + area.height - 1)  # without its border
     (Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.json").write_text(json.dumps(box))
 
 
 def mark() -> drive.Tour:
-    """A hip line, just marked as elastic."""
+    """Show a hip line that was just marked as elastic."""
     yield from open_sample("mark", "wires")
     hip = near_level(0.11)
     select_edges(lambda a, b: max(abs(a.z - hip), abs(b.z - hip)) < 0.001)
@@ -126,7 +128,7 @@ def mark() -> drive.Tour:
 
 
 def near_level(height: float) -> float:
-    """The height of the mesh line nearest to this height."""
+    """Return the height of the mesh line nearest to this height."""
     return min((vertex.co.z for vertex in bpy.context.object.data.vertices), key=lambda z: abs(z - height))
 
 
@@ -146,7 +148,7 @@ def report() -> drive.Tour:
 
 
 def suggest() -> drive.Tour:
-    """Darts for the front, of which the first are chosen."""
+    """Show darts for the front, with the first ones chosen."""
     yield from open_sample("flatten", "suggestions")
     yield from flatten()
     with drive.in_view():
@@ -157,11 +159,11 @@ def suggest() -> drive.Tour:
 
 
 def tube() -> drive.Tour:
-    """A sleeve whose seam has been forgotten."""
+    """Show a sleeve without its seam."""
     yield from open_sample("flatten", "report")
     clear_sleeve_seam(bpy.context.object.data)
     yield from flatten()
-    hide_others()  # the view from below looks through them
+    hide_others()  # they would block the view from below
     look(Euler((2.0, 0.0, -0.4)))
     view = drive.view_area().spaces.active.region_3d
     view.view_location, view.view_distance = (0.02, 0.0, 0.27), 1.2
@@ -170,7 +172,7 @@ def tube() -> drive.Tour:
 
 
 def clear_sleeve_seam(mesh: bpy.types.Mesh) -> None:
-    """Of the left sleeve, from the cuff to the armhole."""
+    """Clear the seam of the left sleeve from the cuff to the armhole."""
     edit = bmesh.new()
     edit.from_mesh(mesh)
     cuff = max((v for v in edit.verts if v.is_boundary and seams_at(v)), key=lambda vertex: vertex.co.x)
@@ -187,7 +189,7 @@ def seams_at(vertex: bmesh.types.BMVert) -> list[bmesh.types.BMEdge]:
 
 
 def contradiction() -> drive.Tour:
-    """All mesh lines of one breast rigid, with the diagonals of its faces."""
+    """Make all mesh lines of one breast rigid, with the diagonals of its faces."""
     yield from open_sample("flatten", "report")
     vertices = bpy.context.object.data.vertices
     peak = min((v.co.copy() for v in vertices if v.co.x > 0), key=lambda place: place.y)
@@ -220,7 +222,7 @@ def pieces() -> drive.Tour:
 
 
 def show_pieces_from_above() -> drive.Tour:
-    """Alone, and chosen."""
+    """Show only them, selected."""
     source = bpy.context.object
     flat_pieces = bpy.data.objects["Fitted top Flat"]
     source.hide_set(True)
@@ -234,7 +236,7 @@ def show_pieces_from_above() -> drive.Tour:
 
 
 def allowance() -> drive.Tour:
-    """30 mm at the hem, and 20 mm on the sleeves' side of the armholes, just marked on the pieces."""
+    """Mark 30 mm at the hem, and 20 mm on the sleeves' side of the armholes, on the pieces."""
     yield from open_sample("flatten", "mark", "export")
     bpy.context.scene.wirewarp.spacing = 70.0
     yield from flatten()

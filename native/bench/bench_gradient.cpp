@@ -14,7 +14,7 @@ namespace {
 constexpr double kHeight = 0.01;
 constexpr double kVariation = 1e-4;  // of the lengths
 
-/// A warp that has been used once, so that all that is done once is done.
+/// A warp that has been used once, so that one-time work is done.
 struct BenchWarp {
   explicit BenchWarp(const benchmark::State& state)
       : sheet(state, kHeight),

@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// The sheet as the core holds it; triangles and wires are the first two arguments of a benchmark.
+/// The sheet as a chart; triangles and wires are the first two arguments of a benchmark.
 struct BenchSheet {
   explicit BenchSheet(const benchmark::State& state, double height = 0.3)
       : input(bumpy_sheet(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), 0, height)),

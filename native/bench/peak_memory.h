@@ -6,7 +6,7 @@ namespace wirewarp {
 /// Starts a new measurement of the peak of this process's resident memory (Linux).
 void reset_peak_memory();
 
-/// The peak since then, megabytes.
+/// Returns the peak since then, megabytes.
 double peak_memory_mb();
 
 }  // namespace wirewarp
