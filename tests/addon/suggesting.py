@@ -3,6 +3,7 @@
 
 import bpy
 import numpy as np
+from surfaces import read
 
 SUGGEST = {"DARTS": bpy.ops.object.wirewarp_suggest_darts, "SEAMS": bpy.ops.object.wirewarp_suggest_seams}
 
@@ -13,3 +14,15 @@ def found(addon, source):
 
 def pairs(edges):
     return {(min(edge), max(edge)) for edge in np.asarray(edges).tolist()}
+
+
+def needed(addon, source):
+    """The stretch that 99% of the worst piece stays below, when the model is flattened as it is now."""
+    bpy.ops.object.wirewarp_flatten()
+    return max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
+
+
+def are_mirrored(source, edges):
+    """Whether the edges are their own mirror image across x = 0."""
+    middles = read(source.data.vertices, "co", np.float32, 3)[np.array(edges)].mean(axis=1).round(4)
+    return {tuple(middle) for middle in middles.tolist()} == {(-x, y, z) for x, y, z in middles.tolist()}

@@ -10,6 +10,7 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
+from mathutils import Vector
 
 # The legacy add-on, and the extension in Blender's repository for local files.
 MODULE_NAMES = ("wirewarp_addon", "bl_ext.user_default.wirewarp")
@@ -181,3 +182,10 @@ def tube(name="Tube", sides=16, rows=6, place=0.0, length=3.0):
         for k in range(sides)
     ]
     return make_object(name, vertices, faces)
+
+
+def world_box(target: bpy.types.Object) -> np.ndarray:
+    """(2,2) from above: the lowest and the highest corner in the world."""
+    bpy.context.view_layer.update()
+    corners = np.array([(target.matrix_world @ Vector(corner))[:2] for corner in target.bound_box])
+    return np.array([corners.min(axis=0), corners.max(axis=0)])

@@ -5,11 +5,11 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from suggesting import SUGGEST, found, pairs
+from suggesting import SUGGEST, are_mirrored, found, needed, pairs
 from surfaces import bump, grid, mark, mark_seam, on_line, read
 from test_proposals import seams_of
 from test_suggested_sets import ball
-from test_suggestions import two_hills, widespread
+from test_suggestions import two_hills
 
 
 @pytest.fixture
@@ -23,7 +23,7 @@ def settings():
 @pytest.mark.parametrize("row", [0, 1])
 def test_a_row_is_marked_with_all_before_it_and_leaves_what_it_says(addon, settings, row):
     source = grid("Bump", bump, size=6, faces="triangles")
-    before = widespread(addon, source)
+    before = needed(addon, source)
     SUGGEST["DARTS"]()
     first, second = found(addon, source).cuts
     assert found(addon, source).chosen == 1 and first.strain_before == pytest.approx(before, rel=1e-5)
@@ -37,7 +37,7 @@ def test_a_row_is_marked_with_all_before_it_and_leaves_what_it_says(addon, setti
     assert {tuple(end) for end in ends.tolist()} == {tuple(place) for place in places.tolist()}
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert pairs(seams_of(source)) == pairs(chosen.edges)
-    assert widespread(addon, source) == pytest.approx(chosen.strain, rel=1e-5)  # single precision
+    assert needed(addon, source) == pytest.approx(chosen.strain, rel=1e-5)  # single precision
 
 
 def test_seams_divide_the_piece_and_its_parts(addon, settings):
@@ -74,8 +74,7 @@ def test_mirror_images_are_one_row(addon, settings):
     SUGGEST["DARTS"]()
     (cut,) = found(addon, source).cuts
     assert len(cut.lengths) == 2
-    middles = read(source.data.vertices, "co", np.float32, 3)[np.array(cut.edges)].mean(axis=1).round(4)
-    assert {tuple(middle) for middle in middles.tolist()} == {(-x, y, z) for x, y, z in middles.tolist()}
+    assert are_mirrored(source, cut.edges)
     assert "2 darts: " in draw_panels(addon)
 
 

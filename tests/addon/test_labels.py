@@ -7,7 +7,8 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Matrix
-from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line, read, select_only
+from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line
+from two_sided import made
 
 HEIGHT, LETTER = 10.0, 6.0  # pixels
 
@@ -63,15 +64,12 @@ def test_a_name_at_the_edge_is_not_hidden_by_the_toolbar(addon):
     assert (below_toolbar, free) == (20 - width / 2, 175 - width / 2)
 
 
-def test_what_is_selected_is_written_on_the_smallest_piece(addon):
-    assert written(addon, label(addon, "Seam 4", room=1.0)) == []
-    assert written(addon, label(addon, "Seam 4", room=1.0, selected=True)) == ["Seam 4"]
-
-
-def test_a_seam_says_what_it_joins_where_there_is_room(addon):
+def test_a_seam_says_what_it_joins_where_there_is_room_and_what_is_selected_is_written_anywhere(addon):
     texts = ("Seam 4: Left sleeve", "Seam 4")
     assert written(addon, label(addon, *texts, room=400.0)) == [texts[0]]
     assert written(addon, label(addon, *texts, room=120.0)) == [texts[1]]
+    assert written(addon, label(addon, *texts, room=1.0)) == []
+    assert written(addon, label(addon, "Seam 4", room=1.0, selected=True)) == ["Seam 4"]
 
 
 @pytest.fixture
@@ -101,13 +99,15 @@ def arrows(addon, source, kind):
     return corners[:, 1, :2] - corners[:, 0, :2]
 
 
-def test_a_grain_arrow_stands_upright_on_every_piece(addon, source):
+def angles(addon, source):
+    """Of the arrows on pieces without a grain wire, in degrees."""
     found = arrows(addon, source, "default grain")
-    assert len(found) == 2
-    assert np.allclose(found[:, 0], 0, atol=1e-5) and np.all(found[:, 1] > 0.1)
+    assert np.all(np.linalg.norm(found, axis=1) > 0.1)
+    return np.degrees(np.arctan2(found[:, 1], found[:, 0]))
 
 
-def test_arrows_lie_inside_their_pieces(addon, source):
+def test_an_upright_grain_arrow_lies_inside_every_piece(addon, source):
+    assert angles(addon, source) == pytest.approx([90, 90], abs=1e-3)
     lines = drawn(addon, flat_of(source)).places
     outline = np.concatenate([lines["seam"], lines["outline"]])
     for corners in lines["default grain"].reshape(2, -1, 3):
@@ -123,41 +123,23 @@ def test_arrows_are_bold_where_the_grain_wire_runs(addon, source):
     assert (len(arrows(addon, source, "grain")), len(arrows(addon, source, "default grain"))) == (1, 1)
 
 
-def test_arrows_turn_with_their_pieces(addon, source):
-    flat = flat_of(source)
-    flat.data.transform(Matrix.Rotation(math.radians(30), 4, "Z"))
+def test_arrows_turn_with_their_pieces_and_so_does_the_grain_on_paper(addon, source):
+    flat_of(source).data.transform(Matrix.Rotation(math.radians(30), 4, "Z"))
     bpy.context.view_layer.update()
-    for arrow in arrows(addon, source, "default grain"):
-        assert math.degrees(math.atan2(arrow[1], arrow[0])) == pytest.approx(120, abs=0.1)
-    flatten(source)  # pieces stay rotated, and so does their grain
-    for arrow in arrows(addon, source, "default grain"):
-        assert math.degrees(math.atan2(arrow[1], arrow[0])) == pytest.approx(120, abs=0.1)
-
-
-def test_on_paper_the_grain_turns_with_the_piece_too(addon, source):
-    flat = flat_of(source)
-    flat.data.transform(Matrix.Rotation(math.radians(30), 4, "Z"))
-    bpy.context.view_layer.update()
-    choices = addon.export.export.PatternChoices(10.0, 100.0, "close")
-    for piece in addon.solve.steps.in_one_go(
-        addon.export.read.read_pattern(bpy.context.scene, source).making(choices)
-    ).pieces:
+    assert angles(addon, source) == pytest.approx([120, 120], abs=0.1)
+    for piece in made(addon, addon.export.read.read_pattern(bpy.context.scene, source)).pieces:
         (line,) = piece.of_role("grain")
         way = line.points[1] - line.points[0]
         assert math.degrees(math.atan2(way[1], way[0])) == pytest.approx(120, abs=0.1)
+    flatten(source)  # pieces stay rotated
+    assert angles(addon, source) == pytest.approx([120, 120], abs=0.1)
 
 
-def test_pieces_whose_record_was_changed_have_no_arrows(addon, source):
-    flat_of(source).data["wirewarp_flat"] += " "
-    assert len(arrows(addon, source, "default grain")) == 0
-
-
-def test_arrows_survive_vertices_that_are_gone(addon, source):
+def test_pieces_whose_record_was_changed_or_that_are_gone_have_no_arrows(addon, source):
     flat = flat_of(source)
-    select_only(flat)
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.delete(type="VERT")
-    bpy.ops.object.mode_set(mode="OBJECT")
-    assert len(read(flat.data.vertices, "co", np.float32, 3)) == 0
+    flat.data["wirewarp_flat"] += " "
+    assert len(arrows(addon, source, "default grain")) == 0
+    flatten(source)
+    assert len(arrows(addon, source, "default grain")) == 2
+    flat.data.clear_geometry()
     assert len(arrows(addon, source, "default grain")) == 0

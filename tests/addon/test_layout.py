@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The placement of pieces: packed or in a row, and which direction is up."""
+"""The placement of pieces: packed or in a row, apart from each other and from models, and which direction is up."""
 
 import bpy
 import numpy as np
@@ -18,7 +18,10 @@ from surfaces import (
     on_line,
     read,
     select_edges,
+    select_only,
+    world_box,
 )
+from two_sided import select_side
 
 
 def difference(source, a, b):
@@ -32,18 +35,24 @@ def direction_of(source, a, b):
     return along / np.linalg.norm(along)
 
 
+def boxes_of(source):
+    """Return the lowest and the highest corner of each piece."""
+    flat, places = flat_of(source).data, flat_places(source)
+    pieces = read(flat.attributes["piece"].data, "value", np.int32)
+    own = [
+        places[[vertex for face in np.flatnonzero(pieces == piece) for vertex in flat.polygons[face].vertices]]
+        for piece in range(pieces.max() + 1)
+    ]
+    return [(each.min(axis=0), each.max(axis=0)) for each in own]
+
+
 def test_one_row_stands_on_a_line():
     source = grid("Bump", bump)
     for line in (-0.5, 0.0, 0.5):
         mark_seam(source, on_line(0, line))
     flatten(source, layout_kind="ROW")
-    flat = flat_of(source).data
-    places, pieces = flat_places(source), read(flat.attributes["piece"].data, "value", np.int32)
-    boxes = []
-    for piece in range(4):
-        own = places[[v for face in np.flatnonzero(pieces == piece) for v in flat.polygons[face].vertices]]
-        boxes.append((own.min(axis=0), own.max(axis=0)))
-    assert [box[0][1] for box in boxes] == pytest.approx([0] * 4, abs=1e-6)
+    boxes = boxes_of(source)
+    assert len(boxes) == 4 and [box[0][1] for box in boxes] == pytest.approx([0] * 4, abs=1e-6)
     assert all(left[1][0] < right[0][0] for left, right in zip(boxes[:-1], boxes[1:], strict=True))
     flatten(source)  # another layout moves them, whatever Keep Places is
     assert np.ptp(flat_places(source)[:, 0]) < 1.6 * np.ptp(flat_places(source)[:, 1])
@@ -68,14 +77,6 @@ def edge_of_wire(source, ends):
     )
 
 
-@pytest.mark.parametrize("ends", [ALONG_X, ALONG_Y])
-def test_the_grain_wire_stands_upright(ends):
-    source = two_wires()
-    bpy.ops.mesh.wirewarp_grain_wire(edge=edge_of_wire(source, ends))
-    flatten(source)
-    assert abs(direction_of(source, *ends)[1]) == pytest.approx(1, abs=1e-4)
-
-
 def test_a_chosen_grain_wire_moves_pieces_that_were_laid_out_otherwise_and_can_be_taken_back():
     source = two_wires()
     flatten(source)
@@ -87,6 +88,9 @@ def test_a_chosen_grain_wire_moves_pieces_that_were_laid_out_otherwise_and_can_b
     assert abs(direction_of(source, *other)[1]) == pytest.approx(1, abs=1e-4)
     bpy.ops.mesh.wirewarp_grain_wire(edge=edge)
     assert source.data.wirewarp_grain == 0
+    flatten(source)
+    assert abs(direction_of(source, *upright)[1]) == pytest.approx(1, abs=1e-4)
+    bpy.ops.mesh.wirewarp_grain_wire(edge=edge_of_wire(source, upright))
     flatten(source)
     assert abs(direction_of(source, *upright)[1]) == pytest.approx(1, abs=1e-4)
 
@@ -109,6 +113,9 @@ def test_of_a_wire_and_its_copy_the_one_chosen_is_the_grain_wire(mode):
 
 def test_a_grain_wire_that_is_gone_counts_as_none():
     source = two_wires()
+    with pytest.raises(RuntimeError):
+        bpy.ops.mesh.wirewarp_grain_wire(edge=0)  # which is no wire
+    assert source.data.wirewarp_grain == 0
     source.data.wirewarp_grain = 12345
     flatten(source)
     assert max(abs(direction_of(source, *ends)[1]) for ends in (ALONG_X, ALONG_Y)) == pytest.approx(1, abs=1e-4)
@@ -135,8 +142,88 @@ def test_world_up_and_the_longest_straight_edge():
     assert abs(direction_of(source, *longest)[1]) == pytest.approx(1, abs=1e-4)
 
 
-def test_a_wire_that_is_not_there_cannot_be_chosen():
-    source = two_wires()
-    with pytest.raises(RuntimeError):
-        bpy.ops.mesh.wirewarp_grain_wire(edge=0)
-    assert source.data.wirewarp_grain == 0
+def test_models_flattened_together_have_their_pieces_at_one_height_and_under_none_of_them():
+    """A small model, a tall one on its right, and one that hovers where the pieces of the first would be."""
+    models = [grid(name, bump) for name in ("Left", "Tall", "Hovering")]
+    for model, place in zip(models, [(0, 0, 0), (7, 0, -1), (3.5, 0, 4)], strict=True):
+        model.location = place
+    models[1].scale = (1, 1, 3)
+    select_only(*models)
+    bpy.ops.object.wirewarp_flatten()
+    flats = [flat_of(model) for model in models]
+    assert len({round(flat.location.z, 5) for flat in flats}) == 1
+    boxes = [world_box(each) for each in (*models, *flats)]
+    for flat in boxes[3:]:
+        assert not any(np.all((flat[0] < other[1]) & (other[0] < flat[1])) for other in boxes if other is not flat)
+
+
+def gap_of_two(size, meters, mark_widths=lambda _: None):
+    """Return the space between two pieces 50 mm apart, in meters. mark_widths: marks allowances on the model."""
+    bpy.context.scene.unit_settings.scale_length = meters
+    source = grid("Plane", lambda x, y: (size * x, size * y, 0))
+    mark_seam(source, on_line(0, 0.0))
+    mark_widths(source)
+    flatten(source, spacing=50.0)
+    (low, high), (other_low, other_high) = boxes_of(source)
+    apart = np.maximum(other_low - high, low - other_high).max()
+    return apart * meters
+
+
+@pytest.mark.parametrize(("size", "meters"), [(0.5, 1.0), (4.0, 1.0), (500.0, 0.001)])
+def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, meters):
+    """It is the distance of the cutting lines, which are 10 mm outside the pieces here."""
+    assert gap_of_two(size, meters) == pytest.approx(0.05 + 2 * 0.01, abs=1e-5)
+
+
+def mark_everywhere(source):
+    """Mark 40 mm on all edges."""
+    widths = source.data.attributes.new("wirewarp_allowance", "FLOAT", "EDGE")
+    widths.data.foreach_set("value", np.full(len(source.data.edges), 0.04, dtype=np.float32))
+
+
+def mark_one_side(source):
+    """Mark 40 mm on one side of the seam."""
+    flatten(source, spacing=50.0)
+    select_side(source, -1)
+    assert bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=40.0) == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.data.objects.remove(flat_of(source))  # otherwise its pieces would keep their places
+    select_only(source)
+
+
+def mark_one_side_and_clear_it(source):
+    mark_one_side(source)
+    select_edges(source, on_line(0, 0.0))
+    assert bpy.ops.mesh.wirewarp_allowance(kind="DEFAULT") == {"FINISHED"}
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def mark_what_is_no_seam_any_more(source):
+    select_edges(source, on_line(1, 0.0))
+    bpy.ops.mesh.mark_seam()
+    assert bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=40.0) == {"FINISHED"}
+    bpy.ops.mesh.mark_seam(clear=True)
+    bpy.ops.object.mode_set(mode="OBJECT")
+
+
+@pytest.mark.parametrize(
+    ("mark_widths", "widest"),
+    [
+        (mark_everywhere, 0.04),
+        (mark_one_side, 0.04),
+        (mark_one_side_and_clear_it, 0.01),
+        (mark_what_is_no_seam_any_more, 0.01),
+    ],
+)
+def test_the_gap_counts_from_the_widest_allowance_on_an_outline(mark_widths, widest):
+    assert gap_of_two(0.5, 1.0, mark_widths) == pytest.approx(0.05 + 2 * widest, abs=1e-5)
+
+
+def test_another_allowance_moves_no_piece_by_itself():
+    source = grid("Plane", lambda x, y: (x, y, 0))
+    mark_seam(source, on_line(0, 0.0))
+    flatten(source)
+    before = read(flat_of(source).data.vertices, "co", np.float32, 3)
+    bpy.context.scene.wirewarp.allowance = 40.0
+    flatten(source)
+    assert np.allclose(read(flat_of(source).data.vertices, "co", np.float32, 3), before, atol=1e-6)

@@ -45,28 +45,17 @@ def mesh(addon, request):
         yield current
 
 
-@pytest.mark.parametrize("name", READERS)
-def test_indices(addon, mesh, name):
-    elements, field, columns = READERS[name]
-    found = getattr(addon.blender.mesh, name)(mesh)
-    expected = read(getattr(mesh, elements), field, np.int32, columns)
-    assert found.dtype == np.int32
-    assert np.array_equal(found, expected)
-
-
-def test_places(addon, mesh):
+def test_what_is_read(addon, mesh):
+    for name, (elements, field, columns) in READERS.items():
+        found = getattr(addon.blender.mesh, name)(mesh)
+        assert found.dtype == np.int32, name
+        assert np.array_equal(found, read(getattr(mesh, elements), field, np.int32, columns)), name
     places = addon.blender.mesh.vertex_places(mesh)
     assert places.dtype == np.float32
     assert places.tolist() == [list(vertex.co) for vertex in mesh.vertices]
-
-
-@pytest.mark.parametrize(
-    ("name", "field"),
-    [("read_seams", "use_seam"), ("read_selected_edges", "select"), ("read_hidden_edges", "hide")],
-)
-def test_edge_flags(addon, mesh, name, field):
-    found = getattr(addon.blender.mesh, name)(mesh)
-    assert found.tolist() == [getattr(edge, field) for edge in mesh.edges]
+    for name, field in (("read_seams", "use_seam"), ("read_selected_edges", "select"), ("read_hidden_edges", "hide")):
+        found = getattr(addon.blender.mesh, name)(mesh)
+        assert found.tolist() == [getattr(edge, field) for edge in mesh.edges], name
 
 
 def test_in_edit_mode_the_mesh_is_as_it_is_edited(addon):

@@ -7,7 +7,7 @@ from xml.etree import ElementTree
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, flat_of, grid, mark_seam, on_line, read, select_edges, select_only
+from surfaces import bump, flat_of, flat_places, grid, mark_seam, on_line, select_edges, select_only
 from view_context import view_context
 
 
@@ -40,8 +40,16 @@ def sheets_in(path):
     return len(re.findall(rb"/Type /Page\b", path.read_bytes()))
 
 
-@pytest.mark.parametrize("arrangement", ["IN_ROWS", "AS_LAID_OUT"])
-@pytest.mark.parametrize(("paper", "beside"), [("A4", 1), ("A0", 1), ("ROLL_36", 0), ("PROJECTOR", 0)])
+@pytest.mark.parametrize(
+    ("paper", "beside", "arrangement"),
+    [
+        ("A4", 1, "IN_ROWS"),
+        ("A4", 1, "AS_LAID_OUT"),
+        ("A0", 1, "IN_ROWS"),
+        ("ROLL_36", 0, "AS_LAID_OUT"),
+        ("PROJECTOR", 0, "IN_ROWS"),
+    ],
+)
 def test_there_are_as_many_as_the_file_has(addon, source, tmp_path, paper, beside, arrangement):
     """Except for the map."""
     pages = preview(addon, source, paper=paper, arrangement=arrangement)
@@ -78,22 +86,20 @@ def test_pairs_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path, 
     assert [path.get("data-role") for path in root.iter("{http://www.w3.org/2000/svg}path")].count("cut") == 1
 
 
-def test_over_the_pieces_as_they_lie_every_point_is_on_a_page(addon, source):
+def test_pages_lie_over_the_pieces_or_beside_them_with_what_is_printed(addon, source):
+    flat = 100 * flat_places(source)
+
+    def on_page(places, pages):
+        low, high = frames(pages).transpose(1, 0, 2)
+        return np.all((places[:, None] > low) & (places[:, None] < high), axis=2).any(axis=1).all()
+
     pages = preview(addon, source, arrangement="AS_LAID_OUT", paper="A4")
-    places = 100 * read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
-    low, high = frames(pages).transpose(1, 0, 2)
-    assert np.sort(high - low) == pytest.approx(np.tile([190.0, 277.0], (len(low), 1)), abs=1e-3)  # without the margins
-    on_page = np.all((places[:, None] > low) & (places[:, None] < high), axis=2)
-    assert np.all(on_page.any(axis=1)) and "cut" not in pages.places
-
-
-def test_in_rows_the_pages_are_beside_the_pieces_with_what_is_printed(addon, source):
-    pages = preview(addon, source, arrangement="IN_ROWS", paper="A4")
-    flat = 100 * read(flat_of(source).data.vertices, "co", np.float32, 3)[:, :2]
-    low, high = frames(pages).transpose(1, 0, 2)
-    assert high[:, 1].max() < flat[:, 1].min()
-    cut = 100 * pages.places["cut"][:, :2]
-    assert np.all(np.any(np.all((cut[:, None] > low) & (cut[:, None] < high), axis=2), axis=1))
+    sizes = np.sort(np.ptp(frames(pages), axis=1))
+    assert sizes == pytest.approx(np.tile([190.0, 277.0], (len(sizes), 1)), abs=1e-3)  # without the margins
+    assert on_page(flat, pages) and "cut" not in pages.places
+    pages = preview(addon, source, arrangement="IN_ROWS")
+    assert frames(pages)[:, 1, 1].max() < flat[:, 1].min()
+    assert on_page(100 * pages.places["cut"][:, :2], pages)
 
 
 def test_they_follow_allowances_and_the_unit(addon, source):

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from everything import draw_panels
 from mathutils import Matrix
+from suggesting import are_mirrored
 from surfaces import (
     bump,
     edge_vertices,
@@ -76,9 +77,7 @@ def test_two_sleeves_are_mended_at_once_as_mirror_images(addon):
     flatten_fails(CUT)
     assert [issue.both_sides for issue in addon.state.reports.last_report(source).issues] == [True, True]
     assert take(issue=0) == {"FINISHED"}
-    ends = read(source.data.vertices, "co", np.float32, 3)[seams_of(source)]
-    middles = {tuple(place) for place in ends.mean(axis=1).round(4).tolist()}
-    assert middles and middles == {(-x, y, z) for x, y, z in middles}
+    assert len(seams_of(source)) and are_mirrored(source, seams_of(source))
     assert take(issue=1) == {"CANCELLED"}  # already done
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 

@@ -28,13 +28,10 @@ def selected(target, elements):
     return np.flatnonzero(read(getattr(target.data, elements), "select", bool))
 
 
-def test_a_seam_on_the_model(source):
+@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
+def test_a_seam_on_the_model_and_both_its_sides_on_the_flat_pieces(source, mode):
     bpy.ops.mesh.wirewarp_select_result(what="SEAM", index=0)
     assert np.array_equal(selected(source, "edges"), np.flatnonzero(read(source.data.edges, "use_seam", bool)))
-
-
-@pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_both_sides_of_a_seam_on_the_flat_pieces(source, mode):
     flat = flat_of(source)
     select_only(flat)
     bpy.ops.object.mode_set(mode=mode)
@@ -42,18 +39,20 @@ def test_both_sides_of_a_seam_on_the_flat_pieces(source, mode):
     edges = selected(flat, "edges")
     assert len(edges) == 16
     sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)[edge_vertices(flat.data)[edges]]
-    places = read(source.data.vertices, "co", np.float32, 3)[sources]
-    assert all(SEAM(a, b) for a, b in places)
+    assert all(SEAM(a, b) for a, b in read(source.data.vertices, "co", np.float32, 3)[sources])
 
 
-@pytest.mark.parametrize("index", [0, 1])
-def test_a_piece_among_the_flat_ones(source, index):
-    flat = flat_of(source)
-    select_only(flat)
-    bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=index)
-    faces = selected(flat, "polygons")
+def test_a_piece_on_the_model_and_among_the_flat_ones(source):
+    flat, found = flat_of(source), []
     pieces = read(flat.data.attributes["piece"].data, "value", np.int32)
-    assert np.array_equal(faces, np.flatnonzero(pieces == index))
+    for index in (0, 1):
+        select_only(source)
+        bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=index)
+        found.append(selected(source, "polygons"))
+        select_only(flat)
+        bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=index)
+        assert np.array_equal(selected(flat, "polygons"), np.flatnonzero(pieces == index))
+    assert [len(faces) for faces in found] == [32, 32] and sorted(np.concatenate(found)) == list(range(64))
 
 
 def select_fails(match, **what):
@@ -85,12 +84,6 @@ def test_what_is_not_there_is_said(source):
     select_fails('"Other" has not been flattened yet. Press Flatten first', what="PIECE", index=0)
 
 
-def test_the_report_of_another_version_shows_the_model(source):
-    source["wirewarp_report"] = "{}"
-    bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
-    assert len(selected(source, "edges")) == 0
-
-
 def test_of_a_mesh_with_modifiers_the_flat_pieces_are_shown():
     target = grid("Other", bump)
     mark_seam(target, SEAM)
@@ -98,13 +91,6 @@ def test_of_a_mesh_with_modifiers_the_flat_pieces_are_shown():
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     bpy.ops.mesh.wirewarp_select_result(what="SEAM", index=0)
     assert len(selected(flat_of(target), "edges")) == 32  # both sides: each edge of the model is in two pieces
-
-
-def test_a_model_that_has_changed_is_said(source):
-    bpy.ops.object.mode_set(mode="EDIT")
-    bpy.ops.mesh.select_all(action="SELECT")
-    bpy.ops.mesh.subdivide()
-    select_fails('"Bump" has changed since it was flattened', what="SEAM", index=0)
 
 
 @pytest.fixture
@@ -149,14 +135,6 @@ def test_an_open_edge_is_one_stretch_of_one_piece(source, addon):
         assert edge_lengths(flat_of(source))[edges].sum() == pytest.approx(chain.length_2d[0], rel=1e-6)
 
 
-def test_a_piece_on_the_model(source):
-    bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=1)
-    first = selected(source, "polygons")
-    bpy.ops.mesh.wirewarp_select_result(what="PIECE", index=0)
-    assert sorted([*first, *selected(source, "polygons")]) == list(range(64))
-    assert len(first) == 32
-
-
 @pytest.mark.parametrize("what", ["STRETCH", "EASE"])
 def test_where_the_cloth_is_strained_most(source, addon, what):
     piece = addon.state.reports.last_report(source).pieces[1]
@@ -171,17 +149,13 @@ def test_where_the_cloth_is_strained_most(source, addon, what):
     assert sorted(sources[on_flat]) == sorted(faces)
 
 
-def test_one_of_several_issues():
-    source = grid("Bump", bump)
-    bpy.ops.mesh.primitive_cube_add(location=(4, 0, 0))
-    cube = bpy.context.object
-    select_only(source, cube)
-    bpy.ops.object.join()
-    with pytest.raises(RuntimeError, match="is closed: mark a seam"):
-        bpy.ops.object.wirewarp_flatten()
-    select_only(flat_of(source))  # where the cube is not
+def test_one_of_several_issues(model):
+    select_only(flat_of(model))  # where the cube is not
     bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
-    assert selected(source, "polygons").tolist() == list(range(64, 70))
+    assert len(selected(model, "polygons")) == 6
+    model["wirewarp_report"] = "{}"  # of another version
+    bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
+    assert len(selected(model, "edges")) == 0
 
 
 @pytest.mark.parametrize("name", ["select_result", "take_proposal", "select_issues"])

@@ -6,7 +6,19 @@ them.
 import bpy
 import numpy as np
 import pytest
-from surfaces import bump, edge_vertices, flat_of, grid, make_object, mark, mark_seam, on_line, read, select_only
+from surfaces import (
+    bump,
+    edge_vertices,
+    flat_of,
+    flatten_fails,
+    grid,
+    make_object,
+    mark,
+    mark_seam,
+    on_line,
+    read,
+    select_only,
+)
 from two_sided import ease
 
 pytestmark = pytest.mark.api
@@ -41,15 +53,7 @@ def loose_edges(target):
     return np.array([edge for edge in edges.tolist() if tuple(sorted(edge)) not in of_faces])
 
 
-def worn(target):
-    """Return world positions (n,3) with the shape key on."""
-    target.data.shape_keys.key_blocks["On the Model"].value = 1.0
-    bpy.context.view_layer.update()
-    evaluated = target.evaluated_get(bpy.context.evaluated_depsgraph_get())
-    return np.array([evaluated.matrix_world @ vertex.co for vertex in evaluated.data.vertices])
-
-
-def test_sewing_edges_join_the_vertices_that_are_one_on_the_model(source):
+def test_sewing_edges_join_what_is_one_on_the_model_and_a_shape_key_folds_it_there(source):
     numbers = read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
     target = sewing_of(source)
     joined = loose_edges(target)
@@ -60,13 +64,12 @@ def test_sewing_edges_join_the_vertices_that_are_one_on_the_model(source):
         len(joined) == (copies[copies > 1] - 1).sum() + 1
     )  # where the dart opens, each of the three is joined to both others
     assert len(edge_vertices(target.data)) == len(edge_vertices(flat_of(source).data)) + len(joined)
-
-
-def test_the_shape_key_folds_the_pieces_onto_the_model(source):
-    numbers = read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
-    target = sewing_of(source)
+    target.data.shape_keys.key_blocks["On the Model"].value = 1.0  # which folds the pieces onto the model
+    bpy.context.view_layer.update()
+    evaluated = target.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    worn = np.array([evaluated.matrix_world @ vertex.co for vertex in evaluated.data.vertices])
     places = np.array([source.matrix_world @ vertex.co for vertex in source.data.vertices])
-    assert worn(target) == pytest.approx(places[numbers], abs=1e-5)
+    assert worn == pytest.approx(places[numbers], abs=1e-5)
 
 
 def test_it_is_no_flat_object_and_carries_no_marks(source, addon):
@@ -135,6 +138,5 @@ def test_a_seam_of_a_piece_that_has_no_layout_is_left_out():
     bpy.ops.object.join()
     mark_seam(source, SEAM)
     mark_seam(source, lambda a, b: on_line(1, 0.0)(a, b) and min(a.x, b.x) > 4)
-    with pytest.raises(RuntimeError, match="mark a seam"):
-        bpy.ops.object.wirewarp_flatten()
+    flatten_fails("mark a seam")
     assert len(loose_edges(sewing_of(source))) == 9  # along the other seam

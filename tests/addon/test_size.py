@@ -23,10 +23,6 @@ def sized(addon):
     return make
 
 
-def test_a_model_of_common_size_is_not_told(sized):
-    assert [sized(width)[0] for width in (0.03, 0.2, 2, 4.9)] == [""] * 4
-
-
 def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
     sentence, offered = sized(77)
     assert sentence == '"Chair" is 77 m large. Was it modeled in another unit?'
@@ -36,6 +32,7 @@ def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
     sentence, offered = sized(0.0017)
     assert sentence.endswith("is 1.7 mm small. Was it modeled in another unit?")
     assert offered == ["100 m: 17 cm", "1000 m: 170 cm"]
+    assert [sized(width)[0] for width in (0.03, 0.2, 2, 4.9)] == [""] * 4  # of common size
 
 
 def test_one_click_makes_the_pattern_as_large_as_the_model_was_meant(addon, sized):
@@ -65,10 +62,7 @@ def test_the_unit_follows_from_the_height_that_the_model_should_have(addon, size
     meters = addon.blender.objects.unit_of_height(source, 1.2)
     bpy.ops.scene.wirewarp_set_unit(meters=meters)
     assert source.dimensions.z * addon.blender.objects.meters_per_blender_unit(bpy.context.scene) == pytest.approx(1.2)
-
-
-def test_a_scene_without_units_gets_some(addon, sized):
-    bpy.context.scene.unit_settings.system = "NONE"
+    bpy.context.scene.unit_settings.system = "NONE"  # a scene without units gets some
     assert sized(150)[0]
     bpy.ops.scene.wirewarp_set_unit(meters=0.01)
-    assert addon.blender.objects.strange_size(bpy.data.objects["Chair"], bpy.context.scene) == ""
+    assert addon.blender.objects.strange_size(bpy.context.active_object, bpy.context.scene) == ""

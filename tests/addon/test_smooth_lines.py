@@ -4,7 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from suggesting import SUGGEST, found, pairs
+from suggesting import SUGGEST, are_mirrored, found, pairs
 from surfaces import bump, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, round_bump, select_edges
 from test_proposals import seams_of
 from test_suggestions import two_hills
@@ -185,8 +185,7 @@ def test_both_of_two_mirror_images_are_cut(addon):
     twins = next(index for index, cut in enumerate(found(addon, source).cuts) if len(cut.lengths) == 2)
     bpy.ops.object.wirewarp_choose_suggestion(index=twins)
     bpy.ops.object.wirewarp_mend(what="SMOOTH")
-    line = {tuple(place) for place in seam_places(source).mean(axis=1).round(4).tolist()}
-    assert line == {(-x, y, z) for x, y, z in line}
+    assert are_mirrored(source, seams_of(source))
 
 
 def test_what_cannot_be_smoothed_is_told_and_left(addon):

@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from suggesting import SUGGEST, found, pairs
+from suggesting import SUGGEST, are_mirrored, found, needed, pairs
 from surfaces import (
     bump,
     edge_vertices,
@@ -39,20 +39,6 @@ def two_hills(size=8):
     return make_object("Hills", vertices, faces)
 
 
-def widespread(addon, source):
-    """Return the strain that 99% of the model's flat area stays below when it is flattened now."""
-    bpy.ops.object.wirewarp_flatten()
-    mesh = flat_of(source).data
-    ratios = read(mesh.attributes["aspect_ratio"].data, "value", np.float32) - 1
-    arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
-    faces = read(mesh.attributes["source_face"].data, "value", np.int32)
-    areas = addon.solve.arrays.triangle_areas(arrays.vertices, arrays.triangles)
-    area_of = np.bincount(arrays.triangle_polygons, areas)[faces]
-    order = np.argsort(ratios)
-    below = np.cumsum(area_of[order]) / area_of.sum()
-    return float(ratios[order][np.searchsorted(below, 0.99)])
-
-
 @pytest.mark.parametrize("kind", SUGGEST)
 @pytest.mark.parametrize("faces", ["triangles", "quads"])
 def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
@@ -72,7 +58,7 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     flattened = addon.state.reports.last_report(source).pieces
     assert len(flattened) == (1 if kind == "DARTS" else 1 + len(suggestions.cuts[0].lengths))
     if faces == "triangles":  # other faces have one figure for two triangles; single precision gives 1e-6 of .1
-        assert widespread(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=1e-5)
+        assert needed(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=1e-5)
 
 
 def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon):
@@ -81,10 +67,7 @@ def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon):
     cuts = found(addon, source).cuts
     twins = [cut for cut in cuts if len(cut.lengths) == 2]
     assert twins and [cut.strain for cut in cuts] == sorted(cut.strain for cut in cuts)
-    places = read(source.data.vertices, "co", np.float32, 3)
-    for cut in twins:
-        middles = {tuple(place) for place in places[np.array(cut.edges)].mean(axis=1).round(4).tolist()}
-        assert middles == {(-x, y, z) for x, y, z in middles}
+    assert all(are_mirrored(source, cut.edges) for cut in twins)
     assert "2×" in draw_panels(addon)
 
 
@@ -151,6 +134,9 @@ def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, monkeypatch):
     assert drawn() == expected(second)
     bpy.ops.object.wirewarp_drop_suggestions()
     assert drawn() == [None, None]
+    bpy.context.view_layer.objects.active = None
+    for operator in (bpy.ops.object.wirewarp_choose_suggestion, bpy.ops.object.wirewarp_drop_suggestions):
+        assert not operator.poll()
 
 
 def test_it_is_taken_in_edit_mode(addon):
@@ -191,39 +177,24 @@ def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
         suggest.keep_found(search, cuts)
 
 
-def test_without_an_active_object_there_is_nothing_to_choose():
-    grid("Bump", bump, size=6)
-    SUGGEST["DARTS"]()
-    bpy.context.view_layer.objects.active = None
-    for operator in (bpy.ops.object.wirewarp_choose_suggestion, bpy.ops.object.wirewarp_drop_suggestions):
-        assert not operator.poll()
-
-
 def test_other_settings_are_told(addon, capfd):
-    grid("Bump", bump, size=6)
+    source = grid("Bump", bump, size=6)
+    mark(source, on_line(0, 0.0))
     settings = bpy.context.scene.wirewarp
     SUGGEST["DARTS"]()
     assert "suggested; for Piece 1: stretch" in capfd.readouterr().out  # which has no name to quote yet
     settings.spacing, settings.mirror, settings.layout_kind = 50, True, "ROW"
-    settings.orientation, settings.grain_angle = "BOUNDARY", 0.5
+    settings.orientation, settings.grain_angle, settings.gives_across = "BOUNDARY", 0.5, 10
     assert "Suggest again" not in draw_panels(addon)  # the figures are the same
     settings.fairness = 0.2
     assert "Settings changed since (Smooth Outlines). Suggest again." in draw_panels(addon)
-
-
-def test_another_grain_is_told_with_a_cloth(addon):
-    source = grid("Bump", bump, size=6)
-    mark(source, on_line(0, 0.0))
-    settings = bpy.context.scene.wirewarp
-    settings.cloth = "WOVEN"
+    settings.cloth, settings.orientation = "WOVEN", "WIRE"  # which has a grain
     SUGGEST["DARTS"]()
-    settings.gives_across = 10  # a warning in the report, but not used in the search
-    assert "Suggest again" not in draw_panels(addon)
-    source.data.wirewarp_grain = found(addon, source).wire_ids.copy().pop()
+    source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
     assert "Settings changed since (Grain Wire). Suggest again." in draw_panels(addon)
     SUGGEST["DARTS"]()
     assert "Suggest again" not in draw_panels(addon)
-    settings.grain_angle = 0.5
+    settings.grain_angle = 0.7
     assert "Settings changed since (Grain Angle). Suggest again." in draw_panels(addon)
 
 
@@ -241,11 +212,7 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
     index = next(index for index, cut in enumerate(cuts) if cut.diagonals)
     bpy.ops.object.wirewarp_choose_suggestion(index=index)
     assert "across faces of the model" in draw_panels(addon)
-    uv = {
-        (loop.vertex_index, face.index): tuple(layer.data[loop.index].uv)
-        for face in source.data.polygons
-        for loop in (source.data.loops[each] for each in face.loop_indices)
-    }
+    uv = {tuple(corner.uv) for corner in layer.data}
     triangles = triangles_of(source)
     wires = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     sides = [sides_of(source.data, name) for name in SIDES]
@@ -256,8 +223,7 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
     assert np.array_equal(after[: len(wires)], wires) and not after[len(wires) :].any()
     assert [sides_of(mesh, name) for name in SIDES] == sides
     assert source.vertex_groups["Half"].weight(1) == 0.5
-    kept = mesh.uv_layers["Mine"].data
-    assert {tuple(kept[loop.index].uv) for loop in mesh.loops} == set(uv.values())
+    assert {tuple(corner.uv) for corner in mesh.uv_layers["Mine"].data} == uv
     assert addon.state.reports.last_report(source).pieces[0].ok
 
 

@@ -4,8 +4,7 @@
 import bpy
 import numpy as np
 import pytest
-from mathutils import Vector
-from surfaces import bump, edge_lengths, flat_of, flatten, grid, select_only
+from surfaces import bump, edge_lengths, flat_of, flatten, flatten_fails, grid, select_only, world_box
 
 pytestmark = pytest.mark.api
 
@@ -15,8 +14,7 @@ def failed_source():
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     source.data.vertices[0].co = source.data.vertices[1].co
-    with pytest.raises(RuntimeError, match="no area"):
-        bpy.ops.object.wirewarp_flatten()
+    flatten_fails("no area")
     return source
 
 
@@ -78,15 +76,9 @@ def test_flattening_again_makes_the_size_true_and_keeps_the_place(addon):
     assert notes(addon, source) == []
 
 
-def shadow(target):
-    """Return the lowest and the highest corner of an object in the world, seen from above."""
-    bpy.context.view_layer.update()
-    corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])[:, :2]
-    return corners.min(axis=0), corners.max(axis=0)
-
-
 def are_apart(first, second):
-    (low, high), (bottom, top) = shadow(first), shadow(second)
+    """Seen from above."""
+    (low, high), (bottom, top) = world_box(first), world_box(second)
     return bool(np.any((high <= bottom) | (top <= low)))
 
 
@@ -122,44 +114,36 @@ def test_pieces_do_not_give_way_to_what_is_not_in_their_way(bottom, top, size):
     assert flat_of(source).location.x == pytest.approx(expected)
 
 
-def test_a_parent_that_scales_the_pieces_is_said(addon):
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
-    parent = bpy.data.objects.new("Parent", None)
+def parented(flat):
+    parent = flat.parent = bpy.data.objects.new("Parent", None)
     bpy.context.scene.collection.objects.link(parent)
     parent.scale = (2, 2, 2)
-    flat_of(source).parent = parent
-    flatten(source)
-    (note,) = notes(addon, source)
-    assert '"Bump Flat" is not shown in actual size' in note
 
 
-def test_pieces_hidden_by_the_eye_come_back(addon):
+SAID = {  # what was done with the pieces, and what is said of them
+    "parent": (parented, '"Bump Flat" is not shown in actual size'),
+    "disabled": (disable, '"Bump Flat" is hidden: it is disabled in viewports'),
+    "excluded": (
+        lambda _: setattr(layer_collection("WireWarp"), "exclude", True),
+        '"Bump Flat" is hidden: it is disabled in viewports, or its collection is hidden',
+    ),
+    "collection": (
+        lambda _: setattr(layer_collection("WireWarp"), "hide_viewport", True),
+        '"Bump Flat" is hidden: it is disabled in viewports, or its collection is hidden',
+    ),
+}
+
+
+@pytest.mark.parametrize("how", SAID)
+def test_pieces_that_stay_out_of_sight_or_size_are_said(addon, how):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source)
     flat.hide_set(True)
     flatten(source)
-    assert flat.visible_get()
-    assert notes(addon, source) == []
-
-
-def test_pieces_disabled_in_viewports_stay_so_and_that_is_said(addon):
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
-    flat = flat_of(source)
-    flat.hide_viewport = True
-    flatten(source)
-    assert flat.hide_viewport
-    (note,) = notes(addon, source)
-    assert '"Bump Flat" is hidden: it is disabled in viewports' in note
-
-
-@pytest.mark.parametrize("how", ["exclude", "hide_viewport"])
-def test_pieces_in_a_collection_out_of_sight_are_said(addon, how):
-    source = grid("Bump", bump)
-    bpy.ops.object.wirewarp_flatten()
-    setattr(layer_collection("WireWarp"), how, True)
+    assert flat.visible_get() and notes(addon, source) == []  # what the eye hides comes back
+    change, said = SAID[how]
+    change(flat)
     flatten(source)
     (note,) = notes(addon, source)
-    assert '"Bump Flat" is hidden: it is disabled in viewports, or its collection is hidden' in note
+    assert said in note and flat.hide_viewport == (how == "disabled")
