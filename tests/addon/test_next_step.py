@@ -179,7 +179,7 @@ def test_faces_that_look_to_opposite_sides_are_turned_and_flattened(addon):
     source.data.polygons[5].flip()
     flatten_fails("point to opposite sides")
     step = step_of(addon, source)
-    assert step.text == "Recalculate Normals and Flatten"
+    assert step.text == "Fix Normals and Flatten"
     assert MEND(**step.settings) == {"FINISHED"}
     assert ready(addon, source)
     with pytest.raises(RuntimeError, match="cannot be oriented consistently"):

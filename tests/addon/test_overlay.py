@@ -206,7 +206,7 @@ def look(addon, source, eye, target, perspective=True, xray=False):
     forward = (Vector(target) - Vector(eye)).normalized()
     view = (Matrix.Translation(eye) @ forward.to_track_quat("-Z", "Y").to_matrix().to_4x4()).inverted()
     if perspective:  # with a horizontal angle of view of 90 degrees
-        window = Matrix(((1, 0, 0, 0), (0, 4 / 3, 0, 0), (0, 0, -1, -0.2), (0, 0, -1, 0)))
+        window = Matrix(((1, 0, 0, 0), (0, 4 / 3, 0, 0), (0, 0, -1.002, -0.2002), (0, 0, -1, 0)))  # clips at .1 and 100
     else:  # 8 units wide
         window = Matrix.Diagonal((1 / 4, 1 / 3, -0.01, 1))
     data = SimpleNamespace(view_matrix=view, perspective_matrix=window @ view, is_perspective=perspective)
@@ -232,6 +232,7 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
     assert above["Waist"].reach == pytest.approx(100 * reach, rel=0.03)  # 100 pixels a unit, 4 units from the eye
     assert look(addon, source, (10, 0, -4.4), (10, 0, 0), perspective) == {}  # the back of the surface
     assert look(addon, source, (10, 0, 4.4), (10, 0, 9), perspective) == {}  # behind the eye
+    assert look(addon, source, (10, 0, 150), (10, 0, 0), perspective) == {}  # clipped
     right = 12 if perspective else 14.3
     aside = look(addon, source, (right, 0, 1.5), (right, 0, 0), perspective)
     assert len(aside["Waist"].points) < len(above["Waist"].points)  # the remaining ones are in the region

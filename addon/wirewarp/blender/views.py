@@ -103,7 +103,7 @@ def _free_view(area: bpy.types.Area) -> bpy.types.RegionView3D:
 
 
 def _look_at(context: bpy.types.Context, area: bpy.types.Area, points: np.ndarray) -> None:
-    """Return the position from which the view looks."""
+    """Move the view so that the points (n,3) are visible from its present direction, and not clipped."""
     view, region = area.spaces.active.region_3d, next(each for each in area.regions if each.type == "WINDOW")
     is_perspective = view.view_perspective == "PERSP"
     projection = Projection(
@@ -116,6 +116,8 @@ def _look_at(context: bpy.types.Context, area: bpy.types.Area, points: np.ndarra
     middle, distance = fit(points, projection)
     view.view_location = middle
     view.view_distance = distance if is_perspective else distance * view.view_distance
+    farthest = view.view_distance + float(np.linalg.norm(points - middle, axis=1).max())
+    area.spaces.active.clip_end = max(area.spaces.active.clip_end, farthest)
 
 
 def _rise(view: bpy.types.RegionView3D) -> None:

@@ -165,13 +165,14 @@ def _chosen_piece(target: bpy.types.Object) -> int | None:
 
 
 def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the pixels (n,2) of places (n,3) in the world, and a mask of the pixels inside the region."""
+    """Return the pixels (n,2) of places (n,3) in the world, and a mask of those in the region and its clip range."""
     size = np.array([context.region.width, context.region.height])
     projected = np.column_stack([places, np.ones(len(places))]) @ np.array(context.region_data.perspective_matrix).T
     in_front = projected[:, 3] > 0
     depth = np.where(in_front, projected[:, 3], 1.0)
     points = (1 + projected[:, :2] / depth[:, None]) / 2 * size
-    return points, in_front & np.all((points >= 0) & (points <= size), axis=1)
+    in_range = in_front & (np.abs(projected[:, 2]) <= depth)  # Blender clips what is farther
+    return points, in_range & np.all((points >= 0) & (points <= size), axis=1)
 
 
 def draw_map() -> None:

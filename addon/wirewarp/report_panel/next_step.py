@@ -137,7 +137,7 @@ REMEDIES = {
     "TOLERANCES": ("Loosen and Flatten", "FIXED_SIZE"),
     "DISSOLVE": ("Dissolve and Flatten", "X"),
     "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
-    "NORMALS": ("Recalculate Normals and Flatten", "NORMALS_FACE"),
+    "NORMALS": ("Fix Normals and Flatten", "NORMALS_FACE"),
 }
 APPLY_FIRST = "The fix is about edges that modifiers make. Mark others on the model, or:"
 CHECK = "object.wirewarp_check"
