@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Where Eigen and OpenMesh are: each as installed, else its tagged release.
-#   eigen_headers       the folder to include from
-#   wirewarp_openmesh   target with the headers, and with the library where it is installed
-#   openmesh_sources    elsewhere: its half-edge mesh, to be compiled into ours
-# FETCHCONTENT_SOURCE_DIR_EIGEN and FETCHCONTENT_SOURCE_DIR_OPENMESH name folders to take the sources from; then no
-# installed one is looked for. In the source package of PyPI both are inside.
+# Finds Eigen and OpenMesh: as installed, otherwise as tagged releases.
+#   eigen_headers       include folder
+#   wirewarp_openmesh   target with the headers, and with the library if it is installed
+#   openmesh_sources    if it is not installed: its half-edge mesh, which is compiled into our library
+# FETCHCONTENT_SOURCE_DIR_EIGEN and FETCHCONTENT_SOURCE_DIR_OPENMESH name folders with the sources, which are used
+# instead of installed ones. The source package for PyPI contains both.
 include(FetchContent)
 
 FetchContent_Declare(
@@ -12,14 +12,14 @@ FetchContent_Declare(
   GIT_REPOSITORY https://gitlab.com/libeigen/eigen.git
   GIT_TAG 3.4.0
   GIT_SHALLOW ON
-  SOURCE_SUBDIR headers-only  # there is no such folder: nothing of Eigen is to be built
+  SOURCE_SUBDIR headers-only  # a folder that does not exist, so that nothing of Eigen is built
 )
 FetchContent_Declare(
   OpenMesh
   GIT_REPOSITORY https://gitlab.vci.rwth-aachen.de:9000/OpenMesh/OpenMesh.git
   GIT_TAG OpenMesh-11.0
   GIT_SHALLOW ON
-  SOURCE_SUBDIR built-by-us  # there is no such folder, either: its own build makes much that we do not need
+  SOURCE_SUBDIR built-by-us  # does not exist either: OpenMesh's own build makes much that we do not need
 )
 set(inside ${CMAKE_CURRENT_SOURCE_DIR}/libraries)
 if(EXISTS ${inside})
@@ -49,6 +49,6 @@ else()
   set(core ${openmesh_SOURCE_DIR}/src/OpenMesh/Core)
   file(GLOB openmesh_sources ${core}/Mesh/*.cc ${core}/Utils/BaseProperty.cc ${core}/System/omstream.cc)
   set_source_files_properties(${openmesh_sources} PROPERTIES COMPILE_OPTIONS -w
-                              COMPILE_DEFINITIONS "NOMINMAX;_USE_MATH_DEFINES")  # as its own build for Windows has it
-  target_include_directories(wirewarp_openmesh SYSTEM INTERFACE ${core}/../..)  # they do not keep to our warnings
+                              COMPILE_DEFINITIONS "NOMINMAX;_USE_MATH_DEFINES")  # as in its own build for Windows
+  target_include_directories(wirewarp_openmesh SYSTEM INTERFACE ${core}/../..)  # SYSTEM: their headers cause warnings
 endif()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What `cmake --install` puts into a prefix, so that find_package(wirewarp) finds the target wirewarp::wirewarp there.
-# It needs no other library: OpenMesh is inside, unless an installed one was used, and Eigen's headers are those that
-# the library was compiled with.
+# Installs the library with `cmake --install`, so that find_package(wirewarp) finds the target wirewarp::wirewarp.
+# It needs no other library: it contains OpenMesh, unless an installed one was used, and comes with the Eigen headers
+# that it was compiled with.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -15,7 +15,7 @@ endif()
 configure_file(cmake/wirewarp-config.cmake.in wirewarp-config.cmake @ONLY)
 write_basic_package_version_file(wirewarp-config-version.cmake COMPATIBILITY SameMinorVersion)  # while it is 0.x
 
-# Wheels take the component `wirewarp` alone.
+# Wheels only contain the component `wirewarp`.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 install(TARGETS wirewarp EXPORT wirewarp-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${eigen_folder})
 install(DIRECTORY native/include/wirewarp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds for another system with the compiler of the package `ziglang`, which has the headers and libraries of all of
-# them: -DWIREWARP_ZIG=path of zig, -DWIREWARP_TARGET=zig's word for the system, as x86_64-windows-gnu.
+# Builds for another system with the compiler of the package `ziglang`, which has the headers and libraries of all
+# systems: -DWIREWARP_ZIG=path of zig, -DWIREWARP_TARGET=zig's name of the system, such as x86_64-windows-gnu.
 set(CMAKE_TRY_COMPILE_PLATFORM_VARIABLES WIREWARP_ZIG WIREWARP_TARGET)
 if(WIREWARP_TARGET MATCHES "^([^-]+)-(windows|macos|linux)")
   set(CMAKE_SYSTEM_PROCESSOR ${CMAKE_MATCH_1})
@@ -12,9 +12,9 @@ else()
   message(FATAL_ERROR "WIREWARP_TARGET=${WIREWARP_TARGET} is no target of zig for Windows, macOS or Linux")
 endif()
 set(CMAKE_CXX_COMPILER "${WIREWARP_ZIG}" c++)
-# To link, zig would first compile its libraries, not optimized: neither when CMake identifies the compiler (it does
-# not link where a target is set) nor when it tries what it can do.
+# Linking would make zig compile its own libraries first, without optimization. So CMake must link neither when it
+# identifies the compiler (it does not if a target is set) nor when it tests it.
 set(CMAKE_CXX_COMPILER_TARGET ${WIREWARP_TARGET})
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
-set(CMAKE_CXX_FLAGS_INIT -g0)  # else zig adds what debuggers read, which takes a fifth of the time
+set(CMAKE_CXX_FLAGS_INIT -g0)  # otherwise zig adds debug information, which takes a fifth of the time
 set(CMAKE_USER_MAKE_RULES_OVERRIDE_CXX "${CMAKE_CURRENT_LIST_DIR}/zig_rules.cmake")

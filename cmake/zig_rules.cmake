@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# How zig archives and links where CMake would do it otherwise.
+# Rules for archiving and linking with zig that differ from CMake's.
 
-# This system's archiver knows no other system's objects.
+# This system's archiver cannot read the objects of other systems.
 set(CMAKE_CXX_ARCHIVE_CREATE "\"${WIREWARP_ZIG}\" ar qcs <TARGET> <OBJECTS>")
 set(CMAKE_CXX_ARCHIVE_FINISH "")
 
-# Of macOS' two kinds of module zig writes libraries, not bundles; Python loads either.
+# zig writes modules for macOS as libraries, not bundles; Python loads both.
 if(APPLE)
   set(CMAKE_SHARED_MODULE_CREATE_CXX_FLAGS -shared)
 endif()
