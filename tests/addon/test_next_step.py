@@ -42,44 +42,55 @@ def test_proposed_seams_are_marked_and_flattened_with_one_click(addon, mode):
     assert "object.wirewarp_mend" not in buttons(addon)
 
 
-def test_wires_that_contradict_one_another_are_loosened_and_flattened(addon):
+def contradiction():
     source = grid("Saddle", lambda x, y: (x, y, 0.25 * x * y), size=4, faces="triangles")
     mark(source, inside)
-    flatten_fails("flattened with")
-    step = step_of(addon, source)
-    assert step.text == "Loosen and Flatten"
-    assert MEND(**step.settings) == {"FINISHED"}
-    assert ready(addon, source)
+    return source
 
 
-def test_faces_without_area_are_dissolved_and_the_rest_flattened(addon):
-    """A sliver between two squares: its three vertices are collinear."""
+def sliver():
+    """A face between two squares whose three vertices are collinear."""
     vertices = [(0, 0, 0), (1, 0, 0), (1, 0.5, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0), (2, 1, 0)]
-    source = make_object("Sliver", vertices, [(0, 1, 2, 3, 4), (1, 5, 6, 3), (1, 3, 2)])
-    flatten_fails("no area")
-    step = step_of(addon, source)
-    assert step.text == "Dissolve and Flatten"
-    assert MEND(**step.settings) == {"FINISHED"}
-    assert len(source.data.polygons) == 2
-    assert ready(addon, source)
+    return make_object("Sliver", vertices, [(0, 1, 2, 3, 4), (1, 5, 6, 3), (1, 3, 2)])
 
 
-def test_loose_faces_are_merged_and_flattened(addon):
+def loose_faces():
     """Some files list each face with its own vertices."""
     whole = grid("Bump", bump, size=48)
     places = read(whole.data.vertices, "co", np.float32, 3)
     corners = [tuple(face.vertices) for face in whole.data.polygons]
     faces = [tuple(range(4 * row, 4 * row + 4)) for row in range(len(corners))]
-    source = make_object("Loose", [places[vertex] for face in corners for vertex in face], faces)
-    flatten_fails("(?i)merge")
+    return make_object("Loose", [places[vertex] for face in corners for vertex in face], faces)
+
+
+def turned_over():
+    source = grid("Bump", bump, size=4)
+    source.data.polygons[5].flip()
+    return source
+
+
+@pytest.mark.parametrize(
+    ("make", "said", "button", "faces", "again"),
+    [
+        (contradiction, "flattened with", "Loosen and Flatten", 32, "has no suggested tolerance"),
+        (sliver, "no area", "Dissolve and Flatten", 2, "has no zero-area faces"),
+        (loose_faces, "(?i)merge", "Merge and Flatten", 48 * 48, "Nothing to merge: no vertices"),
+        (turned_over, "to opposite sides", "Fix Normals and Flatten", 16, "cannot be oriented consistently"),
+    ],
+)
+def test_a_fault_is_fixed_and_the_model_flattened_with_one_click(addon, make, said, button, faces, again):
+    source = make()
+    flatten_fails(said)
     step = step_of(addon, source)
-    assert step.text == "Merge and Flatten"
+    assert step.text == button
     assert MEND(**step.settings) == {"FINISHED"}
-    assert len(source.data.vertices) == 49 * 49
-    assert ready(addon, source)
+    assert len(source.data.polygons) == faces and ready(addon, source)
+    assert len(source.data.vertices) == (49 * 49 if make is loose_faces else len(source.data.vertices))
+    with pytest.raises(RuntimeError, match=again):
+        MEND(**step.settings)
 
 
-def test_ignored_modifiers_are_taken_from_then_on(addon):
+def test_ignored_modifiers_turn_the_verdict_amber_and_are_taken_from_then_on(addon):
     source = grid("Bump", bump, size=4)
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     bpy.ops.object.wirewarp_flatten()
@@ -90,10 +101,7 @@ def test_ignored_modifiers_are_taken_from_then_on(addon):
     assert len(flat_of(source).data.polygons) == 64
     assert bpy.context.scene.wirewarp.use_modifiers
     assert "Lengths are exact" in draw_panels(addon) and "Flatten with Modifiers" not in draw_panels(addon)
-
-
-def test_modifiers_added_after_a_run_turn_the_verdict_amber_until_they_are_hidden(addon):
-    source = grid("Bump", bump, size=4)
+    source.modifiers.clear()
     bpy.ops.object.wirewarp_flatten()
     assert "Lengths are exact" in draw_panels(addon)
     modifier = source.modifiers.new("Smooth", "SUBSURF")
@@ -136,10 +144,6 @@ def test_nothing_to_mend_is_said(addon):
     bpy.ops.object.wirewarp_flatten()
     with pytest.raises(RuntimeError, match="has no suggested seam"):
         MEND(what="SEAMS")
-    with pytest.raises(RuntimeError, match='"Bump" has no zero-area faces'):
-        MEND(what="DISSOLVE")
-    with pytest.raises(RuntimeError, match='Nothing to merge: no vertices of "Bump" overlap'):
-        MEND(what="MERGE")
     assert len(seams_of(source)) == 0
 
 
@@ -172,18 +176,6 @@ def test_what_flatten_refuses_is_refused(addon):
     with pytest.raises(RuntimeError, match='"Bump" is hidden'):
         MEND(what="MODIFIERS")
     assert not bpy.context.scene.wirewarp.use_modifiers
-
-
-def test_faces_that_look_to_opposite_sides_are_turned_and_flattened(addon):
-    source = grid("Bump", bump, size=4)
-    source.data.polygons[5].flip()
-    flatten_fails("point to opposite sides")
-    step = step_of(addon, source)
-    assert step.text == "Fix Normals and Flatten"
-    assert MEND(**step.settings) == {"FINISHED"}
-    assert ready(addon, source)
-    with pytest.raises(RuntimeError, match="cannot be oriented consistently"):
-        MEND(**step.settings)
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
