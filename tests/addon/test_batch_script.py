@@ -77,10 +77,10 @@ def test_several_models_have_files_of_their_own(addon, tmp_path):
 
 
 def test_models_whose_patterns_would_be_one_file_are_refused(addon, tmp_path):
-    for name in ("Coat", "coat"):
+    for name in ("Left/right", "left_right"):
         mark(grid(name, bump), on_line(1, 0.0))
     refusal = answer_of(addon, tmp_path)["refusal"]
-    assert refusal == 'The patterns of "Coat" and "coat" would be one file: rename one of them.'
+    assert refusal == 'The patterns of "Left/right" and "left_right" would be one file: rename one of them.'
 
 
 def test_warnings_of_the_export_are_in_the_answer(addon, tmp_path):

@@ -27,6 +27,9 @@ def last_report(addon, source):
 
 def test_the_shape_of_a_cloth_is_the_librarys(source, addon):
     bpy.ops.object.wirewarp_flatten(cloth="DENIM", orientation="UP")
+    items = addon.properties.WIREWARP_PG_settings.bl_rna.properties["cloth"].enum_items
+    named = [item.identifier.lower() for item in items if item.identifier not in ("NONE", "CUSTOM")]
+    assert named == list(addon.core.Cloth.presets())
     library, mesh = addon.core.library(), source.data
     vertices = read(mesh.vertices, "co", np.float32, 3).astype(np.float64)
     faces = read(mesh.loops, "vertex_index", np.int32).reshape(-1, 3)
@@ -42,12 +45,6 @@ def test_the_shape_of_a_cloth_is_the_librarys(source, addon):
         found = read(flat_of(source).data.attributes[name].data, "value", np.float32)
         wanted = np.abs(expected) if name == "shear_angle" else expected
         assert found == pytest.approx(wanted[of_flat], abs=1e-5)
-
-
-def test_the_cloths_to_choose_from_are_the_librarys(addon):
-    items = addon.properties.WIREWARP_PG_settings.bl_rna.properties["cloth"].enum_items
-    named = [item.identifier.lower() for item in items if item.identifier not in ("NONE", "CUSTOM")]
-    assert named == list(addon.core.Cloth.presets())
 
 
 def test_a_custom_cloth_of_the_same_ratios_is_the_same(source):

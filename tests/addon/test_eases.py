@@ -14,14 +14,6 @@ def source():
     return two_pieces()
 
 
-def test_a_seam_that_gives_has_one_length_on_both_sides(source):
-    mark(source, SEAM, kind="ELASTIC", tolerance=0.03)
-    bpy.ops.object.wirewarp_flatten()
-    left, right = shares(source)
-    assert left == pytest.approx(right, abs=1e-5)
-    assert 1e-4 < abs(left) <= 0.03 + 1e-6
-
-
 def test_all_sides_of_a_seam_are_eased_alike_in_percent_or_millimeters(source):
     ease(source, SEAM, sides="ALL", ease_percent=-4.0)
     bpy.ops.object.wirewarp_flatten()

@@ -84,13 +84,15 @@ def variations(source):
     return attribute(flat, "length_variation"), on_outline
 
 
-def test_what_is_thick_and_unfolds_changes_no_length():
+def test_what_is_thick_and_unfolds_changes_no_length(addon):
     """Lengths are those in the middle of its thickness, which is flattened."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Half", half_cylinder, size=16)
     bpy.ops.object.wirewarp_flatten(thickness=20.0)
     values, _ = variations(target)
     assert values == pytest.approx(0, abs=1e-6)
+    report = addon.state.reports.last_report(target)
+    assert report.hints == [] and addon.core.verdict(report).kind == "ready for any fabric"
 
 
 def test_the_mirror_image_of_what_is_thick_has_the_same_changes_of_length():

@@ -84,6 +84,12 @@ def test_what_is_not_there_is_said(source):
     select_fails('"Other" has not been flattened yet. Press Flatten first', what="PIECE", index=0)
 
 
+def test_a_model_that_has_changed_is_said(source):
+    source.data.vertices.add(1)
+    source.data.update()
+    select_fails('"Bump" has changed since it was flattened', what="SEAM", index=0)
+
+
 def test_of_a_mesh_with_modifiers_the_flat_pieces_are_shown():
     target = grid("Other", bump)
     mark_seam(target, SEAM)
