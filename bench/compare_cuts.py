@@ -31,7 +31,7 @@ LADDER = 60  # number of requested proposals; more than a cut set has cuts
 FEWEST = 2  # sets to which darts are added; sets with more cuts gave longer cuts in the end
 DARTS = 20  # maximum number; half as many as a cut set has cuts
 CHOICE = 5  # number of proposed darts, the default of propose_darts()
-CLOCK_LIMIT = 10 * LIMIT  # seconds; other processes may use the core meanwhile
+CLOCK_LIMIT = 10 * LIMIT  # seconds of wall time; more than LIMIT, because other processes may use the core
 
 
 @dataclass(frozen=True)

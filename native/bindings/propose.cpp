@@ -31,7 +31,7 @@ stretch in the report of such a run, for the piece or the worst of its num_piece
 together with its mirror image, strain_with_twin is below the strain before. Darts that leave 100% or more are not
 returned.
 
-piece: index of the piece to cut, in flatten(); None: the one that gains most.
+piece: index of the piece to cut in the result of flatten(); None: the one that gains most.
 count: maximum number of proposals, with mirror images counted once.
 strain: accepted strain: pieces with no more (DartProposal.strain) are ignored; None for 0.005.
 longest: maximum length of a cut on the surface, scene units; None for any length.
@@ -73,7 +73,7 @@ strain: the target, 0.05 for 5%: pieces with no more (DartProposal.strain) are i
 most: maximum number of cuts, 1 or more; a cut set (see propose_seams()) counts as one.
 longest: maximum length of a cut on the surface, scene units; None for any length.
 total_length: maximum length of all cuts together on the surface, scene units; None for any length.
-piece: index of the piece to cut with all its parts, in flatten(); None for any.
+piece: index of the only piece to cut, in the result of flatten(); None for any piece.
 twins: makes mirror images together if that is better and allowed. They count as two cuts, one after the other.
 no_seam: (k, 2) vertex pairs, edges along which no cut may run.
 The other arguments are those of flatten(); progress is called as in propose_darts().

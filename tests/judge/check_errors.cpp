@@ -87,8 +87,8 @@ void check_flips(Judged& judged, const Piece& piece) {
   }
 }
 
-/// Whether the target lengths differ from those of the surface, so that a seam or a tolerance need not help: the piece
-/// has eases, or has a shape without the stretch.
+/// Whether target lengths differ from those on the surface: the piece has eases, or it has a shape only without the
+/// stretch. Then neither a seam nor a tolerance is sure to help.
 bool has_other_target_lengths(const Judged& judged, int number) {
   const bool is_of_stretch = judged.unstretched && !judged.unstretched->pieces[number].error;
   return is_of_stretch || has_other_outline(judged, judged.result.pieces[number]);

@@ -17,7 +17,7 @@ namespace wirewarp {
 /// Strain is the figure of reports and verdicts. Without a cloth, 99% of the area of a part has max(sigma_1, 1/sigma_2)
 /// - 1 below it, where intended eases do not count. With a cloth, it is the stretch of its threads instead.
 struct DartProposal {
-  int piece = -1;                  // index of the piece that it cuts, in flatten() without the cut
+  int piece = -1;                  // index of the piece that it cuts, in the result of flatten() without the cut
   std::vector<VertexPair> edges;   // (k, 2) in order from the outline, to be added to the input's seams; for a cut
                                    // set one line after the other; empty if a path crosses triangles
   std::vector<SurfacePath> paths;  // the same as lines, for cut_mesh(): one for a dart or seam, one or more for a set
@@ -36,7 +36,7 @@ struct DartProposal {
 
 /// Options of propose_darts() and propose_seams().
 struct CutOptions {
-  std::optional<int> piece;      // index of the piece to cut, in flatten(); none: the one that gains most
+  std::optional<int> piece;      // index of the piece to cut in the result of flatten(); none: the one that gains most
   int count = 5;                 // maximum number of proposals, with mirror images counted once; >= 1
   std::optional<double> strain;  // accepted strain: pieces with no more (DartProposal::strain) are ignored; >= 0;
                                  // none: 0.005, for cut sets 0.05
@@ -75,7 +75,7 @@ struct CutTarget {
   int most = 2;          // maximum number of cuts; a cut set counts as one; >= 1
   double longest = std::numeric_limits<double>::infinity();  // length of a cut or set, on the surface, scene units; > 0
   double total_length = std::numeric_limits<double>::infinity();  // length of all cuts together; > 0
-  std::optional<int> piece;  // index of the piece to cut with all its parts, in flatten(); none: any
+  std::optional<int> piece;  // index of the only piece to cut, in the result of flatten(); none: any piece
   bool twins = false;        // makes mirror images together if that is better and allowed; they count as two cuts
   VertexPairs no_seam = VertexPairs(0, 2);  // (k, 2) edges along which no cut may run
 };

@@ -56,7 +56,7 @@ void add_loops(const WireNetwork& network, const std::set<int>& hinged, const st
   }
 }
 
-/// Returns the shortest of the loops that at most one wire joins to others.
+/// Returns the shortest loop with at most one wire to other loops.
 std::size_t choose_loop(const std::vector<WireLoop>& loops) {
   std::size_t chosen = loops.size();
   for (std::size_t i = 0; i < loops.size(); ++i) {
