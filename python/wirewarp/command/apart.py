@@ -182,7 +182,7 @@ def _family(pid: int | None) -> list[psutil.Process]:
 
 
 def _memory(pid: int | None) -> int:
-    """Bytes."""
+    """Return the memory of a process and its children in bytes."""
     total = 0
     for process in _family(pid):
         with suppress(psutil.Error):

@@ -224,7 +224,7 @@ def _running_options() -> argparse.ArgumentParser:
 
 
 class _Options(argparse.ArgumentParser):
-    """Parses the options of a model in a list. An error there does not print the usage of the command."""
+    """Parses the options of a model in a list. Its errors do not print the usage of the command."""
 
     def error(self, message: str) -> NoReturn:
         raise InputError(message)
@@ -343,7 +343,7 @@ def _formats(text: str) -> tuple[str, ...]:
 
 
 def _cloth(text: str) -> tuple[float, float | None]:
-    """Return width, and length of sheets."""
+    """Return the width and, for sheets, the length."""
     match = SHEET.fullmatch(text.strip())
     if match:
         return _length(f"{match[1]}{match[3]}"), _length(f"{match[2]}{match[3]}")
@@ -351,7 +351,7 @@ def _cloth(text: str) -> tuple[float, float | None]:
 
 
 def _stretch(text: str) -> tuple[float, float]:
-    """Return shares across and along the grain."""
+    """Return the stretch across and along the grain, as shares."""
     match = STRETCH.fullmatch(text.strip())
     if not match:
         raise argparse.ArgumentTypeError(f"{text!r} is not a stretch: give 10% or, across and along the grain, 10%,5%")
@@ -378,7 +378,7 @@ def _seconds(text: str) -> float:
 
 
 def _memory(text: str) -> int:
-    """Bytes."""
+    """Return bytes."""
     match = MEMORY.fullmatch(text.strip())
     if not match or not float(match[1]):
         raise argparse.ArgumentTypeError(f"{text!r} is not an amount of memory: give 500MB or 4GB")

@@ -23,7 +23,7 @@ class BlenderError(Exception):
 
 
 def flatten_blend(request: Request, folder: Path) -> tuple[Line, dict[str, Any]]:
-    """Write patterns to the folder. Return the line, and the other parts of the report. Raises InputError."""
+    """Write patterns to the folder. Return the line and the rest of the report. Raises InputError."""
     program = shutil.which(request.blender)
     if program is None:
         raise InputError(f'There is no Blender at "{request.blender}": give --blender PATH.')
@@ -32,7 +32,7 @@ def flatten_blend(request: Request, folder: Path) -> tuple[Line, dict[str, Any]]
     options = ("--background", "--disable-autoexec", str(request.model.absolute()), "--python-exit-code", "1")
     with subprocess.Popen(
         [program, *options, "--python", str(SCRIPT), "--", json.dumps(job)],
-        # never written to: its end shows the script that this process has ended, and the script ends Blender
+        # never written to: the script sees its end when this process ends, and then ends Blender
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -71,7 +71,7 @@ def _told(request: Request, told: dict[str, Any]) -> tuple[Line, dict[str, Any]]
         "figures": figures_of(reports),
         "problems": [f"{place_name(report, issue.piece)}: {issue.sentence}" for report, issue in issues],
         "codes": [issue.code for _, issue in issues],
-        "warnings": [*notes, *told["warnings"]],  # those of the export are last
+        "warnings": [*notes, *told["warnings"]],  # those of the export come last
         "files": [request.report_path.name, *told["files"]],
     }
     return line, told["report"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures by which a thousand models are compared. None if there is no layout to measure."""
+"""Figures for comparing thousands of models. A figure is None if there is no layout to measure."""
 
 import math
 from collections.abc import Sequence

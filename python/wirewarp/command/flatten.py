@@ -25,7 +25,7 @@ from .staged import staged_folder, take_places
 from .suffixes import BLEND
 from .verdicts import REFUSED, STOPPED, Line, unfinished, word_of
 
-# For these files only names and contents count.
+# Only the names and contents of these files matter.
 WHEREABOUTS = ("blender", "folder", "model", "refusal", "resume", "seams", "wires")
 
 
@@ -104,7 +104,7 @@ def _made_of(request: Request, model: Model | None) -> str:
 
 
 def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict[str, Any]]:
-    """Write patterns and picture to the folder. Return the line, and the other parts of the report."""
+    """Write patterns and picture to the folder. Return the line and the rest of the report."""
     repairs: list[str] = []
     lines = lines_of(request.wires)
     if request.repair:

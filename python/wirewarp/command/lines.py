@@ -92,14 +92,13 @@ def _is_chain(value: object) -> bool:
 
 
 def _is_vertex(value: object) -> bool:
-    """Return whether it may be a vertex; JSON's numbers have no limit."""
+    """Return whether the value may be a vertex: numbers in JSON have no limit."""
     return type(value) is int and abs(value) <= LARGEST
 
 
 def _sides_at_edges(faces: np.ndarray) -> np.ndarray:
-    """Return corners (k,2,2), indices into the ravelled faces.
-
-    They are both ends of each two sides of faces on one edge, in the same order.
+    """Return corners (k,2,2), indices into the ravelled faces: both ends of each two sides of faces on one edge, in
+    the same order.
     """
     starts = np.arange(faces.size)
     ends = starts - starts % 3 + (starts + 1) % 3
@@ -120,7 +119,7 @@ def _island_borders(model: Model, corner_uv: np.ndarray) -> np.ndarray:
 
 
 def _sharp_edges(model: Model) -> np.ndarray:
-    """(k,2) vertices."""
+    """Return edges (k,2) of vertices."""
     sides = _sides_at_edges(model.faces)
     a, b, c = model.vertices[model.faces].transpose(1, 0, 2)
     normals = np.cross(b - a, c - a)

@@ -63,7 +63,7 @@ def strain(vertices: np.ndarray, piece: Piece) -> np.ndarray:
     a, b, c = (vertices[piece.faces[:, corner]] for corner in range(3))
     along, aside = b - a, c - a
     length = np.linalg.norm(along, axis=1)
-    # In the face's own axes its sides are (length, 0) and (x, y).
+    # In the face's own axes, its sides are (length, 0) and (x, y).
     x = (along * aside).sum(axis=1) / length
     y = np.linalg.norm(np.cross(along, aside), axis=1) / length
     flat = [piece.vertices[piece.faces[:, corner]] - piece.vertices[piece.faces[:, 0]] for corner in (1, 2)]

@@ -14,7 +14,7 @@ Line = dict[str, Any]
 
 
 def word_of(verdict: Verdict) -> str:
-    """Return the word of the line for the report's verdict."""
+    """Return the word in the printed line for the report's verdict."""
     if verdict.is_ready:
         return READY
     return NEEDS_STRETCH if verdict.kind is Kind.NEEDS_STRETCH else FAILED

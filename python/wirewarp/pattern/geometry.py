@@ -169,7 +169,7 @@ class Motion:
     mirrored: bool = False
 
     def directions(self, vectors: np.ndarray) -> np.ndarray:
-        """Return the image of vectors (..., 2) that have no place."""
+        """Return the image of vectors (..., 2), which are not shifted."""
         cosine, sine = math.cos(math.radians(self.angle)), math.sin(math.radians(self.angle))
         turned: np.ndarray = vectors * (-1 if self.mirrored else 1, 1) @ np.array([[cosine, sine], [-sine, cosine]])
         return turned

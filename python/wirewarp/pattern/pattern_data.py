@@ -40,7 +40,7 @@ class SewingStep:
     seam: str
     kind: StepKind
     pieces: tuple[str, ...]  # each once
-    has_gap: bool  # through which the work is turned; it is closed by hand at the end
+    has_gap: bool  # an opening through which the work is turned; it is closed by hand at the end
 
 
 @dataclass(frozen=True)

@@ -187,6 +187,6 @@ def kept_text(reports: Iterable[Report]) -> str:
 
 
 def place_name(report: Report, piece: int | None) -> str:
-    """Return the object and the piece, if there is one with another name."""
+    """Return the name of the object, and of the piece if there is one with another name."""
     name = report.object if piece is None else report.pieces[piece].name
     return name if name == report.object else f"{report.object}, {name}"

@@ -27,7 +27,7 @@ def paragraph(sentences: Iterable[str]) -> str:
 
 
 def ease_text(ease: float) -> str:
-    """ "+5%", "-2.5%"."""
+    """Return "+5%", "-2.5%"."""
     return f"{100 * ease:+.3g}%"
 
 

@@ -40,6 +40,6 @@ class Format:
     # outlines (k,2) in millimeters, read by code that no writer uses
     read_cut_lines: Callable[[Path], Iterator[np.ndarray]]
     options: tuple[Option, ...] = ()
-    has_pages: bool = False  # the writer then accepts `paper` and `keep_places`, too
+    has_pages: bool = False  # the writer then also accepts `paper` and `keep_places`
     is_along_cloth: bool = False  # markers are drawn with x along the cloth
     size_of: Callable[[PatternData], np.ndarray] = lambda pattern: pattern.size  # (2,) size of a file without pages

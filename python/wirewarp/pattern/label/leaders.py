@@ -19,7 +19,7 @@ from .text_place import text_width
 
 NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from the named line to the middle of the text
 TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the direction straight out, the best first
-# of the text, the easiest to read first: along a narrow piece, text stays close to it
+# of the text, the easiest to read first; along a narrow piece, text stays close to it
 ANGLES = (0.0, 90.0, 45.0, -45.0)
 REACH = GAP / 2  # millimeters beyond the box of the cut lines, so that texts of two pieces in rows do not meet
 # Largest distance from the cut lines: within it, a text is on the same sheet, because sheets overlap by more.

@@ -157,7 +157,7 @@ class _Place:
         self._turn = math.atan2(cross, self._normal_a @ self._normal_b)
 
     def path(self) -> np.ndarray | None:
-        """(k,2) from the first cut line to the second one; None if the strips alone are right."""
+        """Return the path (k,2) from the first cut line to the second one; None if the strips alone are right."""
         if not self._corner.of_next:
             path = corner_path(self._corner.kind, self._turn, self._a, self._b)
             return None if path is None else self._point + path @ np.array([self._along_a, -self._normal_a])
@@ -165,7 +165,7 @@ class _Place:
         return None if path is None else (self._point + path @ np.array([-self._along_b, -self._normal_b]))[::-1]
 
     def filling(self, path: np.ndarray) -> np.ndarray:
-        """The polygon, counterclockwise, between the corner, the square ends of the strips and the path."""
+        """Return the polygon, counterclockwise, between the corner, the square ends of the strips and the path."""
         ends = [self._point[None]]
         if (path[0] - self._point) @ self._along_a > 0:
             ends.append(self._end_a[None])
@@ -175,7 +175,7 @@ class _Place:
         return np.concatenate(ends)
 
     def trimmed_of_first(self, path: np.ndarray, filling: np.ndarray) -> np.ndarray | None:
-        """The part of the end of the first strip that the path removes."""
+        """Return the part of the end of the first strip that the path removes."""
         back = (path[0] - self._point) @ self._along_a
         inner = path[1] if len(path) > 1 else self._end_b
         if back > -GRID or self._only_trims(second=True) or are_inside(self._end_a[None], [filling])[0]:
@@ -183,7 +183,7 @@ class _Place:
         return _beyond(path[0], inner, -back * self._along_a)
 
     def trimmed_of_second(self, path: np.ndarray, filling: np.ndarray) -> np.ndarray | None:
-        """The part of the start of the second strip that the path removes."""
+        """Return the part of the start of the second strip that the path removes."""
         ahead = (path[-1] - self._point) @ self._along_b
         inner = path[-2] if len(path) > 1 else self._end_a
         if ahead < GRID or self._only_trims(second=False) or are_inside(self._end_b[None], [filling])[0]:

@@ -76,7 +76,7 @@ def _notches_along(points: Sequence[Point], seam: int, side: int) -> tuple[float
 
 
 def _widths(laid: Sequence[Laid]) -> dict[int, float]:
-    """The widest allowance along each side, by the side's id()."""
+    """Return the widest allowance along each side, by the side's id()."""
     widths: dict[int, float] = {}
     for run in (run for piece in laid for outline in piece.outlines for run in outline.runs):
         widths[id(run.side)] = max(widths.get(id(run.side), 0.0), run.width or 0.0)
@@ -122,7 +122,7 @@ def _places(
 
 
 def _wire_ends(piece: Laid) -> np.ndarray:
-    """(w,2)"""
+    """Return the ends (w,2) of the wires."""
     return np.array([end for wire in piece.wires for end in (wire.points[0], wire.points[-1])]).reshape(-1, 2)
 
 

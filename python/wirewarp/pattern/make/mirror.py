@@ -31,7 +31,7 @@ class Mirror:
         return np.array([point.real, point.imag]), np.array([along.real, along.imag])
 
     def direction(self, vector: np.ndarray) -> np.ndarray:
-        """Return the image of a vector (2,) that has no place."""
+        """Return the image of a vector (2,), which is not shifted."""
         image = self.turn * complex(vector[0], -vector[1])
         return np.array([image.real, image.imag])
 

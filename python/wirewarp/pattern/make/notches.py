@@ -32,7 +32,7 @@ DRILL = 3.0  # millimeters: diameter
 
 
 def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Sequence[SewnSide]]) -> None:
-    """Raises FlattenError for notches that are too close to be cut."""
+    """Check the spacing. Raises FlattenError for notches that are too close to be cut."""
     if not (spacing == 0 or spacing >= LEAST_SPACING) or spacing == math.inf:
         raise problem(
             f"Notches every {spacing:g} mm cannot be cut: choose {LEAST_SPACING:g} mm or more, or 0 for none."
@@ -96,7 +96,7 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
 
 
 def clips(loop: Sequence[Side], rays: Rays) -> list[Point]:
-    """Return clips at inward corners of the stitching line: without them, the allowance does not turn."""
+    """Return clips at inward corners of the stitching line: without them, the allowance cannot be turned."""
     found = []
     points = np.concatenate([side.points[:-1] for side in loop])
     normals = right_normals(np.concatenate([points[-1:], points, points[:1]]))

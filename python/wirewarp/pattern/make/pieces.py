@@ -43,7 +43,7 @@ class Laid:
 
     @property
     def area(self) -> float:
-        """Square millimeters inside the stitching lines."""
+        """Return square millimeters inside the stitching lines."""
         return abs(sum(map(signed_area, self.sew_loops)))
 
     def allowances(self, side: Side) -> tuple[float, ...]:

@@ -20,7 +20,7 @@ class Widths:
         sides: npt.ArrayLike | None,
         folds: npt.ArrayLike | None,
     ) -> None:
-        """both, sides (k,3) and folds (k,2) as in Pattern.from_result."""
+        """Take the widths. both, sides (k,3) and folds (k,2): as in Pattern.from_result."""
         self._seam = checked_length("allowance", allowance)
         self._hem = self._seam if hem is None else checked_length("hem", hem)
         self._both = {(min(pair), max(pair)): width for pair, width in _rows("allowances", both).items()}
@@ -43,7 +43,7 @@ class Widths:
         return np.where(folds, 0.0, widths), folds
 
     def check_all_used(self) -> None:
-        """Raises FlattenError if an edge with a given width is not on an outline."""
+        """Check that each edge with a given width is on an outline. Raises FlattenError."""
         if self._unused:
             edges = sorted(self._unused)
             message = f"Edge {edges[0][0]}-{edges[0][1]} has an allowance or a fold, but is on no outline of a piece."

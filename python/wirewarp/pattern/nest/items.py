@@ -50,7 +50,7 @@ def room_at_edges(gap: float, grain: Grain) -> float:
 
 
 def items_of(pieces: Sequence[PatternPiece], gap: float, times: int) -> Generator[None, None, list[Item]]:
-    """Do the work in steps, one for each piece."""
+    """Make the items in steps, one for each piece."""
     found = []
     for piece in pieces:
         yield

@@ -67,7 +67,7 @@ def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
     for line in sorted(piece.lines, key=lambda line: (line.role == "cut", line.role == "inner_cut")):
         if line.role == "cut":
             break
-        if line.role == "sew" and line.width == 0:  # the cut line is the same line
+        if line.role == "sew" and line.width == 0:  # the cut line is the same
             continue
         role = WIRES[line.kind] if line.role == "wire" else line.role
         yield Stroke(role, line.points, line.closed, line.name)

@@ -42,7 +42,7 @@ def sheet_name(row: int, column: int) -> str:
 
 
 def roll_width(paper: str | float) -> float | None:
-    """Millimeters; None if the paper is not a roll. Raises FlattenError for an unknown paper."""
+    """Return millimeters, or None if the paper is not a roll. Raises FlattenError for an unknown paper."""
     if isinstance(paper, str):
         if paper in ROLLS:
             return ROLLS[paper]

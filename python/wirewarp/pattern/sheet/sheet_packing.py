@@ -168,7 +168,7 @@ def _shape(outlines: Sequence[np.ndarray], cell: np.ndarray, per_sheet: np.ndarr
 
 
 def _needed(cells: np.ndarray, per_sheet: np.ndarray) -> np.ndarray:
-    """See Shape. A part in only the first cells of a sheet is shown by the sheet before it."""
+    """Return Shape.needed. If a part is only in the first cells of a sheet, the sheet before shows it."""
     sums = np.pad(cells.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     ends = []
     for count, own in zip(cells.shape, per_sheet.tolist(), strict=True):

@@ -21,7 +21,7 @@ INSET = 5.0  # around the pattern, so that no cut line is on the edge of the pri
 MOST_SHEETS = 2000
 MOST_PACKED = 60  # number of sheets above which no better arrangement is searched for: it would take seconds
 MOST_WIDTHS = 8  # number of column counts that are tried, for the same reason
-TURNS = (0.0, 90.0, 180.0, 270.0)  # degrees: on paper a piece may lie in any way, but the eye wants it square
+TURNS = (0.0, 90.0, 180.0, 270.0)  # degrees: on paper a piece may be turned freely, but looks better square
 P = TypeVar("P", bound=PatternData)
 
 
@@ -150,7 +150,7 @@ def _taped(pattern: P, paper: str) -> Tiles[P]:
 
 
 def _cut_lines(piece: PatternPiece) -> list[np.ndarray]:
-    """Return them with the lower left corner of the piece at 0, 0."""
+    """Return the cut lines with the lower left corner of the piece at 0, 0."""
     return [line.points - piece.bounds[0] for line in piece.of_role("cut")]
 
 
@@ -161,7 +161,7 @@ def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
 
 
 def _check_count(count: int, pattern: PatternData) -> None:
-    """Raises FlattenError if these are too many sheets."""
+    """Check the number of sheets. Raises FlattenError if there are too many."""
     if count > MOST_SHEETS:
         size = " x ".join(pattern.units.text(float(side)) for side in pattern.size)
         raise problem(f"The pattern is {size}: more than {MOST_SHEETS} sheets; see millimeters_per_unit.")
