@@ -177,9 +177,3 @@ def test_a_cleared_cache_knows_nothing(sheet):
     cache.clear()
     assert cache.size == 0
     run_again(cache, sheet, 0)
-
-
-def test_a_cache_is_a_cache(sheet):
-    with pytest.raises(wirewarp.FlattenError, match="cache must be a Cache or None, not dict") as caught:
-        wirewarp.flatten(**sheet, cache={})
-    assert caught.value.code is ErrorCode.invalid_type

@@ -45,21 +45,6 @@ def test_attributes_of_vertices_faces_and_corners_are_taken_over() -> None:
     assert {tuple(line[[0, -1]].tolist()) for line in sources.divided_edges} == uprights | diagonals
 
 
-def test_a_dart_across_faces_is_flattened_with_equal_sides() -> None:
-    vertices, faces = spherical_patch(12, 12)
-    path = across(12, 0.53, 0.5)
-    new_vertices, new_faces, edges, _ = wirewarp.cut_mesh(vertices, faces, [path])
-    before = wirewarp.flatten(vertices, faces).pieces[0]
-    result = wirewarp.flatten(new_vertices, new_faces, seams=edges)
-    piece = result.pieces[0]
-    assert before.error is None and piece.error is None and len(result.pieces) == 1
-    assert piece.metrics.arap_energy < before.metrics.arap_energy
-    assert piece.metrics.area_3d == pytest.approx(before.metrics.area_3d, rel=1e-12)
-    dart = next(seam for seam in result.seams if seam.pieces == (0, 0))
-    assert dart.length_3d == pytest.approx(np.linalg.norm(np.diff(new_vertices[edges], axis=1), axis=2).sum())
-    assert dart.mismatch <= 1e-9 * dart.length_3d
-
-
 def test_paths_and_sources_can_be_pickled_and_written_as_json() -> None:
     vertices, faces = grid(2, 2, lambda u, v: (u, v, 0.0))
     path = across(2, 0.3, 1.0)
@@ -70,38 +55,39 @@ def test_paths_and_sources_can_be_pickled_and_written_as_json() -> None:
     assert path.to_dict()["faces"] == [1, 0, 3, 2, 2]
 
 
+POINTS = np.eye(3)[:2]  # two, at corners
+
+
 @pytest.mark.parametrize(
-    ("faces", "coordinates", "code", "sentence"),
+    ("faces", "coordinates", "said"),
     [
-        ([0], [(1, 0, 0)], "invalid_option", "The option path is too short: it must have two points or more."),
-        ([0, 1], [(1, 0, 0)], "invalid_option", "The option path is a line of 2 faces and 1 coordinates: it must have"),
-        ([0, 0.5], np.eye(3)[:2], "invalid_type", "SurfacePath faces must be whole numbers, not float64."),
-        ([[0, 0]], np.eye(3)[:2], "invalid_shape", "SurfacePath faces has the shape (1, 2): it must be (n,)."),
-        ([0, 0], [(1, 0), (0, 1)], "invalid_shape", "SurfacePath coordinates has the shape (2, 2): it must be (n, 3)."),
-        ([0, 0], [(1, 0, 0), (0, np.nan, 1)], "invalid_option", "The option path is at point 1 at 0, nan, 1: it must"),
-        ([0, 10**12], np.eye(3)[:2], "invalid_option", "The option SurfacePath faces is a list with 1000000000000: it"),
+        ([0], [(1, 0, 0)], "The option path is too short: it must have two points or more."),
+        ([0, 1], [(1, 0, 0)], "The option path is a line of 2 faces and 1 coordinates: it must have"),
+        ([0, 0.5], POINTS, "SurfacePath faces must be whole numbers, not float64."),
+        ([[0, 0]], POINTS, "SurfacePath faces has the shape (1, 2): it must be (n,)."),
+        ([0, 0], [(1, 0), (0, 1)], "SurfacePath coordinates has the shape (2, 2): it must be (n, 3)."),
+        ([0, 0], [(1, 0, 0), (0, np.nan, 1)], "The option path is at point 1 at 0, nan, 1: it must"),
+        ([0, 10**12], POINTS, "The option SurfacePath faces is a list with 1000000000000: it"),
     ],
 )
-def test_what_is_no_path_is_refused(faces: object, coordinates: object, code: str, sentence: str) -> None:
+def test_what_is_no_path_is_refused(faces: object, coordinates: object, said: str) -> None:
     with pytest.raises(wirewarp.FlattenError) as caught:
         wirewarp.SurfacePath(faces, coordinates)
-    assert caught.value.code == code
-    assert str(caught.value).startswith(sentence)
+    assert str(caught.value).startswith(said)
 
 
 @pytest.mark.parametrize(
-    ("paths", "snap", "code", "sentence"),
+    ("paths", "snap", "said"),
     [
-        ([(0, 1)], 0.05, "invalid_type", "paths[0] must be a SurfacePath, not tuple."),
-        (None, 0.05, "invalid_type", "paths must be a list of SurfacePath, not NoneType."),
-        ([], "much", "invalid_type", "snap must be a number, not str."),
-        ([], 1.0, "invalid_option", "The option snap is 1: it must be from 0.0001 to 0.25."),
-        ([wirewarp.SurfacePath([0, 99], np.eye(3)[:2])], 0.05, "invalid_option", "The option paths[0] is a line in"),
+        ([(0, 1)], 0.05, "paths[0] must be a SurfacePath, not tuple."),
+        (None, 0.05, "paths must be a list of SurfacePath, not NoneType."),
+        ([], "much", "snap must be a number, not str."),
+        ([], 1.0, "The option snap is 1: it must be from 0.0001 to 0.25."),
+        ([wirewarp.SurfacePath([0, 99], POINTS)], 0.05, "The option paths[0] is a line in"),
     ],
 )
-def test_what_cannot_be_cut_is_refused(paths: Lines, snap: float, code: str, sentence: str) -> None:
+def test_what_cannot_be_cut_is_refused(paths: Lines, snap: float, said: str) -> None:
     vertices, faces = spherical_patch(4, 4)
     with pytest.raises(wirewarp.FlattenError) as caught:
         wirewarp.cut_mesh(vertices, faces, paths, snap=snap)
-    assert caught.value.code == code
-    assert str(caught.value).startswith(sentence)
+    assert str(caught.value).startswith(said)

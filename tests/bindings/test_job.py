@@ -23,8 +23,10 @@ def test_a_job_ends_with_what_flatten_returns():
     vertices, faces = spherical_patch(20, 20)
     wires = [wirewarp.Wire([0, 1, 2], name="edge")]
     options = wirewarp.Options(fairness=0.2)
+    other = wirewarp.start(*half_cylinder(20, 20))  # several run at once
     job = wirewarp.start(vertices, faces, wires=wires, options=options)
     result = job.result()
+    assert np.array_equal(other.result().corner_uv, wirewarp.flatten(*half_cylinder(20, 20)).corner_uv)
     assert job.is_done()
     assert job.progress() == ("measure", 1.0)
     assert job.result() is result
@@ -67,16 +69,26 @@ def test_arguments_of_a_wrong_type_are_raised_at_once():
         wirewarp.start(*half_cylinder(), cache={})
 
 
-@pytest.mark.parametrize("kind", ["darts", "seams"])
-def test_proposals_are_found_in_a_job(kind):
-    start, propose = (getattr(wirewarp, f"{verb}_{kind}") for verb in ("start", "propose"))
+@pytest.mark.parametrize(
+    ("start", "find", "limits"),
+    [
+        (wirewarp.start_darts, wirewarp.propose_darts, {"count": 2, "longest": 1.5}),
+        (wirewarp.start_darts, wirewarp.propose_darts, {"count": 1, "smooth": True}),
+        (wirewarp.start_seams, wirewarp.propose_seams, {"count": 2, "longest": 1.5}),
+        (wirewarp.start_plan, wirewarp.plan_cuts, {"kind": "dart", "strain": 0.0, "most": 2, "twins": True}),
+    ],
+)
+def test_proposals_are_found_in_a_job(start, find, limits):
     mesh = spherical_patch(8, 8)
-    job = start(*mesh, count=2, longest=1.5)
+    job = start(*mesh, **limits)
     found = job.result()
     assert job.progress()[0] == "cuts" and job.result() is found
-    assert [each.to_dict() for each in found] == [each.to_dict() for each in propose(*mesh, count=2, longest=1.5)]
-    with pytest.raises(wirewarp.FlattenError, match="is flat enough"):
-        start(*half_cylinder()).result()
+    assert [each.to_dict() for each in found] == [each.to_dict() for each in find(*mesh, **limits)]
+    for code, refused in (("no_proposal", {}), ("invalid_option", {"strain": -1.0})):
+        job = start(*half_cylinder(), **refused)
+        with pytest.raises(wirewarp.FlattenError) as caught:
+            job.result()
+        assert caught.value.code == code
     with pytest.raises(wirewarp.FlattenError, match="no_seam"):
         start(*mesh, no_seam="all")  # wrong type: raised at once
     job = start(*spherical_patch(100, 100))
@@ -84,31 +96,6 @@ def test_proposals_are_found_in_a_job(kind):
     with pytest.raises(wirewarp.FlattenError) as caught:
         job.result()
     assert caught.value.code == wirewarp.ErrorCode.cancelled
-
-
-def test_a_plan_is_found_in_a_job():
-    mesh, limits = spherical_patch(8, 8), {"kind": "dart", "strain": 0.0, "most": 2, "twins": True}
-    job = wirewarp.start_plan(*mesh, **limits)
-    found = job.result()
-    assert job.progress()[0] == "cuts" and job.progress()[1] > 0.5
-    assert [each.to_dict() for each in found] == [each.to_dict() for each in wirewarp.plan_cuts(*mesh, **limits)]
-    assert all(each.strain_left < found[0].strain_before for each in found)
-    with pytest.raises(wirewarp.FlattenError, match="it must be dart or seam"):
-        wirewarp.start_plan(*mesh, kind="zip")  # raised at once
-    with pytest.raises(wirewarp.FlattenError, match="option most is 0: it must be at least 1"):
-        wirewarp.start_plan(*mesh, most=0).result()
-    job = wirewarp.start_plan(*spherical_patch(100, 100), most=3)
-    job.cancel()
-    with pytest.raises(wirewarp.FlattenError) as caught:
-        job.result()
-    assert caught.value.code == wirewarp.ErrorCode.cancelled
-
-
-def test_several_jobs_run_at_once():
-    meshes = [half_cylinder(20, 20), spherical_patch(20, 20)] * 3
-    jobs = [wirewarp.start(*mesh) for mesh in meshes]
-    for mesh, job in zip(meshes, jobs, strict=True):
-        assert np.array_equal(job.result().corner_uv, wirewarp.flatten(*mesh).corner_uv)
 
 
 def test_a_job_that_nobody_holds_is_cancelled():

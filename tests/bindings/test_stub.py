@@ -46,6 +46,7 @@ def public(value) -> set[str]:
 
 
 CLASSES = {node.name: node for node in stub("_wirewarp.pyi").body if isinstance(node, ast.ClassDef)}
+FUNCTIONS = {node.name: node for node in stub("_wirewarp.pyi").body if isinstance(node, ast.FunctionDef)}
 
 
 def test_the_stub_names_what_the_module_has():
@@ -103,24 +104,10 @@ def parameters(function: ast.FunctionDef) -> list[tuple[str, str]]:
     return [(arg.arg, ast.unparse(default) if default else "") for arg, default in pairs]
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        "flatten",
-        "measure",
-        "plan_cuts",
-        "propose_darts",
-        "propose_seams",
-        "start",
-        "start_darts",
-        "start_plan",
-        "start_seams",
-    ],
-)
+@pytest.mark.parametrize("name", FUNCTIONS)
 def test_the_stub_knows_the_parameters_of_a_function(name):
-    (typed,) = (node for node in stub("_wirewarp.pyi").body if isinstance(node, ast.FunctionDef) and node.name == name)
-    signature = getattr(wirewarp, name).__doc__.splitlines()[0]  # pybind11 writes it
-    assert parameters(typed) == parameters(ast.parse(f"def {signature}: ...").body[0])
+    signature = getattr(_wirewarp, name).__doc__.splitlines()[0]  # pybind11 writes it
+    assert parameters(FUNCTIONS[name]) == parameters(ast.parse(f"def {signature}: ...").body[0])
 
 
 def test_python_has_every_field_of_the_headers():
