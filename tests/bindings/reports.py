@@ -1,16 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reports of samples, like those of the command line."""
 
-from samples import SAMPLES
-from wirewarp import Ease, Options, Wire, flatten
+from samples import SAMPLES, eases_of, flatten, flattened_with_eases, wires_of
 from wirewarp.report import Report, make_report
 
 
-def report_of(name: str, **options) -> Report:
+def report_of(name: str, cloth=None, **options) -> Report:
     shape = SAMPLES[name]
-    vertices, faces = shape.vertices, shape.triangles()
-    wires = [Wire(wire.vertices, wire.tolerance, wire.name) for wire in shape.wires]
-    eases = [Ease(ease.half_edges, ease.ratio) for ease in shape.eases]
-    cloth = options.get("cloth")
-    result = flatten(vertices, faces, seams=shape.seams, wires=wires, eases=eases, options=Options(cloth=cloth))
-    return make_report(result, vertices, faces, wires=wires, eases=eases, name=name, **options)
+    eases = eases_of(shape)
+    result = flatten(shape, eases=eases, cloth=cloth) if cloth else flattened_with_eases(name)
+    mesh = (shape.vertices, shape.triangles())
+    return make_report(result, *mesh, wires=wires_of(shape), eases=eases, name=name, cloth=cloth, **options)

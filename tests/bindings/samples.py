@@ -14,33 +14,44 @@ from shapes import Shape, all_shapes
 SAMPLES = {shape.name: shape for shape in all_shapes()}
 
 
+def wires_of(shape: Shape, tolerance: float | None = None) -> list[wirewarp.Wire]:
+    """tolerance: of all wires, in place of their own."""
+    tolerances = [wire.tolerance if tolerance is None else tolerance for wire in shape.wires]
+    return [wirewarp.Wire(wire.vertices, own, wire.name) for wire, own in zip(shape.wires, tolerances, strict=True)]
+
+
+def eases_of(shape: Shape) -> list[wirewarp.Ease]:
+    return [wirewarp.Ease(ease.half_edges, ease.ratio) for ease in shape.eases]
+
+
+def cloth_of(shape: Shape) -> wirewarp.Cloth | None:
+    if not shape.cloth:
+        return None
+    return wirewarp.Cloth(**wirewarp.Cloth.preset(shape.cloth).to_dict() | {"stretch": shape.stretch})
+
+
 def flatten(shape: Shape, tolerance: float | None = None, eases=(), **options) -> wirewarp.FlattenResult:
-    """Flatten a sample. tolerance: of all wires, instead of their own."""
-    wires = [
-        wirewarp.Wire(wire.vertices, wire.tolerance if tolerance is None else tolerance, wire.name)
-        for wire in shape.wires
-    ]
-    return wirewarp.flatten(
-        shape.vertices,
-        shape.triangles(),
-        seams=shape.seams,
-        wires=wires,
-        eases=eases,
-        options=wirewarp.Options(**options),
-    )
+    mesh, options = (shape.vertices, shape.triangles()), wirewarp.Options(**options)
+    return wirewarp.flatten(*mesh, seams=shape.seams, wires=wires_of(shape, tolerance), eases=eases, options=options)
+
+
+def flattened(name: str, tolerance: float | None = None, **options) -> wirewarp.FlattenResult:
+    """The same result whenever it is asked for."""
+    return _flattened(name, tolerance, tuple(sorted(({"method": "refined"} | options).items())))
 
 
 @cache
-def flattened(name: str, tolerance: float | None = None, **options) -> wirewarp.FlattenResult:
-    return flatten(SAMPLES[name], tolerance, **options)
+def _flattened(name: str, tolerance: float | None, options: tuple) -> wirewarp.FlattenResult:
+    return flatten(SAMPLES[name], tolerance, **dict(options))
+
+
+@cache
+def flattened_with_eases(name: str) -> wirewarp.FlattenResult:
+    return flatten(SAMPLES[name], eases=eases_of(SAMPLES[name]))
 
 
 @cache
 def flattened_as_made(name: str) -> wirewarp.FlattenResult:
     """Flatten a sample with its eases and in its fabric."""
     shape = SAMPLES[name]
-    cloth = None
-    if shape.cloth:
-        cloth = wirewarp.Cloth(**wirewarp.Cloth.preset(shape.cloth).to_dict() | {"stretch": shape.stretch})
-    eases = [wirewarp.Ease(ease.half_edges, ease.ratio) for ease in shape.eases]
-    return flatten(shape, eases=eases, cloth=cloth, fairness=shape.fairness)
+    return flatten(shape, eases=eases_of(shape), cloth=cloth_of(shape), fairness=shape.fairness)

@@ -3,7 +3,7 @@
 
 import numpy as np
 import pytest
-from test_reference_figures import PANELS
+from test_reference_figures import PANELS, read_panel
 from wirewarp import ErrorCode, FlattenError, flatten
 
 TUBES = ["tee_sleeve_annulus", "wetsuit_leg_annulus", "jeans_leg_annulus", "skirt_whole_annulus"]
@@ -11,14 +11,6 @@ WHOLE = ["jeans_whole_3loops", "tshirt_whole_4loops", "wetsuit_upper_body_4loops
 OPEN = ["pillow_front", "hat_half", "shoe_upper_annulus", "shirt_collar", "wetsuit_bust_side", "sofa_seat_face"]
 
 pytestmark = pytest.mark.skipif(not PANELS.exists(), reason="the garment parts are not at hand")
-
-
-def read_mesh(name: str) -> tuple[np.ndarray, np.ndarray]:
-    lines = [line.split() for line in (PANELS / f"{name}.obj").read_text().splitlines()]
-    vertices = [[float(x) for x in words[1:4]] for words in lines if words[:1] == ["v"]]
-    faces = [[int(word.split("/")[0]) - 1 for word in words[1:]] for words in lines if words[:1] == ["f"]]
-    triangles = [(face[0], b, c) for face in faces for b, c in zip(face[1:], face[2:], strict=False)]
-    return np.array(vertices), np.array(triangles)
 
 
 def refused(vertices: np.ndarray, faces: np.ndarray) -> FlattenError:
@@ -30,7 +22,7 @@ def refused(vertices: np.ndarray, faces: np.ndarray) -> FlattenError:
 
 @pytest.mark.parametrize("name", TUBES)
 def test_a_tube_is_refused_and_lies_flat_along_its_proposed_seams(name: str):
-    vertices, faces = read_mesh(name)
+    vertices, faces, _ = read_panel(name)
     error = refused(vertices, faces)
     assert len(error.vertices) == 2  # one for each end
     (opened,) = flatten(vertices, faces, seams=error.proposed_seams).pieces
@@ -39,12 +31,12 @@ def test_a_tube_is_refused_and_lies_flat_along_its_proposed_seams(name: str):
 
 @pytest.mark.parametrize("name", WHOLE)
 def test_a_whole_garment_lies_flat_after_one_proposal(name: str):
-    vertices, faces = read_mesh(name)
+    vertices, faces, _ = read_panel(name)
     result = flatten(vertices, faces, seams=refused(vertices, faces).proposed_seams)
     assert [piece.error for piece in result.pieces if piece.error] == []
 
 
 @pytest.mark.parametrize("name", OPEN)
 def test_a_part_that_can_be_cut_is_not_refused(name: str):
-    (piece,) = flatten(*read_mesh(name)).pieces
+    (piece,) = flatten(*read_panel(name)[:2]).pieces
     assert piece.error is None or piece.error.code is not ErrorCode.boundary_too_short

@@ -4,7 +4,7 @@
 import numpy as np
 import pytest
 import wirewarp
-from samples import SAMPLES, flattened, flattened_as_made
+from samples import SAMPLES, cloth_of, eases_of, flattened, flattened_as_made, wires_of
 from wirewarp.report import make_report, verdict
 
 pytestmark = pytest.mark.core
@@ -19,32 +19,17 @@ def share_within(piece: wirewarp.Piece, name: str, limits: tuple[float, float]) 
     return min(areas[strain <= limit].sum() / areas.sum() for strain, limit in zip(strains, limits, strict=True))
 
 
-def wires_of(name: str) -> list[wirewarp.Wire]:
-    return [wirewarp.Wire(wire.vertices, wire.tolerance, wire.name) for wire in SAMPLES[name].wires]
-
-
 @pytest.mark.parametrize("fabric", wirewarp.Cloth.presets())
 @pytest.mark.parametrize("name", SAMPLES)
 def test_green_stands_where_the_fabric_can_stretch_as_far_in_99_percent_of_each_piece(name, fabric):
     shape, cloth, result = SAMPLES[name], wirewarp.Cloth.preset(fabric), flattened(name)
-    report = make_report(result, shape.vertices, shape.triangles(), wires=wires_of(name), cloth=cloth, fabric=fabric)
+    report = make_report(result, shape.vertices, shape.triangles(), wires=wires_of(shape), cloth=cloth, fabric=fabric)
     shares = [share_within(piece, name, cloth.limits) for piece in result.pieces]
     assert verdict(report).is_ready == (min(shares) >= 0.99)
 
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_a_sample_is_ready_to_be_cut_from_its_fabric(name):
-    shape, fabric = SAMPLES[name], None
-    if shape.cloth:
-        preset = wirewarp.Cloth.preset(shape.cloth)
-        fabric = wirewarp.Cloth(**preset.to_dict() | {"stretch": shape.stretch})
-    report = make_report(
-        flattened_as_made(name),
-        shape.vertices,
-        shape.triangles(),
-        wires=wires_of(name),
-        eases=[wirewarp.Ease(ease.half_edges, ease.ratio) for ease in shape.eases],
-        cloth=fabric,
-        fabric=shape.cloth,
-    )
-    assert verdict(report).is_ready
+    shape, result = SAMPLES[name], flattened_as_made(name)
+    marked = {"wires": wires_of(shape), "eases": eases_of(shape), "cloth": cloth_of(shape), "fabric": shape.cloth}
+    assert verdict(make_report(result, shape.vertices, shape.triangles(), **marked)).is_ready
