@@ -33,6 +33,12 @@ def rectangle(width: float, height: float) -> wirewarp.FlattenResult:
     return quads([(0, 0), (width, 0), (width, height), (0, height)], [(0, 1, 2, 3)])
 
 
+def turn(angle: float) -> np.ndarray:
+    """(2,2) for rows of points, degrees counterclockwise."""
+    cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+    return np.array([[cosine, sine], [-sine, cosine]])
+
+
 def cut_polygon(piece: PatternPiece) -> shapely.Polygon:
     (outer,) = piece.of_role("cut")
     return shapely.Polygon(outer.points, [line.points for line in piece.of_role("inner_cut")])

@@ -9,6 +9,7 @@ import shapely
 import wirewarp
 from patterns import cut_polygon, line_string, quads, rectangle, sample, sew_polygon
 from samples import SAMPLES, flattened
+from surfaces import tetrahedron
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.geometry import innermost_point
 
@@ -228,25 +229,6 @@ def test_an_inward_corner_is_clipped():
     assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # from the corner of the cut line
 
 
-def test_pairs_and_halves_are_drawn_once():
-    pattern = sample("Fitted top", hem=30.0)
-    drawn = sample("Fitted top", hem=30.0, pairs=True, on_fold=True)
-    assert [piece.quantity for piece in drawn.pieces] == [(1, 0), (1, 0), (1, 1)]
-    assert [piece.on_fold for piece in drawn.pieces] == [True, True, False]
-    assert "3 of 3" in drawn.pieces[2].texts[0].lines
-    half = drawn.pieces[0]
-    (fold,) = half.of_role("fold")
-    (cut,) = half.of_role("cut")
-    assert not cut.closed and half.on_fold and "Cut 1 on the fold" in half.texts[0].lines
-    assert 2 * shapely.Polygon(cut.points).area == pytest.approx(cut_polygon(pattern.pieces[0]).area, rel=1e-4)
-    assert {tuple(cut.points[0].round(3)), tuple(cut.points[-1].round(3))} == {
-        tuple(end.round(3)) for end in fold.points
-    }
-    low, high = half.bounds
-    for line in half.lines:
-        assert np.all(line.points > low - 0.1) and np.all(line.points < high + 0.1)
-
-
 def test_allowances_that_differ_make_no_pair():
     points = [(0, 0), (100, 0), (100, 50), (0, 80), (200, 0), (300, 0), (300, 80), (200, 50)]
     result = quads(points, [(0, 1, 2, 3), (4, 5, 6, 7)])
@@ -300,14 +282,9 @@ def test_a_piece_of_the_wrong_unit_is_one_sentence(size):
 
 
 def test_a_piece_that_breaks_a_promise_is_no_pattern():
-    result = wirewarp.flatten(*closed_box())
+    result = wirewarp.flatten(*tetrahedron())
     with pytest.raises(wirewarp.FlattenError, match='"Piece 1" is not ready to cut'):
         Pattern.from_result(result)
-
-
-def closed_box():
-    points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
-    return points, np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 
 
 def test_nothing_is_cut_at_a_fold():

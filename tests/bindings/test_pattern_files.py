@@ -14,7 +14,7 @@ import pypdfium2
 import pytest
 import shapely
 import wirewarp
-from patterns import SCALE, cut_points, extent, flattened, quads, rectangle, sample
+from patterns import SCALE, cut_points, extent, flattened, rectangle, sample
 from PIL import Image
 from wirewarp.pattern import FORMATS, STAGES, Pattern
 
@@ -301,18 +301,6 @@ def test_paths_that_cannot_be_written(tmp_path):
     (tmp_path / "folder.svg").mkdir()
     with pytest.raises(IsADirectoryError, match="is not a file"):
         pattern.write(tmp_path / "folder.svg")
-
-
-def test_500_pieces(tmp_path):
-    side, count = 30.0, 500  # millimeters
-    points = [(x + 40 * number, y) for number in range(count) for x, y in ((0, 0), (side, 0), (side, side), (0, side))]
-    result = quads(points, np.arange(4 * count).reshape(-1, 4).tolist())
-    pattern = Pattern.from_result(result)
-    assert len(pattern.pieces) == count
-    for suffix in ("pdf", "svg", "dxf", "plt"):
-        pattern.write(tmp_path / f"x.{suffix}")
-    names = [block.name for block in ezdxf.readfile(tmp_path / "x.dxf").blocks]
-    assert sum(name.startswith("PIECE") for name in names) == count
 
 
 def test_what_is_left_out_is_in_no_file(tmp_path):

@@ -10,20 +10,32 @@ import pypdfium2
 import pytest
 import shapely
 import wirewarp
-from patterns import quads, rectangle, sample
+from patterns import MILLIMETER, quads, rectangle, sample, turn
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.make.outline import flat_piece
 
-MILLIMETER = 72 / 25.4  # PDF's points in it
 
-
-@pytest.mark.parametrize("paper", ["a4", "letter", "a3", "a0", "24in", 700.0, "projector"])
-def test_the_pages_are_told_before_they_are_written(tmp_path, paper):
+@pytest.mark.parametrize(
+    ("paper", "sides"),
+    [
+        ("a4", (210, 297)),
+        ("letter", (215.9, 279.4)),
+        ("a3", (297, 420)),
+        ("a0", (841, 1189)),
+        ("24in", (609.6, None)),
+        (700.0, (700, None)),
+        ("projector", (None, None)),
+    ],
+)
+def test_the_pages_are_told_before_they_are_written(tmp_path, paper, sides):
     pattern = sample("Hat")
     sizes = pattern.page_sizes(paper)
-    pattern.write(tmp_path / "pages.pdf", paper=paper)
-    pages = [page.get_size() for page in pypdfium2.PdfDocument(tmp_path / "pages.pdf")]
-    assert np.array(pages) * 25.4 / 72 == pytest.approx(np.array(sizes), abs=0.01)
+    written = pattern.write(tmp_path / "pages.pdf", paper=paper)
+    pages = np.array([page.get_size() for page in pypdfium2.PdfDocument(tmp_path / "pages.pdf")]) / MILLIMETER
+    assert len(pages) == written.sheets and pages == pytest.approx(np.array(sizes), abs=0.01)
+    for page in pages:
+        expected = [own if side is None else side for own, side in zip(page, sides, strict=True)]
+        assert sorted(page) == pytest.approx(sorted(expected), abs=1e-3)
 
 
 @pytest.mark.parametrize("keep_places", [False, True])
@@ -87,12 +99,6 @@ def test_every_text_beside_a_piece_is_on_a_sheet(angle):
             points = text.center + box @ turn(text.angle)
             on_page = [np.all((points > page.low) & (points < page.low + page.size), axis=1) for page in pages]
             assert np.all(np.any(on_page, axis=0))
-
-
-def turn(angle):
-    """Return (2,2) for rows of points. angle: degrees counterclockwise."""
-    cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
-    return np.array([[cosine, sine], [-sine, cosine]])
 
 
 def straps(count):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, line_string, quads, rectangle, sample
+from patterns import cut_polygon, line_string, quads, rectangle, sample, turn
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.geometry import Motion, right_normals
 from wirewarp.pattern.make.outline import flat_piece
@@ -33,10 +33,9 @@ def symmetric(angle, **options):
     vertices = np.column_stack([points / 1000, np.zeros(len(points))])
     wires = [wirewarp.Wire([8, 6, 7], name="Across"), wirewarp.Wire([0, 6, 3], name="Middle")]
     result = wirewarp.flatten(vertices, np.array(faces), wires=wires)
-    cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
-    turn = np.array([[cosine, sine], [-sine, cosine]])
     piece = flat_piece(result.pieces[0], "Front", 1000.0)
-    turned = replace(piece, vertices=points[piece.source_vertex] @ turn, grain=np.array([0.0, 1.0]) @ turn)
+    grain = np.array([0.0, 1.0]) @ turn(angle)
+    turned = replace(piece, vertices=points[piece.source_vertex] @ turn(angle), grain=grain)
     return Pattern.from_pieces([turned], [], **options)
 
 

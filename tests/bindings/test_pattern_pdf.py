@@ -6,19 +6,9 @@ import re
 import numpy as np
 import pypdfium2
 import pytest
-import shapely
 import wirewarp
-from patterns import MILLIMETER, SCALE, cut_points, dark, extent, quads, rectangle, sample
+from patterns import MILLIMETER, SCALE, dark, extent, quads, rectangle, sample
 from wirewarp.pattern import Pattern
-
-
-@pytest.mark.parametrize(("paper", "size"), [("a4", (210, 297)), ("letter", (215.9, 279.4)), ("a3", (297, 420))])
-def test_pages_have_the_size_of_the_paper(tmp_path, paper, size):
-    written = sample("Hat").write(tmp_path / "hat.pdf", paper=paper)
-    document = pypdfium2.PdfDocument(tmp_path / "hat.pdf")
-    assert len(document) == written.sheets > 1
-    for page in document:
-        assert sorted(side / MILLIMETER for side in page.get_size()) == pytest.approx(sorted(size), abs=1e-3)
 
 
 def test_what_is_printed_has_its_true_size(tmp_path):
@@ -32,34 +22,6 @@ def test_what_is_printed_has_its_true_size(tmp_path):
     pixels = pixels[int(168 * SCALE) :]  # above the squares to measure
     across, up = sorted(extent(pixels))
     assert (across, up) == pytest.approx((170.5, 720.5), abs=1.5 / SCALE)
-
-
-def test_tiles_put_together_are_the_one_page(tmp_path):
-    pattern = Pattern.from_result(rectangle(420, 330), allowance=10.0, notch_spacing=0)
-    pattern.write(tmp_path / "tiles.pdf", paper="a4")
-    texts = [page.get_textpage().get_text_range() for page in pypdfium2.PdfDocument(tmp_path / "tiles.pdf")]
-    names = [re.search(r"\b([A-Z])(\d)", text).groups() for text in texts[1:]]
-    document = pypdfium2.PdfDocument(tmp_path / "tiles.pdf")
-    paper = np.array(document[1].get_size()) / MILLIMETER
-    shown, scale = paper - 20, 2.0
-    step = shown - 10
-    columns, rows = max(int(column) for _, column in names), max(ord(row) - 64 for row, _ in names)
-    whole = np.zeros([round(side * scale) for side in (np.array([columns, rows]) * step + 10)[::-1]], dtype=bool)
-    for number, (row, column) in enumerate(names, start=1):
-        pixels = dark(document[number], scale)
-        inner = pixels[
-            round(11 * scale) : round((paper[1] - 11) * scale), round(11 * scale) : round((paper[0] - 11) * scale)
-        ]
-        low = np.array([(int(column) - 1) * step[0] + 1, (rows - (ord(row) - 64)) * step[1] + 1])
-        x, y = np.rint(low * scale).astype(int)
-        whole[y : y + inner.shape[0], x : x + inner.shape[1]] |= inner
-    # All of the cut line is there, at its place to a pixel; it starts 5 mm from the edge of the printed area.
-    (cut,) = cut_points(pattern)
-    top = (np.array([columns, rows]) * step + 10)[1]
-    line = shapely.LinearRing(cut + (5, top - pattern.size[1] - 5))
-    for place in shapely.line_interpolate_point(line, np.linspace(0, line.length, 400)):
-        x, y = np.floor(np.array(place.coords[0]) * scale).astype(int)
-        assert whole[y - 1 : y + 2, x - 1 : x + 2].any()
 
 
 @pytest.mark.parametrize("name", ["Hat", "Carnival mask"])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, flattened, quads, rectangle, sample
+from patterns import cut_polygon, flattened, quads, rectangle, sample, turn
 from wirewarp.pattern import FlatPiece, Pattern, Text
 from wirewarp.pattern.label.leaders import FARTHEST, Beside
 from wirewarp.pattern.make.outline import flat_piece
@@ -104,12 +104,6 @@ def test_texts_beside_a_piece_are_nearer_than_sheets_overlap(angle):
     )
     assert around.contains(letters(text))
     assert all(around.contains(shapely.LineString(leader.points)) for leader in piece.of_role("card leader"))
-
-
-def turn(angle):
-    """Return (2,2) for rows of points, counterclockwise."""
-    cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
-    return np.array([[cosine, sine], [-sine, cosine]])
 
 
 def test_no_line_to_a_name_crosses_a_large_piece():
