@@ -34,7 +34,7 @@ def rectangle(width: float, height: float) -> wirewarp.FlattenResult:
 
 
 def turn(angle: float) -> np.ndarray:
-    """(2,2) for rows of points, degrees counterclockwise."""
+    """Return (2,2) for rows of points. angle: degrees counterclockwise."""
     cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
     return np.array([[cosine, sine], [-sine, cosine]])
 

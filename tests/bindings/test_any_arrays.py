@@ -24,7 +24,7 @@ HUGE = st.one_of(st.integers(-3, 200), st.sampled_from([2**31 - 1, 2**31, -(2**3
 
 @st.composite
 def rearranged(draw, array):
-    """The same numbers in another dtype that holds them, order, stride and writability."""
+    """Return the same numbers in another dtype, order, stride or writability."""
     kinds = ("i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "f2", "f4", "f8", "g")
     held = [kind for kind in kinds if (array >= 0).all() or not kind.startswith("u")]
     held = [kind for kind in held if (array.astype(kind) == array).all()]

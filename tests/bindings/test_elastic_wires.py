@@ -43,7 +43,7 @@ def test_the_rigid_method_uses_no_tolerance(tolerance):
 
 @pytest.mark.parametrize("method", ["wirewarp++", "refined"])
 def test_each_part_of_a_wire_has_its_own_length(method):
-    """The patch is cut off the middle, so the two parts of the parallel differ in length and in curvature."""
+    """The patch is divided off the middle, so the two parts of the parallel differ in length and in curvature."""
     seam = [(v, v + 9) for v in range(2, 72, 9)]
     options = wirewarp.Options(method=method)
     result = wirewarp.flatten(*PATCH, seams=seam, wires=[wirewarp.Wire(PARALLEL, 0.5)], options=options)
@@ -59,7 +59,7 @@ def test_what_was_done_is_counted():
     assert rigid.outer_iterations == rigid.gradient_evaluations == 0
     assert elastic.gradient_evaluations > elastic.outer_iterations > 0
     refined = flatten(0.05, 0.05).report
-    assert refined.outer_iterations > 0  # near the end several with one factor
+    assert refined.outer_iterations > 0  # near the end, several steps use one factor
     assert 0 < refined.factorizations <= 8
     assert refined.inner_solves == refined.gradient_evaluations == 0
     assert rigid.termination == elastic.termination == refined.termination == "converged"

@@ -31,7 +31,7 @@ def test_cancelled_at_every_call_a_piece_is_cancelled_or_exact(method):
         piece = flatten(method, lambda *call, asked=asked, last=last: asked.append(call) or len(asked) <= last)
         if piece.error is None:  # without an error, the guarantee holds
             assert piece.report.termination in ("cancelled", "converged", "stalled")
-            assert not piece.report.objective < (1 - 1e-9) * whole.report.objective  # NaN but for the refined method
+            assert not piece.report.objective < (1 - 1e-9) * whole.report.objective  # NaN except for the refined method
             assert max(chain.max_edge_error for chain in (*piece.wires, *piece.boundaries)) < 1e-9
             said = any(warning.startswith("Canceled") for warning in piece.report.warnings)
             assert said == (piece.report.termination == "cancelled")

@@ -150,7 +150,7 @@ def test_success_says_whether_lengths_were_to_stay():
 
 
 def test_the_figure_is_that_by_which_suggestions_are_ranked():
-    """Recomputed here from the core's aspect ratios: the least value that 99% of the area does not exceed."""
+    """Computed here from the core's aspect ratios: the least value that 99% of the area does not exceed."""
     shape, result, report = SAMPLES["Fitted top"], flattened("Fitted top"), report_of("Fitted top")
     corners = np.asarray(shape.vertices)[shape.triangles()]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
@@ -170,7 +170,7 @@ def test_what_unfolds_is_ready_for_any_fabric():
 
 
 def test_gathers_are_wanted_and_no_strain():
-    """The waist of the sample's skirt is cut twice as long as its band: compressed to half, as it is gathered."""
+    """The waist of the sample's skirt is cut twice as long as its band: it is compressed to half by its gathers."""
     shape, result = SAMPLES["Gathered skirt"], flattened_as_made("Gathered skirt")
     mesh, wires = (shape.vertices, shape.triangles()), wires_of(shape)
     gathered = make_report(result, *mesh, wires=wires, eases=eases_of(shape))
