@@ -4,7 +4,6 @@
 import re
 import xml.etree.ElementTree as ElementTree
 
-import bpy
 import numpy as np
 
 SVG, LABEL = "{http://www.w3.org/2000/svg}", "{http://www.inkscape.org/namespaces/inkscape}label"
@@ -42,6 +41,8 @@ def steps(points):
 
 def export_dialog(addon, **settings):
     """The dialog with these settings, all others as they are at first."""
+    import bpy  # here, because tests/bindings read drawings without Blender
+
     module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
     defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
     defaults["drawn"] = module.operators.ALL_DRAWN
