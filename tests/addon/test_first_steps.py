@@ -9,15 +9,15 @@ import pytest
 from everything import draw_panels
 from surfaces import bump, flat_of, grid, world_box
 
-pytestmark = pytest.mark.api
 
-
+@pytest.mark.api
 def test_an_empty_file_offers_samples_and_the_guide(addon):
     buttons = []
     assert "try a sample" in draw_panels(addon, buttons)
     assert "wm.wirewarp_guide" in buttons
 
 
+@pytest.mark.api
 @pytest.mark.parametrize("place", range(4))
 def test_a_sample_is_added_with_its_fabric_and_is_ready_to_cut(addon, place):
     sample, *_ = addon.report_panel.next_step.SAMPLES[place]
@@ -32,6 +32,7 @@ def test_a_sample_is_added_with_its_fabric_and_is_ready_to_cut(addon, place):
     assert "try a sample" not in draw_panels(addon)
 
 
+@pytest.mark.api
 def test_a_sample_in_a_file_with_models_leaves_its_settings_and_has_its_size(addon):
     grid("Bump", bump)
     scene = bpy.context.scene
@@ -43,6 +44,7 @@ def test_a_sample_in_a_file_with_models_leaves_its_settings_and_has_its_size(add
     assert 0.5 < height < 1
 
 
+@pytest.mark.api
 def test_a_sample_beside_the_cube_of_a_new_file_brings_its_fabric_and_in_an_empty_one_its_units():
     scene = bpy.context.scene
     bpy.ops.mesh.primitive_cube_add()
@@ -59,12 +61,14 @@ def test_a_sample_beside_the_cube_of_a_new_file_brings_its_fabric_and_in_an_empt
     assert bpy.context.scene.unit_settings.scale_length == 1
 
 
+@pytest.mark.api
 def test_a_sample_that_is_not_there_is_named(addon, monkeypatch, tmp_path):
     monkeypatch.setattr(addon.report_panel.next_step, "FOLDER", tmp_path)
     with pytest.raises(RuntimeError, match='"cushion.blend" is not installed'):
         bpy.ops.object.wirewarp_open_sample(sample="CUSHION")
 
 
+@pytest.mark.api
 def test_the_guide_fits_its_popup_and_all_samples_are_in_the_zip(addon):
     module = addon.report_panel.next_step
     assert {path.stem for path in module.FOLDER.glob("*.blend")} == {name.lower() for name, *_ in module.SAMPLES}

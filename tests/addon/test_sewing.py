@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sewing edges join vertices that are one on the model; the shape key folds pieces onto it; a cloth simulation sews
-them.
-"""
+"""Sewing edges join vertices that are one on the model; the shape key folds pieces onto it."""
 
 import bpy
 import numpy as np
@@ -12,7 +10,6 @@ from surfaces import (
     flat_of,
     flatten_fails,
     grid,
-    make_object,
     mark,
     mark_seam,
     on_line,
@@ -85,31 +82,6 @@ def test_without_pieces_it_is_a_sentence():
     with pytest.raises(RuntimeError, match='"Bump" has no flat pieces'):
         bpy.ops.object.wirewarp_sewing()
     assert "Bump Sewing" not in bpy.data.objects and source.name == "Bump"
-
-
-def test_cloth_is_sewn_along_them():
-    """Two squares, 1 m apart when flat, are pulled together."""
-    vertices = [(x / 4, y / 4, 0) for y in range(5) for x in range(9)]
-    faces = [[9 * y + x, 9 * y + x + 1, 9 * y + x + 10, 9 * y + x + 9] for y in range(4) for x in range(8)]
-    source = make_object("Squares", vertices, faces)
-    mark_seam(source, on_line(0, 1.0))
-    bpy.ops.object.wirewarp_flatten(spacing=500.0)
-    target = sewing_of(source)
-    joined = loose_edges(target)
-    cloth = target.modifiers.new("Cloth", "CLOTH")
-    cloth.settings.use_sewing_springs = True
-    cloth.settings.effector_weights.gravity = 0.0
-
-    def gaps(frame):
-        bpy.context.scene.frame_set(frame)
-        evaluated = target.evaluated_get(bpy.context.evaluated_depsgraph_get())
-        places = np.array([vertex.co[:] for vertex in evaluated.data.vertices])
-        return np.linalg.norm(places[joined[:, 0]] - places[joined[:, 1]], axis=1)
-
-    first = gaps(1).max()
-    for frame in range(2, 40):
-        last = gaps(frame).max()
-    assert last < 0.2 * first
 
 
 def hide_collection(flat):
