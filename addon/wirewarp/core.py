@@ -31,7 +31,7 @@ _AGAIN = "Remove WireWarp, restart Blender, and install the zip for your Blender
 
 
 class LibraryError(Exception):
-    """No library can be used; str() is a sentence for the user."""
+    """The library cannot be used; str() is a sentence for the user."""
 
 
 def load(addon_version: str) -> None:

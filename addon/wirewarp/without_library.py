@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is registered where the core library does not load: a sentence in the sidebar, and a Flatten that says it."""
+"""The add-on without a working core library: a sentence in the sidebar, and a Flatten that reports it."""
 
 import textwrap
 from collections.abc import Callable
 
 import bpy
 
-LETTER, MARGIN = 7, 60  # pixels at interface scale 1, about: a letter, and what is beside the sentence
+LETTER, MARGIN = 7, 60  # pixels at interface scale 1, about: a letter, and the space beside the sentence
 
 
 def register(problem: str) -> Callable[[], None]:
-    """problem: why there is no library, as a sentence. Returns what takes all back."""
+    """Register these parts, and return the function that unregisters them. problem: why there is no library."""
 
     class OBJECT_OT_wirewarp_flatten(bpy.types.Operator):
         """Say why WireWarp cannot flatten"""

@@ -35,20 +35,20 @@ class Facts:
     object: str
     mesh: str
     with_modifiers: bool
-    shaped_by: list[str]  # "modifiers", "shape keys": what changes the shape that is seen
+    shaped_by: list[str]  # "modifiers", "shape keys": what changes the visible shape
     counts: dict[str, Any]  # of the elements of its own mesh
 
 
 @dataclass(frozen=True, kw_only=True)
 class UvSeams:
-    """What became of flattening with the seams of the model's own UV map, which was tried because the marked ones fail.
+    """The result of flattening with the seams of the model's own UV map, which was tried because the marked ones fail.
 
-    Nothing of it is kept: the seams are marked, and flattened again, when the user wants them.
+    It is not kept: if the user wants it, the seams are marked and the model is flattened again.
     """
 
     pieces: int
     failed: int
-    stretch: float  # of the good ones, see Piece.stretch
+    stretch: float  # of the good pieces, see Piece.stretch
 
     @property
     def is_good(self) -> bool:
@@ -57,7 +57,7 @@ class UvSeams:
 
 @dataclass(kw_only=True)
 class ObjectReport(Report):
-    """Fields without a value belong to a report that was read from an object that a user has changed."""
+    """The library's report with the add-on's fields. Defaults are for stored reports that a user has changed."""
 
     mesh: str = ""
     with_modifiers: bool = False
@@ -77,7 +77,9 @@ class ObjectReport(Report):
 
     @property
     def tables(self) -> ReportTables:
-        """Made once, as long as the pieces, wires and seams keep their names: panels ask at every redraw."""
+        """Return the tables, which are kept until pieces, wires or seams are renamed, because panels read them at
+        every redraw.
+        """
         names = [*(piece.name for piece in self.pieces), *(wire.name for wire in self.wires)]
         names += [seam.name for seam in self.seams]
         known, tables = vars(self).get("_tables", (None, None))
@@ -96,7 +98,7 @@ def object_report(
     meters: float,
     cloth: ClothChoice | None = None,
 ) -> ObjectReport:
-    """identities: of the pieces; meters: in a Blender unit; cloth: as chosen."""
+    """Return the report. identities: of the pieces; meters: in a Blender unit; cloth: as chosen."""
     report = _library_report(result, arrays, meters, cloth)
     for piece, identity in zip(report.pieces, identities, strict=True):
         piece.name, piece.piece_id = identity.name, identity.piece_id
@@ -109,7 +111,7 @@ def object_report(
 
 
 def uv_seams(result: FlattenResult, arrays: MeshArrays, meters: float, cloth: ClothChoice | None) -> UvSeams:
-    """arrays: with the seams of the UV map."""
+    """Return the result. arrays: with the seams of the UV map."""
     pieces = _library_report(result, arrays, meters, cloth).pieces
     good = [piece for piece in pieces if piece.ok]
     return UvSeams(

@@ -12,19 +12,19 @@ from contextlib import closing
 from functools import partial
 from typing import TypeVar
 
-SLICE = 0.04  # seconds of work between two looks at the window: it is drawn 20 times a second
-POLL = 0.001  # seconds: how much later a job's end is noticed than it is there
+SLICE = 0.04  # seconds of work between two updates of the window, which is drawn 20 times a second
+POLL = 0.001  # seconds until the end of a job is noticed
 S = TypeVar("S")
 T = TypeVar("T")
-Steps = Generator[float, None, T]  # yields from 0 to 1
+Steps = Generator[float, None, T]  # yields the completed share, from 0 to 1
 
 
 class CanceledError(Exception):
-    """The user wants no more work, and no result if there is none yet."""
+    """The user canceled the work; there is no result unless one existed before."""
 
 
 def told_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[T]:
-    """The same steps; share: of the whole, by what they yield."""
+    """Return the same steps. share: converts what they yield to the share of the whole."""
     with closing(steps):
         go_on = partial(next, steps)
         while True:
@@ -41,7 +41,7 @@ def told_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[
 
 
 def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
-    """As many steps at once as a slice of time holds."""
+    """Return the steps grouped: each group fills a slice of time."""
     with closing(steps):
         while True:
             end = time.monotonic() + SLICE
@@ -56,7 +56,7 @@ def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
 
 
 def in_one_go(steps: Generator[S, None, T], show: Callable[[S], object] = lambda _yielded: None) -> T:
-    """All steps, while Blender waits; show: is called with what they yield."""
+    """Do all steps while Blender waits. show: called with what they yield."""
     with closing(steps):
         while True:
             try:

@@ -177,16 +177,17 @@ def piece_names(source: bpy.types.Object) -> dict[int, str]:
 def known_pieces(
     source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None, model_name: str
 ) -> KnownPieces:
-    """By the ids on the model or, if given, on its flat pieces, which have those of the last run in any case.
+    """Return the pieces by the ids on the model or, if given, on its flat pieces, which always have those of the last
+    run.
 
-    model_name: what the model was called in that run.
+    model_name: the model's name in that run.
     """
     ids = _ids_of_flat_pieces(flat.data, len(arrays.piece_ids)) if flat else arrays.piece_ids
     return KnownPieces(ids if ids.any() else arrays.piece_ids, piece_names(source), model_name)
 
 
 def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
-    """(face_count,) int32 for the model; zeros if it is not, face by face, the one that was flattened."""
+    """Return the ids (face_count,) for the model; zeros if it is not, face by face, the flattened model."""
     ids, record = np.zeros(face_count, dtype=np.int32), read_record(mesh)
     if record and record.source_faces == face_count and has_attributes(mesh, SOURCE_FACE, PIECE):
         faces = find_values(mesh, SOURCE_FACE)
@@ -225,13 +226,15 @@ def seam_names(source: bpy.types.Object) -> dict[int, str]:
 
 
 def known_seams(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None) -> KnownSeams:
-    """By the ids on the model or, if given, on its flat pieces, which have those of the last run in any case."""
+    """Return the seams by the ids on the model or, if given, on its flat pieces, which always have those of the last
+    run.
+    """
     ids = _seam_ids_of_flat_pieces(flat.data, arrays) if flat else arrays.seam_ids
     return KnownSeams(ids if ids.any() else arrays.seam_ids, seam_names(source))
 
 
 def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.ndarray:
-    """(k,) int32 for the seam edges of the model; zeros if it is not, face by face, the one that was flattened."""
+    """Return the ids (k,) of the model's seam edges; zeros if it is not, face by face, the flattened model."""
     ids, found = np.zeros(len(arrays.seams), dtype=np.int32), find_values(mesh, SEAM)
     record = read_record(mesh)
     is_same = record is not None and record.source_faces == len(arrays.polygon_starts)

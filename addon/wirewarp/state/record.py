@@ -39,14 +39,14 @@ def map_values(flat: FlatMesh) -> dict[ColorMap, np.ndarray]:
 
 
 def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorMap, np.ndarray]) -> None:
-    """measures: as map_values returns them."""
+    """Write the colors. measures: as map_values returns them."""
     ends = flat.edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     sums = np.bincount(ends, np.repeat(flat.length_variation, 2), minlength=len(mesh.vertices))
     at_vertex = sums / edges_at  # the mean of its edges
     face = np.repeat(np.arange(len(flat.face_sizes)), flat.face_sizes)  # of each corner
-    # A color of four float32 has the size of one complex number: to take these is far faster than to take rows. All
-    # maps use the same memory, for new memory is slower still.
+    # A color of four float32 has the size of one complex number, and taking these is far faster than taking rows. All
+    # maps use the same memory, because new memory is slower still.
     taken = np.empty(len(face), dtype=np.complex128)
     for color_map, values, at_corner in (
         *((color_map, values, face) for color_map, values in measures.items() if color_map != LENGTH_VARIATION),
@@ -103,16 +103,16 @@ def write_record(mesh: bpy.types.Mesh, record: FlatRecord) -> None:
 
 
 def read_record(mesh: bpy.types.Mesh) -> FlatRecord | None:
-    """Returns the record; None if the mesh has none as write_record wrote it."""
+    """Return the record; None if the mesh has none from write_record."""
     found = unsealed(mesh.get(FLAT_RECORD))
     return FlatRecord(**found) if found and found.keys() == {each.name for each in fields(FlatRecord)} else None
 
 
 def grains(mesh: bpy.types.Mesh, vertices: np.ndarray) -> dict[int, np.ndarray]:
-    """Returns unit vectors (2,) along the grain of the pieces as they lie now, by index of the piece. vertices (n,2).
+    """Return unit vectors (2,) along the present grain of the pieces, by index of the piece. vertices (n,2).
 
-    The grain turns with its piece when the user turns that: it is kept by its angle from the line between two vertices.
-    Pieces whose vertices are gone have none.
+    The grain rotates with its piece: it is stored as an angle from the line between two vertices. Pieces without these
+    vertices have none.
     """
     record, found = read_record(mesh), {}
     for piece, first, last, cosine, sine in record.grain if record else ():
@@ -123,7 +123,7 @@ def grains(mesh: bpy.types.Mesh, vertices: np.ndarray) -> dict[int, np.ndarray]:
 
 
 def _grain_rows(flat: FlatMesh) -> list[list[float]]:
-    """Returns for each piece the cosine and sine of the angle, counterclockwise, from a line in it to upright."""
+    """Return for each piece the cosine and sine of the angle, counterclockwise, from a line in it to upright."""
     rows = []
     sums, begins = flat.vertices.sum(axis=1), np.flatnonzero(np.diff(flat.vertex_piece, prepend=-1))
     for begin, end in zip(begins.tolist(), [*begins[1:].tolist(), len(sums)], strict=True):

@@ -233,7 +233,7 @@ class FlattenSettings:
         "Allowances that are changed later move no piece until you press Lay Out Again",
         min=0.0,
         soft_max=200.0,
-        default=10.0,  # for the scissors
+        default=10.0,  # room for the scissors
         precision=1,
         step=100,
     )
@@ -278,8 +278,8 @@ class Setting:
     # its value, from all settings and the meters in a unit
     to_choice: Callable[[FlattenSettings, float], Any] | None = None
     is_advanced: bool = False  # rarely needed
-    is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # above Flatten
-    is_wide: bool = False  # whether its name does not fit half a narrow sidebar
+    is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # shown above Flatten
+    is_wide: bool = False  # its name does not fit in half a narrow sidebar
     is_shown: Callable[[FlattenSettings], bool] = lambda _: True
     is_used: Callable[[FlattenSettings], bool] = lambda _: True  # otherwise it is gray
 
@@ -356,7 +356,7 @@ class TargetSettings:
         min=0.0,
         max=100.0,
         soft_max=25.0,
-        default=5.0,  # as the library has it
+        default=5.0,  # the library's default
         precision=1,
     )
     aim_cuts: IntProperty(
@@ -365,7 +365,7 @@ class TargetSettings:
         min=1,
         max=100,
         soft_max=10,
-        default=4,  # a dart at the bust and one at the waist on either side
+        default=4,  # one dart at the bust and one at the waist on each side
     )
     aim_length: FloatProperty(
         name="Max Length",

@@ -18,7 +18,7 @@ Execute = Callable[[Operator, bpy.types.Context], set[str]]
 
 
 class OnModel:
-    """Mixed into operators. Subclasses say in `on_model` what to do on the model instead."""
+    """Mixed into operators. Subclasses name in `on_model` what to do on the model instead."""
 
     on_model = ""
     modes = frozenset({"EDIT_MESH"})
@@ -38,7 +38,7 @@ class OnModel:
 
 
 def reporting_refusals(execute: Execute) -> Execute:
-    """An ObjectError that execute() raises becomes the operator's report."""
+    """Return an operator's execute() that reports an ObjectError instead of raising it."""
 
     @wraps(execute)
     def execute_or_report(operator: Operator, context: bpy.types.Context) -> set[str]:
@@ -52,9 +52,9 @@ def reporting_refusals(execute: Execute) -> Execute:
 
 
 def change_edited(context: bpy.types.Context, plan: Callable[[bpy.types.Object], Callable[[], T]]) -> list[T]:
-    """Plans for each object in Edit Mode, and then writes what was planned: if one is refused, none is changed.
+    """Plan for each object in Edit Mode, then write all plans: if one object is refused, none is changed.
 
-    plan() and what it returns are called in Object Mode. Raises ObjectError.
+    plan() and its results are called in Object Mode. Raises ObjectError.
     """
     targets = list(context.objects_in_mode_unique_data)
     for target in targets:

@@ -14,11 +14,11 @@ from ..core import Level
 from .window_run import Task, shown_progress
 
 WIDE = 330  # in Blender's own pixels; the sidebar starts at half of it
-BESIDE_TEXT = 90  # of the region's width: icon, margins and the tabs
+BESIDE_TEXT = 90  # of the region's width: icon, margins and tabs
 FONT = 0  # of the user interface
 SIZE, THICKNESS = 64, 0.08  # pixels; half the width of the stroke as a share of them
 Stroke = list[tuple[float, float]]  # y up
-# Marks that Blender has in gray only: their strokes and their color.
+# Marks that Blender only has in gray: their strokes and their color.
 MARKS: dict[str, tuple[list[Stroke], tuple[float, float, float]]] = {
     "TICK": ([[(0.16, 0.50), (0.40, 0.25), (0.86, 0.76)]], (0.30, 0.78, 0.33)),
     "AMBER": (
@@ -59,7 +59,7 @@ def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_s
 
 
 def broken(context: bpy.types.Context, text: str, reserved: int = 0) -> list[str]:
-    """The text in lines that fit the region beside an icon.
+    """Return the text in lines that fit the region beside an icon.
 
     reserved: more of Blender's own pixels to leave free.
     """
@@ -70,7 +70,7 @@ def broken(context: bpy.types.Context, text: str, reserved: int = 0) -> list[str
 
 @lru_cache(maxsize=1000)
 def _lines(text: str, width: float, size: float) -> list[str]:
-    """Broken at spaces only; width and font size in pixels of the screen."""
+    """Return the text, broken only at spaces. width and font size: pixels of the screen."""
     blf.size(FONT, size)
     first, *words = text.split(" ")
     lines = [first]
@@ -88,7 +88,7 @@ def draw_sentence(
 ) -> None:
     """Draw a sentence in lines that fit the region minus the reserved pixels, because Blender cuts long labels off.
 
-    icon is a name of Blender's, or one of MARKS.
+    icon: one of Blender's names, or of MARKS.
     """
     column = layout.column(align=True)
     column.scale_y = 0.8
@@ -100,12 +100,12 @@ def draw_sentence(
 
 
 def mark_icon(name: str) -> int:
-    """Its icon_value; 0, no icon, while the add-on is not registered and where Blender has no window."""
+    """Return its icon_value; 0, no icon, while the add-on is not registered and if Blender has no window."""
     return _previews[name].icon_id if _previews else 0
 
 
 def mark_of(ok: bool, is_strained: bool = False) -> dict:
-    """The arguments of a label: a cross for what failed, a warning for cloth that can hardly follow, or the tick."""
+    """Return arguments of a label: a cross for a failure, a warning for strained fabric, or the tick."""
     if not ok:
         return {"icon": "CANCEL"}
     return {"icon_value": mark_icon("AMBER" if is_strained else "TICK")}
@@ -128,7 +128,7 @@ def _detach() -> None:
 
 
 def _pixels(strokes: list[Stroke], color: tuple[float, float, float]) -> np.ndarray:
-    """(SIZE, SIZE, 4) RGBA with the colors times alpha, as Blender draws icons; the lowest row first."""
+    """Return RGBA (SIZE, SIZE, 4) with the colors times alpha, as Blender draws icons; the lowest row first."""
     x, y = np.meshgrid(*2 * [(np.arange(SIZE) + 0.5) / SIZE])
     points = np.stack([x, y], axis=-1)
     lines = [np.array(line) for stroke in strokes for line in pairwise(stroke)]
@@ -144,9 +144,9 @@ def _distance(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def draw_progress(row: bpy.types.UILayout, task: Task, operator: str) -> bool:
-    """Whether a run of this kind goes on; else nothing is drawn. operator: that the button runs.
+    """Draw progress, and return whether a run of this kind is under way. operator: of the button that runs.
 
-    Before Blender 4.0 there is no bar, but the button, gray.
+    Before Blender 4.0 there is no bar, and the button is drawn gray.
     """
     done = shown_progress(task)
     if done is None:

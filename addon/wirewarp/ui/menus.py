@@ -56,19 +56,19 @@ def _draw_marks_of_sides(layout: bpy.types.UILayout) -> None:
 
 
 def draw_edge_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
-    """Edge (Ctrl+E)."""
+    """Draw the menu Edge (Ctrl+E)."""
     menu.layout.separator()
     menu.layout.menu(VIEW3D_MT_wirewarp_edges.__name__)
 
 
 def draw_context_menu(menu: bpy.types.Menu, context: bpy.types.Context) -> None:
-    """The right mouse button on selected edges."""
+    """Draw the menu of the right mouse button on selected edges."""
     if context.tool_settings.mesh_select_mode[1]:
         draw_edge_menu(menu, context)
 
 
 def draw_pieces_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
-    """Object, and UV in Edit Mode."""
+    """Draw the menu Object, and in Edit Mode the menu UV."""
     menu.layout.separator()
     menu.layout.menu(VIEW3D_MT_wirewarp.__name__)
 
@@ -78,7 +78,7 @@ def draw_export_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None
 
 
 def _asking_layout(menu: bpy.types.Menu) -> bpy.types.UILayout:
-    """Its operators are invoked: Blender's own entries above may have set that they are executed, with no settings."""
+    """Return a layout whose operators are invoked: Blender's own entries above may execute theirs, without settings."""
     menu.layout.operator_context = "INVOKE_DEFAULT"
     return menu.layout
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What Flatten asks for in the sidebar and after a run, and the report the sidebar shows."""
+"""The settings of Flatten in the sidebar and after a run, and the report in the sidebar."""
 
 from dataclasses import asdict, replace
 
@@ -44,14 +44,17 @@ def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: 
 
 
 def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:
-    """Not asked at every redraw while a large model with modifiers changes: to read it takes as long as to draw it."""
+    """Return whether it has changed.
+
+    A large model with modifiers is not read at every redraw while it changes, because that takes as long as drawing.
+    """
     place = source.mode, source.visible_get(), source.matrix_world.copy()
     seen = stamp(source), stamp(source.data), place, Same(report)
     return kept_drawing(source, "has changed", seen, lambda: has_changed(source, report.model_state))
 
 
 def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
-    """The amount and its unit."""
+    """Draw the amount and its unit."""
     row = layout.row(align=True)
     row.use_property_split = False
     in_percent = settings.ease_unit == "PERCENT"
@@ -60,14 +63,14 @@ def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
 
 
 def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts: str) -> None:
-    """Those of these PARTS, or of all; settings that the others leave unused are gray."""
+    """Draw the settings of these PARTS, or all; unused settings are gray."""
     for setting in SETTINGS:
         if setting.part(settings) in (parts or PARTS) and setting.is_shown(settings):
             row = layout.row()
             row.use_property_split = not setting.is_wide
             row.use_property_decorate = False
             row.enabled = setting.is_used(settings)
-            if setting.name == "cloth" and parts:  # its items are long, and say what they are
+            if setting.name == "cloth" and parts:  # its items are long and explain themselves
                 row.use_property_split = False
                 row.prop(settings, setting.name, text="", icon="MATCLOTH")
             else:
@@ -75,7 +78,7 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
 
 
 def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
-    """None where there is one that this version does not know: see mend_settings."""
+    """Return the choices; None if a setting has a value that this version does not know: see mend_settings."""
     if "" in [getattr(settings, setting.name) for setting in SETTINGS if setting.is_enum]:
         return None
     return choices_of(settings, meters_per_blender_unit(settings.id_data))
@@ -101,13 +104,13 @@ def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIR
 
 
 def _of_strain(choices: FlattenChoices) -> FlattenChoices:
-    """Without what the fabric gives, which no search asks for."""
+    """Return the choices without the fabric's maximum stretch, which the search does not use."""
     fabric = choices.cloth
     return replace(choices, cloth=replace(fabric, gives_across=0.0, gives_along=0.0)) if fabric else choices
 
 
 def _of_layout_alone(choices: FlattenChoices) -> set[str]:
-    """What changes no strain: without a fabric it is the same whatever stands upright."""
+    """Return the choices that only affect the layout: without a fabric, the strain does not depend on the direction."""
     upright = {"orientation", "grain_angle", "grain_wire"}
     return set(LAYOUT_OPTIONS) - (upright if choices.cloth else set())
 
@@ -131,11 +134,14 @@ def _changed_choices(
     wire_ids: set[int],
     ignored: set[str],
 ) -> list[str]:
-    """The labels of those that are used; then: the options of a report; wire_ids: of the wires that there were."""
+    """Return the labels of changed settings that are used.
+
+    then: the options of a report; wire_ids: of the wires at that time.
+    """
     now = asdict(choices) | {"grain_wire": source.data.wirewarp_grain}
     had_grain = then["grain_wire"] in wire_ids
     if (now["orientation"], then["orientation"]) == ("wire", "up") and not had_grain:
-        ignored = ignored | {"orientation"}  # while there is no grain wire, pieces stand as on the model
+        ignored = ignored | {"orientation"}  # without a grain wire, pieces are upright as on the model
     compared = [each for each in SETTINGS if each.choice and each.choice not in ignored and each.is_used(settings)]
     changed = [each.label for each in compared if now[each.choice] != then[each.choice]]
     if "grain_wire" not in ignored and now["orientation"] == "wire" and then["grain_wire"] != now["grain_wire"]:

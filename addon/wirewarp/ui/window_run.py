@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The one task that may run in the window: its steps, its timer, and its progress.
 
-However a run ends - finished, canceled, by another file or because the add-on is disabled - it ends in stop().
+Every run ends in stop(): finished, canceled, by another file, or because the add-on is disabled.
 """
 
 import math
@@ -17,12 +17,12 @@ from ..blender.views import redraw_sidebars, send_mouse_move
 from ..solve.steps import CanceledError, Steps, T, in_one_go
 
 POLL_SECONDS = 0.02
-UNSEEN_SECONDS = 0.3  # a line that is gone at once would only flicker
+UNSEEN_SECONDS = 0.3  # a line that disappears at once would only flicker
 
 
 @dataclass(frozen=True)
 class Task:
-    """What it is called in sentences, and on the bar while it goes on and at its end."""
+    """The names of a kind of run: in sentences, and on the bar during the run and at its end."""
 
     name: str
     doing: str
@@ -36,17 +36,20 @@ _current: "WindowRun | None" = None
 
 
 def is_running(task: Task | None = None) -> bool:
-    """Return whether a run is under way. task: of this kind."""
+    """Return whether a run is under way. task: only of this kind."""
     return _current is not None and task in {None, _current.task}
 
 
 def busy_sentence() -> str:
-    """Return why no other run can begin now; empty if one can."""
+    """Return why no other run can start now; empty if one can."""
     return f"{_current.task.name} is still running. Wait, or press Esc." if _current else ""
 
 
 def shown_progress(task: Task) -> float | None:
-    """How far the current run is, from 0 to 1; None without one of this kind, or before it is worth showing."""
+    """Return the progress of the current run, from 0 to 1.
+
+    Returns None without a run of this kind, and before the progress is worth showing.
+    """
     return _current.shown if is_running(task) else None
 
 
@@ -57,14 +60,14 @@ def cancel() -> None:
 
 
 def begin(context: bpy.types.Context, task: Task, what: str, steps: Steps[T]) -> "WindowRun[T]":
-    """Starts to work; what: on which object or objects, for the status bar. Only if none is running."""
+    """Start the work, if none is running. what: names its object or objects in the status bar."""
     global _current
     _current = run = WindowRun(context, task, what, steps)
     return run
 
 
 def stop(*_: object) -> None:
-    """Gives up the current run, if there is one."""
+    """Stop the current run, if there is one."""
     if _current:
         _current.stop()
 
@@ -82,14 +85,14 @@ class WindowRun(Generic[T]):
         self.is_done = self._is_cancelled = False
 
     def cancel(self) -> None:
-        """Ends the work. Work that was extra leaves the result that was there before."""
+        """End the work. If optional work is canceled, the earlier result remains."""
         if self.is_done:
             self._is_cancelled = True
         else:
             self._do(lambda: self._steps.throw(CanceledError()))
 
     def go_on(self) -> None:
-        """By a step; also shows how far it is."""
+        """Do one step, and show the progress."""
         if not self.is_done:
             self._do(lambda: next(self._steps))
 
@@ -100,7 +103,7 @@ class WindowRun(Generic[T]):
             self._result, self.is_done = end.value, True
         except CanceledError:
             self.is_done = self._is_cancelled = True
-        except Exception as error:  # result() raises it where somebody hears it
+        except Exception as error:  # result() raises it for the caller
             self._error, self.is_done = error, True
         else:
             self._show(math.floor(100 * fraction) / 100)
@@ -112,7 +115,7 @@ class WindowRun(Generic[T]):
             redraw_sidebars()
 
     def result(self) -> T:
-        """Of a run that is done. Raises CanceledError after cancel(), and what the work raised."""
+        """Return the result of a finished run. Raises CanceledError after cancel(), and errors of the work."""
         self.stop()
         if self._is_cancelled:
             raise CanceledError
@@ -121,7 +124,7 @@ class WindowRun(Generic[T]):
         return self._result
 
     def stop(self) -> None:
-        """Stop, whatever happened."""
+        """Stop in any case."""
         global _current
         if _current is not self:
             return
@@ -166,7 +169,7 @@ class WindowSteps:
         raise NotImplementedError
 
     def wait_for(self, context: bpy.types.Context, steps: Steps[T]) -> T:
-        """All at once; Blender waits."""
+        """Do all steps at once, while Blender waits."""
         manager = context.window_manager
         manager.progress_begin(0.0, 1.0)
         try:
