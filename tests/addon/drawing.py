@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An exported pattern, read back from its file."""
+"""An exported pattern, read back from its file. Tests of tests/bindings read with it, too: no Blender in here."""
 
 import re
 import xml.etree.ElementTree as ElementTree
@@ -37,14 +37,3 @@ def points_of(path):
 
 def steps(points):
     return np.linalg.norm(np.diff(points, axis=0), axis=1)
-
-
-def export_dialog(addon, **settings):
-    """The dialog with these settings, all others as they are at first."""
-    import bpy  # here, because tests/bindings read drawings without Blender
-
-    module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
-    defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
-    defaults["drawn"] = module.operators.ALL_DRAWN
-    bases = vars(module.steps.PatternExport) | vars(module.operators.OBJECT_OT_wirewarp_export)
-    return type("Dialog", (), {**bases, **defaults, **settings})()

@@ -216,3 +216,12 @@ def use_everything(addon, name, mode, folder, commands):
     draw_panels(addon)
     draw_overlays(addon)
     bpy.ops.wm.save_as_mainfile(filepath=str(folder / "hostile.blend"))
+
+
+def export_dialog(addon, **settings):
+    """The dialog with these settings, all others as they are at first."""
+    module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
+    defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
+    defaults["drawn"] = module.operators.ALL_DRAWN
+    bases = vars(module.steps.PatternExport) | vars(module.operators.OBJECT_OT_wirewarp_export)
+    return type("Dialog", (), {**bases, **defaults, **settings})()

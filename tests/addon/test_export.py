@@ -10,7 +10,8 @@ import bmesh
 import bpy
 import numpy as np
 import pytest
-from drawing import Drawing, export_dialog, steps
+from drawing import Drawing, steps
+from everything import export_dialog
 from mathutils import Matrix
 from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_only
 

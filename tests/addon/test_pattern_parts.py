@@ -7,7 +7,7 @@ tests/bindings tests how patterns are drawn.
 import bpy
 import numpy as np
 import pytest
-from drawing import export_dialog
+from everything import export_dialog
 from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, select_edges
 
 SEAM, WIRE = on_line(0, 0.0), on_line(1, 0.0)
