@@ -51,10 +51,10 @@ EXAMPLES: list[Example] = [
 ]
 
 
-def example_sentence(library: ModuleType, sentences: ModuleType, words: ModuleType, example: Example) -> str:
-    """Return the add-on's sentence for an example; the modules are wirewarp and two of the add-on."""
+def example_sentence(library: ModuleType, sentences: ModuleType, example: Example) -> str:
+    """Return the add-on's sentence for an example; sentences: solve.error_sentences of the add-on."""
     code, arguments, facts, elements = example
     error = library.FlattenError(code, "", **elements, arguments=arguments)
     counts = [facts.get(name, 0) for name in ("faces", "flipped", "overlapping")]
-    units = words.LengthText("mm", 1000.0)
+    units = library.report.LengthText("mm", 1000.0)
     return sentences.error_sentence(sentences.ErrorFacts(error, *counts, WIRES, units))

@@ -139,7 +139,7 @@ def description(operator: type[bpy.types.Operator]) -> str:
 def errors_page() -> list[str]:
     library = module("core").library()
     sentences = module("solve.error_sentences")
-    rows = [[example_sentence(library, sentences, module("words"), each), f"`{each[0]}`"] for each in EXAMPLES]
+    rows = [[example_sentence(library, sentences, each), f"`{each[0]}`"] for each in EXAMPLES]
     codes = [
         [f"`{code.value}`", sentence(code.meaning), sentence(code.remedy), sentence(code.arguments)]
         for code in library.ErrorCode

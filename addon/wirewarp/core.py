@@ -50,7 +50,8 @@ def load(addon_version: str) -> None:
         traceback.print_exc()
         raise LibraryError(loading_problem(error, folder_of("wirewarp", places))) from error
     if library_version != addon_version:
-        raise LibraryError(version_problem(addon_version, library_version))
+        found_one = f"The add-on is WireWarp {addon_version} but the library found is {library_version}."
+        raise LibraryError(f"{found_one} {_AGAIN}")
     _library = found
 
 
@@ -61,73 +62,9 @@ def library() -> ModuleType:
 
 
 if TYPE_CHECKING:
-    from wirewarp import BoundaryReport as BoundaryReport
-    from wirewarp import Cache as Cache
-    from wirewarp import Cloth as Cloth
-    from wirewarp import DartProposal as DartProposal
-    from wirewarp import Ease as Ease
-    from wirewarp import FlattenError as FlattenError
-    from wirewarp import FlattenResult as FlattenResult
-    from wirewarp import HelperWire as HelperWire
-    from wirewarp import Job as Job
-    from wirewarp import Metrics as Metrics
-    from wirewarp import Options as Options
-    from wirewarp import Piece as Piece
-    from wirewarp import SeamReport as SeamReport
-    from wirewarp import Wire as Wire
-    from wirewarp import WireReport as WireReport
+    from wirewarp import *  # noqa: F403
     from wirewarp import pattern as pattern
-    from wirewarp.report import ANY_LIMIT as ANY_LIMIT
-    from wirewarp.report import BEYOND_FABRIC as BEYOND_FABRIC
-    from wirewarp.report import CLOSED_CODE as CLOSED_CODE
-    from wirewarp.report import COARSE as COARSE
-    from wirewarp.report import COARSE_ADVICE as COARSE_ADVICE
-    from wirewarp.report import SHOWN_NAMES as SHOWN_NAMES
-    from wirewarp.report import STRAINED as STRAINED
-    from wirewarp.report import TORN as TORN
-    from wirewarp.report import TORN_ADVICE as TORN_ADVICE
-    from wirewarp.report import WIRE_AT_LIMIT as WIRE_AT_LIMIT
-    from wirewarp.report import Elements as Elements
-    from wirewarp.report import Hint as Hint
-    from wirewarp.report import Issue as Issue
-    from wirewarp.report import Kind as Kind
-    from wirewarp.report import LengthText as LengthText
-    from wirewarp.report import Level as Level
-    from wirewarp.report import LooserWire as LooserWire
-    from wirewarp.report import Note as Note
-    from wirewarp.report import PieceRow as PieceRow
-    from wirewarp.report import Report as Report
-    from wirewarp.report import ReportError as ReportError
-    from wirewarp.report import ReportRow as ReportRow
-    from wirewarp.report import ReportTables as ReportTables
-    from wirewarp.report import Side as Side
-    from wirewarp.report import Verdict as Verdict
-    from wirewarp.report import as_seen as as_seen
-    from wirewarp.report import counted as counted
-    from wirewarp.report import ease_text as ease_text
-    from wirewarp.report import elements_of as elements_of
-    from wirewarp.report import from_dict as from_dict
-    from wirewarp.report import hint_text as hint_text
-    from wirewarp.report import issue_text as issue_text
-    from wirewarp.report import joined_pieces as joined_pieces
-    from wirewarp.report import largest_difference as largest_difference
-    from wirewarp.report import make_report as make_report
-    from wirewarp.report import merged as merged
-    from wirewarp.report import needs_text as needs_text
-    from wirewarp.report import note_text as note_text
-    from wirewarp.report import paragraph as paragraph
-    from wirewarp.report import percent_text as percent_text
-    from wirewarp.report import place_name as place_name
-    from wirewarp.report import quoted as quoted
-    from wirewarp.report import rename_wires as rename_wires
-    from wirewarp.report import report_csv as report_csv
-    from wirewarp.report import run_to_dict as run_to_dict
-    from wirewarp.report import tables_of as tables_of
-    from wirewarp.report import to_dict as to_dict
-    from wirewarp.report import tolerance_text as tolerance_text
-    from wirewarp.report import torn_hints as torn_hints
-    from wirewarp.report import verdict as verdict
-    from wirewarp.report import wire_text as wire_text
+    from wirewarp.report import *  # type: ignore[assignment] # noqa: F403
 else:
 
     def __getattr__(name: str) -> object:
@@ -169,10 +106,6 @@ def loading_problem(error: Exception, folder: Path | None) -> str:
             f"{platform.libc_ver()[1]}. Use a newer Linux, or build WireWarp on this one (see its README)."
         )
     return f"The WireWarp library does not load ({type(error).__name__}: {error}): it may be damaged. {_AGAIN}"
-
-
-def version_problem(addon_version: str, library_version: str) -> str:
-    return f"The add-on is WireWarp {addon_version} but the library found is {library_version}. {_AGAIN}"
 
 
 def _made_for(name: str) -> str:

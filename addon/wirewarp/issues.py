@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Faults of an object and notes about it, in the form of the library's report."""
 
-from .core import Hint as Hint
-from .core import Issue as Issue
-from .core import LooserWire as LooserWire
-from .core import Note
+from .core import Issue, Note
 
 
 class ObjectError(Exception):

@@ -14,9 +14,9 @@ from bpy.props import (
     StringProperty,
 )
 
+from .blender.fields import number
 from .blender.views import redraw_views
-from .core import Cloth
-from .solve.papers import PAPERS
+from .core import Cloth, pattern
 from .state.memory import note_change
 from .state.settings import FlattenSettings, TargetSettings
 
@@ -38,16 +38,12 @@ class EaseAmount:
             ("PERCENT", "%", "Percent of the length of each line"),
             ("LENGTH", "mm", "Millimeters added to each line"),
         ],
-        default="PERCENT",
     )
-    ease_percent: FloatProperty(
-        name="Ease (%)",
-        description="How much longer to cut the lines, in percent of their length. Below 0: shorter",
-        min=100 * LEAST_EASE,
-        max=1000.0,
+    ease_percent: number(
+        "Ease (%)",
+        "How much longer to cut the lines, in percent of their length. Below 0: shorter",
+        (100 * LEAST_EASE, 5.0, 100.0, 1000.0),  # of a sleeve head
         soft_min=-50.0,
-        soft_max=100.0,
-        default=5.0,  # of a sleeve head
         precision=2,
         step=100,
     )
@@ -65,27 +61,21 @@ class EaseAmount:
 class PatternSettings:
     """Settings of Export and of the preview of pages: shared by the scene's settings and the operator."""
 
-    allowance: FloatProperty(
-        name="Allowance",
-        description="Seam allowance in millimeters around every piece, except where edges are marked with another one",
-        min=0.0,
-        soft_max=50.0,
-        max=1000.0,
-        default=10.0,
-        precision=1,
+    allowance: number(
+        "Allowance",
+        "Seam allowance in millimeters around every piece, except where edges are marked with another one",
+        (0.0, 10.0, 50.0, 1000.0),
         step=100,
         update=_redraw,
     )
     pairs: BoolProperty(
         name="Mirrored Pairs",
         description="Draw one piece of each mirrored pair: it is cut as drawn and mirrored",
-        default=False,
         update=_redraw,
     )
     on_fold: BoolProperty(
         name="On the Fold",
         description="Draw half of each symmetric piece: it is cut on the fold of the fabric",
-        default=False,
         update=_redraw,
     )
     darts: EnumProperty(
@@ -100,7 +90,6 @@ class PatternSettings:
             ("CUT", "Cut Out", "The dart is cut out, with seam allowance on its legs"),
             ("SLIT", "Slit", "Cut along the legs"),
         ],
-        default="CLOSE",
         update=_redraw,
     )
     arrangement: EnumProperty(
@@ -115,26 +104,20 @@ class PatternSettings:
                 "As in the flat object, where you have moved and turned them",
             ),
         ],
-        default="IN_ROWS",
         update=_redraw,
     )
-    cloth_width: FloatProperty(
-        name="Fabric Width",
-        description="Usable width of the fabric of a layout, in millimeters",
-        min=10.0,
-        max=5000.0,
-        default=1400.0,
+    cloth_width: number(
+        "Fabric Width",
+        "Usable width of the fabric of a layout, in millimeters",
+        (10.0, 1400.0, 5000.0, 5000.0),
         precision=0,
         step=1000,
         update=_redraw,
     )
-    gap: FloatProperty(
-        name="Gap",
-        description="Space between the pieces of a marker, in millimeters",
-        min=0.0,
-        max=100.0,
-        default=5.0,
-        precision=1,
+    gap: number(
+        "Gap",
+        "Space between the pieces of a marker, in millimeters",
+        (0.0, 5.0, 100.0, 100.0),
         step=100,
         update=_redraw,
     )
@@ -146,22 +129,22 @@ class PatternSettings:
             ("BOTH_WAYS", "Both Ways", "By half a turn: most woven fabric"),
             ("FREE", "Free", "By any angle: leather, foam, felt"),
         ],
-        default="ONE_WAY",
         update=_redraw,
     )
     paper: EnumProperty(
         name="Paper",
         description="Paper that the PDF is printed on",
-        items=[(key, name, "") for key, (_, name) in PAPERS.items()],
+        items=[
+            *((name.upper().replace("-", "_"), paper.label, "") for name, paper in pattern.PAPERS.items()),
+            ("ROLL", "Roll of another width", ""),
+        ],
         default="A4",
         update=_redraw,
     )
-    roll_width: FloatProperty(
-        name="Roll Width",
-        description="Width of the roll in millimeters, including margins of 10 mm",
-        min=100.0,
-        max=5000.0,
-        default=1500.0,
+    roll_width: number(
+        "Roll Width",
+        "Width of the roll in millimeters, including margins of 10 mm",
+        (100.0, 1500.0, 5000.0, 5000.0),
         precision=0,
         update=_redraw,
     )
@@ -202,35 +185,25 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
         name="Auto",
         description="Flatten again automatically when seams, wires, shape or scale change, or with Modifiers their "
         "result, as soon as no tool is running. Models of more than 20,000 vertices wait until you leave Edit Mode",
-        default=False,
         update=_look_for_changes,
     )
-    true_height: FloatProperty(
-        name="Height (cm)",
-        description="How high the model is in reality, from its lowest to its highest point. Undo (Ctrl+Z) takes a "
-        "wrong one back",
-        min=0.1,
-        soft_max=300.0,
-        max=100000.0,
-        default=170.0,  # of a person
-        precision=1,
+    true_height: number(
+        "Height (cm)",
+        "How high the model is in reality, from its lowest to its highest point. Undo (Ctrl+Z) takes a wrong one back",
+        (0.1, 170.0, 300.0, 100000.0),  # of a person
         step=100,
     )
-    tolerance_percent: FloatProperty(
-        name="Tolerance ±%",
-        description="How much an elastic wire may become longer or shorter, in percent of its length: each part "
+    tolerance_percent: number(
+        "Tolerance ±%",
+        "How much an elastic wire may become longer or shorter, in percent of its length: each part "
         "between seams by itself, the change spread evenly",
+        (0.01, 3.0, 20.0, 99.0),
         subtype="PERCENTAGE",
-        min=0.01,
-        max=99.0,
-        soft_max=20.0,
-        default=3.0,
         precision=2,
     )
     show_pages: BoolProperty(
         name="Show Pages",
         description="Draw the pages of a PDF over the flat pieces, or beside them if the PDF arranges them differently",
-        default=False,
         update=_redraw,
     )
     show_lines: BoolProperty(
@@ -284,7 +257,6 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
                 "Stretch and compression of all directions together (ARAP energy per area): 0 is none",
             ),
         ],
-        default="NONE",
         update=_redraw,
     )
     show_all: BoolProperty(name="Show All", description="Show every line of the report, not only the worst")
@@ -331,29 +303,25 @@ CLASSES = (WIREWARP_preferences, WIREWARP_PG_settings, WIREWARP_PG_wire_name, WI
 
 
 def attach() -> Callable[[], None]:
-    bpy.types.Scene.wirewarp = PointerProperty(type=WIREWARP_PG_settings)
-    bpy.types.Mesh.wirewarp_names = CollectionProperty(type=WIREWARP_PG_wire_name)
-    bpy.types.Mesh.wirewarp_grain = IntProperty(
-        name="Grain Wire", description="Id of the wire that is upright in the flat pieces that it crosses, 0: none"
-    )
-    bpy.types.Mesh.wirewarp_active_wire = IntProperty(name="Active Wire", description="In the list of wires", min=0)
-    bpy.types.Object.wirewarp_pieces = CollectionProperty(type=WIREWARP_PG_piece)
-    bpy.types.Object.wirewarp_seams = CollectionProperty(type=WIREWARP_PG_seam)
-    bpy.types.Object.wirewarp_active_piece = IntProperty(name="Active Piece", description="In the list of pieces")
-    bpy.types.Object.wirewarp_source = PointerProperty(
-        name="Flattened From",
-        description="The object these flat pieces were made from",
-        type=bpy.types.Object,
-    )
-    return _detach
+    grain = "Id of the wire that is upright in the flat pieces that it crosses, 0: none"
+    source = "The object these flat pieces were made from"
+    added = {
+        (bpy.types.Scene, "wirewarp"): PointerProperty(type=WIREWARP_PG_settings),
+        (bpy.types.Mesh, "wirewarp_names"): CollectionProperty(type=WIREWARP_PG_wire_name),
+        (bpy.types.Mesh, "wirewarp_grain"): IntProperty(name="Grain Wire", description=grain),
+        (bpy.types.Mesh, "wirewarp_active_wire"): IntProperty(name="Active Wire", min=0),
+        (bpy.types.Object, "wirewarp_pieces"): CollectionProperty(type=WIREWARP_PG_piece),
+        (bpy.types.Object, "wirewarp_seams"): CollectionProperty(type=WIREWARP_PG_seam),
+        (bpy.types.Object, "wirewarp_active_piece"): IntProperty(name="Active Piece"),
+        (bpy.types.Object, "wirewarp_source"): PointerProperty(
+            name="Flattened From", description=source, type=bpy.types.Object
+        ),
+    }
+    for (owner, name), value in added.items():
+        setattr(owner, name, value)
 
+    def detach() -> None:
+        for owner, name in added:
+            delattr(owner, name)
 
-def _detach() -> None:
-    del bpy.types.Object.wirewarp_source
-    del bpy.types.Object.wirewarp_active_piece
-    del bpy.types.Object.wirewarp_seams
-    del bpy.types.Object.wirewarp_pieces
-    del bpy.types.Mesh.wirewarp_active_wire
-    del bpy.types.Mesh.wirewarp_grain
-    del bpy.types.Mesh.wirewarp_names
-    del bpy.types.Scene.wirewarp
+    return detach

@@ -25,14 +25,7 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
 )
 OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)
 CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
-PARTS = (
-    properties,
-    overlay,
-    ui.layout,
-    ui.menus,
-    auto_update,
-    memory,
-)  # attach() of each returns a function that detaches it
+PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # attach() of each returns its detach()
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # by the name of Blender's list
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
     "frame_change_post": (memory.drop_changed,),

@@ -108,7 +108,7 @@ def draw_panels(addon, buttons=None):
         )()  # only Blender can create its panels
         for width in (200, 600):
             context = sidebar(width)
-            if "poll" not in own or panel.poll(context):
+            if "poll" not in own or cls.poll(context):
                 panel.draw(context)
                 if "draw_header_preset" in own:
                     panel.draw_header_preset(context)

@@ -340,4 +340,4 @@ def test_the_list_of_seams_says_how_much_all_sides_give(source, addon):
     (row,) = addon.state.reports.last_report(source).tables.seams
     left, right = shares(source)
     assert left == pytest.approx(right, abs=1e-5) and 1e-4 < abs(left) <= 0.03 + 1e-6  # one length on both sides
-    assert row.note.endswith(f"; {addon.words.ease_text(left)} on all sides")
+    assert row.note.endswith(f"; {addon.core.ease_text(left)} on all sides")

@@ -100,12 +100,12 @@ def test_sheets_and_sizes_are_told_before_anything_is_written(source, tmp_path, 
 )
 def test_the_length_on_a_roll_is_in_the_units_of_the_scene(source, addon, system, roll):
     bpy.context.scene.unit_settings.system = system
-    (sentence,) = told(addon, format="PDF", paper="ROLL_36")
+    (sentence,) = told(addon, format="PDF", paper="36IN")
     assert re.fullmatch(rf"2 pieces on {roll}, 1 page\.", sentence)
 
 
 def test_a_piece_too_large_for_the_roll_is_told_and_leaves_the_file_as_it_was(source, tmp_path, addon):
-    path = export(tmp_path, "a.pdf", paper="ROLL_36")
+    path = export(tmp_path, "a.pdf", paper="36IN")
     before = path.read_bytes()
     (sentence,) = told(addon, format="PDF", paper="ROLL", roll_width=200.0)
     assert "too large for a roll of 200 mm" in sentence

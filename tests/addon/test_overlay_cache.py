@@ -58,7 +58,7 @@ def test_allowances_are_laid_anew_only_where_they_are_others(addon, source, at_o
     """They take longest to compute, and the model changes far more often."""
     shown, laid = addon.overlay.shown, []
     cut_lines = shown.cut_lines
-    monkeypatch.setattr(shown, "cut_lines", lambda *given: laid.append(given) or cut_lines(*given))
+    monkeypatch.setattr(shown, "cut_lines", lambda *given, **more: laid.append(given) or cut_lines(*given, **more))
 
     def times_laid():
         drawn(addon)

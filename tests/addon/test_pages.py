@@ -46,7 +46,7 @@ def sheets_in(path):
         ("A4", 1, "IN_ROWS"),
         ("A4", 1, "AS_LAID_OUT"),
         ("A0", 1, "IN_ROWS"),
-        ("ROLL_36", 0, "AS_LAID_OUT"),
+        ("36IN", 0, "AS_LAID_OUT"),
         ("PROJECTOR", 0, "IN_ROWS"),
     ],
 )

@@ -68,9 +68,9 @@ def test_what_cannot_be_shown_leaves_the_user_where_he_was(source, addon):
     select_fails("flat pieces of this report are gone", what="PIECE", index=0)
     select = partial(addon.blender.selection.select_elements, bpy.context)
     with pytest.raises(addon.issues.ObjectError, match="has changed"):
-        select(source, faces=[64])
+        select(source, addon.core.Elements(faces=[64]))
     with pytest.raises(addon.issues.ObjectError, match="not in this view layer"):
-        select(bpy.data.objects.new("Nowhere", other.data), faces=[0])
+        select(bpy.data.objects.new("Nowhere", other.data), addon.core.Elements(faces=[0]))
     assert (source.mode, other.mode) == ("EDIT", "EDIT")
     assert (bpy.context.active_object, set(bpy.context.selected_objects)) == (source, {source, other})
 

@@ -88,5 +88,5 @@ def widths_at_seam(addon, source):
 
 def made(addon, parts, allowance=10.0):
     """The pattern of these parts."""
-    choices = addon.export.export.PatternChoices(allowance, 100.0, "close")
+    choices = {"allowance": allowance, "notch_spacing": 100.0, "darts": "close"}
     return addon.solve.steps.in_one_go(parts.making(choices))

@@ -11,7 +11,7 @@ import pytest
 from addon_imports import ADDON, own_imports, room_of
 
 MOST_PACKAGES = 10
-GROUND = {"core", "issues", "names", "words"}  # modules of the root that packages may import and that import none
+GROUND = {"core", "issues", "names"}  # modules of the root that packages may import and that import none
 ROOF = {"__init__", "properties", "registration", "without_library"}  # modules that connect the packages
 
 

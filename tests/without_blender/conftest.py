@@ -12,7 +12,6 @@ import wirewarp
 FOLDER = Path(__file__).resolve().parents[2] / "addon" / "wirewarp"
 MODULES = (
     "issues",
-    "words",
     "solve.chains",
     "solve.error_sentences",
     "solve.flatten",

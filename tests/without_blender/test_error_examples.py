@@ -20,7 +20,7 @@ def examples():
 
 
 def test_each_example_makes_a_sentence_of_its_own(addon, examples):
-    modules = addon.core.library(), addon.solve.error_sentences, addon.words
+    modules = addon.core.library(), addon.solve.error_sentences
     sentences = [examples.example_sentence(*modules, each) for each in examples.EXAMPLES]
     assert all(sentences) and len(set(sentences)) == len(sentences)
 

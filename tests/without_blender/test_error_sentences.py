@@ -14,7 +14,7 @@ def said(addon):
 
     def sentence(code, arguments, faces=0, flipped=0, overlapping=0, **elements):
         error = addon.core.library().FlattenError(code, "The library's sentence.", **elements, arguments=arguments)
-        units = addon.words.LengthText("mm", 1000.0)
+        units = addon.core.LengthText("mm", 1000.0)
         facts = addon.solve.error_sentences.ErrorFacts(error, faces, flipped, overlapping, ["Hip", "Bust"], units)
         return addon.solve.error_sentences.error_sentence(facts)
 

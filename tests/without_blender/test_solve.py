@@ -77,7 +77,7 @@ def test_tolerances_are_rounded_up(addon, needed, proposed):
 
 @pytest.mark.parametrize(("tolerance", "text"), [(0.0, "rigid"), (0.03, "±3%"), (0.0125, "±1.25%"), (math.inf, "free")])
 def test_tolerances_are_shown_in_percent(addon, tolerance, text):
-    assert addon.words.tolerance_text(tolerance) == text
+    assert addon.core.tolerance_text(tolerance) == text
 
 
 @pytest.mark.parametrize("driver", ["in_one_go", "in_slices", "told_as"])

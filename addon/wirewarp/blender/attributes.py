@@ -21,17 +21,23 @@ DIGITS = 24  # of the digest that seals the text
 
 def sealed(data: dict[str, Any]) -> str:
     text = json.dumps(data)
-    return _digest(text) + text
+    return digest(text) + text
 
 
 def unsealed(stored: object) -> dict[str, Any] | None:
     """Returns the data; None if sealed() has not made this text."""
-    if not isinstance(stored, str) or stored[:DIGITS] != _digest(stored[DIGITS:]):
+    if not isinstance(stored, str) or stored[:DIGITS] != digest(stored[DIGITS:]):
         return None
     return json.loads(stored[DIGITS:])
 
 
-def _digest(text: str) -> str:
+def stored_text(owner: bpy.types.ID, name: str) -> str:
+    """Return the text of a custom property; "" for other types, and without it."""
+    stored = owner.get(name)
+    return stored if isinstance(stored, str) else ""
+
+
+def digest(text: str) -> str:
     return hashlib.blake2b(text.encode(errors="replace"), digest_size=DIGITS // 2).hexdigest()
 
 

@@ -12,7 +12,7 @@ import bpy
 import numpy as np
 from mathutils.bvhtree import BVHTree
 
-from ..words import counted
+from ..core import Elements, counted
 
 CLOSE = 1e-5  # of the model's size; files write coordinates to five or six digits
 ROUNDED = 5e-7  # of the largest coordinate: two roundings to single precision on either side
@@ -32,15 +32,6 @@ class Fault:
     def text(self, count: int) -> str:
         """Return "12 overlapping vertices"."""
         return counted(count, self.one, self.many)
-
-
-@dataclass(frozen=True)
-class Elements:
-    """Elements by index; edges are vertex pairs."""
-
-    vertices: list[int]
-    edges: list[tuple[int, int]]
-    faces: list[int]
 
 
 def find_faults(mesh: bpy.types.Mesh) -> dict[str, Elements]:

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks the files that users and scripts name, and writes them completely or not at all."""
 
-import os
 import re
-from collections.abc import Iterator
-from contextlib import contextmanager
+import tempfile
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 import bpy
+
+from ..core import pattern
 
 # Options of a property that may be a relative path; Blender before 4.5 needs none.
 OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4, 5, 0) else {"SKIP_SAVE"}
@@ -53,29 +54,12 @@ def check_ending(path: Path, ending: str) -> None:
 
 def check_room(path: Path) -> None:
     """Raises OSError like check_file, or if the folder accepts no new files."""
-    path = path.resolve()
     check_file(path)
-    with _unfinished(path).open("wb"):
+    with tempfile.TemporaryFile(dir=path.resolve().parent):
         pass
-    _unfinished(path).unlink()
 
 
-@contextmanager
-def replaced_file(path: Path) -> Iterator[Path]:
-    """Yield a path beside this one, which replaces it at the end if nothing was raised.
-
-    A full disk therefore does not damage the existing file. Raises OSError like check_file.
-    """
-    path = path.resolve()  # the target of a link is replaced, and the link stays
+def replaced_file(path: Path) -> AbstractContextManager[Path]:
+    """Return the library's replaced_file. Raises OSError like check_file."""
     check_file(path)
-    unfinished = _unfinished(path)
-    try:
-        yield unfinished
-        unfinished.replace(path)
-    finally:
-        unfinished.unlink(missing_ok=True)
-
-
-def _unfinished(path: Path) -> Path:
-    """Return the path beside it for the file being written."""
-    return path.with_name(f".wirewarp-{os.getpid()}.part")
+    return pattern.files.replaced_file(path)

@@ -8,6 +8,8 @@ import bmesh
 import bpy
 import numpy as np
 
+from ..solve.chains import next_corners
+
 HAS_UV_ATTRIBUTES = bpy.app.version >= (3, 5, 0)
 HAS_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
 SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"  # absent if no edge is a seam
@@ -201,11 +203,8 @@ def faces_at_edges(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
-    """(l,) int32, the next corner of its face for each corner."""
-    starts, sizes = face_starts(mesh), face_sizes(mesh)
-    following = np.arange(1, len(mesh.loops) + 1, dtype=np.int32)
-    following[starts + sizes - 1] = starts
-    return following
+    """(l,) the next corner of its face for each corner."""
+    return next_corners(face_sizes(mesh))
 
 
 def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:

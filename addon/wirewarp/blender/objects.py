@@ -7,8 +7,8 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
+from ..core import LengthText
 from ..issues import object_error
-from ..words import LengthText
 
 LONGEST = 255 if bpy.app.version >= (5, 0, 0) else 63  # bytes; Blender cuts longer names
 
@@ -71,6 +71,12 @@ def linear_part(source: bpy.types.Object) -> np.ndarray:
     return linear
 
 
+def world_box(target: bpy.types.Object) -> np.ndarray:
+    """Return the lowest and the highest corner (2,3) of the object in the world."""
+    corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])
+    return np.array([corners.min(axis=0), corners.max(axis=0)])
+
+
 def metric(source: bpy.types.Object) -> np.ndarray:
     """Return how the object's matrix changes lengths, and whether it mirrors. Rotations do not change the result."""
     linear = np.array(source.matrix_world, dtype=np.float64)[:3, :3]
@@ -130,8 +136,7 @@ def likely_units(target: bpy.types.Object) -> Sequence[float]:
 
 def unit_of_height(target: bpy.types.Object, height: float) -> float | None:
     """Return meters per Blender unit for which the model has this height in meters; None if it is flat."""
-    heights = [(target.matrix_world @ Vector(corner)).z for corner in target.bound_box]
-    own = max(heights) - min(heights)
+    own = float(np.ptp(world_box(target)[:, 2]))
     return height / own if own > 0 else None
 
 

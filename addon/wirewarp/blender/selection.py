@@ -1,19 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Object Mode and Edit Mode, undo from either, and selecting given elements."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 import bpy
 import numpy as np
+from numpy.typing import ArrayLike
 
+from ..core import Elements
 from ..issues import changed_error, object_error
 from ..solve.chains import edge_keys
-from .mesh import corner_edges, current_mesh, edge_vertices, face_sizes, read
+from .mesh import corner_edges, current_mesh, edge_vertices, faces_of_corners, read
 from .objects import check_local
 from .views import show_place, work_area
 
-WORKING_MODES = {"OBJECT", "EDIT_MESH"}  # modes in which the operators work; in_object_mode switches to Object Mode
+# Modes in which the operators work; in_object_mode switches to Object Mode.
+WORKING_MODES = frozenset({"OBJECT", "EDIT_MESH"})
 
 
 @contextmanager
@@ -48,30 +51,21 @@ def hold_whole_file() -> None:
     bpy.data.meshes.remove(bpy.data.meshes.new("WireWarp"))
 
 
-Indices = Sequence[int] | np.ndarray  # (k,)
-Pairs = Sequence[tuple[int, int]] | np.ndarray  # (k,2) vertices
-
 LEAST_SHARE = 0.3  # share of the object's size: a closer view of a single face does not show where it is
 
 
-def select_elements(
-    context: bpy.types.Context,
-    target: bpy.types.Object,
-    vertices: Indices = (),
-    edges: Pairs = (),
-    faces: Indices = (),
-) -> None:
+def select_elements(context: bpy.types.Context, target: bpy.types.Object, elements: Elements) -> None:
     """Make `target` active and enter its Edit Mode with only these elements selected.
 
-    edges are vertex pairs; a pair without an edge (the diagonal of a quad) selects its two vertices. The selection mode
+    A vertex pair without an edge (the diagonal of a quad) selects its two vertices. The selection mode
     is the coarsest that can show everything, and the view moves there. Raises ObjectError, with nothing changed, if the
     object cannot be shown or edited, or has no such elements.
     """
     check_local(target, target.data)
     with current_mesh(target) as current:
-        edge_mask, loose_vertices = _find_edges(current, edges)
-        face_mask = _mask(target, current.polygons, faces)
-        vertex_mask = _mask(target, current.vertices, [*vertices, *loose_vertices])
+        edge_mask, loose_vertices = _find_edges(current, elements.edges)
+        face_mask = _mask(target, current.polygons, elements.faces)
+        vertex_mask = _mask(target, current.vertices, [*elements.vertices, *loose_vertices])
     mesh = target.data
     _show(context, target)
     if context.mode == "EDIT_MESH":
@@ -85,14 +79,11 @@ def select_elements(
     level = 0 if vertex_mask.any() else 1 if edge_mask.any() else 2
     context.tool_settings.mesh_select_mode = tuple(level == each for each in range(3))
 
-    loops = _loop_faces(mesh)
-    loop_edges = corner_edges(mesh)
-    edge_mask[loop_edges[face_mask[loops]]] = True
+    edge_mask[corner_edges(mesh)[face_mask[faces_of_corners(mesh)]]] = True
     vertex_mask[edge_vertices(mesh)[edge_mask].ravel()] = True
-    for elements, mask in ((mesh.vertices, vertex_mask), (mesh.edges, edge_mask), (mesh.polygons, face_mask)):
-        elements.foreach_set("select", mask)
-        hidden = read(elements, "hide", bool)
-        elements.foreach_set("hide", hidden & ~mask)
+    for every, mask in ((mesh.vertices, vertex_mask), (mesh.edges, edge_mask), (mesh.polygons, face_mask)):
+        every.foreach_set("select", mask)
+        every.foreach_set("hide", read(every, "hide", bool) & ~mask)
     if vertex_mask.any():
         _frame(context, target, vertex_mask)
     bpy.ops.object.mode_set(mode="EDIT")
@@ -132,25 +123,14 @@ def _show(context: bpy.types.Context, target: bpy.types.Object) -> None:
         )
 
 
-def _find_edges(mesh: bpy.types.Mesh, pairs: Pairs) -> tuple[np.ndarray, list[int]]:
+def _find_edges(mesh: bpy.types.Mesh, pairs: ArrayLike) -> tuple[np.ndarray, list[int]]:
     """Return a mask of the mesh's edges, and the vertices of the pairs without an edge."""
-    mask = np.zeros(len(mesh.edges), dtype=bool)
-    if not len(pairs):
-        return mask, []
-    count = len(mesh.vertices)
-    keys, wanted = edge_keys(edge_vertices(mesh), count), edge_keys(pairs, count)
-    mask[np.isin(keys, wanted)] = True
-    missing = np.asarray(pairs)[~np.isin(wanted, keys)]
-    return mask, missing.ravel().tolist()
+    count, ends = len(mesh.vertices), np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
+    keys, wanted = edge_keys(edge_vertices(mesh), count), edge_keys(ends, count)
+    return np.isin(keys, wanted), ends[~np.isin(wanted, keys)].ravel().tolist()
 
 
-def _loop_faces(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the polygon of each loop."""
-    sizes = face_sizes(mesh)
-    return np.repeat(np.arange(len(sizes)), sizes)
-
-
-def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, indices: Indices) -> np.ndarray:
+def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, indices: ArrayLike) -> np.ndarray:
     """Return a mask. Raises ObjectError if the object's mesh has no such elements."""
     wanted, mask = np.asarray(indices, dtype=np.int64), np.zeros(len(elements), dtype=bool)
     if np.any((wanted < 0) | (wanted >= len(elements))):

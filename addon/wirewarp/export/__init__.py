@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the pattern of flat pieces, and the object for sewing simulations.
 
-May import: ui, state, solve, blender, properties, core, issues, names, words.
+May import: ui, state, solve, blender, properties, core, issues, names.
 """
 
 from . import operators, sewing

@@ -14,17 +14,6 @@ from ..solve.steps import Steps, T, in_one_go, in_slices, told_as
 Stages = Generator[tuple[str, float], None, T]  # steps of the library: the stage, and its completed share
 
 
-@dataclass(frozen=True)
-class PatternChoices:
-    """Lengths are in millimeters."""
-
-    allowance: float  # default where none is marked
-    notch_spacing: float  # along seams, 0 for none
-    darts: str  # "close", "cut" or "slit", as the library has it
-    pairs: bool = False  # draw one piece of each mirrored pair
-    on_fold: bool = False  # draw half of each symmetric piece
-
-
 Grain = Literal["one way", "both ways", "free"]
 GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}  # by settings
 
@@ -36,6 +25,11 @@ class Cloth:
     width: float
     gap: float  # between pieces
     grain: Grain  # how pieces may be turned
+
+
+def library_paper(paper: str, roll_width: float) -> str | float:
+    """Return the library's paper for that of the settings. roll_width: of "ROLL", in millimeters."""
+    return roll_width if paper == "ROLL" else paper.lower().replace("_", "-")
 
 
 @dataclass(frozen=True)
@@ -74,30 +68,16 @@ class PatternParts:
             "them anyway."
         )
 
-    def cut_lines(self, allowance: float, darts: str, pairs: bool = False, on_fold: bool = False) -> pattern.Pattern:
+    def cut_lines(self, **options: Any) -> pattern.Pattern:  # noqa: ANN401
         """Return only the lines in their places. Raises ObjectError like making()."""
         with _errors_of_library():
-            return pattern.Pattern.of_cut_lines(
-                self.pieces, allowance=allowance, darts=darts, pairs=pairs, on_fold=on_fold, **self._marked
-            )
+            return pattern.Pattern.of_cut_lines(self.pieces, **options, **self._marked)
 
-    def making(self, choices: PatternChoices) -> Stages[pattern.Pattern]:
+    def making(self, options: pattern.PatternOptions) -> Stages[pattern.Pattern]:
         """Make the pattern in steps. Raises ObjectError if the pieces make none."""
+        own = {"title": self.title, "date": self.date, "measures": self.measures}
         with _errors_of_library():
-            steps = pattern.Pattern.making(
-                self.pieces,
-                self.seam_names,
-                title=self.title,
-                date=self.date,
-                allowance=choices.allowance,
-                notch_spacing=choices.notch_spacing,
-                darts=choices.darts,
-                pairs=choices.pairs,
-                on_fold=choices.on_fold,
-                measures=self.measures,
-                **self._marked,
-            )
-            return (yield from steps)
+            return (yield from pattern.Pattern.making(self.pieces, self.seam_names, **options, **own, **self._marked))
 
     @property
     def _marked(self) -> dict[str, Any]:
@@ -130,7 +110,7 @@ SEARCH = 0.9  # share of the search for a marker in the whole run, because it ta
 
 @dataclass(frozen=True)
 class ExportChoices:
-    made: PatternChoices
+    made: pattern.PatternOptions
     drawn: frozenset[str]  # kinds of lines, marks and texts as Pattern.with_only has them
     options: Mapping[str, Any] = field(default_factory=dict)  # of Pattern.write
     in_rows: bool = False  # otherwise as the pieces lie

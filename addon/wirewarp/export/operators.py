@@ -7,11 +7,9 @@ from typing import Any
 import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
-from ..core import pattern
+from ..core import counted, pattern
 from ..properties import PatternSettings, take_settings
-from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
-from ..words import counted
-from .export import GRAINS, Cloth, ExportChoices, PatternChoices
+from .export import GRAINS, Cloth, ExportChoices, library_paper
 from .steps import PatternExport, largest_sentence, size_sentences
 
 FORMATS = {suffix[1:].upper(): each for suffix, each in pattern.FORMATS.items()}
@@ -63,7 +61,6 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     new_marker: BoolProperty(
         name="Search Again",
         description="Search for a new layout even if the last one fits these pieces and this fabric",
-        default=False,
         options={"SKIP_SAVE"},
     )
 
@@ -110,11 +107,14 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
 
     def choices(self) -> ExportChoices:
         drawn = frozenset(kind.lower().replace("_", " ") for kind in self.drawn)
-        made = PatternChoices(
-            self.allowance, self.notch_spacing, self.darts.lower(), pairs=self.pairs, on_fold=self.on_fold
-        )
         return ExportChoices(
-            made,
+            {
+                "allowance": self.allowance,
+                "notch_spacing": self.notch_spacing,
+                "darts": self.darts.lower(),
+                "pairs": self.pairs,
+                "on_fold": self.on_fold,
+            },
             drawn,
             self._write_options(),
             in_rows=self.arrangement == "IN_ROWS",
@@ -143,16 +143,17 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         if not FORMATS[self.format].has_pages:
             return size_sentences(made, FORMATS[self.format].size_of(made))
         pages, count = made.page_sizes(**self._write_options() | {"proof": False}), counted(len(made.pieces), "piece")
-        if is_roll(self.paper):
+        paper = library_paper(self.paper, self.roll_width)
+        if pattern.roll_width(paper):
             width, length = map(made.units.text, (pages[0][0], sum(page[1] for page in pages)))
             return [f"{count} on {length} of a roll of {width}, {counted(len(pages), 'page')}."]
-        if self.paper == ONE_PAGE:
+        if len(pages) == 1:
             return size_sentences(made, pages[0])
         what = [counted(len(pages) - 1, "sheet"), "a first page with the map"]
         if self.proof_sheet:
             whole = made.page_sizes(**self._write_options() | {"proof": True})
             what.append(counted(len(whole) - len(pages), "proof sheet"))
-        sheets = f"{', '.join(what[:-1])} and {what[-1]} of {PAPERS[self.paper][1]}"
+        sheets = f"{', '.join(what[:-1])} and {what[-1]} of {pattern.PAPERS[str(paper)].label}"
         return [f"{count} on {sheets}.", largest_sentence(made)]
 
 
@@ -188,7 +189,9 @@ class OBJECT_OT_wirewarp_export_svg(PatternExport, bpy.types.Operator):
 
     def choices(self) -> ExportChoices:
         """Return choices with allowances only where they are marked, and darts as they are."""
-        return ExportChoices(PatternChoices(0.0, self.notch_spacing, "cut"), ALL_KINDS, in_rows=False)
+        return ExportChoices(
+            {"allowance": 0.0, "notch_spacing": self.notch_spacing, "darts": "cut"}, ALL_KINDS, in_rows=False
+        )
 
     def size_sentences(self, made: pattern.Pattern) -> list[str]:
         return size_sentences(made, made.svg_size)

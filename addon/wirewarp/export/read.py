@@ -8,7 +8,7 @@ from dataclasses import asdict
 import bpy
 import numpy as np
 
-from ..blender.attributes import has_attributes, sealed, unsealed
+from ..blender.attributes import has_attributes, sealed, stored_text, unsealed
 from ..blender.mesh import current_mesh, evaluated_mesh
 from ..blender.objects import linear_part, meters_per_blender_unit
 from ..core import pattern
@@ -29,14 +29,8 @@ def keep_marker(source: bpy.types.Object, kept: KeptMarker) -> None:
     source[MARKER] = sealed({"cloth": asdict(kept.cloth), "marker": kept.marker.to_dict()})
 
 
-def marker_text(source: bpy.types.Object) -> str:
-    """Return the text to store; empty without a marker."""
-    stored = source.get(MARKER)
-    return stored if isinstance(stored, str) else ""
-
-
 def kept_marker(text: str) -> KeptMarker | None:
-    """Return the marker of a text of marker_text; None if another version wrote it."""
+    """Return the marker of a stored text; None if another version wrote it."""
     stored = unsealed(text)
     if stored is None:
         return None
@@ -95,7 +89,7 @@ def _parts(
             for wire in report.wires
             if wire.tolerance == 0 and wire.length_3d is not None and None not in wire.length_2d
         ],
-        kept=kept_marker(marker_text(source)),
+        kept=kept_marker(stored_text(source, MARKER)),
     )
 
 

@@ -14,7 +14,7 @@ from ..names import FLAT_LENGTH, MARKS, SEAM
 from ..solve.outlines import FlatPieces, outline_of
 from ..state.flat_pieces import OF_ELEMENTS, current_pieces, read_flat_pieces
 from ..state.owners import model_or_self
-from ..ui.editing import reporting_refusals
+from ..ui.editing import OnMesh, reporting_refusals
 from .read import EDITED
 
 FLAT, WORN = "Flat", "On the Model"  # shape keys
@@ -102,21 +102,15 @@ def _add_edges(mesh: bpy.types.Mesh, added: np.ndarray) -> None:
     mesh.update(calc_edges_loose=True)
 
 
-class OBJECT_OT_wirewarp_sewing(bpy.types.Operator):
+class OBJECT_OT_wirewarp_sewing(OnMesh, bpy.types.Operator):
     """Copy the flat pieces with sewing edges between the sides of each seam, and a shape key that folds them onto the
     model"""
 
     bl_idname = "object.wirewarp_sewing"
     bl_label = "Add Sewing Edges"
     bl_options = {"REGISTER", "UNDO"}
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        if active is not None and active.type == "MESH" and context.mode == "OBJECT":
-            return True
-        cls.poll_message_set("Select a model that has been flattened, or its flat pieces, in Object Mode")
-        return False
+    modes = frozenset({"OBJECT"})
+    refusal = "Select a model that has been flattened, or its flat pieces, in Object Mode"
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:

@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 import bpy
 import numpy as np
-from bpy.props import BoolProperty, FloatProperty, StringProperty
+from bpy.props import BoolProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
+from ..blender.fields import number
 from ..blender.files import (
     OPTIONS,
     check_ending,
@@ -21,18 +22,18 @@ from ..blender.files import (
     replaced_file,
     unwritten,
 )
-from ..blender.selection import in_object_mode
-from ..core import SHOWN_NAMES, FlattenError, pattern
+from ..blender.selection import WORKING_MODES, in_object_mode
+from ..core import SHOWN_NAMES, FlattenError, counted, pattern
 from ..issues import ObjectError, object_error
 from ..solve.steps import CanceledError
 from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
 from ..state.reports import pieces_report
 from ..ui import window_run
+from ..ui.editing import OnMesh
 from ..ui.layout import draw_sentence
 from ..ui.settings import settings_sentence
 from ..ui.window_run import WindowSteps
-from ..words import counted
-from .export import ExportChoices, Exported, KeptMarker, PatternParts, export, made_pattern
+from .export import Exported, KeptMarker, PatternParts, export, made_pattern
 from .read import keep_marker, pieces_over_others, read_pattern
 
 INCH = 25.4
@@ -81,8 +82,8 @@ class _Beforehand(NamedTuple):
     sentences: list[tuple[str, str]]  # with their icons
 
 
-class PatternExport(WindowSteps, ExportHelper):
-    """Mixin of operators, which define `filename_ext` and what they write."""
+class PatternExport(OnMesh, WindowSteps, ExportHelper):
+    """Mixin of operators, which define filename_ext, choices() and size_sentences()."""
 
     # Not kept with the other settings, because the next model has its own name.
     filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
@@ -92,37 +93,21 @@ class PatternExport(WindowSteps, ExportHelper):
         subtype="FILE_PATH",
         options=OPTIONS | {"HIDDEN"},
     )
-    notch_spacing: FloatProperty(
-        name="Notches Every",
-        description="Distance in millimeters (25.4 to the inch) of notches along seams, from the same end on both "
+    notch_spacing: number(
+        "Notches Every",
+        "Distance in millimeters (25.4 to the inch) of notches along seams, from the same end on both "
         "sides; shorter seams get one near their middle, from 15 mm on. Ends of wires always get one. At least 1 mm; "
         "0: no others",
-        min=0.0,
-        soft_max=500.0,
-        default=100.0,
-        precision=1,
+        (0.0, 100.0, 500.0),
         step=1000,
     )
     failed_pieces: BoolProperty(
         name="Failed Pieces",
         description="Also export failed pieces, for inspection only",
-        default=False,
     )
+    modes = WORKING_MODES
+    refusal = "Select a model that has been flattened, or its flat pieces"
     _has_dialog = False  # a script has no event
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        if active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}:
-            return True
-        cls.poll_message_set("Select a model that has been flattened, or its flat pieces")
-        return False
-
-    def choices(self) -> ExportChoices:
-        raise NotImplementedError
-
-    def size_sentences(self, made: pattern.Pattern) -> list[str]:
-        raise NotImplementedError
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         if not self.filepath:
@@ -204,10 +189,6 @@ class PatternExport(WindowSteps, ExportHelper):
             return self._tell(self.wait_for(context, steps))
         except FAULTS as error:
             return self._failed(error)
-
-    def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Return whether the event passes: all except Esc, because all data has been read."""
-        return event.type != "ESC"
 
     def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:

@@ -112,53 +112,38 @@ def write_flat_object(
     models: all models of the run; a new flat object does not overlap them.
     If it raises, the earlier pieces are restored.
     """
-    target = find_flat_object(source)
-    if target is None:
-        return _new_object(scene, source, flat, arrays, record, models)
-    if _is_shared(target):
+    earlier, name = find_flat_object(source), flat_name(source.name)
+    target = earlier or bpy.data.objects.new(name, bpy.data.meshes.new(name))
+    if earlier and _is_shared(target):
         target.data = bpy.data.meshes.new(target.name)
-    with _restored_on_failure(target):
+    with _restored_on_failure(target, is_new=earlier is None):
         _write_mesh(target, source, flat, arrays, record)
+        if earlier is None:
+            target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0), models)
+            target.wirewarp_source = source
     if scene not in target.users_scene:
         our_collection(scene).objects.link(target)
     target.scale = target.delta_scale = (1, 1, 1)  # place and rotation stay, but the scale must be 1
     return target
 
 
-def _new_object(
-    scene: bpy.types.Scene,
-    source: bpy.types.Object,
-    flat: FlatMesh,
-    arrays: MeshArrays,
-    record: FlatRecord,
-    models: Sequence[bpy.types.Object],
-) -> bpy.types.Object:
-    name = flat_name(source.name)
-    target = bpy.data.objects.new(name, bpy.data.meshes.new(name))
-    try:
-        _write_mesh(target, source, flat, arrays, record)
-        target.location = free_place(scene, source, flat.vertices.max(axis=0, initial=0.0), models)
-    except BaseException:
-        remove_object(target)
-        raise
-    target.wirewarp_source = source
-    our_collection(scene).objects.link(target)
-    return target
-
-
 @contextmanager
-def _restored_on_failure(target: bpy.types.Object) -> Iterator[None]:
-    """Restore the mesh of the object if an error occurs while it is written."""
-    earlier = target.data.copy()
+def _restored_on_failure(target: bpy.types.Object, *, is_new: bool) -> Iterator[None]:
+    """Restore the mesh of the object, or remove a new object, if an error occurs while it is written."""
+    earlier = None if is_new else target.data.copy()
     try:
         yield
     except BaseException:
+        if earlier is None:
+            remove_object(target)
+            raise
         written, name = target.data, target.data.name
         written.user_remap(earlier)
         bpy.data.meshes.remove(written)
         earlier.name = name
         raise
-    bpy.data.meshes.remove(earlier)
+    if earlier:
+        bpy.data.meshes.remove(earlier)
 
 
 def _is_shared(flat: bpy.types.Object) -> bool:

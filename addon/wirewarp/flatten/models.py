@@ -7,8 +7,8 @@ from types import ModuleType
 
 import numpy as np
 
-from ..core import ANY_LIMIT, Cache, FlattenResult, Note, torn_hints
-from ..issues import Issue, ObjectError, note, warning
+from ..core import ANY_LIMIT, Cache, FlattenResult, Issue, Note, torn_hints
+from ..issues import ObjectError, note, warning
 from ..solve.arrays import INWARD, MeshArrays, faces_inward, new_seams
 from ..solve.flat_mesh import FlatMesh, flat_mesh
 from ..solve.flatten import FlattenChoices, flatten_arrays, has_layout, used_choices
@@ -66,7 +66,9 @@ def solve_models(
     Canceling the trial of UV seams keeps the pieces.
     """
     outcomes: list[Outcome] = []
-    with_map = [model for model in models if tries_uv_seams and _may_have_uv_seams(model)]
+    # Modifiers make edges of their own, which nobody can mark.
+    readable = [model for model in models if tries_uv_seams and model.arrays and not model.facts.with_modifiers]
+    with_map = [model for model in readable if len(new_seams(model.arrays))]
 
     def after(done: int) -> Callable[[float], float]:
         return lambda share: (done + share) / (len(models) + len(with_map))
@@ -111,11 +113,6 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
     if model.arrays:
         outcome.report.hints += torn_hints(model.arrays.vertices, model.arrays.outline)
     return outcome
-
-
-def _may_have_uv_seams(model: Model) -> bool:
-    """Return whether the model's own UV map has seams to add. Edges made by modifiers cannot be marked."""
-    return model.arrays is not None and not model.facts.with_modifiers and len(new_seams(model.arrays)) > 0
 
 
 def _try_uv_seams(

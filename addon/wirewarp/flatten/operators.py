@@ -12,17 +12,19 @@ from ..blender.files import OPTIONS, check_room, given_file, replaced_file, unwr
 from ..blender.objects import meters_per_blender_unit
 from ..blender.selection import WORKING_MODES, hold_whole_file, in_object_mode
 from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_area
-from ..issues import Issue, ObjectError
+from ..core import Issue
+from ..issues import ObjectError, object_error
 from ..properties import preferences, take_settings
 from ..solve.report import ObjectReport, run_message
 from ..solve.steps import CanceledError, Steps
 from ..state.owners import find_flat_object
 from ..state.settings import FlattenSettings, choices_of
 from ..ui import window_run
+from ..ui.editing import reporting_refusals
 from ..ui.settings import draw_settings
 from ..ui.window_run import WindowSteps, fault_sentence
 from .models import Model, Outcome, failed_report, solve_models
-from .read import active_target, check_current, find_source, mesh_targets, nothing_to_flatten, read_models
+from .read import active_target, check_current, check_sources, find_source, mesh_targets, read_models
 from .write import write_results
 
 # Events during a run that only move the view.
@@ -30,12 +32,6 @@ HARMLESS = {"MIDDLEMOUSE", "MOUSEMOVE", "INBETWEEN_MOUSEMOVE", "HOME", "NUMPAD_P
     f"NUMPAD_{digit}" for digit in range(10)
 }
 HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
-
-
-def write_json(path: Path, report: dict) -> None:
-    """Write the file. Raises OSError, and does not change an existing file, if it cannot be written."""
-    with replaced_file(path) as unfinished:
-        unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
 class FlattenSteps(WindowSteps, FlattenSettings):
@@ -140,7 +136,9 @@ class FlattenSteps(WindowSteps, FlattenSettings):
             "system": context.scene.unit_settings.system,
         }
         try:
-            write_json(self.report_file, core.run_to_dict(core.library().__version__, units, reports))
+            report = core.run_to_dict(core.library().__version__, units, reports)
+            with replaced_file(self.report_file) as unfinished:
+                unfinished.write_text(json.dumps(report, indent=1, allow_nan=False) + "\n", encoding="utf-8")
         except OSError as error:
             self.report({"ERROR"}, unwritten(self.report_file, error))
 
@@ -166,7 +164,6 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
     only_active: BoolProperty(
         name="Only Active",
         description="Flatten the active model alone, whatever else is selected",
-        default=False,
         options={"HIDDEN", "SKIP_SAVE"},
     )
 
@@ -185,38 +182,31 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         take_settings(self, context.scene.wirewarp)
-        if bpy.app.background:
-            return self.execute(context)
-        sources = self._sources(context)
-        return {"CANCELLED"} if self._is_refused(context, sources) else self.begin_run(context, sources)
+        return self.execute(context) if bpy.app.background else self._begin(context)
 
+    @reporting_refusals
+    def _begin(self, context: bpy.types.Context) -> set[str]:
+        return self.begin_run(context, self._sources(context))
+
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         """In a script and for Adjust Last Operation."""
-        sources = self._sources(context)
-        return {"CANCELLED"} if self._is_refused(context, sources) else self.flatten_now(context, sources)
+        return self.flatten_now(context, self._sources(context))
 
     def _sources(self, context: bpy.types.Context) -> list[bpy.types.Object]:
-        return active_target(context) if self.only_active else mesh_targets(context)
+        """Raises ObjectError if nothing can be done at all."""
+        sources = active_target(context) if self.only_active else mesh_targets(context)
+        check_sources(context, sources)
+        try:
+            if self.report_path:
+                check_room(self.report_file)
+        except OSError as error:
+            raise object_error("file", unwritten(self.report_path, error)) from error
+        return sources
 
     @property
     def report_file(self) -> Path | None:
         return given_file(self.report_path) if self.report_path else None
-
-    def _is_refused(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> bool:
-        """Return whether nothing can be flattened, and report why."""
-        refusal = window_run.busy_sentence() or nothing_to_flatten(context, sources)
-        if not refusal and self.report_path:
-            refusal = self._file_refusal()
-        if refusal:
-            self.report({"ERROR"}, refusal)
-        return bool(refusal)
-
-    def _file_refusal(self) -> str:
-        try:
-            check_room(self.report_file)
-        except OSError as error:
-            return unwritten(self.report_path, error)
-        return ""
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)

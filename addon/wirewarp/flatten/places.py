@@ -9,7 +9,7 @@ import numpy as np
 from mathutils import Vector
 
 from ..blender.attributes import has_attributes
-from ..blender.objects import linear_part
+from ..blender.objects import linear_part, world_box
 from ..issues import ObjectError
 from ..names import PIECE, SOURCE_VERTEX
 from ..solve.flat_mesh import FlatMesh
@@ -39,12 +39,12 @@ def free_place(
     It is right of the source and of all flat pieces, at the height of the lowest point of this run's models, and not
     below a model.
     """
-    own, largest = _world_box(source), max(source.dimensions)
-    together = [_world_box(each) for each in models]
+    own, largest = world_box(source), max(source.dimensions)
+    together = [world_box(each) for each in models]
     others = [each for each in scene.objects if each.type in SOLID and each.visible_get() and each not in models]
     ours = [each for each in scene.objects if model_of(each)]
-    right, floor = max(_world_box(each)[1, 0] for each in (source, *ours)), min(box[0, 2] for box in together)
-    obstacles = [box for box in map(_world_box, others) if np.ptp(box, axis=0).max() <= LARGE * largest]
+    right, floor = max(world_box(each)[1, 0] for each in (source, *ours)), min(box[0, 2] for box in together)
+    obstacles = [box for box in map(world_box, others) if np.ptp(box, axis=0).max() <= LARGE * largest]
     corner = np.array([right + GAP * largest, own[0, 1], floor])
     obstacles = [box for box in obstacles if _rises(box, floor, GAP * largest)] + together
     return Vector(_clear_of(obstacles, corner, size, GAP * largest))
@@ -61,11 +61,6 @@ def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap
         if np.all((low[:2] < place[:2] + size) & (high[:2] > place[:2])):
             place = np.array([high[0] + gap, *place[1:]])
     return place
-
-
-def _world_box(target: bpy.types.Object) -> Box:
-    corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])
-    return np.array([corners.min(axis=0), corners.max(axis=0)])
 
 
 def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: float) -> tuple[FlatMesh, list[int]]:

@@ -10,7 +10,8 @@ import numpy as np
 from .. import core
 from ..blender.mesh import element_counts
 from ..blender.objects import check_local, length_text, linear_part, meters_per_blender_unit, metric
-from ..issues import Issue, ObjectError, object_error
+from ..core import Issue, LengthText, quoted
+from ..issues import ObjectError, object_error
 from ..solve.report import Facts
 from ..state.changes import has_changed, model_state
 from ..state.flat_pieces import is_flat_mesh
@@ -20,7 +21,7 @@ from ..state.memory import read_anew, state_of
 from ..state.owners import DELETED, check_not_edited, find_flat_object, is_deleted, model_of, model_or_self
 from ..state.read_model import left_out, object_to_arrays, shaped_by
 from ..state.reports import flattened_name
-from ..words import LengthText, quoted
+from ..ui import window_run
 from .flat_object import check_uv_room
 from .models import Model
 
@@ -49,8 +50,15 @@ def _model(context: bpy.types.Context, target: bpy.types.Object) -> bpy.types.Ob
     return model if model.type == "MESH" and model_of(model) is None and is_there else None
 
 
-def nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:
-    """Return a sentence on why nothing can be flattened; empty if something can."""
+def check_sources(context: bpy.types.Context, sources: list[bpy.types.Object]) -> None:
+    """Raises ObjectError if another run is under way, or nothing can be flattened."""
+    refusal = window_run.busy_sentence() or _nothing_to_flatten(context, sources)
+    if refusal:
+        raise object_error("nothing", refusal)
+
+
+def _nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:
+    """Return the sentence; empty if something can be flattened."""
     if context.scene.library:
         return (
             f'Nothing to flatten: the scene "{context.scene.name}" is linked from another file and cannot take flat '
@@ -143,11 +151,7 @@ def check_current(context: bpy.types.Context, models: list[Model], settings: Run
         raise object_error("changed", sentence)
     for model in models:
         if model.issue is None:
-            _check(find_source(model), settings)
-
-
-def _check(source: bpy.types.Object, settings: RunSettings) -> None:
-    check_target(source, writes_model=not settings.use_modifiers)
+            check_target(find_source(model), writes_model=not settings.use_modifiers)
 
 
 def _read(
@@ -168,7 +172,7 @@ def _read(
     )
     arrays = known = seams = state = solved = by_map = issue = None
     try:
-        _check(source, settings)
+        check_target(source, writes_model=not use_modifiers)
         base = marked_mesh(source)
         arrays = object_to_arrays(source, base, depsgraph if use_modifiers else None)
         arrays = replace(arrays, allowance=max(arrays.allowance, allowance), lengths=units)

@@ -5,7 +5,6 @@ import bpy
 import numpy as np
 
 from ..blender.objects import show_where_shown
-from ..core import Note
 from ..issues import note, warning
 from ..names import UV_LAYER
 from ..solve.flat_mesh import FlatMesh
@@ -57,7 +56,9 @@ def _write_pieces(
     """
     arrays = outcome.arrays
     is_new, failed = not has_flat_object(source), [issue.piece for issue in outcome.report.issues]
-    earlier = _kept_object(source, outcome, settings.keep_places)
+    earlier = find_flat_object(source)
+    if earlier and (not settings.keep_places or wants_new_layout(outcome.report.options, earlier)):
+        earlier = None  # all are laid out again
     pieces, up = _place(source, outcome, earlier)
     away = places_of_absent(outcome.pieces, earlier, outcome.identities)
     record = new_record(outcome.report.options, up, away, outcome.pieces, pieces, arrays)
@@ -76,21 +77,11 @@ def _write_pieces(
         outcome.report.uv_layer, outcome.report.uv_scale = UV_LAYER, uv_scale
     context.view_layer.update()
     outcome.report.flat_object = flat.name
-    outcome.report.notes += show_flat_object(context.view_layer, flat) + _notes_on_others(source)
+    outcome.report.notes += show_flat_object(context.view_layer, flat)
+    others = [each for each in bpy.data.objects if model_of(each) == source and is_earlier(each)]
+    outcome.report.notes += [warning(earlier_sentence(each)) for each in others]
     show_where_shown(source, flat)
     store(source, outcome.report)
-
-
-def _notes_on_others(source: bpy.types.Object) -> list[Note]:
-    others = [each for each in bpy.data.objects if model_of(each) == source and is_earlier(each)]
-    return [warning(earlier_sentence(each)) for each in others]
-
-
-def _kept_object(source: bpy.types.Object, outcome: Outcome, keep_places: bool) -> bpy.types.Object | None:
-    """Return the flat object whose pieces keep their places; None for a new layout."""
-    earlier = find_flat_object(source)
-    is_kept = keep_places and earlier and not wants_new_layout(outcome.report.options, earlier)
-    return earlier if is_kept else None
 
 
 def _place(source: bpy.types.Object, outcome: Outcome, earlier: bpy.types.Object | None) -> tuple[FlatMesh, np.ndarray]:

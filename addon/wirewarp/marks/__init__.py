@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marks seams, wires, eases and allowances: panel, operators and functions.
 
-May import: ui, state, solve, blender, properties, issues, names, words.
+May import: ui, state, solve, blender, properties, core, issues, names.
 """
 
 from . import ease_operator, mark_operators, panel, wire_list

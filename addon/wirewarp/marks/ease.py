@@ -25,7 +25,8 @@ from ..blender.mesh import (
     vertex_places,
 )
 from ..blender.objects import linear_part
-from ..issues import LooserWire, object_error
+from ..core import LooserWire
+from ..issues import object_error
 from ..names import EASE, MARKS
 from ..solve.arrays import edge_lengths
 from ..solve.chains import EdgeMarks, edge_keys, split_into_chains
@@ -292,7 +293,7 @@ def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
 
 def _outline_rows(mesh: bpy.types.Mesh, rows: np.ndarray) -> np.ndarray:
     """Return the edges that are on a seam or outline, which have sides."""
-    counts = np.bincount(corner_edges(mesh), minlength=len(mesh.edges))[rows]
+    counts = faces_at_edges(mesh)[rows]
     return rows[(counts == 1) | (read_seams(mesh)[rows] & (counts > 0))]
 
 

@@ -10,12 +10,12 @@ from bpy.props import EnumProperty
 
 from ..blender.mesh import selected_edges
 from ..blender.objects import length_text, meters_per_blender_unit
+from ..core import LengthText, counted, ease_text
 from ..issues import object_error
 from ..properties import EaseAmount, take_settings
 from ..state.owners import model_of
 from ..ui.editing import change_edited, reporting_refusals
 from ..ui.settings import draw_ease
-from ..words import LengthText, counted, ease_text
 from .ease import Amount, Eased, Planned, check_ease_attributes, clear_eases, plan_corners, plan_lines, plan_sides
 from .mark import selected_sides
 

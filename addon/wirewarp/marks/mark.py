@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks and clears edges of the model, from Edit Mode of the model or of its flat pieces."""
+"""Marks and clears edges of the model, which are selected on it or on its flat pieces."""
 
-from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
-import bmesh
 import bpy
 import numpy as np
 
@@ -22,147 +21,87 @@ from ..blender.mesh import (
     read,
     read_seams,
     read_uv,
+    selected_edges,
+    vertex_places,
 )
 from ..blender.objects import check_local
-from ..issues import Issue, ObjectError, object_error
-from ..names import SOURCE_FACE, SOURCE_VERTEX, WIRE
+from ..core import Issue, counted
+from ..issues import ObjectError, object_error
+from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..solve.arrays import island_borders
 from ..solve.chains import edge_keys, split_into_chains
 from ..solve.identity import new_id
 from ..state.flat_pieces import current_pieces
-from ..state.identities import list_places, repair_names
-from ..state.marked_mesh import check_attributes, edit_layers
+from ..state.identities import list_places
+from ..state.marked_mesh import check_attributes, read_marks, write_marks
 from ..state.owners import earlier_sentence, is_earlier, model_of
 from ..state.read_model import own_uv_map
-from ..words import counted
+from .ease import repair_marks
 
 
-@dataclass(frozen=True)
-class Marked:
+class Marked(NamedTuple):
     wires: int
     lost_eases: int  # number of wires whose edges had several eases, which are removed
 
 
-def mark_selected(targets: Sequence[bpy.types.Object], tolerance: float) -> Marked:
-    """Make the selected edges wires, one per chain, also along seams and outlines.
+def plan_wires(target: bpy.types.Object, tolerance: float) -> Callable[[], Marked]:
+    """Plan to make the selected edges wires, one per chain, also along seams and outlines.
 
-    Raises ObjectError, and marks nothing, for an edge without a face and for taken names of attributes.
+    A chain that contains all edges of one wire, and of no other, is that wire: it keeps its id and name and only
+    changes its tolerance. Raises ObjectError for an edge without a face and for attributes that are not ours.
     """
-    for target in targets:
-        check_attributes(target.data)
-        _refuse_loose(target)
-    marked = [_mark_object(target, tolerance) for target in targets]
-    return Marked(sum(each.wires for each in marked), sum(each.lost_eases for each in marked))
-
-
-def _mark_object(target: bpy.types.Object, tolerance: float) -> Marked:
-    if not _selected_edges(bmesh.from_edit_mesh(target.data)):
-        return Marked(0, 0)
-    edit, wire_layer, tolerance_layer, ease_layer = edit_layers(target.data)
-    selected = _selected_edges(edit)
-    _repair(target, edit, wire_layer)
-    edit.verts.index_update()
-    edges = np.array([[vertex.index for vertex in edge.verts] for edge in selected])
-    present = np.array([edge[wire_layer] for edge in selected])
-    counts = Counter(edge[wire_layer] for edge in edit.edges)
-    planned = plan_wires(edges, present, counts, _positions(target, edit))
-    lost_eases = 0
-    for wire in planned:
-        wire_id = wire.kept_id or new_id()
-        if ease_layer:
-            eases = {selected[row][ease_layer] for row in wire.rows if selected[row][wire_layer]}
-            lost_eases += len(eases) > 1
-            ease = eases.pop() if len(eases) == 1 else 0.0
-            for row in wire.rows:
-                selected[row][ease_layer] = ease
-        for row in wire.rows:
-            selected[row][wire_layer] = wire_id
-            selected[row][tolerance_layer] = tolerance
-    _finish(target, edit, wire_layer)
-    # The last marked wire is chosen in the list, so that the buttons below the list apply to it.
-    target.data.wirewarp_active_wire = list_places(target.data)[wire_id]
-    return Marked(len(planned), lost_eases)
-
-
-def clear_selected(targets: Sequence[bpy.types.Object]) -> int:
-    """Remove the selected edges from wires. Return how many. Raises ObjectError for taken names of attributes."""
-    for target in targets:
-        check_attributes(target.data)
-    return sum(map(_clear_object, targets))
-
-
-def _clear_object(target: bpy.types.Object) -> int:
-    if WIRE.name not in bmesh.from_edit_mesh(target.data).edges.layers.int:
-        return 0
-    edit, wire_layer, tolerance_layer, ease_layer = edit_layers(target.data)
-    cleared = [edge for edge in _selected_edges(edit) if edge[wire_layer]]
-    for edge in cleared:
-        edge[wire_layer] = 0
-        edge[tolerance_layer] = 0.0
-        if ease_layer:
-            edge[ease_layer] = 0.0
-    _finish(target, edit, wire_layer)
-    return len(cleared)
-
-
-def _selected_edges(edit: bmesh.types.BMesh) -> list[bmesh.types.BMEdge]:
-    return [edge for edge in edit.edges if edge.select and not edge.hide]
-
-
-def _refuse_loose(target: bpy.types.Object) -> None:
-    edit = bmesh.from_edit_mesh(target.data)  # keeps its edges valid
-    loose = [edge for edge in _selected_edges(edit) if not edge.link_faces]
-    if loose:
+    mesh = target.data
+    check_attributes(mesh)
+    rows = selected_edges(mesh)
+    loose = rows[faces_at_edges(mesh)[rows] == 0]
+    if len(loose):
         count = counted(len(loose), "selected edge")
         have, them = ("has", "it") if len(loose) == 1 else ("have", "them")
         sentence = (
             f'{count} of "{target.name}" {have} no face. Deselect {them}, or delete {them} with Mesh > Clean Up > '
             "Delete Loose."
         )
-        raise ObjectError(Issue("loose_edge", sentence, edges=_pairs(loose)))
+        pairs = [tuple(pair) for pair in edge_vertices(mesh)[loose].tolist()]
+        raise ObjectError(Issue("loose_edge", sentence, edges=pairs))
+    return lambda: _mark(target, rows, tolerance) if len(rows) else Marked(0, 0)
 
 
-def _pairs(edges: list[bmesh.types.BMEdge]) -> list[tuple[int, int]]:
-    return [tuple(vertex.index for vertex in edge.verts) for edge in edges]
+def _mark(target: bpy.types.Object, rows: np.ndarray, tolerance: float) -> Marked:
+    mesh, marks, lost_eases = target.data, repair_marks(target), 0
+    edges_of_wire = np.unique(marks.wire_ids, return_counts=True)
+    counts = dict(zip(*(each.tolist() for each in edges_of_wire), strict=True))
+    # As displayed, so that unapplied scale does not change which lines are straight.
+    positions = vertex_places(mesh) @ np.array(target.matrix_world)[:3, :3].T
+    chains = split_into_chains(edge_vertices(mesh)[rows], positions)
+    for chain in chains:
+        own = rows[chain.edges]
+        before = own[marks.wire_ids[own] != 0]
+        ids, eases = (np.unique(each[before]).tolist() for each in (marks.wire_ids, marks.eases))
+        is_whole = len(ids) == 1 and len(before) == counts[ids[0]]
+        marks.wire_ids[own], marks.tolerances[own] = ids[0] if is_whole else new_id(), tolerance
+        marks.eases[own] = eases[0] if len(eases) == 1 else 0
+        lost_eases += len(eases) > 1
+    write_marks(mesh, marks)
+    wire_id = int(repair_marks(target).wire_ids[rows[chains[-1].edges[0]]])
+    # The last marked wire is chosen in the list, so that the buttons below the list apply to it.
+    mesh.wirewarp_active_wire = list_places(mesh)[wire_id]
+    return Marked(len(chains), lost_eases)
 
 
-def _positions(target: bpy.types.Object, edit: bmesh.types.BMesh) -> np.ndarray:
-    """Return the positions as displayed, so that unapplied scale does not change which lines are straight."""
-    return np.array([vertex.co[:] for vertex in edit.verts]) @ np.array(target.matrix_world)[:3, :3].T
+def plan_clear(target: bpy.types.Object) -> Callable[[], int]:
+    """Plan to remove the selected edges from wires; the plan returns how many. Raises ObjectError like plan_wires."""
+    check_attributes(target.data)
 
+    def clear() -> int:
+        marks, rows = read_marks(target.data), selected_edges(target.data)
+        cleared = rows[marks.wire_ids[rows] != 0]
+        if len(cleared):
+            marks.wire_ids[cleared] = marks.tolerances[cleared] = marks.eases[cleared] = 0
+            write_marks(target.data, marks)
+            repair_marks(target)
+        return len(cleared)
 
-def _finish(target: bpy.types.Object, edit: bmesh.types.BMesh, wire_layer: bmesh.types.BMLayerItem) -> None:
-    _repair(target, edit, wire_layer)
-    bmesh.update_edit_mesh(target.data, loop_triangles=False, destructive=False)
-
-
-def _repair(target: bpy.types.Object, edit: bmesh.types.BMesh, wire_layer: bmesh.types.BMLayerItem) -> None:
-    edit.edges.ensure_lookup_table()
-    for row, wire_id in repair_names(target).items():
-        edit.edges[row][wire_layer] = wire_id
-
-
-@dataclass(frozen=True)
-class PlannedWire:
-    rows: list[int]  # rows of the selected edges
-    kept_id: int  # id of the wire that is marked again as a whole; 0: a new wire
-
-
-def plan_wires(
-    edges: np.ndarray, wire_ids: np.ndarray, edges_of_wire: Mapping[int, int], positions: np.ndarray
-) -> list[PlannedWire]:
-    """Plan one wire for each chain of selected edges (k,2) with their present ids (k,).
-
-    A chain that contains all edges of one wire, and of no other, is that wire: it keeps its id and name and only
-    changes its tolerance. edges_of_wire counts the edges of each id on the whole mesh.
-    """
-    planned = []
-    for chain in split_into_chains(edges, positions):
-        present = wire_ids[chain.edges]
-        ids = np.unique(present[present != 0]).tolist()
-        whole = len(ids) == 1 and np.count_nonzero(present) == edges_of_wire[ids[0]]
-        planned.append(PlannedWire(chain.edges, ids[0] if whole else 0))
-    return planned
+    return clear
 
 
 def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:

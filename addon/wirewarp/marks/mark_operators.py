@@ -6,17 +6,18 @@ from collections.abc import Callable
 
 import bmesh
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty
+from bpy.props import BoolProperty, EnumProperty
 
+from ..blender.fields import in_percent, number
 from ..blender.mesh import selected_edges
 from ..blender.objects import meters_per_blender_unit
 from ..blender.selection import hold_whole_file, in_object_mode
+from ..core import counted, quoted
 from ..issues import object_error
 from ..state.allowances import NONE, check_allowances, mark_edges, mark_sides, scale_lengths
 from ..state.owners import check_not_edited, model_of
 from ..ui.editing import OnModel, change_edited, reporting_refusals
-from ..words import counted, quoted
-from .mark import clear_selected, mark_selected, seams_from_uv, selected_sides
+from .mark import plan_clear, plan_wires, seams_from_uv, selected_sides
 
 KINDS = [
     ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
@@ -36,27 +37,18 @@ class WireKind:
     """Mixed into operators."""
 
     kind: EnumProperty(name="Kind", description="How strictly the wire keeps its length", items=KINDS, default="RIGID")
-    tolerance: FloatProperty(
-        name="Tolerance",
-        description="Elastic wires: how much the total length may change, as a fraction (0.03 is 3%)",
-        min=0.0,
-        soft_max=0.2,
-        max=0.99,
-        default=0.03,
+    tolerance: number(
+        "Tolerance",
+        "Elastic wires: how much the total length may change, as a fraction (0.03 is 3%)",
+        (0.0, 0.03, 0.2, 0.99),
         precision=4,
         step=1,
     )
-    tolerance_percent: FloatProperty(
-        name="Tolerance ±",
-        description="Elastic wires: how much the total length may become longer or shorter, in percent",
-        subtype="PERCENTAGE",
-        min=0.0,
-        soft_max=20.0,
-        max=99.0,
-        precision=2,
-        get=lambda operator: 100 * operator.tolerance,
-        set=lambda operator, percent: setattr(operator, "tolerance", percent / 100),
-        options={"SKIP_SAVE"},
+    tolerance_percent: number(
+        "Tolerance ±",
+        "Elastic wires: how much the total length may become longer or shorter, in percent",
+        (0.0, 0.0, 20.0, 99.0),
+        **in_percent("tolerance"),
     )
 
     def chosen_tolerance(self) -> float:
@@ -91,12 +83,14 @@ class MESH_OT_wirewarp_mark(OnModel, WireKind, bpy.types.Operator):
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        marked = mark_selected(context.objects_in_mode_unique_data, self.chosen_tolerance())
-        if marked.wires == 0:
+        tolerance = self.chosen_tolerance()
+        marked = change_edited(context, lambda target: plan_wires(target, tolerance))
+        wires, lost_eases = map(sum, zip(*marked, strict=True))
+        if wires == 0:
             raise object_error("nothing", "Nothing to mark: select the edges of the wire first.")
-        sentence = f"{counted(marked.wires, 'wire')} marked"
-        if marked.lost_eases:
-            lost = counted(marked.lost_eases, "wire")
+        sentence = f"{counted(wires, 'wire')} marked"
+        if lost_eases:
+            lost = counted(lost_eases, "wire")
             self.report({"WARNING"}, f"{sentence}. {lost} had several eases: mark the ease again.")
         else:
             self.report({"INFO"}, sentence)
@@ -117,7 +111,7 @@ class MESH_OT_wirewarp_clear(OnModel, bpy.types.Operator):
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        if not clear_selected(context.objects_in_mode_unique_data):
+        if not sum(change_edited(context, plan_clear)):
             self.report({"WARNING"}, "No selected edge is a wire")
             return {"CANCELLED"}
         return {"FINISHED"}
@@ -131,24 +125,8 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     kind: EnumProperty(name="Kind", description="What is added outside the edges", items=ALLOWANCES, default="WIDTH")
-    width: FloatProperty(
-        name="Width (mm)",
-        description="Width of the seam allowance",
-        min=0.1,
-        soft_max=50.0,
-        max=1000.0,
-        default=10.0,
-        step=100,
-    )
-    hem: FloatProperty(
-        name="Hem (mm)",
-        description="Width of the hem, which is turned up",
-        min=0.1,
-        soft_max=100.0,
-        max=1000.0,
-        default=30.0,
-        step=100,
-    )
+    width: number("Width (mm)", "Width of the seam allowance", (0.1, 10.0, 50.0, 1000.0), step=100, precision=2)
+    hem: number("Hem (mm)", "Width of the hem, which is turned up", (0.1, 30.0, 100.0, 1000.0), step=100, precision=2)
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
@@ -305,7 +283,7 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
     bl_label = "Set Unit"
     bl_options = {"REGISTER", "UNDO"}
 
-    meters: FloatProperty(name="Unit", description="Meters in one Blender unit", min=1e-6, max=1e6, default=0.01)
+    meters: number("Unit", "Meters in one Blender unit", (1e-6, 0.01, 1e6, 1e6), precision=2)
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import bpy
 
 from ..state.owners import DELETED, is_deleted, model_of
+from ..ui.editing import OnMesh
 from ..ui.layout import SidebarPanel, draw_sentence
 from ..ui.settings import draw_ease
 
@@ -13,12 +14,8 @@ SIDES = (("ALL", "All Sides"), ("NONE", "Clear Ease"), ("ONE", "One Side"), ("OT
 OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # labels for a selected side
 
 
-class VIEW3D_PT_wirewarp_mark(SidebarPanel, bpy.types.Panel):
+class VIEW3D_PT_wirewarp_mark(OnMesh, SidebarPanel, bpy.types.Panel):
     bl_label = "Mark"
-
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return context.active_object is not None and context.active_object.type == "MESH"
 
     def draw(self, context: bpy.types.Context) -> None:
         layout, model = self.layout, model_of(context.active_object)

@@ -5,20 +5,21 @@ import math
 
 import bpy
 import numpy as np
-from bpy.props import FloatProperty, IntProperty, StringProperty
+from bpy.props import IntProperty, StringProperty
 
+from ..blender.fields import in_percent, number
 from ..blender.mesh import current_mesh, edge_vertices, read_selected_edges
 from ..blender.objects import check_local, length_text
-from ..blender.selection import hold_whole_file, in_object_mode, select_elements
+from ..blender.selection import WORKING_MODES, hold_whole_file, in_object_mode, select_elements
+from ..core import Elements, counted, wire_text
 from ..issues import ObjectError, object_error
 from ..properties import LEAST_EASE
 from ..state.drawings import kept_drawing
 from ..state.identities import WireSummary, editable_name, find_wires, listed_wires
 from ..state.memory import stamp
 from ..state.owners import model_of
-from ..ui.editing import OnModel, reporting_refusals
+from ..ui.editing import OnMesh, OnModel, reporting_refusals
 from ..ui.layout import SidebarPanel, draw_sentence, is_wide
-from ..words import counted, wire_text
 from .ease import change_grain, change_wire, wire_at
 from .mark_operators import WireKind
 
@@ -27,7 +28,7 @@ class WireOperator(OnModel):
     """Base of operators for one wire of the active model, in Object Mode."""
 
     bl_options = {"REGISTER", "UNDO"}
-    modes = frozenset({"OBJECT", "EDIT_MESH"})
+    modes = WORKING_MODES
 
     edge: IntProperty(name="Edge", description="Any edge of the wire, by its index", min=0, options={"HIDDEN"})
 
@@ -48,39 +49,29 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
     on_model = "change the wire"
 
     name: StringProperty(name="Name", description="What the wire is called; left empty, it keeps its name")
-    ease: FloatProperty(
-        name="Ease",
-        description="How much longer than on the model to cut the wire, as a fraction. Below 0: shorter. "
+    ease: number(
+        "Ease",
+        "How much longer than on the model to cut the wire, as a fraction. Below 0: shorter. "
         "Left out, the wire keeps its own",
-        min=LEAST_EASE,
+        (LEAST_EASE, 0.0, 1.0),
         soft_min=-0.5,
-        soft_max=1.0,
         precision=4,
         step=1,
     )
-    ease_percent: FloatProperty(
-        name="Ease",
-        description="How much longer than on the model to cut the wire, in percent. Below 0: shorter",
-        subtype="PERCENTAGE",
-        min=100 * LEAST_EASE,
+    ease_percent: number(
+        "Ease",
+        "How much longer than on the model to cut the wire, in percent. Below 0: shorter",
+        (100 * LEAST_EASE, 0.0, 100.0),
         soft_min=-50.0,
-        soft_max=100.0,
-        precision=2,
-        get=lambda operator: 100 * operator.ease,
-        set=lambda operator, percent: setattr(operator, "ease", percent / 100),
-        options={"SKIP_SAVE"},
+        **in_percent("ease"),
     )
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
-        try:
-            self._start_from(context)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return context.window_manager.invoke_props_dialog(self)
+        return self._ask(context)
 
-    def _start_from(self, context: bpy.types.Context) -> None:
-        """Take the settings from the wire."""
+    @reporting_refusals
+    def _ask(self, context: bpy.types.Context) -> set[str]:
+        """Open the dialog with the settings of the wire as it is."""
         wire = wire_at(context.active_object, self.edge)
         self.name = next(name for name, each in listed_wires(context.active_object) if self.edge in each.edges)
         if wire.tolerance == 0:
@@ -90,6 +81,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
         elastic = self.kind == "ELASTIC"
         self.tolerance = wire.tolerance if elastic else context.scene.wirewarp.tolerance_percent / 100
         self.ease = wire.ease
+        return context.window_manager.invoke_props_dialog(self)
 
     def act(self, target: bpy.types.Object) -> None:
         change_wire(target, self.edge, self.name, self.chosen_tolerance(), self._ease())
@@ -117,12 +109,13 @@ class MESH_OT_wirewarp_grain_wire(WireOperator, bpy.types.Operator):
         hold_whole_file()
 
 
-class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
+class MESH_OT_wirewarp_select_wire(OnMesh, bpy.types.Operator):
     """Select this wire's edges in Edit Mode"""
 
     bl_idname = "mesh.wirewarp_select_wire"
     bl_label = "Select Whole Wires"
     bl_options = {"REGISTER", "UNDO"}
+    modes = WORKING_MODES
 
     edge: IntProperty(
         name="Edge",
@@ -136,18 +129,13 @@ class MESH_OT_wirewarp_select_wire(bpy.types.Operator):
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
         return cls.__doc__ if properties.edge >= 0 else "Grow the selection to whole wires"
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
-
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         target = context.active_object
         rows = wire_at(target, self.edge).edges if self.edge >= 0 else self._rows_of_selected(target)
         with current_mesh(target) as mesh:
             edges = edge_vertices(mesh)[rows]
-        select_elements(context, target, edges=edges)
+        select_elements(context, target, Elements(edges=edges))
         return {"FINISHED"}
 
     def _rows_of_selected(self, target: bpy.types.Object) -> list[int]:
@@ -193,7 +181,7 @@ class WIREWARP_UL_wires(bpy.types.UIList):
         columns.prop(entry, "name", text="", emboss=False, icon=icon)
         figures = columns.row()
         figures.alignment = "RIGHT"
-        figures.label(text=_figures(context, wire) if is_wide(context) else _rough_length(context, wire))
+        figures.label(text=_figures(context, wire, is_wide=is_wide(context)))
 
     def filter_items(
         self, context: bpy.types.Context, mesh: bpy.types.Mesh, entries_name: str
@@ -216,34 +204,20 @@ def _wire_of(target: bpy.types.Object, entry: bpy.types.PropertyGroup) -> WireSu
     return next((wire for _, wire in wires if wire.wire_id == entry.wire_id and not wire.shares_id), None)
 
 
-def _figures(context: bpy.types.Context, wire: WireSummary) -> str:
-    return f"{wire_text(wire.tolerance, wire.ease)}  {_length(context, wire)}"
+def _figures(context: bpy.types.Context, wire: WireSummary, *, is_wide: bool = True) -> str:
+    """Return kind and length; in a narrow sidebar a short length, which leaves room for the name."""
+    length = wire.length(np.array(context.active_object.matrix_world, dtype=np.float64)[:3, :3])
+    units = length_text(context.scene)
+    return f"{wire_text(wire.tolerance, wire.ease)}  {units(length)}" if is_wide else units.rough(length)
 
 
-def _length(context: bpy.types.Context, wire: WireSummary) -> str:
-    return length_text(context.scene)(_true_length(context, wire))
-
-
-def _rough_length(context: bpy.types.Context, wire: WireSummary) -> str:
-    """Return a short length, which leaves room for the name."""
-    return length_text(context.scene).rough(_true_length(context, wire))
-
-
-def _true_length(context: bpy.types.Context, wire: WireSummary) -> float:
-    linear = np.array(context.active_object.matrix_world, dtype=np.float64)[:3, :3]
-    return wire.length(linear)
-
-
-class VIEW3D_PT_wirewarp_wires(SidebarPanel, bpy.types.Panel):
+class VIEW3D_PT_wirewarp_wires(OnMesh, SidebarPanel, bpy.types.Panel):
     bl_label = "Wires"
     bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        return (
-            active is not None and active.type == "MESH" and not model_of(active)
-        )  # the report has the names of these wires
+        return super().poll(context) and not model_of(context.active_object)  # the report has the names of these wires
 
     def draw(self, context: bpy.types.Context) -> None:
         target = context.active_object

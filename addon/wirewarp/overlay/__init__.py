@@ -2,7 +2,7 @@
 """Draws seams, wires, failures, names, a legend and maps on models, on flat pieces and in the UV editor.
 
 shown (which objects) -> objects, failures (arrays and names, kept in cache) -> view3d, uv_editor (the handlers).
-May import: export, ui, state, solve, blender, core, issues, names, words.
+May import: export, ui, state, solve, blender, core, issues, names.
 """
 
 from collections.abc import Callable

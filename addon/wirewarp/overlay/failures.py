@@ -8,8 +8,7 @@ import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
 from ..blender.mesh import corner_edges, edge_vertices, faces_of_corners, next_loops, vertex_places
-from ..core import CLOSED_CODE
-from ..issues import Issue
+from ..core import CLOSED_CODE, Issue
 from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..solve.chains import edge_keys
 from ..state.changes import has_changed
@@ -39,33 +38,21 @@ class _Elements:
     faces: np.ndarray  # (f,) polygons
 
 
-def failures(target: bpy.types.Object) -> Failures | None:
-    """Return the failures on a model or its flat pieces, for an object in Object Mode."""
+def failures(target: bpy.types.Object, *, in_map: bool = False) -> Failures | None:
+    """Return the failures on a model or its flat pieces, or in the map of the pieces, for an object in Object Mode."""
     found = _elements(target)
     if found is None:
         return None
-    mesh = target.data
-    places, edges = vertex_places(mesh), edge_vertices(mesh)
-    triangles = gather_triangles(mesh)
-    failed = triangles.vertices[np.isin(triangles.polygons, found.faces)]
-    lines = {kind: places[edges[mask].ravel()] for kind, mask in found.edges.items()}
-    return Failures(lines, places[failed.ravel()])
-
-
-def uv_failures(model: bpy.types.Object) -> Failures | None:
-    """Return the failures in the map of the pieces, for an object in Object Mode."""
-    found = _elements(model)
-    if found is None:
-        return None
-    mesh = model.data
-    places, edge_of_loop, following = uv_places(mesh), corner_edges(mesh), next_loops(mesh)
-    triangles = gather_triangles(mesh)
-    failed = triangles.corners[np.isin(triangles.polygons, found.faces)]
-    lines = {}
-    for kind, mask in found.edges.items():
-        loops = np.flatnonzero(mask[edge_of_loop])
-        lines[kind] = places[np.column_stack([loops, following[loops]]).ravel()]
-    return Failures(lines, places[failed.ravel()])
+    mesh, triangles = target.data, gather_triangles(target.data)
+    if in_map:
+        following = next_loops(mesh)
+        ends = np.column_stack([np.arange(len(following)), following])
+        places, edges, corners = uv_places(mesh), corner_edges(mesh), triangles.corners
+    else:
+        ends = edge_vertices(mesh)
+        places, edges, corners = vertex_places(mesh), np.arange(len(ends)), triangles.vertices
+    lines = {kind: places[ends[mask[edges]].ravel()] for kind, mask in found.edges.items()}
+    return Failures(lines, places[corners[np.isin(triangles.polygons, found.faces)].ravel()])
 
 
 def _elements(target: bpy.types.Object) -> _Elements | None:
@@ -140,7 +127,7 @@ def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) ->
                 return NO_LINES
             source = find_values(mesh, SOURCE_VERTEX)
     sides = np.unique(np.sort(triangles.vertices[:, SIDES].reshape(-1, 2), axis=1), axis=0)
-    return triangles.positions[sides[_are_among(source[sides], pairs)].ravel()]
+    return triangles.positions[sides[_named(source[sides], pairs)].ravel()]
 
 
 def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
@@ -149,7 +136,7 @@ def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
     if not pairs or is_modified(model):  # a piece without a map
         return NO_LINES
     triangles = gather_triangles(model.data)
-    is_cut = _are_among(triangles.vertices[:, SIDES].reshape(-1, 2), pairs)
+    is_cut = _named(triangles.vertices[:, SIDES].reshape(-1, 2), pairs)
     return uv_places(model.data)[triangles.corners[:, SIDES].reshape(-1, 2)[is_cut].ravel()]
 
 
@@ -166,9 +153,3 @@ def _pairs(target: bpy.types.Object) -> list[tuple[int, int]]:
         is_same = report is not None and report.with_modifiers == found.with_modifiers
         is_seen = is_same and not has_changed(source, report.model_state)
     return found.cuts[found.chosen].edges if is_seen else []
-
-
-def _are_among(sides: np.ndarray, pairs: list[tuple[int, int]]) -> np.ndarray:
-    """Return a mask (k,) of the sides (k,2)."""
-    count = max(int(sides.max(initial=0)), int(np.max(pairs))) + 1
-    return np.isin(edge_keys(sides, count), edge_keys(pairs, count))

@@ -14,7 +14,6 @@ from ..blender.mesh import (
     current_mesh,
     edge_vertices,
     evaluated_mesh,
-    face_sizes,
     faces_at_edges,
     faces_of_corners,
     next_loops,
@@ -93,15 +92,15 @@ def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
     is_shown = ~read_hidden_edges(mesh) if is_edited else True
     rows = np.flatnonzero((seams | outlines | marks.are_wires) & is_shown)
     vertices = edge_vertices(mesh)[rows]
-    source, pieces = vertices, np.zeros(len(rows), dtype=np.int32)
+    source, pieces = vertices, np.zeros(len(mesh.edges), dtype=np.int32)
     if has_attributes(mesh, SOURCE_VERTEX, PIECE_INDEX):
         source = find_values(mesh, SOURCE_VERTEX)[vertices]
-        pieces = _piece_of_edge(mesh)[rows]
+        pieces[corner_edges(mesh)] = find_values(mesh, PIECE_INDEX)[faces_of_corners(mesh)]
     return LineEdges(
         ends=vertex_places(mesh)[vertices],
         normals=read(mesh.vertices, "normal", np.float32, 3)[vertices[:, 0]],
         vertices=source,
-        pieces=pieces,
+        pieces=pieces[rows],
         seams=seams[rows],
         seam_ids=read_ids(mesh, SEAM)[rows],
         outlines=outlines[rows],
@@ -131,13 +130,6 @@ def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) 
             pieces=find_values(mesh, PIECE_INDEX)[faces] if is_flat else np.zeros(len(faces), dtype=np.int32),
             size=float(np.ptp(places, axis=0).max()),
         )
-
-
-def _piece_of_edge(mesh: bpy.types.Mesh) -> np.ndarray:
-    sizes = face_sizes(mesh)
-    piece_of_edge = np.zeros(len(mesh.edges), dtype=np.int32)
-    piece_of_edge[corner_edges(mesh)] = np.repeat(find_values(mesh, PIECE_INDEX), sizes)
-    return piece_of_edge
 
 
 def gather_triangles(mesh: bpy.types.Mesh) -> Triangles:
@@ -175,8 +167,8 @@ def uv_places(mesh: bpy.types.Mesh) -> np.ndarray:
 def _uv_lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
     marks, seams, outlines = read_marks(mesh), read_seams(mesh), faces_at_edges(mesh) == 1
     edge_of_loop, following, places = corner_edges(mesh), next_loops(mesh), uv_places(mesh)
-    sizes = face_sizes(mesh)
-    is_shown = ~np.repeat(read(mesh.polygons, "hide", bool), sizes) if is_edited else True
+    faces = faces_of_corners(mesh)
+    is_shown = ~read(mesh.polygons, "hide", bool)[faces] if is_edited else True
     loops = np.flatnonzero((seams | outlines | marks.are_wires)[edge_of_loop] & is_shown)
     rows = edge_of_loop[loops]
     corners = np.column_stack([loops, following[loops]])
@@ -184,7 +176,7 @@ def _uv_lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
         ends=places[corners],
         normals=np.tile(np.array([0, 0, 1], dtype=np.float32), (len(loops), 1)),
         vertices=corner_vertices(mesh)[corners],
-        pieces=np.repeat(read_ids(mesh, PIECE), sizes)[loops],
+        pieces=read_ids(mesh, PIECE)[faces[loops]],
         seams=seams[rows],
         seam_ids=read_ids(mesh, SEAM)[rows],
         outlines=outlines[rows],

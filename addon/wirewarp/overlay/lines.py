@@ -6,9 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core import pattern
+from ..core import ease_text, pattern, wire_text
 from ..solve.chains import EdgeMarks, chains_of_marks
-from ..words import ease_text, wire_text
 
 ALONG = (0.25, 0.5, 0.75)  # number of edges of a line, nearest to its middle first, that are places for its name
 HEAD = 0.25  # share of half an arrow's length

@@ -26,6 +26,7 @@ from .gather import (
     gather_lines,
     gather_side_eases,
     gather_triangles,
+    gather_uv_lines,
     on_model,
     shown_mesh,
 )
@@ -65,6 +66,11 @@ def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
         lines.names[:0] = _piece_names(target, middles, piece_rooms(edges))
         lines.places.update(_grain_arrows(target, edges, middles))
     return lines
+
+
+def uv_lines(target: bpy.types.Object) -> Lines:
+    """Seams and wires of a model in the map of its pieces. Raises ObjectError as gather_uv_lines does."""
+    return lines_of(target, gather_uv_lines(target), in_plane=True)
 
 
 def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Lines:

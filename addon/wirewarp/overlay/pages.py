@@ -6,12 +6,10 @@ from dataclasses import dataclass, field
 import bpy
 import numpy as np
 
-from ..core import FlattenError, pattern
+from ..core import FlattenError, counted, pattern
 from ..export.export import Cloth, PatternParts, laid_on_kept
 from ..export.read import kept_marker, read_outlines
 from ..issues import ObjectError
-from ..solve.papers import ONE_PAGE, PAPERS, is_roll, library_paper
-from ..words import counted
 from .lines import Name
 
 BELOW = 50.0  # millimeters from the pieces to pages for another arrangement
@@ -46,15 +44,12 @@ def outlines(
         return None
 
 
-def cut_lines(
-    parts: PatternParts | None, allowance: float, darts: str, pairs: bool = False, on_fold: bool = False
-) -> CutLines:
-    """parts: see outlines. allowance: where none is marked, in millimeters; pairs and on_fold: see PatternChoices."""
+def cut_lines(parts: PatternParts | None, allowance: float, **options: object) -> CutLines:
+    """parts: see outlines. allowance: where none is marked, in millimeters; options: see PatternOptions."""
     if parts is None:
         return CutLines(None, False)
     try:
-        made = parts.cut_lines(allowance, darts, pairs, on_fold)
-        return CutLines(made, allowance > 0 or any(parts.allowances))
+        return CutLines(parts.cut_lines(allowance=allowance, **options), allowance > 0 or any(parts.allowances))
     except ObjectError:
         return CutLines(None, False)
 
@@ -66,8 +61,7 @@ def cut_places(cut: CutLines, millimeters: float) -> np.ndarray:
 
 @dataclass(frozen=True)
 class PageChoices:
-    paper: str  # a key of PAPERS
-    roll_width: float  # width of the paper "ROLL", in millimeters
+    paper: str | float  # as the library takes it
     arrangement: str  # "IN_ROWS", "AS_LAID_OUT" or "MARKER"
     cloth: Cloth  # the fabric of a marker
     marker: str  # the stored marker, see export.markers
@@ -78,7 +72,7 @@ def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimete
 
     The library lays them out as for a PDF. drawn: parts of the pieces in the file; millimeters: in a Blender unit.
     """
-    made, paper = drawn.made, choices.paper
+    made = drawn.made
     if made is None or cut.made is None:
         return PagePreview("These pieces make no pattern: press Export Pattern to see why.", False)
     if choices.arrangement == "MARKER":
@@ -87,8 +81,8 @@ def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimete
             return PagePreview("No layout of these pieces on this fabric yet. Export Pattern finds one.", True)
     keeps = choices.arrangement == "AS_LAID_OUT"
     try:
-        library = None if made.marker else library_paper(paper, choices.roll_width)
-        laid, pages = (made.arranged() if choices.arrangement == "IN_ROWS" else made).pages(library, keeps)
+        paper = None if made.marker else choices.paper
+        laid, pages = (made.arranged() if choices.arrangement == "IN_ROWS" else made).pages(paper, keeps)
     except FlattenError as error:
         return PagePreview(error.message, False)
     if keeps:
@@ -110,8 +104,12 @@ def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimete
         )
         for number, page in enumerate(pages)
     ]
-    what = counted(len(pages), "page" if is_roll(paper) or paper == ONE_PAGE else "sheet")
-    sentence = made.marker.sentence(made.units) if made.marker else f"{what}: {PAPERS[paper][1]}"
+    if made.marker:
+        sentence = made.marker.sentence(made.units)
+    else:
+        known = pattern.PAPERS.get(str(choices.paper))
+        label = known.label if known else f"Roll of {made.units.text(float(choices.paper))}"
+        sentence = f"{counted(len(pages), 'sheet' if known and known.height else 'page')}: {label}"
     return PagePreview(sentence if keeps else f"{sentence}. Drawn below the pieces", True, places, names)
 
 

@@ -3,7 +3,6 @@
 
 import bpy
 
-from ..solve.report import ObjectReport
 from ..state.owners import model_or_self
 from ..state.reports import last_report
 from ..ui.layout import SidebarPanel
@@ -47,12 +46,9 @@ def _draw_lines(layout: bpy.types.UILayout, settings: bpy.types.PropertyGroup) -
 
 def _draw_select_issues(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
     active = context.active_object
-    if active and active.type == "MESH" and _names_elements(last_report(model_or_self(active))):
+    report = last_report(model_or_self(active)) if active and active.type == "MESH" else None
+    if report and any(issue.has_place for issue in report.issues):
         layout.operator("mesh.wirewarp_select_issues", icon="RESTRICT_SELECT_OFF")
-
-
-def _names_elements(report: ObjectReport | None) -> bool:
-    return report is not None and any(issue.has_place for issue in report.issues)
 
 
 CLASSES = (VIEW3D_PT_wirewarp_overlay, IMAGE_PT_wirewarp_overlay)

@@ -1,20 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finds the objects to draw in 3D views and UV editors."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
 import bpy
 import numpy as np
 
+from ..blender.attributes import stored_text
 from ..blender.objects import meters_per_blender_unit, metric
 from ..core import percent_text
-from ..export.export import GRAINS, Cloth
-from ..export.read import marker_text
+from ..export.export import GRAINS, Cloth, library_paper
 from ..export.steps import copies_sentences
 from ..issues import ObjectError
-from ..names import MARKS
+from ..names import MARKER, MARKS
 from ..solve.maps import ASPECT_RATIO, CLOTH_MAPS, COLOR_MAPS, STRETCH, ColorMap
 from ..solve.report import ObjectReport
 from ..state.drawings import Same, kept_drawing
@@ -23,9 +23,9 @@ from ..state.memory import find_objects, stamp
 from ..state.owners import find_flat_object, model_of, model_or_self
 from ..state.reports import last_report, pieces_report
 from ..state.suggestions import suggestions_of
-from .failures import Failures, failures, suggested_lines, uv_failures, uv_suggested_lines, with_cut
-from .gather import ColoredTriangles, Extremes, gather_uv_lines, shows_our_map
-from .objects import Lines, colored_surface, lines_of, marked_lines
+from .failures import Failures, failures, suggested_lines, uv_suggested_lines, with_cut
+from .gather import ColoredTriangles, Extremes, shows_our_map
+from .objects import Lines, colored_surface, marked_lines, uv_lines
 from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, outlines, page_preview
 
 MODES = {"OBJECT", "EDIT"}
@@ -111,11 +111,14 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
     depsgraph = context.view_layer.depsgraph
     if context.scene.wirewarp.show_lines:
         if target == source or target.data.is_editmode:
-            lines = kept_drawing(target, "lines", made_of, lambda: _lines(target, depsgraph))
+            lines = kept_drawing(target, "lines", made_of, lambda: _or_none(marked_lines, target, depsgraph))
         else:
             cut = _cut_lines(context, source, target)
             lines = kept_drawing(
-                target, "lines", (*made_of, Same(cut)), lambda: _with_cut(_lines(target, depsgraph), cut, context.scene)
+                target,
+                "lines",
+                (*made_of, Same(cut)),
+                lambda: _with_cut(_or_none(marked_lines, target, depsgraph), cut, context.scene),
             )
         if not target.data.is_editmode:
             of_model = stamp(source.data), Same(suggestions_of(source))
@@ -137,11 +140,12 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
     return Drawing(target, lines, failed, surface)
 
 
-def _lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Lines:
+def _or_none(build: Callable[..., Lines], *given: object) -> Lines:
+    """Return the lines; none if an attribute of our name is foreign, which the list of wires reports."""
     try:
-        return marked_lines(target, depsgraph)
+        return build(*given)
     except ObjectError:
-        return Lines({}, {}, [])  # an attribute of our name is foreign; the list of wires reports it
+        return Lines({}, {}, [])
 
 
 def _cut_lines(
@@ -153,7 +157,7 @@ def _cut_lines(
 ) -> CutLines:
     """Return the cutting lines. Allowances are read when the model changes, and laid out again only if they differ.
 
-    pairs and on_fold: see PatternChoices.
+    pairs and on_fold: see PatternOptions.
     """
     scene, settings, depsgraph = context.scene, context.scene.wirewarp, context.view_layer.depsgraph
     made_of = stamp(flat), stamp(flat.data), Same(pieces_report(source)), source.name_full
@@ -162,11 +166,14 @@ def _cut_lines(
     parts = kept_drawing(
         flat, "outlines", (*made_of, *of_model, *units), lambda: outlines(scene, source, flat, depsgraph), source
     )
-    chosen = settings.allowance, (settings.darts or "CLOSE").lower()
-    if pairs or on_fold:
-        once = *chosen, pairs, on_fold
-        return kept_drawing(flat, "drawn once", (Same(parts), *once), lambda: cut_lines(parts, *once))
-    return kept_drawing(flat, "cut lines", (Same(parts), *chosen), lambda: cut_lines(parts, *chosen))
+    options = {
+        "allowance": settings.allowance,
+        "darts": (settings.darts or "CLOSE").lower(),
+        "pairs": pairs,
+        "on_fold": on_fold,
+    }
+    what = "drawn once" if pairs or on_fold else "cut lines"
+    return kept_drawing(flat, what, (Same(parts), options), lambda: cut_lines(parts, **options))
 
 
 def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
@@ -182,8 +189,8 @@ def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.
     cut = _cut_lines(context, source, flat)
     drawn = _cut_lines(context, source, flat, settings.pairs, settings.on_fold)
     cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain or "ONE_WAY"])  # "": see mend_settings
-    paper, arrangement = settings.paper or "A4", settings.arrangement or "IN_ROWS"
-    chosen = PageChoices(paper, settings.roll_width, arrangement, cloth, marker_text(source))
+    paper = library_paper(settings.paper or "A4", settings.roll_width)
+    chosen = PageChoices(paper, settings.arrangement or "IN_ROWS", cloth, stored_text(source, MARKER))
     made_of = Same(cut), Same(drawn), chosen, millimeters
     return kept_drawing(flat, "pages", made_of, lambda: page_preview(cut, drawn, chosen, millimeters))
 
@@ -217,16 +224,13 @@ def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
         if target.type == "MESH" and shows_our_map(target.data):
             scale = metric(target).tobytes()
             made_of = stamp(target), stamp(target.data), target.data.is_editmode, Same(last_report(target)), scale
-            lines = kept_drawing(target, "uv lines", made_of, partial(_uv_lines, target))
+            lines = kept_drawing(target, "uv lines", made_of, partial(_or_none, uv_lines, target))
             failed = None
             if not target.data.is_editmode:
                 of_cut = Same(suggestions_of(target))
-                failed = kept_drawing(target, "uv failures", (*made_of, of_cut), partial(_uv_failures, target))
+                build = partial(lambda each: with_cut(failures(each, in_map=True), uv_suggested_lines(each)), target)
+                failed = kept_drawing(target, "uv failures", (*made_of, of_cut), build)
             yield UvDrawing(target, lines, failed)
-
-
-def _uv_failures(target: bpy.types.Object) -> Failures | None:
-    return with_cut(uv_failures(target), uv_suggested_lines(target))
 
 
 def _targets(context: bpy.types.Context) -> list[bpy.types.Object]:
@@ -235,10 +239,3 @@ def _targets(context: bpy.types.Context) -> list[bpy.types.Object]:
     if context.mode != "OBJECT":
         return []
     return list(dict.fromkeys(model_or_self(each) for each in context.selected_objects))
-
-
-def _uv_lines(target: bpy.types.Object) -> Lines:
-    try:
-        return lines_of(target, gather_uv_lines(target), in_plane=True)
-    except ObjectError:
-        return Lines({}, {}, [])  # the name of an attribute is taken; the list of wires reports it

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The result of a run and the next steps: the panels of Flatten, pieces and the report, and their buttons.
 
-May import: suggest, flatten, marks, overlay, ui, state, solve, blender, properties, core, issues, words.
+May import: suggest, flatten, marks, overlay, ui, state, solve, blender, properties, core, issues.
 """
 
 from . import export_panel, flatten_panel, mend, next_step, operators, panel, piece_list

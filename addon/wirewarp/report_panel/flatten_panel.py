@@ -29,7 +29,6 @@ from .next_step import (
     draw_first_steps,
     next_step,
     piece_to_cut,
-    untried_uv_step,
     uv_step,
     wants_seams,
 )
@@ -93,7 +92,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         report = last_report(source)
         if report is None:
             if _may_use_uv_seams(source):
-                _draw_step(context, layout, untried_uv_step())
+                _draw_step(context, layout, uv_step(None))
             draw_first_steps(layout)
         else:
             _draw_state(context, layout, source, report)

@@ -4,13 +4,13 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ..blender.faults import FAULTS, Elements, Fault, find_faults, repair_faults
+from ..blender.faults import FAULTS, Fault, find_faults, repair_faults
 from ..blender.objects import check_local
 from ..blender.selection import WORKING_MODES, in_object_mode, select_elements
 from ..core import percent_text
 from ..flatten.operators import FlattenSteps
-from ..flatten.read import active_target, nothing_to_flatten
-from ..issues import ObjectError, object_error
+from ..flatten.read import active_target, check_sources
+from ..issues import object_error
 from ..marks.ease import mark_seams
 from ..marks.mark import seams_from_uv
 from ..properties import take_settings
@@ -21,9 +21,9 @@ from ..state.reports import last_report
 from ..state.suggestions import current_suggestions, suggestions_of
 from ..suggest.smooth import cut_across_faces, cut_smooth_lines
 from ..ui import window_run
-from ..ui.editing import reporting_refusals
+from ..ui.editing import OnMesh, reporting_refusals
 from ..ui.settings import draw_settings
-from .operators import PROPOSALS, take_proposals
+from .operators import PROPOSALS, check_flattened, take_proposals
 
 KINDS = [(fault.kind, fault.many.capitalize(), f"All {fault.many} of the model") for fault in FAULTS]
 NOT_UNASKED = "INTERIOR"  # interior walls may be intended, and some look like faces of the shell
@@ -44,17 +44,17 @@ class Repairs:
     __annotations__ = {fault.kind.lower(): _chosen_by_default(fault) for fault in FAULTS}  # noqa: RUF012
 
 
-class OnFaultyModel:
+class BetweenRuns(OnMesh):
     """Mixed into operators."""
+
+    modes = WORKING_MODES
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        is_mesh = active is not None and active.type == "MESH"
-        return is_mesh and context.mode in WORKING_MODES and not window_run.is_running()
+        return super().poll(context) and not window_run.is_running()
 
 
-class OBJECT_OT_wirewarp_check(OnFaultyModel, Repairs, bpy.types.Operator):
+class OBJECT_OT_wirewarp_check(BetweenRuns, Repairs, bpy.types.Operator):
     """List what is wrong with the mesh, and repair the kinds that you choose"""
 
     bl_idname = "object.wirewarp_check"
@@ -100,7 +100,7 @@ class OBJECT_OT_wirewarp_check(OnFaultyModel, Repairs, bpy.types.Operator):
             row.operator("object.wirewarp_show_fault", text="", icon="RESTRICT_SELECT_OFF").kind = fault.kind
 
 
-class OBJECT_OT_wirewarp_show_fault(OnFaultyModel, bpy.types.Operator):
+class OBJECT_OT_wirewarp_show_fault(BetweenRuns, bpy.types.Operator):
     """Select and show these elements in Edit Mode"""
 
     bl_idname = "object.wirewarp_show_fault"
@@ -117,16 +117,13 @@ class OBJECT_OT_wirewarp_show_fault(OnFaultyModel, bpy.types.Operator):
         if found is None:
             self.report({"INFO"}, "There are none any more")
             return {"CANCELLED"}
-        select_elements(context, source, found.vertices, found.edges, found.faces)
+        select_elements(context, source, found)
         return {"FINISHED"}
 
 
 def _counts(source: bpy.types.Object) -> dict[str, int]:
-    return {kind: _count(found) for kind, found in find_faults(source.data).items()}
-
-
-def _count(found: Elements) -> int:
-    return len(found.vertices) + len(found.edges) + len(found.faces)
+    found = find_faults(source.data).items()
+    return {kind: len(each.vertices) + len(each.edges) + len(each.faces) for kind, each in found}
 
 
 WORTH_WORDS = 0.001  # smallest change, as a share of the outlines' length: a millimeter on a meter
@@ -142,7 +139,7 @@ NOTHING = {  # by kind
 CLEAN_UP = ("DISSOLVE", "MERGE", "NORMALS")  # of blender.faults
 
 
-class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
+class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
     """Fix the model and flatten it again"""
 
     bl_idname = "object.wirewarp_mend"
@@ -178,23 +175,18 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         what = properties.rna_type.properties["what"].enum_items[properties.what]
         return f"{what.description}, and flatten again"
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        is_mesh = active is not None and active.type == "MESH"
-        return is_mesh and context.mode in WORKING_MODES and not window_run.is_running()
-
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         take_settings(self, context.scene.wirewarp)
-        if bpy.app.background:
-            return self.execute(context)
-        return self.begin_run(context, [self._model(context)]) if self._mend(context) else {"CANCELLED"}
+        return self.execute(context) if bpy.app.background else self._begin(context)
 
+    @reporting_refusals
+    def _begin(self, context: bpy.types.Context) -> set[str]:
+        return self.begin_run(context, [self._mended(context)])
+
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         """Fix and flatten at once, in a script and for Adjust Last Operation."""
-        if not self._mend(context):
-            return {"CANCELLED"}
-        self.flatten_now(context, [self._model(context)])
+        self.flatten_now(context, [self._mended(context)])
         return {"FINISHED"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
@@ -202,73 +194,52 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
         result = super().modal(context, event)
         return {"FINISHED"} if result == {"CANCELLED"} else result
 
-    def _model(self, context: bpy.types.Context) -> bpy.types.Object:
-        return model_or_self(context.active_object)
-
-    def _mend(self, context: bpy.types.Context) -> bool:
-        """Return whether it was fixed; otherwise report why not."""
-        refusal = nothing_to_flatten(context, active_target(context))
-        if refusal:
-            self.report({"ERROR"}, refusal)
-            return False
-        source = self._model(context)
-        try:
-            if self.what == "MODIFIERS":
-                self.use_modifiers = context.scene.wirewarp.use_modifiers = True
-                return True
-            if self.what == "SUBDIVIDE":
-                check_local(source, source)
-                report = last_report(source)
-                subdivide(source, report is not None and report.with_modifiers)
-                self.use_modifiers = context.scene.wirewarp.use_modifiers = True
-                with in_object_mode(context):
-                    context.view_layer.update()
-                    change = outline_change(source, context.evaluated_depsgraph_get())
-                if abs(change) >= WORTH_WORDS:
-                    longer = "longer" if change > 0 else "shorter"
-                    self.report({"WARNING"}, f"Subdivision makes the outlines {percent_text(abs(change))} {longer}.")
-                return True
-            if self.what == "FABRIC":  # so that it has its own maximum stretch
-                settings = context.scene.wirewarp
-                settings.cloth = self.cloth
-                self.gives_across = self.gives_along = settings.gives_across = settings.gives_along = 0.0
-                return True
+    def _mended(self, context: bpy.types.Context) -> bpy.types.Object:
+        """Return the model as fixed. Raises ObjectError, with nothing changed."""
+        check_sources(context, active_target(context))
+        source, settings = model_or_self(context.active_object), context.scene.wirewarp
+        if self.what == "MODIFIERS":
+            self.use_modifiers = settings.use_modifiers = True
+        elif self.what == "SUBDIVIDE":
+            check_local(source, source)
+            report = last_report(source)
+            subdivide(source, report is not None and report.with_modifiers)
+            self.use_modifiers = settings.use_modifiers = True
+            with in_object_mode(context):
+                context.view_layer.update()
+                change = outline_change(source, context.evaluated_depsgraph_get())
+            if abs(change) >= WORTH_WORDS:
+                longer = "longer" if change > 0 else "shorter"
+                self.report({"WARNING"}, f"Subdivision makes the outlines {percent_text(abs(change))} {longer}.")
+        elif self.what == "FABRIC":  # so that it has its own maximum stretch
+            settings.cloth = self.cloth
+            self.gives_across = self.gives_along = settings.gives_across = settings.gives_along = 0.0
+        else:
             if context.mode == "EDIT_MESH" and source.mode != "EDIT":
                 bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
             with in_object_mode(context):
-                count = self._change(source)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return False
-        if count == 0:
-            self.report({"ERROR"}, NOTHING[self.what].format(source.name))
-        return count > 0
+                if self._change(source) == 0:
+                    raise object_error("nothing", NOTHING[self.what].format(source.name))
+        return source
 
     def _change(self, source: bpy.types.Object) -> int:
         """Returns how many elements changed. Raises ObjectError, with nothing changed."""
+        if self.what in {"SEAMS", "TOLERANCES"}:
+            return take_proposals(source, check_flattened(source, last_report(source)), self.what)
+        check_local(source, source.data)
+        check_not_edited(source)
         if self.what in CLEAN_UP:
-            check_local(source, source.data)
-            check_not_edited(source)
             return sum(repair_faults(source.data, [self.what]).values())
         if self.what == "UV_SEAMS":
-            check_local(source, source.data)
-            check_not_edited(source)
             return seams_from_uv([source])[0]
         if self.what == "APPLY":
-            check_local(source, source.data)
-            check_not_edited(source)
             apply_modifiers(source)
             self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
             return 1
-        if self.what in {"SUGGESTION", "SMOOTH"}:
-            found = suggestions_of(source)
-            if found and found.with_modifiers:
-                self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
-            return _take_suggestion(source, is_smooth=self.what == "SMOOTH")
-        report = last_report(source)
-        if report is None:
-            raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
-        return take_proposals(source, report, self.what)
+        found = suggestions_of(source)
+        if found and found.with_modifiers:
+            self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
+        return _take_suggestion(source, is_smooth=self.what == "SMOOTH")
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
@@ -276,8 +247,6 @@ class OBJECT_OT_wirewarp_mend(FlattenSteps, bpy.types.Operator):
 
 def _take_suggestion(source: bpy.types.Object, *, is_smooth: bool) -> int:
     """Returns how many edges were marked. Raises ObjectError."""
-    check_local(source, source.data)
-    check_not_edited(source)
     found = current_suggestions(source, read_anew)
     if found is None:
         sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'

@@ -1,22 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Chooses and draws the best next step before the first run and after each run."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from importlib.resources import files
 from pathlib import Path
 from typing import NamedTuple
 
 import bpy
 from bpy.props import EnumProperty
-from mathutils import Vector
 
-from ..blender.objects import meters_per_blender_unit
+from ..blender.objects import meters_per_blender_unit, world_box
 from ..blender.views import show_objects, work_area
-from ..core import BEYOND_FABRIC, CLOSED_CODE, STRAINED, Issue, percent_text
+from ..core import BEYOND_FABRIC, CLOSED_CODE, STRAINED, Issue, counted, percent_text
 from ..solve.report import ObjectReport, UvSeams
 from ..state.reports import last_report
 from ..state.settings import FlattenSettings
-from ..words import counted
 
 FOLDER = Path(str(files(__package__.rpartition(".")[0]))) / "samples"  # in the add-on's folder
 SAMPLES = [  # files of that folder, the simplest first
@@ -62,9 +60,9 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
         (sample_scene,) = loaded.scenes
         (model,) = sample_scene.objects
         if is_first or _is_new(scene):  # the scene may contain Blender's cube
-            _take_settings(scene, sample_scene)
+            _take(scene.wirewarp, sample_scene.wirewarp, FlattenSettings.__annotations__)
         if is_first:
-            _take_units(scene, sample_scene)
+            _take(scene.unit_settings, sample_scene.unit_settings, ("system", "scale_length", "length_unit"))
         else:
             model.scale /= meters_per_blender_unit(scene)  # samples are in meters
             model.location.x = _free_place(scene, model)
@@ -84,7 +82,7 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
 def _free_place(scene: bpy.types.Scene, model: bpy.types.Object) -> float:
     """Return the x at which the sample is beside the scene's meshes, with half its width between them."""
     meshes = [each for each in scene.objects if each.type == "MESH"]
-    right = max((each.matrix_world @ Vector(corner)).x for each in meshes for corner in each.bound_box)
+    right = max(world_box(each)[1, 0] for each in meshes)
     edges = [corner[0] * model.scale.x for corner in model.bound_box]
     return right - min(edges) + (max(edges) - min(edges)) / 2
 
@@ -96,14 +94,9 @@ def _is_new(scene: bpy.types.Scene) -> bool:
     return not changed and not any(last_report(each) for each in scene.objects if each.type == "MESH")
 
 
-def _take_settings(scene: bpy.types.Scene, sample: bpy.types.Scene) -> None:
-    for name in FlattenSettings.__annotations__:
-        setattr(scene.wirewarp, name, getattr(sample.wirewarp, name))
-
-
-def _take_units(scene: bpy.types.Scene, sample: bpy.types.Scene) -> None:
-    for name in ("system", "scale_length", "length_unit"):
-        setattr(scene.unit_settings, name, getattr(sample.unit_settings, name))
+def _take(settings: bpy.types.bpy_struct, others: bpy.types.bpy_struct, names: Iterable[str]) -> None:
+    for name in names:
+        setattr(settings, name, getattr(others, name))
 
 
 class WM_OT_wirewarp_guide(bpy.types.Operator):
@@ -184,16 +177,13 @@ def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: boo
     return _show("HINT", "Show Strained Place", _strained_places(report)) if is_strained else None
 
 
-def uv_step(found: UvSeams) -> NextStep:
-    """Return the step that marks the seams of the UV map, with the result of trying them."""
-    became = f"{found.failed} of them fail" if found.failed else f"stretch {percent_text(found.stretch)}"
-    sentence = f"The seams of the UV map make {counted(found.pieces, 'piece')}, {became}."
+def uv_step(found: UvSeams | None) -> NextStep:
+    """Return the step that marks the seams of the UV map, with the result of trying them; None before the first run."""
+    sentence = ""
+    if found:
+        became = f"{found.failed} of them fail" if found.failed else f"stretch {percent_text(found.stretch)}"
+        sentence = f"The seams of the UV map make {counted(found.pieces, 'piece')}, {became}."
     return NextStep(sentence, "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
-
-
-def untried_uv_step() -> NextStep:
-    """Return the step before the first run of a model without seams."""
-    return NextStep("", "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
 
 
 def wants_seams(report: ObjectReport) -> bool:

@@ -6,17 +6,17 @@ from bpy.props import EnumProperty, IntProperty
 
 from ..blender.mesh import current_mesh, element_counts
 from ..blender.objects import check_local, length_text
-from ..blender.selection import in_object_mode, select_elements
+from ..blender.selection import WORKING_MODES, in_object_mode, select_elements
 from ..blender.views import redraw_views, show_objects
-from ..core import Elements, elements_of, report_csv
-from ..issues import ObjectError, changed_error, object_error
+from ..core import Elements, counted, elements_of, report_csv
+from ..issues import changed_error, object_error
 from ..marks.ease import loosen_wires, mark_seams
 from ..solve.report import ObjectReport
 from ..state.changes import has_changed, has_moved
-from ..state.flat_pieces import faces_of_piece, on_flat, pieces_of_report
+from ..state.flat_pieces import on_flat, pieces_of_report
 from ..state.owners import check_not_edited, find_flat_object, model_or_self
 from ..state.reports import last_report, pieces_report
-from ..words import counted
+from ..ui.editing import OnMesh, reporting_refusals
 
 PROPOSALS = [
     ("SEAMS", "Mark as Seam", "Mark the suggested edges as seams on the model"),
@@ -38,10 +38,18 @@ def check_indices(target: bpy.types.Object, report: ObjectReport) -> None:
         raise changed_error(target.name)
 
 
-class ReportOperator:
+def check_flattened(source: bpy.types.Object, report: ObjectReport | None) -> ObjectReport:
+    """Return the report. Raises ObjectError without one."""
+    if report is None:
+        raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
+    return report
+
+
+class ReportOperator(OnMesh):
     """Base of operators that act on a report of the active model, or of the model of active flat pieces."""
 
     bl_options = {"REGISTER", "UNDO"}
+    modes = WORKING_MODES
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
@@ -49,25 +57,14 @@ class ReportOperator:
         what = properties.rna_type.properties.get("what")
         return what.enum_items[properties.what].description if what else ""
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        return active is not None and active.type == "MESH" and context.mode in {"OBJECT", "EDIT_MESH"}
-
     def report_of(self, source: bpy.types.Object) -> ObjectReport | None:
         """Return the shown report."""
         return last_report(source)
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         source = model_or_self(context.active_object)
-        report = self.report_of(source)
-        try:
-            if report is None:
-                raise object_error("not_flattened", f'"{source.name}" has not been flattened yet. Press Flatten first.')
-            return self.act(context, source, report)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
+        return self.act(context, source, check_flattened(source, self.report_of(source)))
 
 
 class OBJECT_OT_wirewarp_copy_report(ReportOperator, bpy.types.Operator):
@@ -100,13 +97,15 @@ class MESH_OT_wirewarp_select_issues(ReportOperator, bpy.types.Operator):
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
         check_indices(source, report)
-        vertices = [vertex for issue in report.issues for vertex in issue.vertices]
-        edges = [edge for issue in report.issues for edge in issue.edges]
-        faces = [face for issue in report.issues for face in issue.faces]
-        if not (vertices or edges or faces):
+        if not any(issue.has_place for issue in report.issues):
             self.report({"INFO"}, "The last run reported no problem elements")
             return {"CANCELLED"}
-        select_elements(context, source, vertices, edges, faces)
+        elements = Elements(
+            [vertex for issue in report.issues for vertex in issue.vertices],
+            [edge for issue in report.issues for edge in issue.edges],
+            [face for issue in report.issues for face in issue.faces],
+        )
+        select_elements(context, source, elements)
         return {"FINISHED"}
 
 
@@ -146,14 +145,14 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         if wants_flat and self._lies_flat(report, elements):
             with in_object_mode(context):
                 flat, pieces = pieces_of_report(source, report)
-            _select(context, flat, on_flat(elements, pieces))
+            select_elements(context, flat, on_flat(elements, pieces))
             return {"FINISHED"}
         check_indices(source, report)
         if elements.whole_piece:
             with in_object_mode(context):
                 _, pieces = pieces_of_report(source, report)
-            elements = Elements(faces=faces_of_piece(elements.piece, pieces))
-        _select(context, source, elements)
+            elements = Elements(faces=pieces.source_face[pieces.face_piece == elements.piece])
+        select_elements(context, source, elements)
         return {"FINISHED"}
 
     def _lies_flat(self, report: ObjectReport, elements: Elements) -> bool:
@@ -161,10 +160,6 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         if self.what != "ISSUE":
             return True
         return elements.piece is not None and report.pieces[elements.piece].has_layout
-
-
-def _select(context: bpy.types.Context, target: bpy.types.Object, elements: Elements) -> None:
-    select_elements(context, target, elements.vertices, elements.edges, elements.faces)
 
 
 def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, issues: slice = slice(None)) -> int:

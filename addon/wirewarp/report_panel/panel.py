@@ -16,20 +16,22 @@ from ..core import (
     TORN_ADVICE,
     WIRE_AT_LIMIT,
     Issue,
+    LengthText,
     ReportRow,
     Side,
+    counted,
     hint_text,
     issue_text,
     largest_difference,
     merged,
     note_text,
     pattern,
+    tolerance_text,
 )
 from ..solve.report import ObjectReport
 from ..state.reports import pieces_report
 from ..ui.layout import SidebarPanel, broken, draw_cells, draw_sentence, is_wide, mark_of
 from ..ui.settings import has_changed_since, shown_report, shown_source
-from ..words import LengthText, counted, tolerance_text
 from .next_step import is_shown
 
 SHOWN_ROWS = 8
@@ -43,33 +45,26 @@ def draw_table(
     names: Mapping[int, bpy.types.PropertyGroup],
 ) -> None:
     """Draw the table. names: list with the name of each seam, by its id, where it can be changed."""
-    text, meters = length_text(context.scene), meters_per_blender_unit(context.scene)
+    units, meters = length_text(context.scene), meters_per_blender_unit(context.scene)
     column = layout.column(align=True)
     wide = is_wide(context)
     if wide:
-        draw_cells(column, "", [f"Model {text.unit}", f"Flat {text.unit}", "Diff.", "%"], 0.2)
-    for row in rows[: shown_rows(context)]:
+        draw_cells(column, "", [f"Model {units.unit}", f"Flat {units.unit}", "Diff.", "%"], 0.2)
+    for row in rows[: MOST_ROWS if context.scene.wirewarp.show_all else SHOWN_ROWS]:
         if row.seam_id in names:
-            _draw_name(column, row, names[row.seam_id])
+            line = column.row(align=True)
+            line.prop(names[row.seam_id], "name", text="", **mark_of(row.ok))
+            draw_select(line, row.what, row.index)
         else:
             draw_heading(context, column, row.name, mark_of(row.ok), row.what, row.index)
         if row.note:
             draw_note(context, column, row.note, "INFO" if row.at_limit else "BLANK1")
-        for longer in longer_sides(row.sides, text, meters):
+        for longer in longer_sides(row.sides, units, meters):
             draw_note(context, column, longer, "INFO")
-        (_draw_wide if wide else _draw_narrow)(column, row, text)
+        (_draw_wide if wide else _draw_narrow)(column, row, units)
         column.separator(factor=0.7)
-    draw_more(context, layout, len(rows))
-
-
-def shown_rows(context: bpy.types.Context) -> int:
-    return MOST_ROWS if context.scene.wirewarp.show_all else SHOWN_ROWS
-
-
-def draw_more(context: bpy.types.Context, layout: bpy.types.UILayout, count: int) -> None:
-    """Draw the switch that shows more of a long list."""
-    if count > SHOWN_ROWS:
-        text = f"Show all {count}" if count <= MOST_ROWS else f"Show {MOST_ROWS} of {count}"
+    if len(rows) > SHOWN_ROWS:
+        text = f"Show all {len(rows)}" if len(rows) <= MOST_ROWS else f"Show {MOST_ROWS} of {len(rows)}"
         layout.prop(context.scene.wirewarp, "show_all", text=text)
 
 
@@ -85,12 +80,6 @@ def draw_heading(
         text.label(text=line, **({"icon": "BLANK1"} if number else mark))
     if what:
         draw_select(row, what, index)
-
-
-def _draw_name(layout: bpy.types.UILayout, row: ReportRow, entry: bpy.types.PropertyGroup) -> None:
-    line = layout.row(align=True)
-    line.prop(entry, "name", text="", **mark_of(row.ok))
-    draw_select(line, row.what, row.index)
 
 
 def draw_note(context: bpy.types.Context, layout: bpy.types.UILayout, note: str, icon: str) -> None:

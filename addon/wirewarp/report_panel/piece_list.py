@@ -87,16 +87,13 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         chosen = _row_of(context, source.wirewarp_active_piece)
         if chosen:
             draw_figures(context, self.layout, chosen)
-            if chosen.ok and chosen.needed >= WORTH_A_CUT and not self._is_offered(context, chosen.index):
+            report = shown_report(context)
+            is_offered = report and offered_piece(context, source, report) == chosen.index  # by the panel of Flatten
+            if chosen.ok and chosen.needed >= WORTH_A_CUT and not is_offered:
                 draw_suggest(self.layout, context.scene.wirewarp, chosen.index)
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True
-
-    def _is_offered(self, context: bpy.types.Context, piece: int) -> bool:
-        """Return whether the panel of Flatten has the buttons for this piece."""
-        report = shown_report(context)
-        return report is not None and offered_piece(context, shown_source(context), report) == piece
 
 
 def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: PieceRow) -> None:

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..words import LengthText
-from .chains import WireChain
+from ..core import LengthText
+from .chains import WireChain, next_corners
 
 # largest mean normal, as a share of the area, of a surface for which inside and outside are known
 ALL_ROUND = 0.3
@@ -110,9 +110,7 @@ def new_seams(arrays: MeshArrays) -> np.ndarray:
     """Return the edges (k,) between islands of the model's own UV map that are not seams yet; none without a map."""
     if not arrays.own_map:
         return np.empty(0, dtype=np.int32)
-    following = np.arange(1, len(arrays.loop_edges) + 1)
-    following[arrays.polygon_starts + arrays.polygon_sizes - 1] = arrays.polygon_starts
-    uv = arrays.uv_maps[arrays.own_map]
+    following, uv = next_corners(arrays.polygon_sizes), arrays.uv_maps[arrays.own_map]
     borders = island_borders(arrays.loop_edges, arrays.loop_vertices, following, uv, len(arrays.edges))
     return np.setdiff1d(np.flatnonzero(borders), arrays.seam_edges).astype(np.int32)
 

@@ -16,6 +16,14 @@ def edge_keys(pairs: ArrayLike, count: int) -> np.ndarray:
     return np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1) @ np.array([count, 1])
 
 
+def next_corners(sizes: np.ndarray) -> np.ndarray:
+    """Return the next corner (l,) of its face for each corner of faces of these sizes (f,), one after the other."""
+    starts = np.cumsum(sizes) - sizes
+    following = np.arange(1, sizes.sum() + 1)
+    following[starts + sizes - 1] = starts
+    return following
+
+
 @dataclass(frozen=True)
 class Chain:
     """One connected run of edges; a closed run repeats its first vertex."""

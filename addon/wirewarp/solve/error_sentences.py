@@ -9,12 +9,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from ..core import FlattenError
-from ..words import LengthText, counted
+from ..core import FlattenError, LengthText, counted
 
 MOST_LENGTHS = 5  # nobody reads longer lists
-SPLIT = "In Edit Mode, select the faces on one side there and use Mesh > Split > Selection."
-FREE = "or remove a wire nearby or set a tolerance"
 
 
 @dataclass(frozen=True)
@@ -69,62 +66,11 @@ def error_sentence(facts: ErrorFacts) -> str:
     return sentence(facts) if sentence else facts.error.message
 
 
-def _empty_mesh(_: ErrorFacts) -> str:
-    return (
-        "The mesh has no faces, so there is nothing to flatten. In Edit Mode, fill its outlines with faces (F, or "
-        "Face > Grid Fill)."
-    )
-
-
-def _non_finite_coordinates(facts: ErrorFacts) -> str:
-    it = "it" if len(facts.error.vertices) == 1 else "them"
-    return f"The coordinates of {facts.vertex_text} are not numbers, or far too large. Move or delete {it}."
-
-
-def _loose_faces(facts: ErrorFacts) -> str:
-    return (
-        f"The mesh consists of {facts['num_parts']} separate parts, because faces that touch do not share edges. In "
-        "Edit Mode, use Mesh > Merge > By Distance."
-    )
-
-
-def _repeated_vertex(facts: ErrorFacts) -> str:
-    has = counted(facts.faces, "face uses", "faces use")
-    return f"{has} the same vertex twice. In Edit Mode, use Mesh > Delete > Only Faces."
-
-
-def _repeated_face(facts: ErrorFacts) -> str:
-    has = counted(facts.faces, "face has", "faces have")
-    return f"{has} the same vertices as another one. In Edit Mode, use Mesh > Delete > Only Faces."
-
-
-def _zero_area(facts: ErrorFacts) -> str:
-    has = counted(facts.faces, "face has", "faces have")
-    return f"{has} no area. In Edit Mode, use Mesh > Clean Up > Degenerate Dissolve."
-
-
-def _non_manifold_edge(facts: ErrorFacts) -> str:
-    return f"Three or more faces meet at {facts.edge_text}. Mark these edges as seams, or delete the extra faces."
-
-
-def _non_manifold_vertex(facts: ErrorFacts) -> str:
-    return f"The piece touches itself at {facts.vertex_text} without sharing an edge. {SPLIT}"
-
-
 def _inconsistent_orientation(facts: ErrorFacts) -> str:
     fault = f"The faces at {facts.edge_text} point to opposite sides"
     if facts["is_one_sided"]:
         return f"{fault}, because the piece is one-sided like a Möbius strip. Mark these edges as seams."
     return f"{fault}. In Edit Mode, use Mesh > Normals > Recalculate Outside."
-
-
-def _closed(facts: ErrorFacts) -> str:
-    return f"The piece is closed: mark a seam that opens it{facts.proposed}."
-
-
-def _handles(facts: ErrorFacts) -> str:
-    handles = counted(facts["num_handles"], "handle")
-    return f"The piece has {handles} like a torus: mark seams that cut each of them{facts.proposed}."
 
 
 def _outline_too_short(facts: ErrorFacts) -> str:
@@ -194,10 +140,6 @@ def _not_solvable(facts: ErrorFacts) -> str:
     return "The piece cannot be solved in double precision. Remesh it, or cut it in two with a seam."
 
 
-def _cancelled(_: ErrorFacts) -> str:
-    return "Canceled before the piece was flat. Flatten again."
-
-
 def _wrong_option(facts: ErrorFacts) -> str:
     if facts["name"] == "thickness" and facts.error.faces:
         return (
@@ -233,14 +175,9 @@ def _lengths_not_kept(facts: ErrorFacts) -> str:
 
 def _flipped(facts: ErrorFacts) -> str:
     seams = "Mark the suggested seams, or add" if facts.error.proposed_seams else "Add"
-    free = f", {FREE}" if facts["has_wires"] else ""
+    free = ", or remove a wire nearby or set a tolerance" if facts["has_wires"] else ""
     fault = f"The piece is flipped at {facts.face_text}{_also(0, facts.overlapping)}"
     return f"{fault}. {seams} a seam or a dart there{free}."
-
-
-def _overlapping(facts: ErrorFacts) -> str:
-    seams = "Mark the suggested seams, or cut" if facts.error.proposed_seams else "Cut"
-    return f"The piece overlaps itself at {facts.face_text}. {seams} it in two with a seam, or add a dart there."
 
 
 def _no_proposal(facts: ErrorFacts) -> str:
@@ -270,24 +207,54 @@ def _no_proposal(facts: ErrorFacts) -> str:
 
 
 SENTENCES: dict[str, Callable[[ErrorFacts], str]] = {
-    "cancelled": _cancelled,
-    "closed_chart": _closed,
+    "cancelled": lambda _: "Canceled before the piece was flat. Flatten again.",
+    "closed_chart": lambda facts: f"The piece is closed: mark a seam that opens it{facts.proposed}.",
     "boundary_too_short": _outline_too_short,
-    "empty_mesh": _empty_mesh,
+    "empty_mesh": lambda _: (
+        "The mesh has no faces, so there is nothing to flatten. In Edit Mode, fill its outlines with "
+        "faces (F, or Face > Grid Fill)."
+    ),
     "flipped_faces": _flipped,
-    "handles": _handles,
+    "handles": lambda facts: (
+        f"The piece has {counted(facts['num_handles'], 'handle')} like a torus: mark seams that cut "
+        f"each of them{facts.proposed}."
+    ),
     "inconsistent_orientation": _inconsistent_orientation,
     "infeasible_lengths": _infeasible_lengths,
     "invalid_option": _wrong_option,
     "lengths_not_kept": _lengths_not_kept,
-    "loose_faces": _loose_faces,
+    "loose_faces": lambda facts: (
+        f"The mesh consists of {facts['num_parts']} separate parts, because faces that touch do "
+        "not share edges. In Edit Mode, use Mesh > Merge > By Distance."
+    ),
     "no_proposal": _no_proposal,
-    "non_finite_coordinates": _non_finite_coordinates,
-    "non_manifold_edge": _non_manifold_edge,
-    "non_manifold_vertex": _non_manifold_vertex,
+    "non_finite_coordinates": lambda facts: (
+        f"The coordinates of {facts.vertex_text} are not numbers, or far too large. "
+        f"Move or delete {'it' if len(facts.error.vertices) == 1 else 'them'}."
+    ),
+    "non_manifold_edge": lambda facts: (
+        f"Three or more faces meet at {facts.edge_text}. Mark these edges as seams, or delete the extra faces."
+    ),
+    "non_manifold_vertex": lambda facts: (
+        f"The piece touches itself at {facts.vertex_text} without sharing an edge. "
+        "In Edit Mode, select the faces on one side there and use Mesh > Split > Selection."
+    ),
     "not_solvable": _not_solvable,
-    "overlapping_faces": _overlapping,
-    "repeated_face": _repeated_face,
-    "repeated_vertex_in_face": _repeated_vertex,
-    "zero_area_face": _zero_area,
+    "overlapping_faces": lambda facts: (
+        f"The piece overlaps itself at {facts.face_text}. "
+        f"{'Mark the suggested seams, or cut' if facts.error.proposed_seams else 'Cut'} it in two with a "
+        "seam, or add a dart there."
+    ),
+    "repeated_face": lambda facts: (
+        f"{counted(facts.faces, 'face has', 'faces have')} the same vertices as another one. "
+        "In Edit Mode, use Mesh > Delete > Only Faces."
+    ),
+    "repeated_vertex_in_face": lambda facts: (
+        f"{counted(facts.faces, 'face uses', 'faces use')} the same vertex twice. "
+        "In Edit Mode, use Mesh > Delete > Only Faces."
+    ),
+    "zero_area_face": lambda facts: (
+        f"{counted(facts.faces, 'face has', 'faces have')} no area. In Edit Mode, use Mesh > "
+        "Clean Up > Degenerate Dissolve."
+    ),
 }

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from ..core import FlattenResult
 from .arrays import MeshArrays, edge_lengths, triangle_areas
-from .chains import EdgeMarks, edge_keys
+from .chains import EdgeMarks, edge_keys, next_corners
 from .flatten import FlattenChoices, has_cloth, has_layout
 from .identity import PieceIdentity
 
@@ -251,20 +251,12 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
     return starts + (np.repeat(sizes, sizes) - 1 - step if arrays.mirrored else step)
 
 
-def _following(sizes: np.ndarray) -> np.ndarray:
-    """Return the next corner (l,) in the same face. sizes (f,): of the faces."""
-    starts = np.cumsum(sizes) - sizes
-    following = np.arange(1, sizes.sum() + 1)
-    following[starts + sizes - 1] = starts
-    return following
-
-
 def _edge_corners(source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays) -> np.ndarray:
     """Return for each corner (l,) the source's corner at which its side begins.
 
     In reversed faces, a side begins where it ends on the source.
     """
-    return source_corner[_following(sizes)] if arrays.mirrored else source_corner
+    return source_corner[next_corners(sizes)] if arrays.mirrored else source_corner
 
 
 def _edges(
@@ -274,7 +266,7 @@ def _edges(
 
     Sides of faces with the same ends and the same edge of the source share an edge.
     """
-    following = _following(sizes)
+    following = next_corners(sizes)
     source_edge = arrays.loop_edges[_edge_corners(source_corner, sizes, arrays)]
     ends = loop_vertices, loop_vertices[following]
     low, high = np.minimum(*ends), np.maximum(*ends)

@@ -10,9 +10,21 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from ..core import Cache, Cloth, Ease, FlattenError, FlattenResult, Job, Options, Piece, Wire
-from ..issues import Issue, LooserWire, ObjectError
-from ..words import counted
+from ..core import (
+    Cache,
+    Cloth,
+    Ease,
+    FlattenError,
+    FlattenResult,
+    Issue,
+    Job,
+    LooserWire,
+    Options,
+    Piece,
+    Wire,
+    counted,
+)
+from ..issues import ObjectError
 from .arrays import MeshArrays, NamedWire, triangle_areas
 from .chains import edge_keys, shortest_double
 from .error_sentences import ErrorFacts, error_sentence

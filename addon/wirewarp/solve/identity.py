@@ -174,7 +174,9 @@ def identify_pieces(
     names = _first_of_each(old)
     new = [index for index in from_top(shape.offsets) if not names[index]]
     outward = -shape.normals if faces_inward(arrays) else shape.normals
-    regions = region_names(_by_face(piece_of_triangle, arrays), count, arrays.regions)
+    piece_of_face = np.zeros(len(arrays.polygon_starts), dtype=np.int64)
+    piece_of_face[arrays.triangle_polygons] = piece_of_triangle
+    regions = region_names(piece_of_face, count, arrays.regions)
     regions = region_side_names(regions, outward, shape.offsets)
     sides = side_names(outward, shape.offsets) if count > 1 else [model_name]
     wanted = [old[index] or regions[index] or sides[index] for index in new]
@@ -234,12 +236,6 @@ def _measure(piece_of_triangle: np.ndarray, count: int, arrays: MeshArrays) -> _
         return np.array([np.bincount(piece_of_triangle, row, minlength=count) / divided for row in rows]).T
 
     return _Shape(triangle_areas, mean(vectors), mean((centers - (low + high) / 2).T * triangle_areas / size))
-
-
-def _by_face(piece_of_triangle: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    piece_of_face = np.zeros(len(arrays.polygon_starts), dtype=np.int64)
-    piece_of_face[arrays.triangle_polygons] = piece_of_triangle
-    return piece_of_face
 
 
 def _first_of_each(names: list[str]) -> list[str]:

@@ -7,8 +7,7 @@ from itertools import combinations, pairwise
 
 import numpy as np
 
-from ..core import FlattenResult, Piece
-from ..issues import Issue, LooserWire
+from ..core import FlattenResult, Issue, LooserWire, Piece
 from .arrays import MeshArrays, triangle_areas
 from .chains import edge_keys
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .chains import EdgeMarks, edge_keys
+from .chains import EdgeMarks, edge_keys, next_corners
 
 
 @dataclass(frozen=True)
@@ -76,10 +76,7 @@ def signed_areas(vertices: np.ndarray, outline: OutlineEdges) -> np.ndarray:
 
 def _face_sides(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the vertices (l,) at the start and (l,) at the end of each side of each face."""
-    starts = np.cumsum(face_sizes) - face_sizes
-    following = np.arange(1, len(loop_vertices) + 1)
-    following[starts + face_sizes - 1] = starts
-    return loop_vertices, loop_vertices[following]
+    return loop_vertices, loop_vertices[next_corners(face_sizes)]
 
 
 def _areas(vertices: np.ndarray, a: np.ndarray, b: np.ndarray, piece: np.ndarray) -> np.ndarray:

@@ -15,11 +15,11 @@ from ..core import (
     library,
     make_report,
     note_text,
+    paragraph,
     place_name,
     tables_of,
     verdict,
 )
-from ..words import paragraph
 from .arrays import MeshArrays
 from .flatten import ClothChoice, issue_of_piece, library_cloth, library_marks, maximum_stretch
 from .identity import PieceIdentity, SeamIdentity

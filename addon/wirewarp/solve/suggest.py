@@ -9,10 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from ..core import DartProposal, Job, percent_text
+from ..core import DartProposal, Job, LengthText, counted, percent_text
 from ..issues import ObjectError
 from ..names import NO_SEAM
-from ..words import LengthText, counted
 from .arrays import MeshArrays
 from .chains import edge_keys
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of

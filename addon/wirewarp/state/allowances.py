@@ -30,10 +30,10 @@ from ..blender.mesh import (
     faces_of_corners,
     read_seams,
 )
-from ..issues import Issue, ObjectError
+from ..core import Issue, counted
+from ..issues import ObjectError
 from ..names import ALLOWANCE, EASED_SIDE, FACE, MARKS, SIDE, SIDE_ALLOWANCE, SIDE_EASE, SIDE_RATIO, SIDE_WIDTH, Mark
 from ..solve.identity import new_id
-from ..words import counted
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,9 @@ def present_state(source: bpy.types.Object, with_modifiers: bool, take: Take = r
 
 def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: Take) -> dict:
     state = digests | {SCALE: metric(source).tolist()}
-    return state | {MODIFIED: _modified(source, take)} if with_modifiers else state
+    if with_modifiers:  # None if Blender does not evaluate them
+        state[MODIFIED] = take(source, MODIFIED, _modified_state) if shows_modified(source) else None
+    return state
 
 
 def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept) -> bool:
@@ -77,11 +79,6 @@ def _is_scaled(source: bpy.types.Object, then: dict) -> bool:
 
 def _digests(mesh: MarkedMesh) -> dict[str, str]:
     return {SHAPE: _digest([mesh.places, *_faces(mesh)]), MARKS: _digest(_marks(mesh))}
-
-
-def _modified(source: bpy.types.Object, take: Take) -> dict | None:
-    """Return the state of the mesh with modifiers and shape keys; None if Blender does not evaluate them."""
-    return take(source, MODIFIED, _modified_state) if shows_modified(source) else None
 
 
 def _modified_state(source: bpy.types.Object) -> dict:

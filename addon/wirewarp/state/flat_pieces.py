@@ -38,11 +38,6 @@ def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
     )
 
 
-def faces_of_piece(piece: int, flat: FlatPieces) -> np.ndarray:
-    """Return the faces of the piece on the model."""
-    return flat.source_face[flat.face_piece == piece]
-
-
 OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # attributes that a flat mesh always has
 # Relative to the length and to the largest coordinate in single precision, because pieces may have been moved.
 LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
@@ -112,7 +107,10 @@ def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Ob
         raise object_error("no_flat_pieces", f'"{source.name}" has no flat pieces: flatten it first.')
     check_not_edited(source)
     bpy.context.view_layer.update()
-    if _has_changed(source, report):
+    if report.with_modifiers and not shows_modified(source):
+        sentence = f'Show "{source.name}" in Object Mode first, so its modifiers can be checked.'
+        raise object_error("not_visible", sentence)
+    if has_changed(source, report.model_state, read_anew):
         raise changed_error(source.name)
     if _is_edited(flat.data, report):
         raise object_error(
@@ -127,16 +125,6 @@ def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Ob
             f'scale "{source.name}" and flatten again.',
         )
     return report, flat
-
-
-def _has_changed(source: bpy.types.Object, report: ObjectReport) -> bool:
-    """Return whether the model differs. Blender evaluates no modifiers of hidden objects, and few in Edit Mode."""
-    if report.with_modifiers and not shows_modified(source):
-        raise object_error(
-            "not_visible",
-            f'Show "{source.name}" in Object Mode first, so its modifiers can be checked.',
-        )
-    return has_changed(source, report.model_state, read_anew)
 
 
 def _is_edited(mesh: bpy.types.Mesh, report: ObjectReport) -> bool:

@@ -4,7 +4,6 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import bmesh
 import bpy
 import numpy as np
 
@@ -57,21 +56,6 @@ def wires_on(mesh: bpy.types.Mesh) -> list[int]:
     """Return the ids of a mesh that is not in Edit Mode, in its order."""
     marks = read_marks(mesh)
     return list(dict.fromkeys(marks.wire_ids[marks.rows].tolist()))
-
-
-def edit_layers(mesh: bpy.types.Mesh) -> tuple:
-    """Return (bmesh, wire layer, tolerance layer, ease layer) of a mesh in Edit Mode. Creates missing layers.
-
-    The ease layer is not created; it is None if no wire ever had an ease. A new layer invalidates edge references.
-    Call check_attributes first.
-    """
-    edit = bmesh.from_edit_mesh(mesh)
-    layers = edit.edges.layers
-    if WIRE.name not in layers.int:
-        layers.int.new(WIRE.name)
-    if TOLERANCE.name not in layers.float:
-        layers.float.new(TOLERANCE.name)
-    return edit, layers.int[WIRE.name], layers.float[TOLERANCE.name], layers.float.get(EASE.name)
 
 
 def own_ids(wire_ids: Sequence[int]) -> list[int]:

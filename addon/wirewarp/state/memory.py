@@ -150,6 +150,8 @@ def drop_gathered(*_: object) -> None:
 def forget(*_: object) -> None:
     global _memory
     _memory = _Memory()
+    if bpy.app.timers.is_registered(_nudge):
+        bpy.app.timers.unregister(_nudge)
 
 
 SECONDS = 0.2  # between two checks: short enough to feel immediate, and it does not disturb a running tool
@@ -172,12 +174,3 @@ def _nudge() -> float | None:
     for window in windows:
         send_mouse_move(window)
     return SECONDS if windows else None
-
-
-def attach() -> Callable[[], None]:
-    return _detach
-
-
-def _detach() -> None:
-    if bpy.app.timers.is_registered(_nudge):
-        bpy.app.timers.unregister(_nudge)

@@ -17,12 +17,11 @@ from ..blender.mesh import (
     vertex_places,
 )
 from ..blender.objects import linear_part
-from ..core import Note
+from ..core import Note, counted
 from ..issues import note, object_error, warning
 from ..names import NO_SEAM, PIECE, SEAM, UV_LAYER
 from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
 from ..solve.chains import WireChain, chains_of_marks
-from ..words import counted
 from .allowances import SIDE_EASES, widest_allowance
 from .identities import chain_names
 from .marked_mesh import MarkedMesh, own_ids, read_ids, read_marked

@@ -6,14 +6,13 @@ change the file: its report stays in memory until the next run or file. A report
 shown, because it may be wrong or unsafe to read.
 """
 
-import hashlib
 import json
 
 import bpy
 
+from ..blender.attributes import digest, stored_text
 from ..blender.mesh import element_counts
-from ..core import ReportError, from_dict, rename_wires, to_dict
-from ..issues import Issue
+from ..core import Issue, ReportError, from_dict, rename_wires, to_dict
 from ..names import REPORT, REPORT_SEAL
 from ..solve.report import ObjectReport, failure_report
 from .identities import piece_names, present_names, seam_names
@@ -25,7 +24,7 @@ def store(source: bpy.types.Object, report: ObjectReport) -> None:
     note(source)
     state_of(source).failure = None
     text = json.dumps(to_dict(report))
-    source[REPORT], source[REPORT_SEAL] = text, _digest(text)
+    source[REPORT], source[REPORT_SEAL] = text, digest(text)
 
 
 def remember(source: bpy.types.Object, report: ObjectReport) -> None:
@@ -63,7 +62,7 @@ def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectR
 
 
 def _failure(source: bpy.types.Object) -> ObjectReport | None:
-    """Return the report of a run that wrote nothing. Before 4.1, counts detect a later object at its address."""
+    """Return the report of a run without results. Before Blender 4.1, counts detect a later object at its address."""
     failure = state_of(source).failure
     if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):
         return None
@@ -73,25 +72,15 @@ def _failure(source: bpy.types.Object) -> ObjectReport | None:
 def _read(source: bpy.types.Object) -> ObjectReport | None:
     if REPORT not in source:
         return None
-    stored, state = (_text(source, REPORT), _text(source, REPORT_SEAL)), state_of(source)
+    stored, state = (stored_text(source, REPORT), stored_text(source, REPORT_SEAL)), state_of(source)
     if state.parsed is None or state.parsed[0] != stored:
         state.parsed = stored, _parse(*stored)  # so that drawing the panel need not do it
     return state.parsed[1]
 
 
-def _text(source: bpy.types.Object, name: str) -> str:
-    """Return the text of a custom property; "" for other types."""
-    stored = source.get(name)
-    return stored if isinstance(stored, str) else ""
-
-
-def _digest(text: str) -> str:
-    return hashlib.blake2b(text.encode(errors="replace"), digest_size=12).hexdigest()
-
-
 def _parse(text: str, seal: str) -> ObjectReport:
     try:
-        return from_dict(json.loads(text) if seal == _digest(text) else None, ObjectReport)
+        return from_dict(json.loads(text) if seal == digest(text) else None, ObjectReport)
     except ReportError:
         sentence = "The stored report is from another version of WireWarp. Flatten again."
         return failure_report(Issue("unreadable_report", sentence))

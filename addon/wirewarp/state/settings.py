@@ -8,6 +8,7 @@ from typing import Any
 
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
+from ..blender.fields import number
 from ..core import Cloth
 from ..solve.flatten import ClothChoice, FlattenChoices
 from ..solve.suggest import Target
@@ -46,14 +47,6 @@ def fabric_label(name: str) -> str:
     return f"{Cloth.about(name)['label']}, {' / '.join(limits)}%"
 
 
-def _fabrics() -> list[tuple[str, str, str, int]]:
-    """Return the library's table as items of an enum."""
-    return [
-        (name.upper(), fabric_label(name), f"{Cloth.about(name)['description']}. {MEASURE}", number)
-        for number, name in enumerate(Cloth.presets(), start=1)
-    ]
-
-
 class FlattenSettings:
     """Settings of Flatten: shared by the scene's settings and the operator."""
 
@@ -61,17 +54,13 @@ class FlattenSettings:
         name="Method",
         description="How the flat shape is found. Seams and outlines keep exactly the lengths asked for",
         items=METHODS,
-        default="REFINED",
     )
-    fairness: FloatProperty(
-        name="Smooth Outlines",
-        description="Smooth out wiggles shorter than this fraction of the piece's size. Lengths stay exact. Higher: "
+    fairness: number(
+        "Smooth Outlines",
+        "Smooth out wiggles shorter than this fraction of the piece's size. Lengths stay exact. Higher: "
         "smoother lines; lower: less distortion of the fabric, but lines may be wavy",
-        min=0.001,
-        max=10.0,
+        (0.001, 0.05, 0.5, 10.0),
         soft_min=0.02,
-        soft_max=0.5,
-        default=0.05,
         precision=3,
         step=1,
     )
@@ -91,7 +80,6 @@ class FlattenSettings:
                 "Every vertex counts the same, so finely meshed sections of a line count more",
             ),
         ],
-        default="LENGTH",
     )
     cloth: EnumProperty(
         name="Fabric",
@@ -99,84 +87,63 @@ class FlattenSettings:
         "Lengths are exact with every fabric. To measure yours, mark 10 cm and pull until it resists: 12 cm is 20%",
         items=[
             ("NONE", "Fabric Not Chosen", "WireWarp says how far the fabric must stretch, in the worst direction", 0),
-            *_fabrics(),
+            *(
+                (name.upper(), fabric_label(name), f"{Cloth.about(name)['description']}. {MEASURE}", number)
+                for number, name in enumerate(Cloth.presets(), start=1)
+            ),
             ("CUSTOM", "Custom Fabric", f"Enter the maximum stretch of your fabric. {MEASURE}", CUSTOM),
         ],
-        default="NONE",
     )
-    cloth_across: FloatProperty(
-        name="Stiffness Across",
-        description="Resistance to stretch across the grain. Only the ratios of the three stiffness values matter",
-        min=0.001,
-        max=1000.0,
-        default=1.0,
+    cloth_across: number(
+        "Stiffness Across",
+        "Resistance to stretch across the grain. Only the ratios of the three stiffness values matter",
+        (0.001, 1.0, 1000.0, 1000.0),
         precision=3,
     )
-    cloth_along: FloatProperty(
-        name="Stiffness Along",
-        description="Resistance to stretch along the grain",
-        min=0.001,
-        max=1000.0,
-        default=1.0,
+    cloth_along: number(
+        "Stiffness Along", "Resistance to stretch along the grain", (0.001, 1.0, 1000.0, 1000.0), precision=3
+    )
+    cloth_shear: number(
+        "Shear Stiffness",
+        "Resistance to shear, which turns the threads away from a right angle; small for wovens",
+        (0.001, 0.5, 1000.0, 1000.0),
         precision=3,
     )
-    cloth_shear: FloatProperty(
-        name="Shear Stiffness",
-        description="Resistance to shear, which turns the threads away from a right angle; small for wovens",
-        min=0.001,
-        max=1000.0,
-        default=0.5,
-        precision=3,
-    )
-    gives_across: FloatProperty(
-        name="Max Stretch Across",
-        subtype="PERCENTAGE",
-        description="How far the fabric can be stretched across the grain. To measure it, mark 10 cm and pull until "
+    gives_across: number(
+        "Max Stretch Across",
+        "How far the fabric can be stretched across the grain. To measure it, mark 10 cm and pull until "
         "it resists: 12 cm is 20%. 0: as usual for this fabric",
-        min=0.0,
-        soft_max=50.0,
-        max=300.0,
-        precision=1,
-        step=100,
-    )
-    gives_along: FloatProperty(
-        name="Max Stretch Along",
+        (0.0, 0.0, 50.0, 300.0),
         subtype="PERCENTAGE",
-        description="How far the fabric can be stretched along the grain. 0: as usual for this fabric",
-        min=0.0,
-        soft_max=50.0,
-        max=300.0,
-        precision=1,
         step=100,
     )
-    worn_across: FloatProperty(
-        name="Negative Ease Across",
-        description="How far the fabric is stretched across the grain when it is worn, as in swimwear. "
+    gives_along: number(
+        "Max Stretch Along",
+        "How far the fabric can be stretched along the grain. 0: as usual for this fabric",
+        (0.0, 0.0, 50.0, 300.0),
+        subtype="PERCENTAGE",
+        step=100,
+    )
+    worn_across: number(
+        "Negative Ease Across",
+        "How far the fabric is stretched across the grain when it is worn, as in swimwear. "
         "Pieces are cut that much smaller, with both sides of seams equally long. Below 0: cut larger, to fit loosely",
+        (-50.0, 0.0, 50.0, 100.0),
         subtype="PERCENTAGE",
-        min=-50.0,
         soft_min=0.0,
-        soft_max=50.0,
-        max=100.0,
-        precision=1,
     )
-    worn_along: FloatProperty(
-        name="Negative Ease Along",
-        description="How far the fabric is stretched along the grain when it is worn",
+    worn_along: number(
+        "Negative Ease Along",
+        "How far the fabric is stretched along the grain when it is worn",
+        (-50.0, 0.0, 50.0, 100.0),
         subtype="PERCENTAGE",
-        min=-50.0,
         soft_min=0.0,
-        soft_max=50.0,
-        max=100.0,
-        precision=1,
     )
-    thickness: FloatProperty(
-        name="Thickness (mm)",
-        description="Thickness of foam, neoprene or leather. Bent material keeps its length in the "
+    thickness: number(
+        "Thickness (mm)",
+        "Thickness of foam, neoprene or leather. Bent material keeps its length in the "
         "middle of its thickness: that surface is flattened, and lengths on the model are measured on it",
-        min=0.0,
-        soft_max=20.0,
-        max=1000.0,
+        (0.0, 0.0, 20.0, 1000.0),
         precision=2,
         step=10,
     )
@@ -188,7 +155,6 @@ class FlattenSettings:
             ("MIDDLE", "Middle", "The middle: half of the thickness lies on either side of the model"),
             ("OUTSIDE", "Outside", "The outer surface, which is seen when the material is in place"),
         ],
-        default="INSIDE",
     )
     layout_kind: EnumProperty(
         name="Layout",
@@ -197,7 +163,6 @@ class FlattenSettings:
             ("PACKED", "Packed", "Close together in about a square"),
             ("ROW", "One Row", "Side by side from left to right, on one line"),
         ],
-        default="PACKED",
     )
     orientation: EnumProperty(
         name="Upright",
@@ -217,24 +182,20 @@ class FlattenSettings:
             ("BOUNDARY", "Longest Straight Edge", "The longest straight section of the outline"),
             ("UP", "World Up", "What points up (Z) on the model; in level pieces, their first wire"),
         ],
-        default="WIRE",
     )
-    grain_angle: FloatProperty(
-        name="Grain Angle",
-        description="Angle of the grain wire from upright, counterclockwise: 45° cuts the fabric on the bias. Only for "
+    grain_angle: number(
+        "Grain Angle",
+        "Angle of the grain wire from upright, counterclockwise: 45° cuts the fabric on the bias. Only for "
         "pieces that have a grain wire upright",
+        (-math.pi, 0.0, math.pi, math.pi),
         subtype="ANGLE",
-        min=-math.pi,
-        max=math.pi,
+        precision=2,
     )
-    spacing: FloatProperty(
-        name="Gap (mm)",
-        description="Space between the cutting lines of the pieces, for the widest allowance there is. "
+    spacing: number(
+        "Gap (mm)",
+        "Space between the cutting lines of the pieces, for the widest allowance there is. "
         "Allowances that are changed later move no piece until you press Lay Out Again",
-        min=0.0,
-        soft_max=200.0,
-        default=10.0,  # room for the scissors
-        precision=1,
+        (0.0, 10.0, 200.0),  # room for the scissors
         step=100,
     )
     keep_places: BoolProperty(
@@ -247,13 +208,11 @@ class FlattenSettings:
     mirror: BoolProperty(
         name="Mirrored",
         description="Show the pieces from inside (the wrong side of the fabric) instead of from outside",
-        default=False,
     )
     use_modifiers: BoolProperty(
         name="Modifiers",
         description="Flatten the mesh with its modifiers and shape keys applied. This makes flat pieces, but no UV map "
         "on the model. Later changes of the modifiers are noticed in Object Mode only",
-        default=False,
     )
 
 
@@ -291,10 +250,6 @@ class Setting:
     def label(self) -> str:
         """Return its name for sentences."""
         return FlattenSettings.__annotations__[self.name].keywords["name"].removesuffix(" (mm)")
-
-    @property
-    def is_enum(self) -> bool:
-        return FlattenSettings.__annotations__[self.name].function is EnumProperty
 
 
 def _setting(name: str, choice: str = "", **others: Any) -> Setting:  # noqa: ANN401
@@ -347,17 +302,12 @@ class TargetSettings:
         name="Up to a Target",
         description="Suggest cuts to be marked together, one after the other, until the fabric need not stretch more "
         "than you want. Off: alternatives to choose from",
-        default=False,
     )
-    aim_stretch: FloatProperty(
-        name="Max Stretch",
-        description="How far the fabric may stretch in 99% of a piece: no further cut is suggested for it then",
+    aim_stretch: number(
+        "Max Stretch",
+        "How far the fabric may stretch in 99% of a piece: no further cut is suggested for it then",
+        (0.0, 5.0, 25.0, 100.0),  # the library's default
         subtype="PERCENTAGE",
-        min=0.0,
-        max=100.0,
-        soft_max=25.0,
-        default=5.0,  # the library's default
-        precision=1,
     )
     aim_cuts: IntProperty(
         name="Max Cuts",

@@ -22,13 +22,12 @@ OTHER_KIND = (
 LEAST_WEIGHT = 0.5  # weight from which a vertex is in the group: painted with half the strength
 
 
-def read_no_seam(source: bpy.types.Object) -> NoSeam:
-    """Return the edges without cuts, in Object Mode. Raises ObjectError for an attribute of another type or domain."""
-    return no_seam_of(source, source.data)
+def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = None) -> NoSeam:
+    """Return where no cut may be, on the object's own mesh in Object Mode, or on that with modifiers.
 
-
-def no_seam_of(source: bpy.types.Object, mesh: bpy.types.Mesh) -> NoSeam:
-    """Return the edges without cuts. mesh: the object's own, or the one with modifiers. Raises ObjectError as above."""
+    Raises ObjectError for an attribute of another type or domain.
+    """
+    mesh = modified or source.data
     group = source.vertex_groups.get(NO_SEAM)
     found = (read_attribute(mesh, NO_SEAM, kind, "FACE") for kind in NUMBERS)
     values = next((each for each in found if each is not None), None)

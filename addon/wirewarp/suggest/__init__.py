@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Suggested cuts, and smooth lines in place of edges.
 
-May import: flatten, marks, ui, state, solve, blender, properties, core, issues, names, words.
+May import: flatten, marks, ui, state, solve, blender, properties, core, issues, names.
 """
 
 from . import operators, panel, smooth

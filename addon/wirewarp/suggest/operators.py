@@ -11,8 +11,9 @@ from ..blender.mesh import evaluated_mesh
 from ..blender.objects import check_local, length_text, meters_per_blender_unit
 from ..blender.selection import WORKING_MODES, in_object_mode
 from ..blender.views import redraw_views
+from ..core import paragraph, quoted
 from ..flatten.models import Model
-from ..flatten.read import active_target, find_source, is_current, nothing_to_flatten, read_models
+from ..flatten.read import active_target, check_sources, find_source, is_current, read_models
 from ..issues import ObjectError, changed_error, object_error
 from ..properties import mend_settings
 from ..solve.flatten import FlattenChoices, maximum_stretch, used_choices
@@ -24,10 +25,10 @@ from ..state.owners import model_or_self
 from ..state.read_model import check_modifiers, shaped_by
 from ..state.reports import last_report, pieces_report
 from ..state.settings import choices_of, target_of
-from ..state.suggestions import Suggestions, are_current, choose, drop, keep, no_seam_of, read_no_seam
+from ..state.suggestions import Suggestions, are_current, choose, drop, keep, read_no_seam
 from ..ui import window_run
+from ..ui.editing import OnMesh, reporting_refusals
 from ..ui.window_run import WindowSteps, fault_sentence
-from ..words import paragraph, quoted
 
 SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models are sewn
 
@@ -79,7 +80,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     own = no_seam = read_no_seam(source)
     if is_shaped or is_split:
         with evaluated_mesh(source, depsgraph) as mesh:
-            no_seam = no_seam_of(source, mesh)
+            no_seam = read_no_seam(source, mesh)
     target, used = target_of(settings), used_choices(choices, model.arrays)
     steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, no_seam, target)
     return Search(kind, piece, target, model, used, own, is_shaped or is_split, steps, names)
@@ -127,10 +128,12 @@ def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
     return found
 
 
-class SuggestCuts(WindowSteps):
+class SuggestCuts(OnMesh, WindowSteps):
     """Mixed into operators. Nothing is written: what is found is in the panel, until the model changes."""
 
     bl_options = {"REGISTER"}
+    modes = WORKING_MODES
+    refusal = "Select a mesh, in Object Mode or in Edit Mode"
     kind = ""  # DARTS or SEAMS
 
     piece: IntProperty(
@@ -141,61 +144,40 @@ class SuggestCuts(WindowSteps):
         options={"HIDDEN", "SKIP_SAVE"},
     )
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        if _is_mesh(context.active_object) and context.mode in WORKING_MODES:
-            return True
-        cls.poll_message_set("Select a mesh, in Object Mode or in Edit Mode")
-        return False
-
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
-        if bpy.app.background:
-            return self.execute(context)
-        if not self._read(context):
-            return {"CANCELLED"}
+        return self.execute(context) if bpy.app.background else self._begin(context)
+
+    @reporting_refusals
+    def _begin(self, context: bpy.types.Context) -> set[str]:
+        self._read(context)
         return self.begin(context, window_run.SUGGEST, self._search.model.facts.object, self._search.steps)
 
+    @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         """Search in a script, while Blender waits."""
-        if not self._read(context):
-            return {"CANCELLED"}
-        try:
-            return self._keep(context, self.wait_for(context, self._search.steps))
-        except ObjectError as error:
-            return self._refuse(context, error)
+        self._read(context)
+        return self._keep(context, self.wait_for(context, self._search.steps))
 
-    def lets_pass(self, event: bpy.types.Event) -> bool:
-        """All but what stops it: everything it needs has been read, and what changes meanwhile is noticed."""
-        return event.type != "ESC"
-
+    @reporting_refusals
     def finish_run(self, context: bpy.types.Context) -> set[str]:
         try:
             return self._keep(context, self._run.result())
         except CanceledError:
             self.report({"WARNING"}, "The search was canceled.")
-            return {"CANCELLED"}
-        except ObjectError as error:
-            return self._refuse(context, error)
+        except ObjectError:
+            raise
         except Exception as error:
             self.report({"ERROR"}, fault_sentence(error, "The search failed, nothing is suggested"))
-            return {"CANCELLED"}
+        return {"CANCELLED"}
 
-    def _read(self, context: bpy.types.Context) -> bool:
-        """Return whether there is something to search; otherwise report why not."""
-        refusal = window_run.busy_sentence() or nothing_to_flatten(context, active_target(context))
-        if refusal:
-            self.report({"ERROR"}, refusal)
-            return False
+    def _read(self, context: bpy.types.Context) -> None:
+        """Raises ObjectError if there is nothing to search."""
+        check_sources(context, active_target(context))
         source = model_or_self(context.active_object)
         mend_settings(context.scene.wirewarp)
-        try:
-            with in_object_mode(context):
-                piece = None if self.piece == -1 else self.piece
-                self._search: Search = begin_search(context, source, self.kind, piece)
-        except ObjectError as error:
-            self.report({"ERROR"}, str(error))
-            return False
-        return True
+        with in_object_mode(context):
+            piece = None if self.piece == -1 else self.piece
+            self._search: Search = begin_search(context, source, self.kind, piece)
 
     def _keep(self, context: bpy.types.Context, cuts: list[Cut]) -> set[str]:
         """In any mode: leaving Edit Mode under a tool that is still going on crashes Blender. Raises ObjectError."""
@@ -214,10 +196,6 @@ class SuggestCuts(WindowSteps):
         self.report({"INFO"}, paragraph(each for each in said if each))
         return {"FINISHED"}
 
-    def _refuse(self, context: bpy.types.Context, error: ObjectError) -> set[str]:
-        self.report({"ERROR"}, str(error))
-        return {"CANCELLED"}
-
 
 class OBJECT_OT_wirewarp_suggest_darts(SuggestCuts, bpy.types.Operator):
     """Find the darts that lower the stretch of this piece most"""
@@ -235,7 +213,7 @@ class OBJECT_OT_wirewarp_suggest_seams(SuggestCuts, bpy.types.Operator):
     kind = "SEAMS"
 
 
-class OBJECT_OT_wirewarp_choose_suggestion(bpy.types.Operator):
+class OBJECT_OT_wirewarp_choose_suggestion(OnMesh, bpy.types.Operator):
     """Show this cut on the model and on its flat pieces"""
 
     bl_idname = "object.wirewarp_choose_suggestion"
@@ -244,35 +222,23 @@ class OBJECT_OT_wirewarp_choose_suggestion(bpy.types.Operator):
 
     index: IntProperty(name="Index", description="Its place in the list, from 0", min=0)
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return _is_mesh(context.active_object)
-
     def execute(self, context: bpy.types.Context) -> set[str]:
         choose(model_or_self(context.active_object), self.index)
         redraw_views()
         return {"FINISHED"}
 
 
-class OBJECT_OT_wirewarp_drop_suggestions(bpy.types.Operator):
+class OBJECT_OT_wirewarp_drop_suggestions(OnMesh, bpy.types.Operator):
     """Discard these suggestions"""
 
     bl_idname = "object.wirewarp_drop_suggestions"
     bl_label = "Discard Suggestions"
     bl_options = {"INTERNAL"}
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return _is_mesh(context.active_object)
-
     def execute(self, context: bpy.types.Context) -> set[str]:
         drop(model_or_self(context.active_object))
         redraw_views()
         return {"FINISHED"}
-
-
-def _is_mesh(active: bpy.types.Object | None) -> bool:
-    return active is not None and active.type == "MESH"
 
 
 CLASSES = (

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import bpy
 
 from ..blender.objects import length_text
+from ..core import counted
 from ..solve.suggest import row_text, shortfall
 from ..state.drawings import Same, kept_drawing
 from ..state.memory import stamp
@@ -14,7 +15,6 @@ from ..state.suggestions import Suggestions, current_suggestions, suggestions_of
 from ..ui.layout import SidebarPanel, draw_progress, draw_sentence
 from ..ui.settings import figures_sentence, shown_source
 from ..ui.window_run import SUGGEST
-from ..words import counted
 
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}

@@ -16,7 +16,8 @@ from .. import core
 from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, read_selected_edges
 from ..blender.objects import check_local
 from ..blender.selection import in_object_mode
-from ..issues import Issue, ObjectError, object_error
+from ..core import Issue, counted
+from ..issues import ObjectError, object_error
 from ..marks.ease import clear_seams, edges_with_marks, mark_seams
 from ..names import MARKS
 from ..solve.chains import split_into_chains
@@ -27,7 +28,6 @@ from ..state.owners import check_not_edited
 from ..state.read_model import object_to_arrays
 from ..state.suggestions import read_no_seam
 from ..ui.editing import OnModel, reporting_refusals
-from ..words import counted
 
 
 def cut_across_faces(mesh: bpy.types.Mesh, pairs: Pairs) -> None:

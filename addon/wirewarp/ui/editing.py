@@ -17,7 +17,23 @@ Operator = TypeVar("Operator", bound=bpy.types.Operator)
 Execute = Callable[[Operator, bpy.types.Context], set[str]]
 
 
-class OnModel:
+class OnMesh:
+    """Mixed into operators and panels that need an active mesh."""
+
+    modes = frozenset[str]()  # in which they work; empty: all
+    refusal = ""  # the sentence for others, if any
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        active = context.active_object
+        if active is not None and active.type == "MESH" and (context.mode in cls.modes or not cls.modes):
+            return True
+        if cls.refusal:
+            cls.poll_message_set(cls.refusal)
+        return False
+
+
+class OnModel(OnMesh):
     """Mixed into operators. Subclasses name in `on_model` what to do on the model instead."""
 
     on_model = ""
@@ -25,10 +41,9 @@ class OnModel:
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        active = context.active_object
-        if active is None or active.type != "MESH" or context.mode not in cls.modes:
+        if not super().poll(context):
             return False
-        if model_of(active):
+        if model_of(context.active_object):
             cls.poll_message_set(f"These are flat pieces: {cls.on_model} on the model")
             return False
         if any(map(model_of, context.objects_in_mode_unique_data)):

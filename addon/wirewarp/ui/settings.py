@@ -79,18 +79,21 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
 
 def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
     """Return the choices; None if a setting has a value that this version does not know: see mend_settings."""
-    if "" in [getattr(settings, setting.name) for setting in SETTINGS if setting.is_enum]:
+    if "" in [getattr(settings, setting.name) for setting in SETTINGS]:
         return None
     return choices_of(settings, meters_per_blender_unit(settings.id_data))
 
 
 def settings_sentence(source: bpy.types.Object, report: ObjectReport, settings: WIREWARP_PG_settings) -> str:
     """Return a sentence; empty if a run with the settings of the panel would make the same pieces."""
-    changed = _changed(source, report, settings)
-    if not changed:
+    choices = known_choices(settings)
+    if report.options is None or choices is None:
         return ""
-    names = ", ".join(changed)
-    return f"Settings changed since ({names}). Flatten again to apply."
+    wire_ids = {wire.wire_id for wire in report.wires}
+    changed = _changed_choices(source, settings, choices, report.options, wire_ids, set())
+    if report.with_modifiers != settings.use_modifiers and report.shaped_by:
+        changed.append("Modifiers")
+    return f"Settings changed since ({', '.join(changed)}). Flatten again to apply." if changed else ""
 
 
 def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIREWARP_PG_settings) -> str:
@@ -99,7 +102,10 @@ def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIR
     if choices is None:
         return ""
     then = asdict(_of_strain(found.choices)) | {"grain_wire": found.grain_wire}
-    changed = _changed_choices(source, settings, _of_strain(choices), then, found.wire_ids, _of_layout_alone(choices))
+    # Without a fabric, the strain is the same whatever stands upright.
+    upright = {"orientation", "grain_angle", "grain_wire"} if choices.cloth else set()
+    ignored = set(LAYOUT_OPTIONS) - upright
+    changed = _changed_choices(source, settings, _of_strain(choices), then, found.wire_ids, ignored)
     return f"Settings changed since ({', '.join(changed)}). Suggest again." if changed else ""
 
 
@@ -107,23 +113,6 @@ def _of_strain(choices: FlattenChoices) -> FlattenChoices:
     """Return the choices without the fabric's maximum stretch, which the search does not use."""
     fabric = choices.cloth
     return replace(choices, cloth=replace(fabric, gives_across=0.0, gives_along=0.0)) if fabric else choices
-
-
-def _of_layout_alone(choices: FlattenChoices) -> set[str]:
-    """Return the choices that only affect the layout: without a fabric, the strain does not depend on the direction."""
-    upright = {"orientation", "grain_angle", "grain_wire"}
-    return set(LAYOUT_OPTIONS) - (upright if choices.cloth else set())
-
-
-def _changed(source: bpy.types.Object, report: ObjectReport, settings: WIREWARP_PG_settings) -> list[str]:
-    choices = known_choices(settings)
-    if report.options is None or choices is None:
-        return []
-    wire_ids = {wire.wire_id for wire in report.wires}
-    changed = _changed_choices(source, settings, choices, report.options, wire_ids, set())
-    if report.with_modifiers != settings.use_modifiers and report.shaped_by:
-        changed.append("Modifiers")
-    return changed
 
 
 def _changed_choices(

@@ -136,7 +136,7 @@ class WindowRun(Generic[T]):
 
 
 class WindowSteps:
-    """Mixin of operators that start a run with begin() and follow it in modal()."""
+    """Mixin of operators that start a run with begin(), follow it in modal() and end in finish_run()."""
 
     ends_on = "TIMER"  # type of the event that finishes a completed run
 
@@ -162,11 +162,8 @@ class WindowSteps:
         stop()
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Return whether the user may do this during the run."""
-        raise NotImplementedError
-
-    def finish_run(self, context: bpy.types.Context) -> set[str]:
-        raise NotImplementedError
+        """Return whether the user may do this during the run: all but stop it, if all that it needs has been read."""
+        return event.type != "ESC"
 
     def wait_for(self, context: bpy.types.Context, steps: Steps[T]) -> T:
         """Do all steps at once, while Blender waits."""

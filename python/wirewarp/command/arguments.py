@@ -5,9 +5,9 @@ import argparse
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import NoReturn, get_args
+from typing import NoReturn, TypeVar, get_args
 
 import psutil
 
@@ -17,14 +17,23 @@ from ..pattern import FORMATS
 from ..pattern.nest.items import Grain
 from ..pattern.sheet.papers import roll_width
 from .apart import Limits
-from .input_error import InputError
 from .inputs import Found, found_models
-from .request import MILLIMETERS, AnyRequest, CutRequest, MarkerRequest, MaterialRequest, Orientation, Request
+from .request import (
+    MILLIMETERS,
+    AnyRequest,
+    CutRequest,
+    InputError,
+    MarkerRequest,
+    MaterialRequest,
+    Orientation,
+    Request,
+)
 
 LENGTH = re.compile(r"(\d+(?:\.\d*)?)(?:/(\d+))?\s*(mm|cm|m|in)")
 SHEET = re.compile(r"(\d+(?:\.\d*)?)x(\d+(?:\.\d*)?)\s*(mm|cm|m|in)")
 STRETCH = re.compile(r"(-?\d+(?:\.\d*)?)%(?:,\s*(-?\d+(?:\.\d*)?)%)?")
 MEMORY = re.compile(r"(\d+(?:\.\d*)?)\s*(MB|GB)")
+T = TypeVar("T")
 BYTES = {"MB": 10**6, "GB": 10**9}
 GRAINS: dict[str, Grain] = {
     "one-way": "one way",
@@ -93,7 +102,9 @@ def parsed(words: Sequence[str]) -> Arguments:
     if given.command is propose:
         if given.together and (given.piece or given.count):
             propose.error("--together chooses pieces and cuts itself: use it without --piece and --count")
-        return Arguments([_cut_request(model, given) for model in given.models], given.jobs, _limits(given))
+        material = _made(MaterialRequest, given)
+        cuts = [_made(CutRequest, given, model=model, material=material) for model in given.models]
+        return Arguments(cuts, given.jobs, _limits(given))
     try:
         is_batch = given.command is batch
         models = found_models(given.models) if is_batch else [Found(model, Path()) for model in given.models]
@@ -146,7 +157,7 @@ def _shape_options() -> argparse.ArgumentParser:
 
 def _cut_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
-    options.add_argument("--cut", choices=("dart", "seam"), default="dart", help="kind of cut (dart)")
+    options.add_argument("--cut", dest="kind", choices=("dart", "seam"), default="dart", help="kind of cut (dart)")
     options.add_argument("--piece", type=_count, metavar="N", help="cut only the N-th piece (the one that gains most)")
     options.add_argument(
         "--count", type=_count, metavar="N", help="number of proposals, with mirror images counted once (5)"
@@ -170,7 +181,12 @@ def _model_options() -> argparse.ArgumentParser:
     """Return the options that may differ from model to model."""
     options = _Options(add_help=False, allow_abbrev=False, parents=[_shape_options()])
     options.add_argument(
-        "--format", default="pdf,svg", metavar="F,F", type=_formats, help="kinds of files: pdf, svg, dxf, plt (pdf,svg)"
+        "--format",
+        dest="formats",
+        default="pdf,svg",
+        metavar="F,F",
+        type=_formats,
+        help="kinds of files: pdf, svg, dxf, plt (pdf,svg)",
     )
     options.add_argument(
         "--page", default="a4", type=_page, help="paper for PDF: a4, letter, a0, 36in, 900mm, ... (a4)"
@@ -249,48 +265,14 @@ def _request(found: Found, given: argparse.Namespace) -> Request:
     if given.marker:
         width, length = given.marker
         marker = MarkerRequest(width, length, given.gap, GRAINS[given.grain], given.times, given.seconds)
-    return Request(
-        model=found.model,
-        folder=given.out / found.folder,
-        seams=given.seams,
-        wires=given.wires,
-        formats=given.format,
-        page=given.page,
-        allowance=given.allowance,
-        hem=given.hem,
-        unit=given.unit,
-        pairs=given.pairs,
-        on_fold=given.on_fold,
-        imperial=given.imperial,
-        material=_material(given),
-        marker=marker,
-        picture=given.picture,
-        blender=given.blender,
-        resume=given.resume,
-        repair=given.repair,
-        take_proposals=given.take_proposals,
-    )
+    own = {"model": found.model, "folder": given.out / found.folder, "marker": marker, "refusal": ""}
+    return _made(Request, given, material=_made(MaterialRequest, given), **own)
 
 
-def _cut_request(model: Path, given: argparse.Namespace) -> CutRequest:
-    return CutRequest(
-        model=model,
-        seams=given.seams,
-        wires=given.wires,
-        no_seam=given.no_seam,
-        unit=given.unit,
-        material=_material(given),
-        kind=given.cut,
-        piece=given.piece,
-        count=given.count,
-        strain=given.strain,
-        longest=given.longest,
-        together=given.together,
-    )
-
-
-def _material(given: argparse.Namespace) -> MaterialRequest:
-    return MaterialRequest(given.cloth, given.orientation, given.stretch, given.thickness, given.surface)
+def _made(kind: type[T], given: argparse.Namespace, **others: object) -> T:
+    """Return a request of this kind: its fields have the names of arguments, apart from the others."""
+    names = [each.name for each in fields(kind)]  # type: ignore[arg-type]
+    return kind(**{name: others[name] if name in others else getattr(given, name) for name in names})
 
 
 def _clashes(requests: Sequence[Request]) -> dict[int, str]:

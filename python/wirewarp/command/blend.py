@@ -10,8 +10,7 @@ from typing import Any
 from ..report import Report, ReportError, from_dict, place_name, verdict
 from ..report.names import note_text
 from .figures import figures_of
-from .input_error import InputError
-from .request import Request
+from .request import InputError, Request
 from .verdicts import Line, word_of
 
 SCRIPT = Path(__file__).with_name("flatten_in_blender.py")

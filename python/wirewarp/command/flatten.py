@@ -9,42 +9,33 @@ from typing import Any
 
 import numpy as np
 
-from .. import Cloth, Ease, FlattenError, FlattenResult, Options, Wire, __version__, flatten
-from ..pattern import Marker, Pattern, Written
+from .. import Cloth, Ease, FlattenResult, Options, Wire, __version__, flatten
+from ..pattern import Pattern, Written
 from ..pattern.files import today
 from ..report import make_report, verdict
 from .blend import BlenderError, flatten_blend
 from .figures import figures_of
-from .input_error import InputError
 from .lines import Lines, lines_of, seams_of
 from .model import Model, read_model
 from .proposals import with_proposals
 from .repair import Repaired, repaired
-from .request import FROM_MODEL, MILLIMETERS, MarkerRequest, MaterialRequest, Request
+from .request import BLEND, FROM_MODEL, MILLIMETERS, InputError, MaterialRequest, Request
 from .staged import staged_folder, take_places
-from .suffixes import BLEND
-from .verdicts import REFUSED, STOPPED, Line, unfinished, word_of
+from .verdicts import REFUSED, STOPPED, Line, unfinished, with_faults_answered, word_of
 
 # Only the names and contents of these files matter.
 WHEREABOUTS = ("blender", "folder", "model", "refusal", "resume", "seams", "wires")
 
 
+@with_faults_answered
 def flatten_model(request: Request) -> Line:
     """Return the line. Never raises for faults of the model, the folder or a file that was read again."""
     try:
         return _line(request)
-    except InputError as error:
-        return unfinished(REFUSED, "input", str(error))
-    except FlattenError as error:
-        return unfinished(REFUSED, error.code.value, str(error))
     except RuntimeError as error:  # the file read again differs from the pattern
         return unfinished(REFUSED, "read_back", str(error))
-    except OSError as error:
-        return unfinished(REFUSED, "file", f"{error.filename or request.folder}: {error.strerror or error}")
     except BlenderError as error:
         return unfinished(STOPPED, "crashed", str(error))
-    except MemoryError:
-        return unfinished(STOPPED, "memory_limit", "There is not enough memory for this model.")
 
 
 def _line(request: Request) -> Line:
@@ -154,7 +145,7 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
             settings: dict[str, Any] = {"paper": request.page} if kind == "pdf" else {}
             _note(pattern.write(folder / request.pattern_path(kind).name, **settings), line)
         if request.marker:
-            marker = _nested(pattern, request.marker)
+            marker = pattern.nested(**asdict(request.marker))
             laid = pattern.laid_on(marker)
             for kind in request.formats:
                 _note(laid.write(folder / request.marker_path(kind).name), line)  # PDF on a roll of the necessary width
@@ -213,12 +204,6 @@ def _pattern(request: Request, result: FlattenResult) -> Pattern:
         pairs=request.pairs,
         on_fold=request.on_fold,
         units="imperial" if request.imperial else "metric",
-    )
-
-
-def _nested(pattern: Pattern, wanted: MarkerRequest) -> Marker:
-    return pattern.nested(
-        wanted.width, wanted.length, gap=wanted.gap, grain=wanted.grain, times=wanted.times, seconds=wanted.seconds
     )
 
 

@@ -7,9 +7,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from .input_error import InputError
-from .request import FROM_MODEL
-from .suffixes import SUFFIXES
+from .request import FROM_MODEL, SUFFIXES, InputError
 
 LIST = ".jsonl"
 Options = dict[str, str | int | float | bool]
@@ -70,10 +68,5 @@ def _in_list(path: Path) -> Iterator[Found]:
                 entry[option] = str(path.parent / str(entry[option]))
         if not isinstance(model, str) or not all(isinstance(value, str | int | float) for value in entry.values()):
             raise InputError(f"{source}: a model and its options are texts, numbers or true")
-        yield Found(path.parent / model, _folder_of(Path(model)), entry, source)
-
-
-def _folder_of(model: Path) -> Path:
-    """Return the folder of the model in the list, if it is inside the folder of the list."""
-    inside = not model.is_absolute() and ".." not in model.parts
-    return model.parent if inside else Path()
+        is_inside = not Path(model).is_absolute() and ".." not in Path(model).parts  # the folder of the list
+        yield Found(path.parent / model, Path(model).parent if is_inside else Path(), entry, source)

@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 
 from .. import Ease, FlattenError, Wire
-from .input_error import InputError
 from .model import Model
+from .request import InputError
 
 SHARP = math.radians(30)  # as in Blender's Select Sharp Edges
 KEYS = {"vertices": {"vertices", "tolerance", "name", "ease"}, "side": {"side", "ease"}}

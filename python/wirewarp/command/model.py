@@ -10,8 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .input_error import InputError
-from .suffixes import READ_BY_TRIMESH, SUFFIXES
+from .request import READ_BY_TRIMESH, SUFFIXES, InputError
 
 # Remove names, comments and materials of text formats. Names may have any encoding; in Shift-JIS a letter may end in a
 # backslash, which joins two lines. trimesh would sort the faces by materials and renumber the vertices.

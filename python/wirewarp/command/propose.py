@@ -4,33 +4,19 @@
 import math
 from typing import Any
 
-from .. import DartProposal, ErrorCode, FlattenError, plan_cuts, propose_darts, propose_seams
+from .. import DartProposal, plan_cuts, propose_darts, propose_seams
 from .flatten import material_options
-from .input_error import InputError
 from .lines import edges_of, lines_of, seams_of
 from .model import read_model
-from .request import MILLIMETERS, CutRequest
-from .suffixes import BLEND
-from .verdicts import NOTHING, PROPOSED, REFUSED, STOPPED, Line, unfinished
+from .request import BLEND, MILLIMETERS, CutRequest, InputError
+from .verdicts import PROPOSED, Line, with_faults_answered
 
 IN_BLENDER = "In Blender the add-on suggests darts and seams; here models are OBJ, PLY, STL or glTF."
 
 
+@with_faults_answered
 def propose_for(request: CutRequest) -> Line:
     """Return the line. Never raises for faults of the model."""
-    try:
-        return _line(request)
-    except InputError as error:
-        return unfinished(REFUSED, "input", str(error))
-    except FlattenError as error:
-        return unfinished(NOTHING if error.code == ErrorCode.no_proposal else REFUSED, error.code.value, str(error))
-    except OSError as error:
-        return unfinished(REFUSED, "file", f"{error.filename or request.model}: {error.strerror or error}")
-    except MemoryError:
-        return unfinished(STOPPED, "memory_limit", "There is not enough memory for this model.")
-
-
-def _line(request: CutRequest) -> Line:
     if request.model.suffix.lower() == BLEND:
         raise InputError(IN_BLENDER)
     model = read_model(request.model)

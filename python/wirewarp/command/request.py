@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The request for one model."""
+"""The request for one model, and faults of it."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +10,13 @@ from ..pattern.nest.items import Grain
 MILLIMETERS = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 Orientation = Literal["wire", "boundary", "up", "best"]  # as in Options
 FROM_MODEL = ("uv", "sharp")
+BLEND = ".blend"
+READ_BY_TRIMESH = (".obj", ".ply", ".stl", ".gltf", ".glb")
+SUFFIXES = (*READ_BY_TRIMESH, BLEND)
+
+
+class InputError(Exception):
+    """A fault of the input. str() is a sentence."""
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from .input_error import InputError
-from .request import Request
+from .request import InputError, Request
 
 HIDDEN = ".wirewarp-"  # prefix of the names of staged folders
 EARLIER = ".earlier"  # folder in the staged one, for the files of the previous run

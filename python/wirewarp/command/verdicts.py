@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The possible results of a model, and the line that reports each."""
 
-from typing import Any
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, TypeVar
 
+from .. import ErrorCode, FlattenError
 from ..report import Kind, Verdict
+from .request import AnyRequest, InputError
 
 READY, NEEDS_STRETCH = "ready to cut", "needs stretch fabric"
 FAILED, REFUSED, STOPPED = "not ready to cut", "refused", "stopped"
@@ -11,6 +15,7 @@ PROPOSED, NOTHING = "proposed", "nothing to propose"
 # Exit codes: the command ends with that of the worst model. With 0, every length is exact and a fabric can do it.
 EXIT_CODES = {READY: 0, NEEDS_STRETCH: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
 Line = dict[str, Any]
+R = TypeVar("R", bound=AnyRequest)
 
 
 def word_of(verdict: Verdict) -> str:
@@ -23,3 +28,24 @@ def word_of(verdict: Verdict) -> str:
 def unfinished(verdict: str, code: str, problem: str) -> Line:
     """Return the line of a model of which nothing was written."""
     return {"verdict": verdict, "problems": [problem], "codes": [code]}
+
+
+def with_faults_answered(work: Callable[[R], Line]) -> Callable[[R], Line]:
+    """Return the work; a fault of the model or of a file becomes its line."""
+
+    @wraps(work)
+    def answer(request: R) -> Line:
+        try:
+            return work(request)
+        except InputError as error:
+            return unfinished(REFUSED, "input", str(error))
+        except FlattenError as error:
+            verdict = NOTHING if error.code == ErrorCode.no_proposal else REFUSED
+            return unfinished(verdict, error.code.value, str(error))
+        except OSError as error:
+            place = error.filename or getattr(request, "folder", request.model)
+            return unfinished(REFUSED, "file", f"{place}: {error.strerror or error}")
+        except MemoryError:
+            return unfinished(STOPPED, "memory_limit", "There is not enough memory for this model.")
+
+    return answer

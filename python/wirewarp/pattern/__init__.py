@@ -17,11 +17,12 @@ from .options import PatternOptions
 from .pattern import Pattern
 from .pattern_data import PatternData, SewingStep, Written
 from .progress import STAGES
-from .sheet.papers import Page
+from .sheet.papers import PAPERS, Page, roll_width
 from .units import UnitSystem
 
 __all__ = [
     "FORMATS",
+    "PAPERS",
     "STAGES",
     "Chain",
     "Choice",
@@ -44,4 +45,5 @@ __all__ = [
     "Written",
     "add_font_folder",
     "longer_text",
+    "roll_width",
 ]

@@ -82,9 +82,7 @@ def _derived(kind: type) -> list[str]:
     return [name for owner, names in DERIVED.items() if issubclass(kind, owner) for name in names]
 
 
-@cache
-def _types(kind: type) -> dict[str, Any]:
-    return get_type_hints(kind)
+_types = cache(get_type_hints)
 
 
 def _read(kind: Any, value: Any, place: str) -> Any:  # noqa: ANN401 (JSON)

@@ -3,13 +3,14 @@
 
 import math
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from .. import BoundaryReport, Cloth, Ease, FlattenResult, HelperWire, Piece, SeamReport, WireReport
+from .. import BoundaryReport, Cloth, Ease, FlattenResult, Piece, SeamReport, WireReport
 from .. import Wire as MarkedWire
 from . import model
 from .asked import LENGTH_LIMIT, asked_of_outline, asked_of_wire, kept
@@ -54,8 +55,11 @@ def make_report(
     each triangle belongs, if its faces are larger. issues: one for each failed piece, if they replace the library's
     sentences.
     """
+    points = np.asarray(vertices, dtype=np.float64)
+    sides = {(a, b): ease.ratio for ease in eases for a, b in np.asarray(ease.half_edges).tolist()}
     known = limits or (cloth.limits if cloth and cloth.limits else (None, None))
-    return _Maker(result, vertices, faces, wires, eases, cloth, fabric, known, meters, name, polygons).report(issues)
+    places = Places(triangle_areas(points, np.asarray(faces)), polygons)
+    return _Maker(result, points, wires, sides, cloth, fabric, known, meters, name, places).report(issues)
 
 
 def failure_report(issue: Issue, name: str = "") -> Report:
@@ -63,28 +67,18 @@ def failure_report(issue: Issue, name: str = "") -> Report:
     return Report(object=name, issues=[issue])
 
 
+@dataclass(frozen=True)
 class _Maker:
-    def __init__(
-        self,
-        result: FlattenResult,
-        vertices: npt.ArrayLike,
-        faces: npt.ArrayLike,
-        wires: Sequence[MarkedWire],
-        eases: Iterable[Ease],
-        cloth: Cloth | None,
-        fabric: str,
-        limits: Limits,
-        meters: float,
-        name: str,
-        polygons: np.ndarray | None,
-    ) -> None:
-        self._result = result
-        self._vertices = np.asarray(vertices, dtype=np.float64)
-        self._wires = wires
-        self._eases = [wire.ease for wire in wires]
-        self._sides = {(a, b): ease.ratio for ease in eases for a, b in np.asarray(ease.half_edges).tolist()}
-        self._cloth, self._fabric, self._limits, self._meters, self._name = cloth, fabric, limits, meters, name
-        self._places = Places(triangle_areas(self._vertices, np.asarray(faces)), polygons)
+    _result: FlattenResult
+    _vertices: np.ndarray  # (n,3)
+    _wires: Sequence[MarkedWire]
+    _sides: dict[tuple[int, int], float]  # ease of directed edges with an ease on one side
+    _cloth: Cloth | None
+    _fabric: str
+    _limits: Limits
+    _meters: float
+    _name: str
+    _places: Places
 
     def report(self, issues: Sequence[Issue] | None) -> Report:
         result = self._result
@@ -105,14 +99,13 @@ class _Maker:
             seams=[self._seam(index, seam, failed) for index, seam in enumerate(result.seams)],
             wires=wires,
             issues=list(issues),
-            hints=wire_hints(wires) + self._strain_hints(pieces) + coarse_hints(self._laid(pieces)),
+            hints=wire_hints(wires)
+            + self._strain_hints(pieces)
+            + coarse_hints([own for piece, own in zip(pieces, result.pieces, strict=True) if piece.ok]),
             notes=notes,
             reused_pieces=result.report["reused_pieces"],
             seconds=dict(result.report["seconds"]),
         )
-
-    def _laid(self, pieces: Sequence[model.Piece]) -> list[Piece]:
-        return [own for piece, own in zip(pieces, self._result.pieces, strict=True) if piece.ok]
 
     def _strain_hints(self, pieces: Sequence[model.Piece]) -> list[Hint]:
         if self._cloth:
@@ -160,7 +153,10 @@ class _Maker:
             flipped_faces=len(self._places.faces_of(metrics.flipped_faces)),
             overlapping_faces=len(self._places.faces_of(metrics.overlapping_faces)),
             wires=[self._wire(wire) for wire in piece.wires],
-            helper_wires=[_helper(wire) for wire in piece.helper_wires],
+            helper_wires=[
+                model.HelperWire(**_lengths(wire.length_3d, [wire.length_2d], []), variation=_number(wire.variation))
+                for wire in piece.helper_wires
+            ],
             outline=[_chain(chain, length) for chain, length in zip(piece.boundaries, asked, strict=True)],
             threads=threads,
             termination=str(piece.report.termination),
@@ -176,7 +172,7 @@ class _Maker:
         )
 
     def _wanted(self, piece: Piece) -> Wanted:
-        return wanted_strain(eases_of_piece(piece, self._eases, self._sides))
+        return wanted_strain(eases_of_piece(piece, [wire.ease for wire in self._wires], self._sides))
 
     def _faces_around(self, piece: Piece, shares: np.ndarray) -> list[int]:
         """Return the faces around the face with the largest share."""
@@ -184,7 +180,7 @@ class _Maker:
         return self._places.faces_of(np.asarray(piece.source_face)[around])
 
     def _wire(self, wire: WireReport) -> model.WirePart:
-        ease = self._eases[wire.wire_index]
+        ease = self._wires[wire.wire_index].ease
         given = abs(wire.variation - ease)
         if str(wire.kind) == "super_elastic":
             is_kept = math.isfinite(wire.length_2d)  # no other length is guaranteed
@@ -240,10 +236,6 @@ def _issue(piece: Piece, index: int, wires: Sequence[MarkedWire]) -> Issue:
             for wire, tolerance in error.proposed_tolerances
         ],
     )
-
-
-def _helper(wire: HelperWire) -> model.HelperWire:
-    return model.HelperWire(**_lengths(wire.length_3d, [wire.length_2d], []), variation=_number(wire.variation))
 
 
 def _chain(chain: BoundaryReport, asked: float) -> model.Chain:

@@ -3,8 +3,9 @@
 
 import math
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -107,11 +108,7 @@ def sewn_sides(loops: Sequence[Sequence[Side]], count: int) -> list[list[SewnSid
         for side in loop:
             if side.seam is not None:
                 sides[side.seam].append(side)
-    return [[_directed(side, own[0]) for side in own] for own in sides]
-
-
-def _directed(side: Side, first: Side) -> SewnSide:
-    return SewnSide(side, bool(np.array_equal(side.sources, first.sources)))
+    return [[SewnSide(side, np.array_equal(side.sources, own[0].sources)) for side in own] for own in sides]
 
 
 def is_dart(first: Side, second: Side, widest: float) -> bool:
@@ -139,12 +136,6 @@ def turn_between(first: Side, second: Side) -> float:
     return turn - 2 * math.pi if turn > math.pi - 1e-6 else turn
 
 
-def _corners(loops: Sequence[Sequence[Side]]) -> Iterator[tuple[Side, Side]]:
-    for loop in loops:
-        for number, side in enumerate(loop):
-            yield side, loop[(number + 1) % len(loop)]
-
-
 def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
     """Return (junction's input vertex, seam) of the seams that are sewn before those that cross them at their end.
 
@@ -156,7 +147,7 @@ def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
     angles: dict[int, dict[int, list[float]]] = defaultdict(lambda: defaultdict(list))
     beside: dict[tuple[int, int], set[int]] = defaultdict(set)
     length: dict[int, float] = {}
-    for first, second in _corners(loops):
+    for first, second in (corner for loop in loops for corner in pairwise([*loop, loop[0]])):
         vertex, inside = int(first.sources[-1]), math.pi - turn_between(first, second)
         for side, other in ((first, second), (second, first)):
             if side.seam is not None:

@@ -4,6 +4,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal, get_args
 
 import numpy as np
@@ -89,7 +90,9 @@ class Rules:
 
 
 def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
-    darts = _darts_of(loop) if rules.darts != "cut" else []
+    # A slit inside a piece counts as two darts, because it has two tips.
+    corners_of_loop = [*pairwise([*loop, loop[0]])] if rules.darts != "cut" else []
+    darts = [Dart(first, second) for first, second in corners_of_loop if is_dart(first, second, WIDEST_DART)]
     legs = [side for dart in darts for side in (dart.first, dart.second)]
 
     def is_leg(side: Side) -> bool:
@@ -121,12 +124,6 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
             corners[-1] = Corner()
         sections += [Section(run.points, run.width or 0.0, corner) for run, corner in zip(own, corners, strict=True)]
     return Outline(runs, sections, darts, slits)
-
-
-def _darts_of(loop: Sequence[Side]) -> list[Dart]:
-    """Return the darts. A slit inside a piece counts as two, because it has two tips."""
-    pairs = [(side, loop[(number + 1) % len(loop)]) for number, side in enumerate(loop)]
-    return [Dart(first, second) for first, second in pairs if is_dart(first, second, WIDEST_DART)]
 
 
 def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:

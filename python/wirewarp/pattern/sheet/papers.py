@@ -2,22 +2,35 @@
 """Papers for patterns, by their usual names."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from ..checks import checked_length, problem
 from ..units import INCH
 
-SHEETS = {
-    "a4": (210.0, 297.0),
-    "letter": (8.5 * INCH, 11 * INCH),
-    "a4-letter": (210.0, 11 * INCH),  # fits on both
-    "a3": (297.0, 420.0),
-    "tabloid": (11 * INCH, 17 * INCH),
-    "a0": (841.0, 1189.0),
-}
-ROLLS = {"36in": 36 * INCH, "24in": 24 * INCH}
+
+class Paper(NamedTuple):
+    """A kind of paper. Lengths are in millimeters."""
+
+    label: str
+    width: float | None = None  # of an upright sheet, or of a roll; None: as the pattern needs
+    height: float | None = None  # of an upright sheet
+
+
 PROJECTOR = "projector"
+PAPERS = {
+    "a4": Paper("A4", 210.0, 297.0),
+    "letter": Paper("Letter", 8.5 * INCH, 11 * INCH),
+    "a4-letter": Paper("A4 or Letter", 210.0, 11 * INCH),  # fits on both
+    "a3": Paper("A3", 297.0, 420.0),
+    "tabloid": Paper("Tabloid", 11 * INCH, 17 * INCH),
+    "a0": Paper("A0", 841.0, 1189.0),
+    "36in": Paper("Roll of 36 in", 36 * INCH),
+    "24in": Paper("Roll of 24 in", 24 * INCH),
+    PROJECTOR: Paper("Projector"),
+}
+SHEETS = {name: (paper.width, paper.height) for name, paper in PAPERS.items() if paper.width and paper.height}
 LONGEST = 5000.0  # millimeters: PDF viewers support pages up to 5.08 m
 MARGIN = 10.0  # few printers print nearer to the edge of a sheet
 
@@ -43,11 +56,9 @@ def sheet_name(row: int, column: int) -> str:
 
 def roll_width(paper: str | float) -> float | None:
     """Return millimeters, or None if the paper is not a roll. Raises FlattenError for an unknown paper."""
+    if paper in PAPERS:
+        return None if paper in SHEETS else PAPERS[str(paper)].width
     if isinstance(paper, str):
-        if paper in ROLLS:
-            return ROLLS[paper]
-        if paper in SHEETS or paper == PROJECTOR:
-            return None
-        known = ", ".join([*SHEETS, *ROLLS, PROJECTOR])
+        known = ", ".join(PAPERS)
         raise problem(f"paper is {paper!r}: give one of {known}, or the width of a roll in millimeters.")
     return checked_length("paper, the width of a roll,", paper, 100.0, LONGEST)
