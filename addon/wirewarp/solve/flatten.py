@@ -234,6 +234,7 @@ def issue_of_error(error: FlattenError, arrays: MeshArrays, flipped: int = 0, ov
         vertices=[int(vertex) for vertex in error.vertices],
         edges=[(int(a), int(b)) for a, b in error.edges],
         faces=faces,
+        wires=list(error.arguments.get("wires", [])),
         proposed_seams=seams_on_edges(error.proposed_seams, arrays),
         proposed_tolerances=looser_wires(error.proposed_tolerances, arrays),
     )

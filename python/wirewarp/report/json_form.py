@@ -15,7 +15,7 @@ from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
 
 from .model import Lengths, Report, Threads
 
-SCHEMA = "wirewarp-report-5"
+SCHEMA = "wirewarp-report-6"
 LENGTHS = {"length_3d", "length_2d", "length_asked", "difference", "mismatch"}
 AREAS = {"area_3d", "area_2d"}
 DERIVED = {Lengths: ("difference", "percent"), Threads: ("over",), Report: ("ok", "method_name")}

@@ -230,6 +230,7 @@ def _issue(piece: Piece, index: int, wires: Sequence[MarkedWire]) -> Issue:
         vertices=list(error.vertices),
         edges=list(error.edges),
         faces=list(error.faces),
+        wires=list(error.arguments.get("wires", [])),
         proposed_seams=list(error.proposed_seams),
         proposed_tolerances=[
             LooserWire(name=wires[wire].name, tolerance=tolerance, edges=list(pairwise(wires[wire].vertices.tolist())))

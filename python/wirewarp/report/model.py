@@ -204,6 +204,7 @@ class Issue:
     vertices: list[int] = field(default_factory=list)
     edges: Pairs = field(default_factory=list)
     faces: list[int] = field(default_factory=list)
+    wires: list[int] = field(default_factory=list)  # indices of the wires that the sentence names
     proposed_seams: Pairs = field(default_factory=list)  # edges that make the piece flat if they are seams
     proposed_tolerances: list[LooserWire] = field(default_factory=list)
     both_sides: bool = False  # the proposal is for this piece and its mirror image

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Names of the entries of a report in panels, sentences and tables."""
 
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import chain
@@ -74,13 +73,14 @@ def rename_wires(report: Report, names: Mapping[int, str]) -> None:
     renamed = {wire.name: names[wire.wire_id] for wire in report.wires}
     if all(old == new for old, new in renamed.items()):
         return
+    report_name = {wire.wire: wire.name for wire in report.wires}
     name_of = {wire.wire: names[wire.wire_id] for wire in report.wires}
     for part in chain(report.wires, *(piece.wires for piece in report.pieces)):
         part.name = name_of[part.wire]
     report.issues = [
         replace(
             issue,
-            sentence=_renamed(issue.sentence, renamed),
+            sentence=_renamed(issue.sentence, {report_name[wire]: name_of[wire] for wire in issue.wires}),
             proposed_tolerances=[
                 replace(wire, name=renamed.get(wire.name, wire.name)) for wire in issue.proposed_tolerances
             ],
@@ -90,8 +90,9 @@ def rename_wires(report: Report, names: Mapping[int, str]) -> None:
 
 
 def _renamed(sentence: str, renamed: Mapping[str, str]) -> str:
-    """Replace names only in the lists after the word wire: a piece or an object may have the same name."""
-    quoted = "|".join(re.escape(name) for name in sorted(renamed, key=len, reverse=True))
-    listed = rf'\b[Ww]ires? "(?:{quoted})"(?:(?:, | and )"(?:{quoted})")*'
-    each = re.compile(f'"({quoted})"')
-    return re.sub(listed, lambda text: each.sub(lambda match: f'"{renamed[match[1]]}"', text[0]), sentence)
+    """Replace each quoted name once, also if two wires exchange their names."""
+    for number, old in enumerate(renamed):
+        sentence = sentence.replace(f'"{old}"', f'"\0{number}"')
+    for number, new in enumerate(renamed.values()):
+        sentence = sentence.replace(f'"\0{number}"', f'"{new}"')
+    return sentence
