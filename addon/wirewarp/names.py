@@ -36,19 +36,7 @@ SIDE_ALLOWANCE = Mark("wirewarp_side_allowance", "FLOAT", "CORNER", is_length=Tr
 SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # of one side, see state.sides
 SIDE = Mark("wirewarp_side", "INT", "EDGE")  # the number of the face on that side, 0 none
 FACE = Mark("wirewarp_face", "INT", "FACE")  # random 31-bit number of faces beside edges with a marked side, 0 none
-MARKS = (
-    WIRE,
-    TOLERANCE,
-    EASE,
-    SIDE_EASE,
-    SIDE_RATIO,
-    EASED_SIDE,
-    ALLOWANCE,
-    SIDE_ALLOWANCE,
-    SIDE_WIDTH,
-    SIDE,
-    FACE,
-)
+MARKS = (WIRE, TOLERANCE, EASE, SIDE_EASE, SIDE_RATIO, EASED_SIDE, ALLOWANCE, SIDE_ALLOWANCE, SIDE_WIDTH, SIDE, FACE)
 NO_SEAM = "wirewarp_no_seam"  # on faces, above 0: none is suggested there; also a vertex group of the object
 
 # On the model's mesh, written by a run.

@@ -98,11 +98,7 @@ class PatternSettings:
         items=[
             ("IN_ROWS", "In Rows", "Side by side to save paper, without rotation"),
             ("MARKER", "Marker", "Nested as closely as possible on fabric of one width. Each piece is cut once"),
-            (
-                "AS_LAID_OUT",
-                "As Laid Out",
-                "As in the flat object, where you have moved and turned them",
-            ),
+            ("AS_LAID_OUT", "As Laid Out", "As in the flat object, where you have moved and turned them"),
         ],
         update=_redraw,
     )

@@ -6,7 +6,4 @@ May import: ui, state, solve, blender, properties, core, issues, names.
 
 from . import operators, sewing
 
-MODULES = (
-    operators,
-    sewing,
-)
+MODULES = (operators, sewing)

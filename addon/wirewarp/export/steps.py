@@ -101,10 +101,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
         (0.0, 100.0, 500.0),
         step=1000,
     )
-    failed_pieces: BoolProperty(
-        name="Failed Pieces",
-        description="Also export failed pieces, for inspection only",
-    )
+    failed_pieces: BoolProperty(name="Failed Pieces", description="Also export failed pieces, for inspection only")
     modes = WORKING_MODES
     refusal = "Select a model that has been flattened, or its flat pieces"
     _has_dialog = False  # a script has no event

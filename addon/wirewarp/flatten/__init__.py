@@ -6,7 +6,4 @@ May import: ui, state, solve, blender, properties, core, issues, names.
 
 from . import auto_update, operators
 
-MODULES = (
-    operators,
-    auto_update,
-)
+MODULES = (operators, auto_update)

@@ -222,7 +222,4 @@ def forget_joining() -> None:
         bpy.utils.unregister_class(cls)
 
 
-CLASSES = (
-    OBJECT_OT_wirewarp_update,
-    WM_OT_wirewarp_watch,
-)
+CLASSES = (OBJECT_OT_wirewarp_update, WM_OT_wirewarp_watch)

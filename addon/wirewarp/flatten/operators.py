@@ -228,7 +228,4 @@ class OBJECT_OT_wirewarp_cancel(bpy.types.Operator):
         return {"FINISHED"}
 
 
-CLASSES = (
-    OBJECT_OT_wirewarp_flatten,
-    OBJECT_OT_wirewarp_cancel,
-)
+CLASSES = (OBJECT_OT_wirewarp_flatten, OBJECT_OT_wirewarp_cancel)

@@ -155,11 +155,7 @@ def check_current(context: bpy.types.Context, models: list[Model], settings: Run
 
 
 def _read(
-    source: bpy.types.Object,
-    depsgraph: bpy.types.Depsgraph,
-    units: LengthText,
-    allowance: float,
-    settings: RunSettings,
+    source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: LengthText, allowance: float, settings: RunSettings
 ) -> Model:
     """Read a model. allowance: the default, in Blender units."""
     use_modifiers = settings.use_modifiers

@@ -6,12 +6,4 @@ May import: suggest, flatten, marks, overlay, ui, state, solve, blender, propert
 
 from . import export_panel, flatten_panel, mend, next_step, operators, panel, piece_list
 
-MODULES = (
-    operators,
-    mend,
-    next_step,
-    flatten_panel,
-    export_panel,
-    piece_list,
-    panel,
-)
+MODULES = (operators, mend, next_step, flatten_panel, export_panel, piece_list, panel)

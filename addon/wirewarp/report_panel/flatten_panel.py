@@ -22,16 +22,7 @@ from ..suggest.panel import are_shown, draw_suggest
 from ..ui.layout import LEVEL_ICONS, SidebarPanel, draw_progress, draw_sentence
 from ..ui.settings import draw_settings, settings_sentence, shown_report, untrue_sentence
 from ..ui.window_run import FLATTEN
-from .next_step import (
-    CHECK,
-    SHOW,
-    NextStep,
-    draw_first_steps,
-    next_step,
-    piece_to_cut,
-    uv_step,
-    wants_seams,
-)
+from .next_step import CHECK, SHOW, NextStep, draw_first_steps, next_step, piece_to_cut, uv_step, wants_seams
 
 OTHER_SHAPE = 1.5  # in the fitted top, leather must stretch 11% and woven cotton 7.6%
 ICON = "MATCLOTH"

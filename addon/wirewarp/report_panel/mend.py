@@ -261,8 +261,4 @@ def _take_suggestion(source: bpy.types.Object, *, is_smooth: bool) -> int:
     return mark_seams(source.data, cut.edges)
 
 
-CLASSES = (
-    OBJECT_OT_wirewarp_check,
-    OBJECT_OT_wirewarp_show_fault,
-    OBJECT_OT_wirewarp_mend,
-)
+CLASSES = (OBJECT_OT_wirewarp_check, OBJECT_OT_wirewarp_show_fault, OBJECT_OT_wirewarp_mend)

@@ -245,7 +245,4 @@ def _reason(issues: Sequence[Issue], what: str) -> str:
     return ""
 
 
-CLASSES = (
-    OBJECT_OT_wirewarp_open_sample,
-    WM_OT_wirewarp_guide,
-)
+CLASSES = (OBJECT_OT_wirewarp_open_sample, WM_OT_wirewarp_guide)

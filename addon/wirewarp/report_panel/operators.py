@@ -187,12 +187,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
     bl_idname = "mesh.wirewarp_take_proposal"
     bl_label = "Use Suggestion"
 
-    what: EnumProperty(
-        name="What",
-        description="What to use from the report",
-        items=PROPOSALS,
-        options={"HIDDEN"},
-    )
+    what: EnumProperty(name="What", description="What to use from the report", items=PROPOSALS, options={"HIDDEN"})
     issue: IntProperty(name="Issue", description="Its place in the report, from 0", min=0, options={"HIDDEN"})
 
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:

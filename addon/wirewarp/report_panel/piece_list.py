@@ -115,7 +115,4 @@ def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: Pi
         draw_select(line, "STRETCH" if row.stretch_max >= row.ease_max else "EASE", row.index)
 
 
-CLASSES = (
-    WIREWARP_UL_pieces,
-    VIEW3D_PT_wirewarp_pieces,
-)
+CLASSES = (WIREWARP_UL_pieces, VIEW3D_PT_wirewarp_pieces)

@@ -74,10 +74,7 @@ LAYOUT_OPTIONS = (*(each.name for each in fields(FlattenChoices) if each.metadat
 
 
 def flatten_arrays(
-    library: ModuleType,
-    arrays: MeshArrays,
-    choices: FlattenChoices,
-    solved: Cache | None = None,
+    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, solved: Cache | None = None
 ) -> Steps[FlattenResult]:
     """Return the library's FlattenResult. solved: a Cache with pieces that need no new solution.
 
@@ -101,10 +98,7 @@ def library_arguments(library: ModuleType, arrays: MeshArrays, choices: FlattenC
 
 def library_marks(library: ModuleType, arrays: MeshArrays) -> dict[str, Any]:
     """Return the wires and eases. Raises ObjectError."""
-    return {
-        "wires": [_library_wire(library, wire) for wire in arrays.wires],
-        "eases": _library_eases(library, arrays),
-    }
+    return {"wires": [_library_wire(library, wire) for wire in arrays.wires], "eases": _library_eases(library, arrays)}
 
 
 def result_of(job: "Job[Result]") -> Steps[Result]:

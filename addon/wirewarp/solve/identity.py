@@ -156,10 +156,7 @@ class _Shape:
 
 
 def identify_pieces(
-    result: FlattenResult,
-    arrays: MeshArrays,
-    known: KnownPieces,
-    model_name: str,
+    result: FlattenResult, arrays: MeshArrays, known: KnownPieces, model_name: str
 ) -> list[PieceIdentity]:
     """Return the identity of each piece of a FlattenResult. A piece that is the whole model has the model's name."""
     count = len(result.pieces)

@@ -115,9 +115,7 @@ def uv_seams(result: FlattenResult, arrays: MeshArrays, meters: float, cloth: Cl
     pieces = _library_report(result, arrays, meters, cloth).pieces
     good = [piece for piece in pieces if piece.ok]
     return UvSeams(
-        pieces=len(pieces),
-        failed=len(pieces) - len(good),
-        stretch=max((piece.needed for piece in good), default=0.0),
+        pieces=len(pieces), failed=len(pieces) - len(good), stretch=max((piece.needed for piece in good), default=0.0)
     )
 
 

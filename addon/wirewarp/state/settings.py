@@ -74,11 +74,7 @@ class FlattenSettings:
                 "By Length",
                 "Every section of a line counts by its length, however fine its mesh is. Best for most models",
             ),
-            (
-                "UNIFORM",
-                "By Vertex",
-                "Every vertex counts the same, so finely meshed sections of a line count more",
-            ),
+            ("UNIFORM", "By Vertex", "Every vertex counts the same, so finely meshed sections of a line count more"),
         ],
     )
     cloth: EnumProperty(
@@ -174,11 +170,7 @@ class FlattenSettings:
                 "The grain wire, which has an arrow in the list of wires; in pieces that it does not cross, their "
                 "first wire. Without a grain wire, the same as World Up",
             ),
-            (
-                "BEST",
-                "Best for the Fabric",
-                "Turn each piece so that the fabric must stretch least. Needs a fabric",
-            ),
+            ("BEST", "Best for the Fabric", "Turn each piece so that the fabric must stretch least. Needs a fabric"),
             ("BOUNDARY", "Longest Straight Edge", "The longest straight section of the outline"),
             ("UP", "World Up", "What points up (Z) on the model; in level pieces, their first wire"),
         ],

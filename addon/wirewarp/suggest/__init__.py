@@ -6,8 +6,4 @@ May import: flatten, marks, ui, state, solve, blender, properties, core, issues,
 
 from . import operators, panel, smooth
 
-MODULES = (
-    operators,
-    smooth,
-    panel,
-)
+MODULES = (operators, smooth, panel)

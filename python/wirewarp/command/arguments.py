@@ -35,11 +35,7 @@ STRETCH = re.compile(r"(-?\d+(?:\.\d*)?)%(?:,\s*(-?\d+(?:\.\d*)?)%)?")
 MEMORY = re.compile(r"(\d+(?:\.\d*)?)\s*(MB|GB)")
 T = TypeVar("T")
 BYTES = {"MB": 10**6, "GB": 10**9}
-GRAINS: dict[str, Grain] = {
-    "one-way": "one way",
-    "both-ways": "both ways",
-    "free": "free",
-}  # as in Pattern.nested
+GRAINS: dict[str, Grain] = {"one-way": "one way", "both-ways": "both ways", "free": "free"}  # as in Pattern.nested
 ORIENTATIONS = get_args(Orientation)
 VERDICTS = (
     "Prints one line of JSON for each model. The exit code is that of the worst model. 0: every length is exact and a "

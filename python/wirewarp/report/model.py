@@ -12,11 +12,7 @@ from typing import Any
 Pairs = list[tuple[int, int]]  # edges as vertex pairs
 ANY_FABRIC = 0.03  # a stretch that every fabric can do: the smallest in the core's table, that of woven cotton
 
-METHOD_NAMES = {
-    "refined": "Refined",
-    "wirewarp++": "WireWarping++",
-    "wirewarping": "WireWarping, all wires rigid",
-}
+METHOD_NAMES = {"refined": "Refined", "wirewarp++": "WireWarping++", "wirewarping": "WireWarping, all wires rigid"}
 
 
 @dataclass(kw_only=True)

@@ -44,10 +44,5 @@ def _drawn(points: np.ndarray) -> list[str]:
 
 
 PLT_FORMAT = Format(
-    ".plt",
-    "PLT, for plotters",
-    "HPGL, which plotters and vinyl cutters read",
-    write_plt,
-    read_plt,
-    is_along_cloth=True,
+    ".plt", "PLT, for plotters", "HPGL, which plotters and vinyl cutters read", write_plt, read_plt, is_along_cloth=True
 )

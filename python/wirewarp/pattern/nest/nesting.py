@@ -50,12 +50,7 @@ class Cloth:
 
 
 def nesting(
-    pieces: Sequence[PatternPiece],
-    cloth: Cloth,
-    times: int,
-    seconds: float,
-    units: UnitSystem,
-    preview: Preview | None,
+    pieces: Sequence[PatternPiece], cloth: Cloth, times: int, seconds: float, units: UnitSystem, preview: Preview | None
 ) -> Steps[Marker]:
     """Do the work of Pattern.nesting. pieces: none of them half a piece on the fold."""
     count = sum(sum(piece.quantity) for piece in pieces)

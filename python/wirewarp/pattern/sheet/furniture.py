@@ -66,10 +66,7 @@ def _scale_block(corner: np.ndarray, units: UnitSystem) -> tuple[list[Stroke], l
     else:
         bar, first, second = (6 * INCH, "6 in"), (4 * INCH, "4 in"), (50.0, "50 mm")
     strokes = [*_bar(origin, bar[0], np.array([1.0, 0.0])), *_bar(origin, bar[0], np.array([0.0, 1.0]))]
-    texts = [
-        Text((bar[1],), origin + (bar[0] - 10, 5.0), 4.0),
-        Text((bar[1],), origin + (5.0, bar[0] - 10), 4.0, 90.0),
-    ]
+    texts = [Text((bar[1],), origin + (bar[0] - 10, 5.0), 4.0), Text((bar[1],), origin + (5.0, bar[0] - 10), 4.0, 90.0)]
     at = origin + 8.0
     for (side, label), lines in ((first, ("Measure before cutting",)), (second, ())):
         strokes.append(Stroke("scale", at + side * UNIT, True))

@@ -14,17 +14,7 @@ from ..marker import SHEETS_APART, Marker
 from ..model import PatternPiece, Text
 from ..pattern_data import OVERLAP, PatternData
 from ..units import UnitSystem
-from .furniture import (
-    GRID_LAYER,
-    SHEET_LAYER,
-    SIZE,
-    Marks,
-    grid_marks,
-    map_marks,
-    part_marks,
-    scale_marks,
-    sheet_marks,
-)
+from .furniture import GRID_LAYER, SHEET_LAYER, SIZE, Marks, grid_marks, map_marks, part_marks, scale_marks, sheet_marks
 from .papers import LONGEST, MARGIN, PROJECTOR, SHEETS, Page, roll_width
 from .tiles import divided
 
@@ -181,13 +171,7 @@ def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
 
 
 def _marker_marks(
-    pattern: PatternData,
-    marker: Marker,
-    corner: np.ndarray,
-    size: np.ndarray,
-    page: int,
-    is_first: bool,
-    is_last: bool,
+    pattern: PatternData, marker: Marker, corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool
 ) -> list[Marks]:
     edges = part_marks(corner, size, page, is_first, is_last)
     if page > 1:
