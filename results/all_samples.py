@@ -40,8 +40,8 @@ def seams(found: Summary) -> str:
 
 TABLES: dict[str, Callable[[Summary], str]] = {
     "**Distortion *E*:** the ARAP energy of Eq. (4) over the area.": energy,
-    "**Length:** the largest relative change of a stretch of outline or a rigid wire.": worst_line,
-    "**Length of rigid wires, mm:** how far the worst is off, of its length on the model.": worst_wire,
+    "**Length:** the largest relative change of a section of outline or a rigid wire.": worst_line,
+    "**Length of rigid wires, mm:** the largest error.": worst_wire,
     "**Seams, mm:** the largest difference between two sides of a seam.": seams,
     "**Angles:** rms (of the worst piece) and largest difference between the angles of wires and outline in the plane "
     "and on the surface.": angles,
@@ -75,9 +75,9 @@ def section(inputs: Inputs) -> str:
     return f"""## All samples
 
 Blender's unwraps with its default options, each island scaled to its area on the model; ARAP by libigl, from Blender's
-angle-based unwrap; WireWarp with its default options but for the method. Wires have the tolerances of the samples,
+angle-based unwrap; WireWarp with its default options except the method. Wires have the tolerances of the samples,
 ±5% on elastic ones;
-{", ".join(only_rigid)} have only rigid wires, so that WireWarping and WireWarping++ are the same there. What is off by
-less than a nanometer, or a part in 10⁸, is written as 0.
+{", ".join(only_rigid)} have only rigid wires, so that WireWarping and WireWarping++ are the same there. Errors below
+a nanometer, or relative errors below 10⁻⁸, are shown as 0.
 
 {chr(10).join(t + chr(10) for t in [*tables, faults(found)])}"""

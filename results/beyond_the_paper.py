@@ -79,19 +79,19 @@ def section(inputs: Inputs) -> str:
     flipped = sum(after.flipped + after.overlapping for _, after in found.values())
     return f"""## Beyond the paper
 
-WireWarping finds the angles of wires and outline first, those closest to the surface's, and the shape follows from
-them. The refined method, WireWarp's default, looks for the least distorted shape among all that
-have the same exact lengths, and weighs the angles against *E* only so far as lines stay smooth
-(`native/README.md`). With the same tolerances *E* of WireWarping++ is {times[least]:.1f} ({least}) to
-{times[most]:.1f} times ({most}) that of the refined method; every edge of outlines, rigid
-and elastic wires still has its length, to less than 1e{edge} of it, and
+WireWarping first finds the angles of wires and outline that are closest to those on the surface, and the shape
+follows from them. The refined method, WireWarp's default, finds the least distorted shape with the same exact
+lengths, and includes the angles only enough to keep lines smooth (`native/README.md`).
+With the same tolerances *E* of WireWarping++ is {times[least]:.1f} ({least}) to
+{times[most]:.1f} times ({most}) that of the refined method; every edge of outlines, rigid and elastic wires still
+has its length, with a relative error below 1e{edge}, and
 {count(flipped, "triangle is", "triangles are")} flipped or overlapping.
 {angle_sentence(found)}
 
 {table(HEADER, [row(name, *both) for name, both in found.items()])}
 
-Factorizations are those of Newton systems, of the piece that took the most. All other measures and methods, Blender's
-and ARAP too, are under [All samples](#all-samples). The pictures have one scale for length and one for color each.
+Factorizations are those of Newton systems, for the piece with the most. All other measures and methods, including
+Blender's and ARAP, are in [All samples](#all-samples). Each picture has one scale for length and one for color.
 
 {chr(10).join(draw(inputs, name) for name in DRAWN)}
 

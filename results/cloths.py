@@ -103,18 +103,19 @@ def worn_subsection(inputs: Inputs) -> str:
     }
     return f"""### Simulated fit
 
-A smaller energy of the flat pieces is not yet a better garment. NVIDIA Newton's SolverStyle3D, a physics engine that
-shares no code with WireWarp, sews the same pieces, as a woven with the ratios of the preset, and puts them on their
-model (`results/wear_in_newton.py`), without gravity and friction.
+A smaller energy of the flat pieces does not guarantee a better garment. NVIDIA Newton's SolverStyle3D, a physics engine
+that shares no code with WireWarp, sews the same pieces, as a woven with the ratios of the preset, and puts them on
+their model (`results/wear_in_newton.py`), without gravity and friction.
 
 {table(["pieces flattened for", "gap, rms mm", "slide, rms mm", "strain", "worst wire"], rows)}
 
-*Gap*: how far the cloth comes to rest off the model. *Slide*: how far each point of it from its own place. *Strain*:
-99th percentile of that of the more strained thread, *worst wire*: the largest change of a wire's length, both as worn.
+*Gap*: distance of the fabric from the model at rest. *Slide*: distance of each point from its place on the model.
+*Strain*: 99th percentile of the strain of the more strained thread. *Worst wire*: largest change of a wire's length.
+Both are measured as worn.
 Pieces flattened for the woven have {range_of(change["gap"])} times the gap of those flattened without a cloth,
-{range_of(change["slide"])} times the slide and {range_of(change["strain"])} times the strain: the body lets cloth slide
-until its threads carry little, whatever the choice, so that a shape between exact outlines decides less of the fit than
-the outlines do.
+{range_of(change["slide"])} times the slide and {range_of(change["strain"])} times the strain: on the body, fabric
+slides until its threads carry little load, with or without a fabric choice. So the shape between exact outlines
+affects the fit less than the outlines.
 """
 
 
@@ -138,24 +139,25 @@ def section(inputs: Inputs) -> str:
     rows = [[name, *(strains(row[choice]) for choice in CHOICES)] for name, row in found.items()]
     return f"""## Fabrics
 
-What each cloth must give: strain of the threads across (weft) and along the grain (warp), and the angle by which they
-leave the right angle. In all columns the lengths of outlines, seams and wires are the same and exact; only the shape
-between them differs. Each number is the 99th percentile by area: a hundredth of the piece asks for more.
+The tables show the strain of each fabric: of the threads across (weft) and along the grain (warp), and their
+deviation from a right angle. In all columns the lengths of outlines, seams and wires are the same and exact; only the
+shape between them differs. Each number is the 99th percentile by area: 1% of the piece has more.
 
 {table(["across / along / shear", *CHOICES], rows)}
 
 {chr(10).join(draw(inputs, name, found[name]) for name in DRAWN)}
 
-A woven has stiff threads and is easily sheared. Flattened for it, the more strained thread of a place is strained
-{woven} times as much as without a cloth (99th percentiles), and {best} times in the direction in which the energy is
-least. Shear and the ARAP energy, which count all directions alike, pay for it: *E* is {range_of(energy)} times as
-large. A jersey gives more across than along: its strain along is lower than without a cloth on {lower} of the
-{len(found)} samples. {", ".join(unfolded)} are unfolded and put no strain on any fabric. In time of the processor, all
-samples together take {times} as without a cloth.
+A woven has stiff threads and shears easily. In pieces flattened for it, the more strained thread of a place has
+{woven} times the strain without a fabric (99th percentiles), and {best} times in the direction of least energy. Shear
+and the ARAP energy, which weighs all directions equally, become larger: *E* is {range_of(energy)} times as large. A
+jersey stretches more across than along: its strain along is lower than without a fabric on {lower} of the {len(found)}
+samples. {", ".join(unfolded)} are unfolded and put no strain on any fabric. All samples together take {times} as
+without a fabric.
 
-**What to choose.** Without a cloth, for materials that resist alike in all directions: felt, paper, leather of unknown
-direction, foam. A preset where the material is known: the numbers above are then what *it* must give, and a warning
-says where it cannot. The best direction where the fabric has no nap or print and the pieces may lie as they like on it;
-otherwise a grain line, which holds each piece as a tailor lays it.
+**What to choose.** Use no fabric for materials that are equally stiff in all directions: felt, paper, leather of
+unknown direction, foam. If the material is known, use its preset: the numbers above are then its strain, and a
+warning appears if it cannot stretch that far. Use the best direction if the fabric has no nap or print and the pieces
+may have any direction on it. Otherwise use a grain line, which gives each piece the direction that a tailor would
+choose.
 
 {worn_subsection(inputs)}"""

@@ -110,30 +110,30 @@ def section(inputs: Inputs) -> str:
 
 Three samples are not cut as long as they are on the model. The swimsuit is swim knit, stretched {100 * across:.0f}%
 across and {100 * along:.0f}% along when worn. The head of the set-in sleeve is eased into the armhole, between its
-notches. The skirt is gathered to its waistband; its fairness is {shapes[SKIRT].fairness}. Everywhere else on this page
-they, too, have the lengths of the model.
+notches. The skirt is gathered to its waistband; its fairness is {shapes[SKIRT].fairness}. Everywhere else on this
+page, they also have the lengths of the model.
 
 {table(["mm", "worn", "cut", "difference", "share"], [length_row(line) for line in lines])}
 
 Lines across the swim knit are cut to 1/{1 + across:.2f} of their length, lines along it to 1/{1 + along:.2f}, those
-between by their direction, and a seam by the mean of its two sides. Each eased edge is
-longer by the same share. But for that ease, the two sides of a seam {differ(mismatch)}.
+between by their direction, and a seam by the mean of its two sides. All eased edges are longer by the same share.
+Except for that ease, the two sides of a seam {differ(mismatch)}.
 
 {chr(10).join(draw(inputs, name, as_made[name]) for name in DRAWN)}
 
-What each cloth must give (99th percentiles by area), the energy that is made small for it, *E*, and the time of the
-processor. All rows of a sample have the same exact lengths, but for those that are cut for stretched cloth: their
-strain counts from the cloth as cut.
+The table shows the strain of each fabric (99th percentiles by area), the minimized energy, *E*, and processor time.
+All rows of a sample have the same exact lengths, except those that are cut for stretched fabric: their strain is
+measured from the fabric as cut.
 
 {table(["", "across / along / shear", "its energy", "*E*", "s"], rows)}
 
-**What to choose.** Stretch for a knit that is to lie close: enter how far it is stretched when worn, in both
-directions, and take one that gives what the report then names in all, on the swimsuit
-{plain_percent(as_made[SWIMSUIT].weft, 0)} across and {plain_percent(as_made[SWIMSUIT].warp, 0)} along. Ease of one side
-where one piece is to be fuller than the other, at a sleeve head or an elbow: with
+**What to choose.** Use negative ease for a close-fitting knit: enter how far it is stretched when worn, in both
+directions, and choose one with the total stretch in the report, on the swimsuit
+{plain_percent(as_made[SWIMSUIT].weft, 0)} across and {plain_percent(as_made[SWIMSUIT].warp, 0)} along. Use ease on
+one side if one piece must be fuller than the other, at a sleeve head or an elbow: with
 {1000 * eased(as_made[SLEEVE]):.0f} mm of it *E* of the sleeve and its bodice
-{change(plain_sleeve, as_made[SLEEVE].energy)}. Gathers, an ease of 50% to 150%, with more fairness, so that the long
-edge stays smooth, and without a cloth: what looks like strain there are folds, which hardly any cloth resists, while a
-woven, easily sheared, would evade it sideways (shear {degrees(unwoven.shear)} without a cloth, {degrees(woven.shear)}
+{change(plain_sleeve, as_made[SLEEVE].energy)}. For gathers, use an ease of 50% to 150% with more fairness, so that
+the long edge stays smooth, and no fabric: the strain there becomes folds, which hardly any fabric resists, while a
+woven would shear instead (shear {degrees(unwoven.shear)} without a cloth, {degrees(woven.shear)}
 with it).
 """

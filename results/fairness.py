@@ -40,7 +40,7 @@ def subsection(inputs: Inputs) -> str:
 
 {table(HEADER, rows)}
 
-All wires rigid. Fairness is the shortest wiggle of a line that is left alone, over the square root of the piece's area:
-lengths are exact with any. More of it makes lines smoother and cloth between them more distorted; without it rigid
-outlines would buckle into zigzags. 0.05 is the default.
+All wires are rigid. Fairness is the shortest wavelength of a line that is not smoothed, over the square root of the
+piece's area. Lengths are exact for any value. Larger values make lines smoother and the fabric between them more
+distorted; without fairness, rigid outlines would buckle into zigzags. 0.05 is the default.
 """

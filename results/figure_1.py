@@ -56,14 +56,14 @@ def section(inputs: Inputs) -> str:
 
 {table(HEADER, rows)}
 
-*Shorter is −, longer is +; the outline keeps its length in all of them.* With both wires rigid they have no choice but
-to swing out to the sides, and beside them *E_r* reaches {rigid.max_aspect_ratio:.2f}. With an elastic
+*− is shorter, + is longer; the outline keeps its length in all cases.* If both wires are rigid, they must bend to
+the sides, and *E_r* reaches {rigid.max_aspect_ratio:.2f} beside them. With an elastic
 meridian, which changes by {percent(one.wires[0].change)}, *E* {change(rigid.energy, one.energy)}; with both
 elastic, at {meridian} and {across}, it {change(rigid.energy, both.energy)} from the rigid case, and the largest *E_r*
-is {both.max_aspect_ratio:.2f}. This reproduces the paper's figure qualitatively. Ours is a quarter sphere without its
-tips. With the first angles that close all loops, as in the paper, and equal weights (`inner="least-norm"`,
-`node_weight="uniform"`) *E* of the rigid case is {first.energy:.4f} in place of {rigid.energy:.4f}. The refined method,
-second in the picture,
-has the same lengths to keep: *E* of the rigid case {change(rigid.energy, refined.energy)}, with both elastic it
+is {both.max_aspect_ratio:.2f}. This reproduces the paper's figure qualitatively. Our surface is a quarter sphere
+without its tips. With the first angles that close all loops, as in the paper, and equal weights (`inner="least-norm"`,
+`node_weight="uniform"`) *E* of the rigid case is {first.energy:.4f} instead of {rigid.energy:.4f}. The refined
+method, second in the picture, keeps the same lengths: *E* of the rigid case
+{change(rigid.energy, refined.energy)}, with both elastic it
 {change(both.energy, refined_both.energy)}.
 """

@@ -50,7 +50,7 @@ def section(inputs: Inputs) -> str:
 
 {table(HEADER, rows)}
 
-{" ".join(sentences)} Outlines and seams stay rigid; how much a tolerance on the wires across a piece gains depends on
-how much of its distortion the outline fixes already. Two sides of a seam {differ(mismatch)}.
-The paper shows pieces for a toy and for furniture, without figures; our bear and armchair are others.
+{" ".join(sentences)} Outlines and seams stay rigid. The gain from a tolerance on the wires across a piece depends on
+how much of its distortion the outline causes. Two sides of a seam {differ(mismatch)}.
+The paper shows pieces for a toy and for furniture, without numbers; our bear and armchair are different models.
 """

@@ -56,20 +56,19 @@ def section(inputs: Inputs) -> str:
 
 {table(HEADER, [row(name, s) for name, s in found.items()])}
 
-Outline and rigid wires: the largest relative change of a whole one, stretches of outline from junction to junction;
-elastic wires: of the part inside a piece, which under WireWarping++ and Refined is allowed up to the tolerance of ±5%
-and under the methods above is one error more. ARAP has the least *E* by its definition; but the pieces
-of the methods that keep
-no lengths do not fit together, nor do their wires keep their lengths: two sides of one seam
-differ by {millimeters(peers[best_peer].seam_mismatch)} mm ({best_peer}) to
-{millimeters(peers[worst_peer].seam_mismatch)} mm ({worst_peer}). Under WireWarping,
-WireWarping++ and Refined they {differ(max(found[name].seam_mismatch for name in KEEPING_LENGTHS))}.
+For outlines and rigid wires, the table has the largest relative change of a whole wire or a section of outline
+between junctions. For elastic wires, it has that of the part inside a piece: WireWarping++ and Refined may change it
+by up to ±5%, and for the methods above it is an error. ARAP has the least *E* by definition. But with the methods
+that keep no lengths, pieces do not fit together and wires change their lengths: two sides of one seam differ by
+{millimeters(peers[best_peer].seam_mismatch)} mm ({best_peer}) to
+{millimeters(peers[worst_peer].seam_mismatch)} mm
+({worst_peer}). With WireWarping, WireWarping++ and Refined they
+{differ(max(found[name].seam_mismatch for name in KEEPING_LENGTHS))}.
 From WireWarping to WireWarping++ *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
 {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)} and the largest *E_A*
-{change(rigid.max_face_energy, elastic.max_face_energy)}. So far as the paper. From
-WireWarping++ to Refined, with the same tolerances, *E* {change(elastic.energy, refined.energy)}.
-In place of its ABF++ stands Blender's
-angle-based unwrap, each island scaled to its area on the model, not by its longest edge. The jeans are our own, and
-simpler. *E_A* is Eq. (6) over the area of the triangle, so that it does not depend on how fine the mesh is. Triangles
-that are flipped are counted and drawn; the paper does not mention them.
+{change(rigid.max_face_energy, elastic.max_face_energy)}. The rest is not in the paper: from WireWarping++ to
+Refined, with the same tolerances, *E* {change(elastic.energy, refined.energy)}.
+Instead of the paper's ABF++, the page uses Blender's angle-based unwrap, with each island scaled to its area on the
+model, not by its longest edge. The jeans are our own and simpler. *E_A* is Eq. (6) over the area of the triangle, so
+that it does not depend on the mesh size. Flipped triangles are counted and drawn; the paper does not mention them.
 """

@@ -38,10 +38,11 @@ rigid wires keep their lengths in all three flattenings, and two sides of a seam
 {differ(max(s.seam_mismatch for s in found))}.
 From WireWarping to WireWarping++ *E* {change(rigid.energy, elastic.energy)}, the largest *E_r*
 {change(rigid.max_aspect_ratio, elastic.max_aspect_ratio)}; of {len(elastic.changes)} elastic parts of wires
-{count(at_limit, "lies", "lie")} at the limit of the tolerance. The paper shows the elastic result alone. The refined
-method, under the same tolerances: from WireWarping++ *E* {change(elastic.energy, refined.energy)}, the largest *E_r*
-{change(elastic.max_aspect_ratio, refined.max_aspect_ratio)}. Elastic wires across several pieces have a length of their
-own in each:
+{count(at_limit, "lies", "lie")} at the limit of the tolerance. The paper only shows the elastic result. With the
+refined method and the same tolerances, from WireWarping++ *E* {change(elastic.energy, refined.energy)}, the largest
+*E_r*
+{change(elastic.max_aspect_ratio, refined.max_aspect_ratio)}. Elastic wires across several pieces have a
+separate length in each:
 
 {table(["", "wire", "WireWarping++", "Refined"], parts)}
 """

@@ -51,16 +51,16 @@ def section(inputs: Inputs) -> str:
     ratios = " and ".join(f"{seconds[t] / seconds[0.0]:.1f}" for t in TOLERANCES[1:])
     return f"""## Seams that give
 
-All seams of a sample may become longer or shorter by as much, both sides alike, and each as is best for all pieces it
-joins; the outlines that are no seams and the wires stay as they are.
+All seams of a sample may become longer or shorter by this much, equally on both sides, and each as is best for all
+its pieces. Other outlines and the wires keep their lengths.
 
 {table(header, rows)}
 
-With ±3% *E* falls by {plain_percent(gains[least])} ({least}) to {plain_percent(gains[most])} ({most}). The two sides of
-a seam, flat, {differ(mismatch)}. The time of the processor is {ratios} times that with rigid seams.
+With ±3% *E* falls by {plain_percent(gains[least])} ({least}) to {plain_percent(gains[most])} ({most}). The two sides
+of a flat seam {differ(mismatch)}. Processor time is {ratios} times that with rigid seams.
 
-**What to choose.** Keep seams rigid where a tape measure will be held to them: waist, collar, a zip. Let the others
-change by an amount that anyone sewing can ease in easily, 1% in firm fabric, 3% in a knit or in neoprene: the pieces
-lie flatter, and every pair of edges still meets end to end. Where one side is to be longer than the other, for a sleeve
-head or for gathers, it takes an ease of its own.
+**What to choose.** Keep seams rigid if their lengths are measured: waist, collar, a zip. Let the others change by an
+amount that is easy to sew, 1% in firm fabric, 3% in a knit or in neoprene: the pieces have less distortion, and all
+pairs of edges still match. If one side must be longer than the other, for a sleeve head or for gathers, give it an
+ease.
 """

@@ -54,5 +54,8 @@ def wrap(page: str) -> str:
     """Wrap the lines of paragraphs again; headings, tables, pictures and lists do not change."""
     blocks = page.split("\n\n")
     return "\n\n".join(
-        block if block.lstrip().startswith(("#", "|", "[![", "- ")) else textwrap.fill(block, WIDTH) for block in blocks
+        block
+        if block.lstrip().startswith(("#", "|", "[![", "- "))
+        else textwrap.fill(block, WIDTH, break_on_hyphens=False)
+        for block in blocks
     )

@@ -53,23 +53,23 @@ def opening(version: str, sections: list[str]) -> str:
 
 Written by `./dev results`, which regenerates every number and picture of this page; commit {version}.
 
-The examples of "WireWarping++" (Zhang, Wang), section IV, on geometry of our own (`blend_samples/shapes/`), with the
-methods the paper compares and with WireWarp's own, the default:
-{", ".join(METHODS)}. All of them are measured by the same code, `wirewarp.measure`.
+The examples of "WireWarping++" (Zhang, Wang), section IV, on our own geometry (`blend_samples/shapes/`), with the
+methods that the paper compares and with WireWarp's default method: {", ".join(METHODS)}. All of them are measured by
+the same code, `wirewarp.measure`.
 
 {contents(sections)}
 
-**What is measured.** *E* is the ARAP energy of Eq. (4) over the area of the surface, *E_A* that of one triangle,
-Eq. (6), over its area; so *E* is the mean of *E_A*, and neither depends on how fine the mesh is. *E_r* is the larger of
-a triangle's largest stretch and its largest squeeze: 1 only where nothing is distorted. Means are over the area. What
-happens to the length of a line is said of whole wires and of stretches of outline from junction to junction.
+**Measures.** *E* is the ARAP energy of Eq. (4) over the area of the surface. *E_A*, Eq. (6), is the same for one
+triangle. So *E* is the mean of *E_A*, and neither depends on the mesh size. *E_r* is the larger of a triangle's
+largest stretch and its largest compression; it is 1 only without distortion. Means are over the area. Length changes
+refer to whole wires and to sections of outline between junctions.
 
-**Differences from the paper.** The angles are the local minimum of Eq. (1) reached from the surface angles,
-where the paper stops at the first angles that close all loops; nodes count by the length of wire around them; the
-gradient of *E* by *h* is exact; and a piece that turns triangles over is said to do so. "Refined" is not in the paper
-at all: [Beyond the paper](#beyond-the-paper) says what it does.
+**Differences from the paper.** The angles are the local minimum of Eq. (1) reached from the surface angles, whereas
+the paper stops at the first angles that close all loops. Nodes have weights by the length of wire around them. The
+gradient of *E* by *h* is exact. Flipped triangles are reported. "Refined" is not in the paper: see [Beyond the
+paper](#beyond-the-paper).
 
-[Cuts beside OptCuts](cuts.md), on its benchmark, are a page of their own, which is not made by `./dev results`.
+A separate page, not written by `./dev results`, compares [cuts with those of OptCuts](cuts.md) on its benchmark.
 """
 
 
