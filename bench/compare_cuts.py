@@ -209,32 +209,32 @@ def page(
     call = " ".join([HEADLESS, "MESH", *OPTIONS])
     text = f"""# Cuts beside OptCuts
 
-Written by `bench/compare_cuts.py`, which says how; not part of `./dev bench`. Machine: {machine()}. Commit:
+Written by `bench/compare_cuts.py`, which describes the steps; not part of `./dev bench`. Machine: {machine()}. Commit:
 {arguments.commit}.
 
-[OptCuts](https://github.com/liminchen/OptCuts) (Li, Kaufman, Kim, Solomon, Sheffer 2018) finds cuts and flat shape at
-once. It runs as its authors measure it, with the energy bound to {BOUND} and without overlaps (`{call}`), built
-without its window. The surfaces are its benchmark's, whole: closed ones, and ones with an outline. {which}
+[OptCuts](https://github.com/liminchen/OptCuts) (Li, Kaufman, Kim, Solomon, Sheffer 2018) finds cuts and flat shape
+together. It runs as in its authors' benchmark, with the energy bound to {BOUND} and without overlaps (`{call}`),
+built without its window. The surfaces are the complete ones of its benchmark, closed or with an outline. {which}
 
 {in_brief(found)}
 
-**What is measured.** Both results are measured by one code, `bench/cut_measures.py`. *Energy* is the symmetric
-Dirichlet energy, the mean over the surface's area of σ₁² + σ₂² + 1/σ₁² + 1/σ₂²; 4 where nothing is distorted. It is
-normalized as OptCuts does it: by the area of the surface, with the flat shape at the size it has, not scaled. *Length*
-is that of the cuts on the surface, every edge counted once and the outlines it had before not at all, over √area;
-OptCuts divides by √(area / π), which makes its figures 1.77 times as large. *Strain* is what 99% of the area stay below
-of max(σ₁, 1/σ₂) − 1. *Mismatch* is by how much the two sides of a cut differ in length when flat, edge by edge, mean
-over the length of the cuts, mm per m. *s* are seconds of processor time on one core, at most {LIMIT} for either.
+**Measures.** One program, `bench/cut_measures.py`, measures both results. *Energy* is the symmetric
+Dirichlet energy, the mean over the surface's area of σ₁² + σ₂² + 1/σ₁² + 1/σ₂²; it is 4 without distortion. It is
+normalized as in OptCuts: by the area of the surface, with the flat shape at its actual size. *Length* is that of the
+cuts on the surface over √area; every edge counts once, and outlines of the surface do not count. OptCuts divides by
+√(area / π), which makes its numbers 1.77 times as large. *Strain* is the value of max(σ₁, 1/σ₂) − 1 that 99% of the
+area stays below. *Mismatch* is the flat length difference of the two sides of each cut edge, mean over the length of
+the cuts, in mm per m. *s* are seconds of processor time on one core, at most {LIMIT} for either.
 
-**What is compared.** Of WireWarp the shortest cuts found under which the energy keeps below {BOUND}. A surface with no
-flat shape is cut by `propose_seams`, which proposes sets of cuts, each with fewer than the one before, for an aimed
-strain of {100 * AIMS[0]:.0f}%, and if none of these keeps below, of
-{", ".join(f"{100 * aim:.0f}%" for aim in AIMS[1:])}. The column *without darts* has the shortest set that keeps below.
-To the {FEWEST} sets with fewest cuts, or to a surface that lies flat uncut, darts are added besides: of {CHOICE} by
-`propose_darts` always the one that takes most energy for its length, until the energy keeps below the bound. What is
-shorter counts. WireWarp keeps the length of every cut and outline, so that the sides of a cut can be sewn to one
-another; OptCuts does not: it asks only for little distortion over the area. How much of the difference in length is due
-to that is not measured.
+**Comparison.** For WireWarp, we take the shortest cuts found that keep the energy below {BOUND}. A surface with no
+flat shape is cut by `propose_seams`, which proposes cut sets, each shorter than the one before, for a target strain
+of {100 * AIMS[0]:.0f}%, and if none of these is below the bound, of
+{", ".join(f"{100 * aim:.0f}%" for aim in AIMS[1:])}. The column *without darts* has the shortest set below the bound.
+To the {FEWEST} sets with fewest cuts, and to a surface that is flat without cuts, darts are added: of {CHOICE} by
+`propose_darts` each time the one with the largest decrease of energy for its length, until the energy is below the
+bound. The shorter result counts. WireWarp keeps the length of every cut and outline, so that the sides of a cut can
+be sewn together. OptCuts does not; it only limits the distortion over the area. The effect of this on the length of
+cuts was not measured.
 
 ## Surfaces
 """

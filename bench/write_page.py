@@ -26,17 +26,17 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
     return [
         "## Against other flatteners",
         "",
-        "All methods on the same surface, turn by turn on one core, each turn in a process of its own: CPU seconds "
-        "(medians; also as multiples of libigl's ARAP) and the most memory above what the process had with the "
-        "surface in it. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3%. "
+        "All methods run on the same surface in turn, on one core, each turn in its own process. The table has CPU "
+        "seconds (medians; also as multiples of libigl's ARAP) and the peak memory above that of the process with the "
+        "surface. **WireWarp**: the outline and two or eight wires rigid, or eight wires elastic by ±3%. "
         f"**libigl** as a Python package: harmonic start, then {ITERATIONS} iterations of ARAP or of SLIM (symmetric "
         f"Dirichlet energy); converged is when ten iterations move no vertex by more than {STILL:g} of the width, or "
         f"after {MOST_ITERATIONS:,}. **Blender** 4.5 as a Python module: its own three unwraps, scaled to the area of "
         "the surface.",
         "",
-        "`wirewarp.measure` judges all of them alike. Energy: ARAP energy over area. Worst outline, wire and edge of "
-        "both: relative errors against the lengths that were chosen; for libigl and Blender, which choose none, "
-        "against those of outline and eight wires on the surface.",
+        "`wirewarp.measure` measures all of them. Energy: ARAP energy over area. Worst outline, wire and edge of both: "
+        "relative errors from the target lengths; for libigl and Blender, which have none, from those of outline and "
+        "eight wires on the surface.",
         "",
         *peer_tables.peer_table(sheets),
         "",
@@ -45,8 +45,8 @@ def peers_section(sheets: list[Comparison]) -> list[str]:
         "",
         "![Seconds against triangles for every method](benchmarks/times.png)",
         "",
-        "Exponents from 10,000 triangles on. What exact lengths cost, at 10,000 triangles: to the left those methods "
-        "that keep them, to the right those that do not.",
+        "Exponents from 10,000 triangles on. The cost of exact lengths at 10,000 triangles: methods that keep "
+        "them are on the left, the others on the right.",
         "",
         "![Distortion against the worst length error for every method](benchmarks/lengths.png)",
         "",
@@ -66,7 +66,7 @@ def hard_section(hard: list[Comparison]) -> list[str]:
         "## Jittered sheets and many wires",
         "",
         f"The refined method with wires elastic by ±3%, eight if no other number is given. Jittered: each inner vertex "
-        f"is moved on the surface by up to {JITTER:g} of an edge in each direction, those of wires too. CPU seconds, "
+        f"is moved on the surface by up to {JITTER:g} of an edge in each direction, also those of wires. CPU seconds, "
         "also as multiples of libigl's ARAP on the same mesh.",
         "",
         *peer_tables.hard_table(hard),
@@ -78,9 +78,8 @@ def seams_section(seams: Comparison) -> list[str]:
     return [
         "## Two pieces and a seam",
         "",
-        f"The sheet 500 mm wide, {seams.triangles:,} triangles, cut in two by a straight row of edges. How much longer "
-        "one side of the seam is than the other, in millimeters: what has to be eased in or cut off when the pieces "
-        "are sewn.",
+        f"The sheet 500 mm wide, {seams.triangles:,} triangles, cut in two by a straight row of edges. The table has "
+        "the difference in length of the two sides of the seam, in millimeters, which sewing must ease in or cut off.",
         "",
         *peer_tables.seam_table(seams),
         "",
@@ -91,8 +90,8 @@ def blender_section(in_blender: dict) -> list[str]:
     return [
         "## In Blender",
         "",
-        f"Flatten from end to end in Blender {in_blender['blender']}, against Blender's angle-based unwrap of the "
-        "same sheet, turn by turn in one process on one core; median seconds. Two rigid wires. Flatten reads "
+        f"Flatten from end to end in Blender {in_blender['blender']}, compared with Blender's angle-based unwrap "
+        "of the same sheet, in turn in one process on one core; median seconds. Two rigid wires. Flatten reads "
         "the model, solves, the report included, and writes UV map, flat pieces and maps.",
         "",
         *tables.blender_table(in_blender["runs"]),
@@ -107,7 +106,8 @@ def stages_section(benchmarks: list[dict]) -> list[str]:
         "",
         "Milliseconds of the compiled core; factorizations use two cores. Exponents k: milliseconds grow as "
         f"triangles to the power of k, fitted from {min(sizes):,} to {max(sizes):,}. Peak resident memory of the "
-        "process, the mesh included. First the refined method, whose `shape` is all from the free ARAP start on:",
+        "process, including the mesh. First the refined method, whose `shape` includes everything after the free ARAP "
+        "start:",
         "",
         *tables.stage_table(benchmarks, "refine_sheet"),
         "",
@@ -116,7 +116,7 @@ def stages_section(benchmarks: list[dict]) -> list[str]:
         "",
         *tables.stage_table(benchmarks, "warp_sheet"),
         "",
-        "Parts of these measured alone, milliseconds by the number of triangles:",
+        "Parts of these, measured alone, in milliseconds by the number of triangles:",
         "",
         *tables.part_table(benchmarks),
         "",
@@ -165,8 +165,8 @@ def document(benchmarks: list[dict], in_blender: dict, peers: dict[str, list[Com
         "",
         "## Performance targets",
         "",
-        "Ratios are of CPU seconds on one core; seconds and exponents of the core by itself are by the clock, with two "
-        "cores where there are as many.",
+        "Ratios are of CPU seconds on one core; seconds and exponents of the core itself are wall time, on two "
+        "cores if available.",
         "",
         *target_table(sheets, peers["hard"], benchmarks),
         "",
