@@ -169,7 +169,7 @@ def test_buttons_say_what_they_do(addon, name):
     properties = bpy.context.window_manager.operator_properties_last(f"mesh.wirewarp_{name}")
     operator = getattr(bpy.types, f"MESH_OT_wirewarp_{name}")
     if name == "select_issues":
-        assert operator.description(bpy.context, properties) == ""  # the button has its own tooltip
+        assert operator.description(bpy.context, properties) == ""  # Blender shows the operator's own tooltip
         return
     said = []
     for item in properties.rna_type.properties["what"].enum_items:
