@@ -240,7 +240,7 @@ def test_there_is_no_second_run_beside_another(addon, source, monkeypatch):
 
 
 def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
-    """An update unregisters no operator, which would remove Adjust Last Operation; the add-on unregisters all at its end."""
+    """An update unregisters no operator, which would remove Adjust Last Operation; in the end the add-on does."""
     updating = addon.flatten.auto_update.updating_in
     idnames = [updating(group).idname_py() for group in ("Move", "Mark Seam", "Move", "Update Flat Pieces")]
     assert len(set(idnames)) == 3 and idnames[0] == idnames[2] and idnames[3] == "object.wirewarp_update"
