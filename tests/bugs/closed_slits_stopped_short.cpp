@@ -39,10 +39,10 @@ double shut_objective(const FlattenInput& input, const Options& options) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
   const SewnChart sewn = *sew(chart, find_slits(chart));
-  const RefinedShape shape = refine_chart(sewn.chart, options).shape;
-  EXPECT_TRUE(shape.is_exact() && shape.is_converged());
-  const FairShapeError objective({chart, build_held_network(chart), options.fairness});
-  return objective.value(shape.uv(sewn.vertex, Eigen::all)) / surface_area(chart.mesh);
+  const Solution shut = refine_chart(sewn.chart, options);
+  EXPECT_TRUE(shut.is_exact() && shut.is_converged());
+  const FairShapeError objective(chart, build_held_network(chart), options.fairness);
+  return objective.value(shut.shape.uv(sewn.vertex, Eigen::all)) / surface_area(chart.mesh);
 }
 
 TEST(Bugs, ClosedSlitsOfAFewEdgesTakeHardlyLongerThanWires) {

@@ -15,6 +15,7 @@
 #include "newton/coarse_start.h"
 #include "newton/coarsen/prolong.h"
 #include "newton/coarsen/prolong_wires.h"
+#include "newton/minimize.h"
 #include "newton/refine_chart.h"
 #include "surface/mesh/edge_table.h"
 #include "surface/mesh/geometry.h"
@@ -275,8 +276,9 @@ TEST(Prolong, FollowsQuadraticMaps) {
 TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
   const int n = 72;
   const Coarse c(with_cross(jittered_grid(n, 0.32, dome), n));
-  RefineBudget budget(100);
-  const Positions2 coarse_uv = refine_from_scratch({c.coarse.chart, c.coarse.network, 0.3}, budget).shape.uv;
+  Problem coarse_problem(c.coarse.chart, c.coarse.network, 0.3);
+  Budget budget(100);
+  const Positions2 coarse_uv = refine_from_scratch(coarse_problem, {budget}).shape.uv;
   Positions2 smooth = interpolate(c.chart, c.coarse, coarse_uv);
   prolong_wires(c.chart, c.network, c.coarse, coarse_uv, smooth);
   EXPECT_GT(ShapeError(c.chart).count_flips(smooth), 0);
@@ -289,17 +291,17 @@ TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
 void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int max_factorizations = 2) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const HeldNetwork network = build_held_network(chart);
-  RefineBudget coarse_budget(100), budget(100), budget_from_scratch(100);
-  const std::optional<RefinementStart> start = start_from_coarse({chart, network, fairness}, coarse_budget);
+  Problem problem(chart, fairness);
+  Budget coarse_budget(100), budget(100), budget_from_scratch(100);
+  const std::optional<Shape> start = start_from_coarse(problem, {coarse_budget});
   ASSERT_TRUE(start);
-  const RefinedShape shape = refine_shape({chart, network, fairness}, *start, {budget});
-  const RefinedShape from_scratch = refine_from_scratch({chart, network, fairness}, budget_from_scratch).shape;
-  EXPECT_TRUE(shape.is_exact());
-  EXPECT_TRUE(shape.is_converged());
-  EXPECT_LT(shape.length_error, 1e-12);
-  EXPECT_LE(shape.factorizations, max_factorizations);
-  EXPECT_NEAR(shape.objective, from_scratch.objective, 1e-9 * from_scratch.objective);
+  const Solution found = minimize(problem, {}, *start, {budget});
+  const Solution from_scratch = refine_from_scratch(problem, {budget_from_scratch});
+  EXPECT_TRUE(found.is_exact());
+  EXPECT_TRUE(found.is_converged());
+  EXPECT_LT(found.length_error, 1e-12);
+  EXPECT_LE(found.factorizations, max_factorizations);
+  EXPECT_NEAR(found.objective, from_scratch.objective, 1e-9 * from_scratch.objective);
 }
 
 TEST(CoarseStart, ReachesTheSameMinimumWithRigidWires) {
@@ -329,11 +331,11 @@ TEST(CoarseStart, LargeChartsTakeOneFactorization) {
   const int n = 104;  // 21,632 faces
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   int asked = 0;
-  const RefineResult refined =
+  const Solution refined =
       refine_chart(charts.charts.at(0), Options{}, StopToken([&](const char*) { return ++asked > 0; }));
-  EXPECT_TRUE(refined.shape.is_converged());
-  EXPECT_EQ(refined.shape.factorizations, 1);
-  EXPECT_GE(asked, refined.shape.factorizations);
+  EXPECT_TRUE(refined.is_converged());
+  EXPECT_EQ(refined.factorizations, 1);
+  EXPECT_GE(asked, refined.factorizations);
 }
 
 TEST(CoarseStart, StopsWhenAsked) {
@@ -348,8 +350,8 @@ TEST(CoarseStart, StopsWhenAsked) {
   for (int last = 0; last < asked; ++last) {  // in the coarse chart, too
     int count = 0;
     const StopToken stop([&](const char*) { return ++count <= last; });
-    const RefinedShape stopped = refine_chart(charts.charts.at(0), options, stop).shape;
-    EXPECT_TRUE(stopped.is_exact() ? stopped.length_error < 1e-10 : stopped.status == ShapeStatus::cancelled);
+    const Solution stopped = refine_chart(charts.charts.at(0), options, stop);
+    EXPECT_TRUE(stopped.is_exact() ? stopped.length_error < 1e-10 : stopped.status == SolutionStatus::cancelled);
     EXPECT_TRUE(stopped.is_exact() || !was_exact) << "an exact shape is not lost again";
     was_exact = stopped.is_exact();
     EXPECT_TRUE(stop.is_stopped());
@@ -368,16 +370,16 @@ TEST(CoarseStart, IsNoneWhereTheCoarseChartHasNoExactLengths) {
   }
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  RefineBudget budget(100);
-  EXPECT_FALSE(start_from_coarse({chart, build_held_network(chart), 1}, budget));
+  Budget budget(100);
+  EXPECT_FALSE(start_from_coarse({chart, 1}, {budget}));
 }
 
 /// Wires may wiggle in waves no longer than a few edges: a coarser chart would not show them.
 TEST(CoarseStart, IsNoneWhereWiresAreLeftToWiggle) {
   const Charts charts = test::charts_of(with_cross(jittered_grid(24, 0.2, dome), 24));
   const Chart& chart = charts.charts.at(0);
-  RefineBudget budget(100);
-  EXPECT_FALSE(start_from_coarse({chart, build_held_network(chart), 0.01}, budget));
+  Budget budget(100);
+  EXPECT_FALSE(start_from_coarse({chart, 0.01}, {budget}));
 }
 
 /// A start that claims to be near the minimum and is a point.
@@ -385,12 +387,12 @@ TEST(CoarseStart, AFalseClaimIsNoticed) {
   const int n = 24;
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   const Chart& chart = charts.charts.at(0);
-  const HeldNetwork network = build_held_network(chart);
+  const Problem problem(chart, 0.1);
   const Positions2 point = Positions2::Constant(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2, 1.0);
-  RefineBudget budget(100);
-  const RefinedShape shape = refine_shape(
-      {chart, network, 0.1}, {point, Eigen::VectorXd::Ones(static_cast<Eigen::Index>(network.edges.size()))}, {budget});
-  EXPECT_FALSE(shape.is_exact());
+  Budget budget(100);
+  const Eigen::VectorXd forces = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(problem.network().edges.size()));
+  const Solution found = minimize(problem, {}, {point, {}, forces}, {budget});
+  EXPECT_FALSE(found.is_exact());
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ class FairShapeErrorOnASaddle : public testing::Test {
   const Charts charts = test::charts_of(input());
   const Chart& chart = charts.charts.at(0);
   const HeldNetwork network = build_held_network(chart);
-  FairShapeError objective{{chart, network, 0.2}};
+  FairShapeError objective{chart, network, 0.2};
 };
 
 // Central differences along the lines u + t d with h = 1e-6: an error of h² times the third derivative, of rounding
@@ -111,7 +111,7 @@ TEST_F(FairShapeErrorOnASaddle, RoundingCostsHalfTheTraceOfTheConstantHessian) {
 }
 
 TEST_F(FairShapeErrorOnASaddle, BarriersAreSilentOnOpenTrianglesAndOneIsInfiniteOnTurnedOnes) {
-  const FairShapeError injective({chart, network, 0.2}, Injectivity::local);
+  const FairShapeError injective(chart, network, 0.2, nullptr, Injectivity::local);
   const Positions2 flat = test::planar_positions(chart), turned = layout(1);
   ASSERT_GT(objective.count_flips(turned), 0);
   EXPECT_EQ(injective.value(flat), objective.value(flat));
@@ -121,7 +121,7 @@ TEST_F(FairShapeErrorOnASaddle, BarriersAreSilentOnOpenTrianglesAndOneIsInfinite
 
 /// Squeezed to determinants from 0.01 to 0.09, where the infinite barrier works.
 TEST_F(FairShapeErrorOnASaddle, DerivativesOfTheInfiniteBarrierEqualDifferences) {
-  objective = FairShapeError({chart, network, 0.2}, Injectivity::local);
+  objective = FairShapeError(chart, network, 0.2, nullptr, Injectivity::local);
   const Positions2 flat = test::planar_positions(chart);
   const Positions2 uv = flat * Eigen::Vector2d(1, 0.05).asDiagonal() + 1e-3 * random_positions(flat.rows(), 5);
   const Positions2 d = random_positions(flat.rows(), 6);
@@ -158,7 +158,7 @@ class FairShapeErrorOfACloth : public FairShapeErrorOnASaddle {
   }
 
   const ClothOnChart cloth = cloth_on_chart();
-  void SetUp() override { objective = FairShapeError({chart, network, 0.2, &cloth}, Injectivity::local); }
+  void SetUp() override { objective = FairShapeError(chart, network, 0.2, &cloth, Injectivity::local); }
 };
 
 TEST_F(FairShapeErrorOfACloth, DerivativesEqualDifferences) {
@@ -191,7 +191,7 @@ TEST_F(FairShapeErrorOfACloth, TheConvexCurvatureIsPositiveAndAboveTheExactOne) 
 TEST_F(FairShapeErrorOfACloth, TrianglesTurnedOverAreInfinite) {
   Positions2 mirrored = test::planar_positions(chart);
   mirrored.col(0) *= -1;
-  const FairShapeError without_barrier({chart, network, 0.2, &cloth});
+  const FairShapeError without_barrier(chart, network, 0.2, &cloth);
   EXPECT_EQ(without_barrier.value(mirrored), std::numeric_limits<double>::infinity());
 }
 
@@ -202,17 +202,17 @@ TEST(FairShapeError, AStepEndsWhereTheFirstTriangleTurnsOver) {
   const Positions2 uv = test::planar_positions(chart);
   Positions2 d = Positions2::Zero(4, 2);
   d.row(1) << -1, 1;  // of the corner (1, 0), onto the diagonal half way
-  const FairShapeError injective({chart, network, 0.1}, Injectivity::local);
+  const FairShapeError injective(chart, network, 0.1, nullptr, Injectivity::local);
   EXPECT_NEAR(injective.longest_step(uv, d), 0.5, 1e-15);
   EXPECT_EQ(injective.longest_step(uv, 0.4 * d), 1);
   EXPECT_EQ(injective.longest_step(uv, -d), 1);
-  EXPECT_EQ(FairShapeError({chart, network, 0.1}).longest_step(uv, d), 1) << "flips are not forbidden";
+  EXPECT_EQ(FairShapeError(chart, network, 0.1).longest_step(uv, d), 1) << "flips are not forbidden";
 }
 
 TEST(FairShapeError, AMirrorImageIsAllFlips) {
   const Charts charts = test::charts_of(test::flat_rectangle(3, 2, 3, 2));
   const Chart& chart = charts.charts.at(0);
-  const FairShapeError objective({chart, build_held_network(chart), 0.1});
+  const FairShapeError objective(chart, build_held_network(chart), 0.1);
   const Positions2 uv = test::planar_positions(chart);
   EXPECT_EQ(objective.count_flips(uv), 0);
   EXPECT_EQ(objective.count_flips(uv * Eigen::Vector2d(-1, 1).asDiagonal()), 12);

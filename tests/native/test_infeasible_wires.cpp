@@ -180,19 +180,19 @@ TEST(RelaxedLengths, NobodyPaysWhereLengthsCanBeKept) {
   add_lines(input, 8, 0);
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const HeldNetwork network = build_held_network(chart);
-  RefineBudget relax_budget(kMaxRelaxFactorizations);
-  RelaxedShape loose = relax_lengths({chart, network, 0.1}, free_boundary_arap(chart, 30).uv, relax_budget);
+  Problem problem(chart, 0.1);
+  const HeldNetwork& network = problem.network();
+  Budget relax_budget(kMaxRelaxFactorizations);
+  RelaxedShape loose = relax_lengths(problem, problem.free_map({}), {relax_budget});
   EXPECT_LT(loose.tolerance_violation.maxCoeff(), 1e-4);  // the last smoothing
   EXPECT_LT(loose.strain_rms.maxCoeff(), 1e-4);
   EXPECT_LT(outline_strain(chart, network, loose.uv), 1e-4);
   const Positions2 untouched = loose.uv;
-  RefineBudget budget(kMaxProjectFactorizations);
-  EXPECT_THROW(
-      project_to_lengths({chart, network, 0.1}, loose.uv, budget, StopToken([](const char*) { return false; })),
-      Stopped);
+  Budget budget(kMaxProjectFactorizations);
+  const StopToken stop([](const char*) { return false; });
+  EXPECT_THROW(project_to_lengths(problem, loose.uv, {budget, stop}), Stopped);
   EXPECT_EQ((loose.uv - untouched).norm(), 0);
-  EXPECT_TRUE(project_to_lengths({chart, network, 0.1}, loose.uv, budget));
+  EXPECT_TRUE(project_to_lengths(problem, loose.uv, {budget}));
   for (const WireEdge& edge : network.edges) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
     EXPECT_NEAR(planar_length(chart.mesh, h, loose.uv), edge.length, 1e-11 * edge.length);
@@ -207,11 +207,11 @@ TEST(RelaxedLengths, ToleranceOfSingleEdgesIsFreeOfCharge) {
   for (Wire& wire : input.wires) wire.tolerance = 0.5;
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const HeldNetwork network = build_held_network(chart);
-  RefineBudget budget(kMaxRelaxFactorizations);
-  const RelaxedShape loose = relax_lengths({chart, network, 0.1}, free, budget);
+  const Problem problem(chart, 0.1);
+  Budget budget(kMaxRelaxFactorizations);
+  const RelaxedShape loose = relax_lengths(problem, free, {budget});
   EXPECT_EQ(loose.tolerance_violation.maxCoeff(), 0);
-  EXPECT_LT(outline_strain(chart, network, loose.uv), 1e-4);  // the last smoothing
+  EXPECT_LT(outline_strain(chart, problem.network(), loose.uv), 1e-4);  // the last smoothing
 }
 
 TEST(RelaxedLengths, StopsWhenAsked) {
@@ -220,8 +220,8 @@ TEST(RelaxedLengths, StopsWhenAsked) {
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   int asked = 0;
   const StopToken stop([&](const char*) { return ++asked < 3; });  // two for its system
-  RefineBudget budget(kMaxRelaxFactorizations);
-  EXPECT_THROW(relax_lengths({chart, build_held_network(chart), 0.1}, start, budget, stop), Stopped);
+  Budget budget(kMaxRelaxFactorizations);
+  EXPECT_THROW(relax_lengths({chart, 0.1}, start, {budget, stop}), Stopped);
   EXPECT_EQ(budget.spent(), 1);
   EXPECT_EQ(asked, 3);
 }
@@ -252,7 +252,8 @@ TEST(InfeasibleWires, ThePapersMethodsProposeWhatTheRefinedOneKeeps) {
 TEST(InfeasibleWires, ALongerSearchIsAdvisedOnlyIfTheLengthsDoNotContradict) {
   const auto conflict = [](const FlattenInput& input) {
     const Charts charts = test::charts_of(input);
-    return diagnose_lengths(charts.charts.at(0), {}, {}).lengths_conflict;
+    Problem problem(charts.charts.at(0), Options{}.fairness);
+    return diagnose_lengths(problem, {}, {}).lengths_conflict;
   };
   EXPECT_TRUE(conflict(test::saddle_of_wires(4, 0)));
   EXPECT_FALSE(conflict(test::quarter_sphere(4)));

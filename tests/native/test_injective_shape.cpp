@@ -41,12 +41,7 @@ FlattenInput spiral_on_a_saddle() {
   });
 }
 
-RefineResult refine(const FlattenInput& input, int max_factorizations = Options{}.max_factorizations) {
-  const Charts charts = test::charts_of(input);
-  Options options;
-  options.max_factorizations = max_factorizations;
-  return refine_chart(charts.charts.at(0), options);
-}
+Solution refine(const FlattenInput& input) { return refine_chart(test::charts_of(input).charts.at(0), Options{}); }
 
 FlattenInput with_faces_shuffled(FlattenInput input, unsigned seed) {
   std::mt19937 random(seed);
@@ -60,10 +55,10 @@ TEST(InjectiveShape, NothingTurnsOverOrOverlapsWhereAShapeWithoutThatExists) {
   for (const FlattenInput& input : {finger(), saddle_with_vent(), spiral_on_a_saddle()}) {
     const Charts charts = test::charts_of(input);
     const Chart& chart = charts.charts.at(0);
-    const RefinedShape shape = refine(input).shape;
-    ASSERT_TRUE(shape.is_exact());
-    EXPECT_LT(shape.length_error, 1e-10);
-    EXPECT_EQ(injectivity_of(chart, shape.uv), Injectivity::global);
+    const Solution found = refine(input);
+    ASSERT_TRUE(found.is_exact());
+    EXPECT_LT(found.length_error, 1e-10);
+    EXPECT_EQ(injectivity_of(chart, found.shape.uv), Injectivity::global);
     EXPECT_FALSE(flatten(input).pieces.at(0).error);
   }
 }
@@ -71,29 +66,28 @@ TEST(InjectiveShape, NothingTurnsOverOrOverlapsWhereAShapeWithoutThatExists) {
 TEST(InjectiveShape, WhatIsInjectiveStaysAsItIs) {
   const Charts charts = test::charts_of(test::quarter_sphere(12));
   const Chart& chart = charts.charts.at(0);
-  const RefinedShape shape = refine(test::quarter_sphere(12)).shape;
-  RefineBudget budget(100);
-  RefinedShape same = shape;
-  const HeldNetwork network = build_held_network(chart);
-  StartProblem problem{{chart, network, Options{}.fairness}, budget, {}};
-  EXPECT_FALSE(make_injective(problem, same));
-  EXPECT_EQ(same.uv, shape.uv);
+  const Solution found = refine(test::quarter_sphere(12));
+  Budget budget(100);
+  Solution same = found;
+  Problem problem(chart, Options{}.fairness);
+  EXPECT_FALSE(make_injective(problem, {}, {budget}, same));
+  EXPECT_EQ(same.shape.uv, found.shape.uv);
   EXPECT_EQ(budget.spent(), 0);
 }
 
 TEST(InjectiveShape, TheOrderOfFacesDoesNotMatter) {
-  const double expected = refine(finger()).shape.objective;
+  const double expected = refine(finger()).objective;
   for (const unsigned seed : {1u, 2u, 3u}) {
     const FlattenInput input = with_faces_shuffled(finger(), seed);
-    EXPECT_NEAR(refine(input).shape.objective, expected, 1e-6 * expected) << seed;
+    EXPECT_NEAR(refine(input).objective, expected, 1e-6 * expected) << seed;
     EXPECT_FALSE(flatten(input).pieces.at(0).error) << seed;
   }
 }
 
 TEST(InjectiveShape, LooserIsNeverWorse) {
-  double before = refine(finger()).shape.objective;
+  double before = refine(finger()).objective;
   for (const double tolerance : {0.01, 0.03, 0.1}) {
-    const double looser = refine(finger(tolerance)).shape.objective;
+    const double looser = refine(finger(tolerance)).objective;
     EXPECT_FALSE(flatten(finger(tolerance)).pieces.at(0).error) << tolerance;
     EXPECT_LE(looser, before * (1 + 1e-9)) << tolerance;
     before = looser;
@@ -101,10 +95,15 @@ TEST(InjectiveShape, LooserIsNeverWorse) {
 }
 
 TEST(InjectiveShape, FactorizationsAreCounted) {
-  const int whole = refine(finger()).factorizations;
-  for (const int budget : {whole / 4, whole / 2, whole - 1, whole}) {
-    EXPECT_EQ(refine(finger(), budget).factorizations, budget);
-  }
+  const Charts charts = test::charts_of(finger());
+  Problem problem(charts.charts.at(0), Options{}.fairness);
+  const auto spent = [&](int most) {
+    Budget budget(most);
+    refine_chart(problem, Options{}, {budget});
+    return budget.spent();
+  };
+  const int whole = spent(Options{}.max_factorizations);
+  for (const int most : {whole / 4, whole / 2, whole - 1, whole}) EXPECT_EQ(spent(most), most);
 }
 
 }  // namespace

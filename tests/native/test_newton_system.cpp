@@ -9,8 +9,8 @@
 
 #include "dense_algebra.h"
 #include "energy/free_boundary_arap.h"
+#include "newton/minimize.h"
 #include "newton/newton_system.h"
-#include "newton/refine_shape.h"
 #include "newton/retract_to_lengths.h"
 #include "test_meshes.h"
 
@@ -72,7 +72,7 @@ class NewtonSystemOnASaddle : public testing::Test {
   const Chart& chart = charts.charts.at(0);
   const HeldNetwork network = build_held_network(chart);
   const LengthConstraints constraints{chart, network};
-  FairShapeError objective{{chart, network, 0.1}};
+  FairShapeError objective{chart, network, 0.1};
   const Positions2 uv = free_boundary_arap(chart, 30).uv;
   NewtonSystem system{chart, objective, constraints, uv};
   const int num_unknowns = static_cast<int>(uv.size());
@@ -178,7 +178,7 @@ TEST(NewtonSystem, AWireUnderCompressionIsASaddle) {
   const Chart& chart = charts.charts.at(0);
   const HeldNetwork network = build_held_network(chart);
   const LengthConstraints constraints(chart, network);
-  FairShapeError objective({chart, network, 0.01});
+  FairShapeError objective(chart, network, 0.01);
   const Positions2 uv = test::planar_positions(chart);
   NewtonSystem system(chart, objective, constraints, uv);
   Eigen::VectorXd wire = Eigen::VectorXd::Zero(constraints.size());

@@ -53,34 +53,33 @@ TEST(OpenSlits, OneOpensAndOneStaysShut) {
   const FlattenInput input = bump_with_slits();
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const RefinedShape shape = refine_chart(chart, Options{}).shape;
-  EXPECT_TRUE(shape.is_exact() && shape.is_converged());
-  EXPECT_LE(shape.factorizations, 15);
+  Problem problem(chart, Options{}.fairness);
+  Budget budget(15);
+  const Solution found = refine_chart(problem, Options{}, {budget});
+  EXPECT_TRUE(found.is_exact() && found.is_converged());
   std::vector<double> gaps;
-  for (const Slit& slit : find_slits(chart)) gaps.push_back(gap(chart, slit, shape.uv));
+  for (const Slit& slit : find_slits(chart)) gaps.push_back(gap(chart, slit, found.shape.uv));
   ASSERT_EQ(gaps.size(), 2U);
   EXPECT_EQ(std::min(gaps[0], gaps[1]), 0);
   EXPECT_GT(std::max(gaps[0], gaps[1]), 1e-4);
   const Piece piece = flatten(input).pieces.at(0);
   EXPECT_FALSE(piece.error) << piece.error->what();
-  EXPECT_EQ(piece.report.objective, shape.objective);
+  EXPECT_EQ(piece.report.objective, found.objective);
 }
 
 TEST(OpenSlits, StopAtAnyBudgetWithExactLengths) {
   const Charts charts = test::charts_of(bump_with_slits());
   const Chart& chart = charts.charts.at(0);
-  const auto refined = [&](int most) {
-    Options options;
-    options.max_factorizations = most;
-    return refine_chart(chart, options).shape;
-  };
-  const RefinedShape whole = refined(100);
-  for (int most = 1; most < whole.factorizations; ++most) {
-    const RefinedShape shape = refined(most);
-    EXPECT_TRUE(shape.is_exact()) << most;
-    EXPECT_FALSE(shape.is_converged()) << most;
-    EXPECT_EQ(shape.factorizations, most);
-    EXPECT_GE(shape.objective, whole.objective * (1 - 1e-9)) << most;
+  Problem problem(chart, Options{}.fairness);
+  Budget unlimited(100);
+  const Solution whole = refine_chart(problem, Options{}, {unlimited});
+  for (int most = 1; most < unlimited.spent(); ++most) {
+    Budget budget(most);
+    const Solution found = refine_chart(problem, Options{}, {budget});
+    EXPECT_TRUE(found.is_exact()) << most;
+    EXPECT_FALSE(found.is_converged()) << most;
+    EXPECT_EQ(budget.spent(), most);
+    EXPECT_GE(found.objective, whole.objective * (1 - 1e-9)) << most;
   }
 }
 
@@ -150,11 +149,12 @@ TEST(OpenSlits, AsFarOnFineMeshesAsOnCoarseOnes) {
     test::add_seam(input, slit);
     const Charts charts = test::charts_of(input);
     const Chart& chart = charts.charts.at(0);
-    const RefinedShape shape = refine_chart(chart, Options{}).shape;
-    EXPECT_TRUE(shape.is_exact() && shape.is_converged()) << n;
-    EXPECT_LE(shape.factorizations, 8) << n << ": a face that turns over takes many";
-    gaps.push_back(gap(chart, find_slits(chart).at(0), shape.uv));
-    objectives.push_back(shape.objective);
+    Problem problem(chart, Options{}.fairness);
+    Budget budget(8);  // a face that turns over takes many
+    const Solution found = refine_chart(problem, Options{}, {budget});
+    EXPECT_TRUE(found.is_exact() && found.is_converged()) << n;
+    gaps.push_back(gap(chart, find_slits(chart).at(0), found.shape.uv));
+    objectives.push_back(found.objective);
   }
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_NEAR(gaps[i], gaps[2], 0.1 * gaps[2]) << i;

@@ -10,7 +10,7 @@
 #include "base/internal_options.h"
 #include "base/planar.h"
 #include "energy/free_boundary_arap.h"
-#include "newton/injective_shape.h"
+#include "newton/minimize.h"
 #include "newton/refine_chart.h"
 #include "newton/refine_cloth.h"
 #include "newton/starts.h"
@@ -22,17 +22,17 @@ namespace {
 TEST(RefineChart, CountsStartsThatFail) {
   const Charts charts = test::charts_of(test::saddle_of_wires(4, 1e-4));
   const Chart& chart = charts.charts.at(0);
-  Options options;
-  options.max_factorizations = 1000;
-  const RefineResult whole = refine_chart(chart, options);
-  ASSERT_FALSE(whole.shape.is_exact());
-  EXPECT_FALSE(whole.ran_out);
+  Problem problem(chart, Options{}.fairness);
+  Budget unlimited(1000);
+  const Solution whole = refine_chart(problem, Options{}, {unlimited});
+  ASSERT_FALSE(whole.is_exact());
+  EXPECT_FALSE(unlimited.ran_out());
   EXPECT_STREQ(whole.start, "");
-  for (const int most : {1, 2, 3, 10, whole.factorizations - 1}) {
-    options.max_factorizations = most;
-    const RefineResult brief = refine_chart(chart, options);
-    EXPECT_EQ(brief.factorizations, most);
-    EXPECT_TRUE(brief.ran_out);
+  for (const int most : {1, 2, 3, 10, unlimited.spent() - 1}) {
+    Budget budget(most);
+    refine_chart(problem, Options{}, {budget});
+    EXPECT_EQ(budget.spent(), most);
+    EXPECT_TRUE(budget.ran_out());
   }
 }
 
@@ -41,8 +41,8 @@ TEST(RefineChart, AnInjectiveShapeIsOneWhetherOrNotFoldsAreMended) {
   InternalOptions options;
   for (const bool mends_folds : {true, false}) {
     options.mends_folds = mends_folds;
-    RefineBudget budget(options.max_factorizations);
-    EXPECT_TRUE(refine_injective(charts.charts.at(0), options, budget, {})) << mends_folds;
+    Budget budget(options.max_factorizations);
+    EXPECT_TRUE(refine_injective(charts.charts.at(0), options, {budget})) << mends_folds;
   }
 }
 
@@ -58,8 +58,8 @@ TEST(RefineChart, ANetFarFromTheFreeShapeStartsFromItsWires) {
     test::add_wire(input, test::grid_row(n, i));
     test::add_wire(input, test::grid_column(n, n, i));
   }
-  const RefineResult refined = refine_chart(test::charts_of(input).charts.at(0), Options{});
-  EXPECT_TRUE(refined.shape.is_exact() && refined.shape.is_converged());
+  const Solution refined = refine_chart(test::charts_of(input).charts.at(0), Options{});
+  EXPECT_TRUE(refined.is_exact() && refined.is_converged());
   EXPECT_STREQ(refined.start, "wires");
 }
 
@@ -109,23 +109,23 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   }
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const HeldNetwork network = build_held_network(chart);
-  const RefineTask task{chart, network, Options{}.fairness};
-  RefineBudget budget(100);
-  StartProblem problem{task, budget, {}};
-  std::optional<RefinementStart> start = wires_alone(problem);
+  Problem problem(chart, Options{}.fairness);
+  Budget budget(100);
+  std::optional<Shape> start = wires_alone(problem, {budget});
   ASSERT_TRUE(start);
-  RefinedShape saddle;
+  Solution saddle;
   for (int i = 0; i < 5; ++i) {
-    RefineBudget one_step(2);  // a Newton step, which is not taken, and one in the trust region
-    saddle = refine_shape(task, *start, {one_step});
+    Budget one_step(2);  // a Newton step, which is not taken, and one in the trust region
+    saddle = minimize(problem, {}, *start, {one_step});
     EXPECT_TRUE(saddle.is_exact());
-    const Positions2 turned = -saddle.uv.colwise().reverse();
-    *start = {(saddle.uv + turned) / 2, saddle.multipliers};  // without what round-off adds against the symmetry
+    const Positions2 turned = -saddle.shape.uv.colwise().reverse();
+    *start = {(saddle.shape.uv + turned) / 2,
+              {},
+              saddle.shape.multipliers};  // without what round-off adds against the symmetry
   }
-  const RefinedShape shape = refine_shape(task, *start, {budget});
-  EXPECT_TRUE(shape.is_exact() && shape.is_converged());
-  EXPECT_LT(shape.objective, 0.96 * saddle.objective);
+  const Solution found = minimize(problem, {}, *start, {budget});
+  EXPECT_TRUE(found.is_exact() && found.is_converged());
+  EXPECT_LT(found.objective, 0.96 * saddle.objective);
 }
 
 /// A larger chart takes another way, over a coarser one, to the same minimum.
@@ -137,15 +137,16 @@ TEST(RefineChart, StartsCoarselyFromTheTunedSizeOn) {
   const Charts charts = test::charts_of(input);
   InternalOptions options;
   options.fairness = 0.3;
-  const auto refined = [&](std::size_t large_chart) {
-    options.large_chart = large_chart;
-    return refine_chart(charts.charts.at(0), options);
-  };
-  const RefineResult from_scratch = refined(2049), from_coarse = refined(2048);
+  Budget budget(1000);
+  options.large_chart = 2049;
+  const Solution from_scratch = refine_chart(charts.charts.at(0), options);
+  options.large_chart = 2048;
+  Problem problem(charts.charts.at(0), options.fairness);
+  const Solution from_coarse = refine_chart(problem, options, {budget});
   EXPECT_STREQ(from_scratch.start, "free");
   EXPECT_STREQ(from_coarse.start, "coarse");
-  EXPECT_GT(from_coarse.factorizations, from_coarse.shape.factorizations) << "those of the coarse chart count";
-  EXPECT_NEAR(from_coarse.shape.objective, from_scratch.shape.objective, 1e-9 * from_scratch.shape.objective);
+  EXPECT_GT(budget.spent(), from_coarse.factorizations) << "those of the coarse chart count";
+  EXPECT_NEAR(from_coarse.objective, from_scratch.objective, 1e-9 * from_scratch.objective);
 }
 
 /// The wires contradict one another, and one of them ends inside: the coarse chart goes through all its starts,
@@ -162,10 +163,11 @@ TEST(RefineChart, WiresThatContradictOnTheCoarseChartAreLeftToTheFineOne) {
   test::add_wire(input, {row.begin() + 20, row.begin() + 29});
   InternalOptions options;
   options.large_chart = static_cast<std::size_t>(input.faces.rows());
-  options.max_factorizations = 5;
+  Budget budget(5);
   const Charts charts = test::charts_of(input);
-  const RefineResult refined = refine_chart(charts.charts.at(0), options);
-  EXPECT_TRUE(refined.shape.is_exact() && refined.ran_out) << "exact lengths, and no more in five steps";
+  Problem problem(charts.charts.at(0), options.fairness);
+  const Solution refined = refine_chart(problem, options, {budget});
+  EXPECT_TRUE(refined.is_exact() && budget.ran_out()) << "exact lengths, and no more in five steps";
   EXPECT_STREQ(refined.start, "wires");
 }
 

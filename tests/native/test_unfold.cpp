@@ -53,10 +53,10 @@ TEST(Unfold, AnUnfoldedChartNeedsNoFactorization) {
   test::add_wire(input, test::grid_row(20, 4));
   test::add_wire(input, test::grid_column(20, 8, 7), 0.05);
   const Charts charts = test::charts_of(input);
-  const RefinedShape shape = refine_chart(charts.charts.at(0), Options{}).shape;
-  EXPECT_TRUE(shape.is_exact() && shape.is_converged());
-  EXPECT_EQ(shape.factorizations, 0);
-  EXPECT_LE(shape.objective, 1e-20);
+  const Solution found = refine_chart(charts.charts.at(0), Options{});
+  EXPECT_TRUE(found.is_exact() && found.is_converged());
+  EXPECT_EQ(found.factorizations, 0);
+  EXPECT_LE(found.objective, 1e-20);
 }
 
 /// Vertices a little off a plane, as files with seven digits hold them: a start, though not the shape.

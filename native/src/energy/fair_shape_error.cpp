@@ -52,12 +52,11 @@ Eigen::Matrix2d conjugate_product(const HatGradients& g, int i, int j) {
 
 }  // namespace
 
-FairShapeError::FairShapeError(const RefineTask& task, Injectivity injectivity, const Positions2& layout)
-    : shape_error_(task.chart),
-      bending_(task.chart, task.network, task.fairness, area_at_vertices(task.chart.mesh)),
-      injectivity_(injectivity) {
-  if (task.cloth) cloth_.emplace(ClothTerms{ClothLaw(task.cloth->cloth), ShearSmoothing(task.chart)});
-  if (injectivity == Injectivity::global) outline_barrier_.emplace(task.chart, layout);
+FairShapeError::FairShapeError(const Chart& chart, const HeldNetwork& network, double fairness,
+                               const ClothOnChart* cloth, Injectivity injectivity, const Positions2& layout)
+    : shape_error_(chart), bending_(chart, network, fairness, area_at_vertices(chart.mesh)), injectivity_(injectivity) {
+  if (cloth) cloth_.emplace(ClothTerms{ClothLaw(cloth->cloth), ShearSmoothing(chart)});
+  if (injectivity == Injectivity::global) outline_barrier_.emplace(chart, layout);
 }
 
 /// For a determinant below kSmallestDeterminant.

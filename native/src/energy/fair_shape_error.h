@@ -27,8 +27,8 @@
 
 #include "energy/bending.h"
 #include "energy/cloth_law.h"
+#include "energy/cloth_on_chart.h"
 #include "energy/outline_barrier.h"
-#include "energy/refine_task.h"
 #include "energy/shape_error.h"
 #include "energy/shear_smoothing.h"
 
@@ -50,9 +50,10 @@ enum class Injectivity {
 
 class FairShapeError {
  public:
-  /// layout: for Injectivity::global, one row per chart vertex. The Hessian includes the contacts of the outline in
-  /// this layout.
-  FairShapeError(const RefineTask& task, Injectivity injectivity = Injectivity::none, const Positions2& layout = {});
+  /// cloth: null for the shape error of Eq. (4). layout: for Injectivity::global, one row per chart vertex. The Hessian
+  /// includes the contacts of the outline in this layout.
+  FairShapeError(const Chart& chart, const HeldNetwork& network, double fairness, const ClothOnChart* cloth = nullptr,
+                 Injectivity injectivity = Injectivity::none, const Positions2& layout = {});
 
   /// Returns f, scene units squared; infinite if the layout is not injective as required. uv: one row per chart vertex.
   double value(const Positions2& uv) const;

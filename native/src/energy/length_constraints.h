@@ -11,8 +11,8 @@
 //
 //   c_g(u) = m·d        with a fixed m instead of d̂; ∂²c_g/∂d² = 0
 //
-// For a cloth that is worn stretched, u is the layout of the stretched cloth (energy/refine_task.h), and the flat edge
-// is w = S⁻¹ d:
+// For a cloth that is worn stretched, u is the layout of the stretched cloth (energy/cloth_on_chart.h), and the flat
+// edge is w = S⁻¹ d:
 //
 //   c_e(u, h) = |w| − (1 + h) l;   ∂c_e/∂d = S⁻¹ ŵ, called d̂ below;   ∂²c_e/∂d² = m mᵀ / |w|³,   m ⊥ d, |m| = |d|
 //   / det S
@@ -21,8 +21,9 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "energy/refine_task.h"
+#include "energy/cloth_on_chart.h"
 #include "energy/vertex_matrix.h"
+#include "surface/network/wire_network.h"
 
 namespace wirewarp {
 

@@ -6,7 +6,6 @@
 
 #include "newton/coarsen/prolong.h"
 #include "newton/refine_chart.h"
-#include "surface/mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
@@ -19,22 +18,23 @@ constexpr int kMaxCoarseFactorizations = 30;  // and half of what is left: the c
 
 }  // namespace
 
-std::optional<RefinementStart> start_from_coarse(const RefineTask& task, RefineBudget& budget, const StopToken& stop) {
-  const Chart& chart = task.chart;
+std::optional<Shape> start_from_coarse(const Problem& problem, const Control& control) {
+  const Chart& chart = problem.chart();
   const double fine = typical_edge_length(chart.mesh);
-  const double wanted = std::min(kCoarsening * fine, kPerWiggle * task.fairness * std::sqrt(surface_area(chart.mesh)));
+  const double wanted = std::min(kCoarsening * fine, kPerWiggle * problem.fairness() * std::sqrt(problem.area()));
   if (wanted < kLeastCoarsening * fine || !can_coarsen(chart)) return std::nullopt;
-  const StopToken at_start([at_start = stop.in("start")](const char*) { return at_start.may_go_on(); });
+  const StopToken at_start([at_start = control.stop.in("start")](const char*) { return at_start.may_go_on(); });
   at_start.check();
-  const CoarseChart coarse = coarsen(chart, task.network, wanted, at_start);
+  const CoarseChart coarse = coarsen(chart, problem.network(), wanted, at_start);
   at_start.check();
-  RefineBudget coarse_budget(budget, std::min(kMaxCoarseFactorizations, budget.left() / 2));
-  const RefinedShape shape =
-      refine_from_scratch({coarse.chart, coarse.network, task.fairness}, coarse_budget, at_start).shape;
+  Budget budget(control.budget, std::min(kMaxCoarseFactorizations, control.budget.left() / 2));
+  Problem coarse_problem(coarse.chart, coarse.network, problem.fairness());
+  const Solution solution = refine_from_scratch(coarse_problem, {budget, at_start});
   at_start.check();
-  if (!shape.is_exact()) return std::nullopt;
-  return RefinementStart{prolong_positions(chart, task.network, coarse, shape.uv),
-                         prolong_multipliers(coarse, shape.multipliers)};
+  if (!solution.is_exact()) return std::nullopt;
+  return Shape{prolong_positions(chart, problem.network(), coarse, solution.shape.uv),
+               {},
+               prolong_multipliers(coarse, solution.shape.multipliers)};
 }
 
 }  // namespace wirewarp

@@ -4,14 +4,15 @@
 
 #include <optional>
 
-#include "newton/refine_shape.h"
+#include "newton/control.h"
+#include "newton/problem.h"
+#include "newton/solution.h"
 
 namespace wirewarp {
 
-/// Refines a chart with edges four times as long, or less where wires wiggle in shorter waves, and takes its shape and
-/// forces over to this one. None where that is hardly coarser or has no exact lengths. stop: asked in the stage
-/// "start". Throws Stopped, and FactorizationFailed.
-std::optional<RefinementStart> start_from_coarse(const RefineTask& task, RefineBudget& budget,
-                                                 const StopToken& stop = {});
+/// Solves a copy of the chart with edges four times as long, or less if its wires have shorter waves, and carries its
+/// shape and forces over. None if that is hardly coarser or has no exact lengths. The token is polled in the stage
+/// "start". Throws Stopped and FactorizationFailed.
+std::optional<Shape> start_from_coarse(const Problem& problem, const Control& control);
 
 }  // namespace wirewarp

@@ -9,11 +9,10 @@
 #include <optional>
 
 #include "base/attempt.h"
-#include "energy/free_boundary_arap.h"
 #include "newton/lies_flat.h"
 #include "newton/project_to_lengths.h"
+#include "newton/refine_chart.h"
 #include "newton/relax_lengths.h"
-#include "newton/starts.h"
 
 namespace wirewarp {
 namespace {
@@ -73,11 +72,12 @@ Chart with_tolerances(Chart chart, const Tolerances& tolerances) {
 }
 
 /// The wires that leave their tolerances by the lowest rung of the ladder or more when they are free, freed.
-Tolerances free_wires_that_change(const Chart& chart, const RefinedShape& free) {
+Tolerances free_wires_that_change(const Chart& chart, const Solution& free) {
   Tolerances tolerances;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
-    const bool changes = std::abs(free.variation[static_cast<Eigen::Index>(i)]) > solver_tolerance(part) + kLadder[0];
+    const bool changes =
+        std::abs(free.shape.variation[static_cast<Eigen::Index>(i)]) > solver_tolerance(part) + kLadder[0];
     if (is_held(part) && changes) tolerances[part.wire_index] = kFreeTolerance;
   }
   return tolerances;
@@ -110,10 +110,10 @@ class ToleranceSearch {
 
   bool work(const Tolerances& tolerances) const {
     const Chart looser = with_tolerances(chart_, tolerances);
-    const HeldNetwork network = build_held_network(looser);
+    const Problem problem(looser, fairness_);
     return std::any_of(starts_.begin(), starts_.end(), [&](Positions2 uv) {
-      RefineBudget budget(kMaxProjectFactorizations);
-      return project_to_lengths({looser, network, fairness_}, uv, budget, stop_);
+      Budget budget(kMaxProjectFactorizations);
+      return project_to_lengths(problem, uv, {budget, stop_});
     });
   }
 
@@ -228,12 +228,9 @@ class ToleranceSearch {
 };
 
 /// The shape that breaks lengths at the least price; none if a factorization fails.
-std::optional<RelaxedShape> relax(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
-  RefineBudget budget(kMaxRelaxFactorizations);
-  auto relaxed = attempt([&] {
-    const Positions2 free = free_boundary_arap(chart, kFreeSteps, {}, stop).uv;
-    return std::optional(relax_lengths({chart, build_held_network(chart), options.fairness}, free, budget, stop));
-  });
+std::optional<RelaxedShape> relax(Problem& problem, const StopToken& stop) {
+  Budget budget(kMaxRelaxFactorizations);
+  auto relaxed = attempt([&] { return std::optional(relax_lengths(problem, problem.free_map(stop), {budget, stop})); });
   stop.check();
   return relaxed;
 }
@@ -250,10 +247,10 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   if (all.empty()) return {};
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFreeFactorizations;
-  const RefinedShape free = refine_chart(with_tolerances(chart, all), brief, stop).shape;
+  const Solution free = refine_chart(with_tolerances(chart, all), brief, stop);
   stop.check();
   if (!free.is_exact()) return {};
-  ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.uv}, stop);
+  ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.shape.uv}, stop);
   const auto lie_flat = [&](const Tolerances& tolerances) {
     stop.check();
     return !tolerances.empty() && lies_flat(with_tolerances(chart, tolerances), options, stop);
@@ -285,10 +282,10 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
 
 }  // namespace
 
-LengthDiagnosis diagnose_lengths(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
-  const std::optional<RelaxedShape> relaxed = relax(chart, options, stop);
+LengthDiagnosis diagnose_lengths(Problem& problem, const InternalOptions& options, const StopToken& stop) {
+  const std::optional<RelaxedShape> relaxed = relax(problem, stop);
   if (!relaxed) return {};
-  return {propose_tolerances(chart, options, *relaxed, stop), shows_conflict(*relaxed)};
+  return {propose_tolerances(problem.chart(), options, *relaxed, stop), shows_conflict(*relaxed)};
 }
 
 }  // namespace wirewarp

@@ -2,7 +2,12 @@
 // Why a chart has no flat shape with all lengths: do they contradict one another, and which tolerances help?
 #pragma once
 
-#include "newton/refine_chart.h"
+#include <vector>
+
+#include "base/internal_options.h"
+#include "base/stop_token.h"
+#include "newton/problem.h"
+#include "wirewarp/error.h"
 
 namespace wirewarp {
 
@@ -17,8 +22,8 @@ struct LengthDiagnosis {
   bool lengths_conflict = false;
 };
 
-/// Diagnoses a chart for which no shape with exact lengths was found. options.max_factorizations does not count here.
+/// Diagnoses a problem for which no shape with exact lengths was found. options.max_factorizations does not count here.
 /// Throws Stopped.
-LengthDiagnosis diagnose_lengths(const Chart& chart, const InternalOptions& options, const StopToken& stop);
+LengthDiagnosis diagnose_lengths(Problem& problem, const InternalOptions& options, const StopToken& stop);
 
 }  // namespace wirewarp

@@ -7,6 +7,7 @@
 #include "base/planar.h"
 #include "energy/tutte_embedding.h"
 #include "newton/injective_start.h"
+#include "newton/minimize.h"
 #include "surface/mesh/geometry.h"
 #include "surface/mesh/overlap.h"
 
@@ -30,40 +31,41 @@ Injectivity injectivity_of(const Chart& chart, const Positions2& uv) {
   return overlaps ? Injectivity::local : Injectivity::global;
 }
 
-std::optional<RefinementStart> reach_injectively(StartProblem& problem, Injectivity injectivity) {
-  if (!problem.budget.allows()) return std::nullopt;
-  const Chart& chart = problem.task.chart;
-  Positions2 map = problem.free_map();
-  if (injectivity_of(chart, map) < injectivity) map = tutte_embedding(chart, problem.stop.in("start"));
-  if (injectivity_of(chart, map) < injectivity) return std::nullopt;  // rounding spoils the embedding
-  return injective_start(problem.task, map, {problem.budget, problem.stop.in("shape"), injectivity});
+std::optional<Shape> reach_injectively(Problem& problem, const Stage& stage, const Control& control) {
+  if (!control.budget.allows()) return std::nullopt;
+  const Chart& chart = problem.chart();
+  Positions2 map = problem.free_map(control.stop.in("start"));
+  if (injectivity_of(chart, map) < stage.injectivity) map = tutte_embedding(chart, control.stop.in("start"));
+  if (injectivity_of(chart, map) < stage.injectivity) return std::nullopt;  // rounding spoils the embedding
+  return injective_start(problem, stage, map, control.in("shape"));
 }
 
 namespace {
 
-/// The least distorted shape with exact lengths and the given injectivity. Not exact if it is not found.
-RefinedShape refine_injectively(StartProblem& problem, Injectivity injectivity) {
-  const auto start = attempt([&] { return reach_injectively(problem, injectivity); });
+/// Returns the least distorted shape with exact lengths and the injectivity of the stage. Not exact if none is found.
+Solution minimize_injectively(Problem& problem, const Stage& stage, const Control& control) {
+  const auto start = attempt([&] { return reach_injectively(problem, stage, control); });
   if (!start) return {};
-  return refine_shape(problem.task, *start, {problem.budget, problem.stop.in("shape"), injectivity});
+  return minimize(problem, stage, *start, control.in("shape"));
 }
 
 }  // namespace
 
-bool make_injective(StartProblem& problem, RefinedShape& shape) {
-  if (!shape.is_exact() || !problem.stop.in("shape").may_go_on()) return false;
-  const Chart& chart = problem.task.chart;
+bool make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution) {
+  if (!solution.is_exact() || !control.stop.in("shape").may_go_on()) return false;
+  const Chart& chart = problem.chart();
   bool is_other = false;
-  shape.injectivity = injectivity_of(chart, shape.uv);
+  solution.injectivity = injectivity_of(chart, solution.shape.uv);
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
     const bool is_disk = chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
     if (injectivity == Injectivity::global && !is_disk) continue;
-    if (problem.stop.is_stopped() || shape.injectivity >= injectivity) continue;
-    RefinedShape injective = refine_injectively(problem, injectivity);
+    if (control.stop.is_stopped() || solution.injectivity >= injectivity) continue;
+    stage.injectivity = injectivity;
+    Solution injective = minimize_injectively(problem, stage, control);
     if (!injective.is_exact()) continue;
-    shape = std::move(injective);
+    solution = std::move(injective);
     is_other = true;
-    shape.injectivity = injectivity_of(chart, shape.uv);
+    solution.injectivity = injectivity_of(chart, solution.shape.uv);
   }
   return is_other;
 }

@@ -4,22 +4,23 @@
 
 #include <optional>
 
-#include "newton/refine_shape.h"
-#include "newton/start_problem.h"
+#include "newton/control.h"
+#include "newton/problem.h"
+#include "newton/solution.h"
 
 namespace wirewarp {
 
 /// How injective a layout of the chart is, one row per vertex.
 Injectivity injectivity_of(const Chart& chart, const Positions2& uv);
 
-/// A start with exact lengths and the given injectivity, reached through nothing but such shapes: from the free ARAP
-/// map if that has it, else from the embedding on a circle. None if it is not found. The token is polled in the stages
-/// "start" and "shape". Throws Stopped and FactorizationFailed.
-std::optional<RefinementStart> reach_injectively(StartProblem& problem, Injectivity injectivity);
+/// Returns a start with exact lengths and the injectivity of the stage, reached through nothing but such shapes: from
+/// the free ARAP map if that has it, else from the embedding on a circle. None if it is not found. The token is polled
+/// in the stages "start" and "shape". Throws Stopped and FactorizationFailed.
+std::optional<Shape> reach_injectively(Problem& problem, const Stage& stage, const Control& control);
 
-/// Replaces an exact shape that is not injective by the least distorted injective one, or by the most injective one
-/// that is found: first without flips, then without overlaps. Returns false if the shape stays, as it does if the
+/// Replaces an exact solution that is not injective by the least distorted injective one, or by the most injective one
+/// that is found: first without flips, then without overlaps. Returns false if the solution stays, as it does if the
 /// caller stops.
-bool make_injective(StartProblem& problem, RefinedShape& shape);
+bool make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution);
 
 }  // namespace wirewarp

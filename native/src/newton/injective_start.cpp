@@ -4,11 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "newton/newton_system.h"
+#include "newton/newton_state.h"
 #include "newton/retract_to_lengths.h"
 #include "numerics/optimize/box_quadratic.h"
 #include "numerics/optimize/line_search.h"
-#include "surface/mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
@@ -27,16 +26,12 @@ constexpr double kRetractable =
 
 class MultiplierMethod {
  public:
-  MultiplierMethod(const RefineTask& task, const Positions2& map, const RefinementLimits& limits);
+  MultiplierMethod(const Problem& problem, const Stage& stage, const Positions2& map, const Control& control);
 
   bool reach_exact_lengths();
-  RefinementStart start() const { return {now_.uv, multipliers_}; }
+  Shape start() const { return {now_.uv, {}, multipliers_}; }
 
  private:
-  struct Iterate {
-    Positions2 uv;
-    Eigen::VectorXd variation;  // h of the elastic parts
-  };
   struct Step {
     Positions2 d;
     Eigen::VectorXd variation;  // Δh
@@ -56,8 +51,9 @@ class MultiplierMethod {
   bool retract();
   bool factorize(const Eigen::VectorXd& multipliers);
 
-  const RefineTask task_;
-  RefinementLimits limits_;
+  const Problem& problem_;
+  const Stage stage_;
+  const Control control_;
   LengthConstraints constraints_;
   const Eigen::SparseMatrix<double>& lengths_;  // T
   std::optional<FairShapeError> objective_;
@@ -71,14 +67,16 @@ class MultiplierMethod {
   double error_before_ = 0;  // |c| when λ was last updated; 0: never
 };
 
-MultiplierMethod::MultiplierMethod(const RefineTask& task, const Positions2& map, const RefinementLimits& limits)
-    : task_(task),
-      limits_(limits),
-      constraints_(task.chart, task.network, task.cloth, map),
+MultiplierMethod::MultiplierMethod(const Problem& problem, const Stage& stage, const Positions2& map,
+                                   const Control& control)
+    : problem_(problem),
+      stage_(stage),
+      control_(control),
+      constraints_(problem.constraints(stage, map)),
       lengths_(constraints_.elastic_lengths()),
       multipliers_(Eigen::VectorXd::Zero(constraints_.size())) {
   now_ = {map, constraints_.within_tolerance(constraints_.variation(map))};
-  const double size = std::sqrt(surface_area(task.chart.mesh));
+  const double size = std::sqrt(problem.area());
   unit_.resize(constraints_.size());
   for (int e = 0; e < constraints_.size(); ++e) unit_[e] = size / constraints_.edges()[e].length;
   linearize_near(map);
@@ -87,8 +85,8 @@ MultiplierMethod::MultiplierMethod(const RefineTask& task, const Positions2& map
 /// A system whose Hessian knows the parts of the outline that are near each other.
 void MultiplierMethod::linearize_near(const Positions2& uv) {
   system_.reset();
-  objective_.emplace(task_, limits_.injectivity, uv);
-  system_.emplace(task_.chart, *objective_, constraints_, uv, limits_.stop);
+  objective_.emplace(problem_.objective(stage_, uv));
+  system_.emplace(problem_.chart(), *objective_, constraints_, uv, control_.stop);
   holding_stiffness_ = system_->stiffness();
 }
 
@@ -98,10 +96,10 @@ double MultiplierMethod::value(const Iterate& iterate) const {
 }
 
 bool MultiplierMethod::factorize(const Eigen::VectorXd& multipliers) {
-  limits_.stop.check();
-  limits_.budget.spend(1);
-  const bool is_positive = system_->factorize(now_.uv, multipliers, {Curvature::convex, false}, limits_.stop);
-  limits_.stop.check();
+  control_.stop.check();
+  control_.budget.spend(1);
+  const bool is_positive = system_->factorize(now_.uv, multipliers, {Curvature::convex, false}, control_.stop);
+  control_.stop.check();
   return is_positive;
 }
 
@@ -154,7 +152,7 @@ bool MultiplierMethod::retract() {
   system_->set_stiffness(holding_stiffness_);
   if (!factorize(multipliers_)) return false;
   Positions2 exact = now_.uv;
-  if (!retract_to_lengths(constraints_, *system_, now_.variation, exact, limits_.stop)) return false;
+  if (!retract_to_lengths(constraints_, *system_, now_.variation, exact, control_.stop)) return false;
   if (objective_->longest_step(now_.uv, exact - now_.uv) < 1) return false;
   now_.uv = std::move(exact);
   return true;
@@ -162,11 +160,11 @@ bool MultiplierMethod::retract() {
 
 bool MultiplierMethod::reach_exact_lengths() {
   double retractable = kRetractable;
-  for (int steps = 1; limits_.budget.allows(); ++steps) {
+  for (int steps = 1; control_.budget.allows(); ++steps) {
     if (!objective_->covers_contacts(now_.uv)) linearize_near(now_.uv);
     const Outcome outcome = take_step();
     if (outcome == Outcome::stuck) return false;
-    if (const double error = length_error(); error < retractable && limits_.budget.allows()) {
+    if (const double error = length_error(); error < retractable && control_.budget.allows()) {
       if (retract()) return true;
       retractable = error / 10;
     }
@@ -181,9 +179,9 @@ bool MultiplierMethod::reach_exact_lengths() {
 
 }  // namespace
 
-std::optional<RefinementStart> injective_start(const RefineTask& task, const Positions2& map,
-                                               const RefinementLimits& limits) {
-  MultiplierMethod method(task, map, limits);
+std::optional<Shape> injective_start(const Problem& problem, const Stage& stage, const Positions2& map,
+                                     const Control& control) {
+  MultiplierMethod method(problem, stage, map, control);
   if (!method.reach_exact_lengths()) return std::nullopt;
   return method.start();
 }

@@ -11,13 +11,15 @@
 
 #include <optional>
 
-#include "newton/refine_shape.h"
+#include "newton/control.h"
+#include "newton/problem.h"
+#include "newton/solution.h"
 
 namespace wirewarp {
 
-/// Exact lengths within the tolerances, with λ; none: not reached. map:
-/// one row per chart vertex; injective, as limits say. Throws Stopped.
-std::optional<RefinementStart> injective_start(const RefineTask& task, const Positions2& map,
-                                               const RefinementLimits& limits);
+/// Returns a shape with exact lengths, with h in the tolerances and with λ; none if it is not reached. map: one row per
+/// chart vertex, with the injectivity of the stage. Throws Stopped.
+std::optional<Shape> injective_start(const Problem& problem, const Stage& stage, const Positions2& map,
+                                     const Control& control);
 
 }  // namespace wirewarp

@@ -18,8 +18,8 @@ bool lies_flat(const Chart& chart, const InternalOptions& options, const StopTok
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFactorizations;  // whatever the user allows the piece itself
   brief.cloth.reset();                            // what lies flat does so in any cloth
-  const RefinedShape shape = refine_chart(chart, brief, stop).shape;
-  return shape.is_exact() && find_folded_faces(chart.mesh, shape.uv).empty();
+  const Solution found = refine_chart(chart, brief, stop);
+  return found.is_exact() && find_folded_faces(chart.mesh, found.shape.uv).empty();
 }
 
 }  // namespace wirewarp

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "newton/refine_constants.h"
+#include "newton/newton_constants.h"
 #include "numerics/optimize/box_quadratic.h"
 #include "numerics/optimize/line_search.h"
 
@@ -21,8 +21,8 @@ struct NewtonStep {
 /// The quadratic program min g·d + ½ d·H d, J d - T Δh = -c, h + Δh in its bounds. With d eliminated a dense one in Δh
 /// is left, with the Hessian S and the gradient -Tᵀλ. It is solved for the change of λ, g + Jᵀλ in place of g: so a
 /// factor from before the last step, with the J of then, is wrong in what is small.
-NewtonStep newton_step(const RefineState& state) {
-  const LengthConstraints& constraints = state.problem.constraints();
+NewtonStep newton_step(const NewtonState& state) {
+  const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);
   Positions2 force = state.gradient;
   constraints.add_transposed(constraints.directions(state.now.uv), state.multipliers, force);
@@ -42,20 +42,20 @@ NewtonStep newton_step(const RefineState& state) {
 }
 
 /// Its end before the way back to exact lengths.
-RefineIterate end_of(const NewtonStep& step, const RefineIterate& begin) {
+Iterate end_of(const NewtonStep& step, const Iterate& begin) {
   return {begin.uv + step.d, begin.variation + step.variation, 0};
 }
 
-bool factorize_for_exact_lengths(RefineState& state, bool is_near_minimum) {
+bool factorize_for_exact_lengths(NewtonState& state, bool is_near_minimum) {
   const auto try_to_factorize = [&](const Convexity& convexity) {
-    state.limits.stop.check();
-    return state.limits.budget.allows() && state.factorize(convexity);
+    state.control.stop.check();
+    return state.control.budget.allows() && state.factorize(convexity);
   };
   if (!is_near_minimum) return try_to_factorize(kLaplacian);
   return try_to_factorize(kExactHessian) || try_to_factorize(kConvexHessian);
 }
 
-void move_along(const NewtonStep& step, RefineState& state) {
+void move_along(const NewtonStep& step, NewtonState& state) {
   state.now = end_of(step, state.now);
   state.multipliers = step.multipliers;
   ++state.iterations;
@@ -63,12 +63,12 @@ void move_along(const NewtonStep& step, RefineState& state) {
 
 /// Newton steps with the factor from before a step with the given slope, as long as each leaves little to the next.
 /// Lengths are corrected by the next step only. Whether what is left is not worthwhile.
-bool take_steps_with_factor(RefineState& state, double slope) {
-  for (bool is_first = true; state.limits.stop.may_go_on(); is_first = false) {
+bool take_steps_with_factor(NewtonState& state, double slope) {
+  for (bool is_first = true; state.control.stop.may_go_on(); is_first = false) {
     state.update_gradient();
     const NewtonStep step = newton_step(state);
     const double fall = std::abs(step.slope / slope);
-    if (!(fall < RefineConstants::falls_fast)) break;
+    if (!(fall < NewtonConstants::falls_fast)) break;
     slope = step.slope;
     const double left = is_first ? std::abs(slope) : fall * std::abs(slope);  // after this step, at most
     const bool is_last = left < state.worthwhile_decrease();
@@ -79,11 +79,11 @@ bool take_steps_with_factor(RefineState& state, double slope) {
 }
 
 /// The same from exact lengths to exact lengths, downhill.
-StepOutcome go_on_with_factor(RefineState& state, double slope) {
-  const RefineIterate begin = state.now;
+StepOutcome go_on_with_factor(NewtonState& state, double slope) {
+  const Iterate begin = state.now;
   const Eigen::VectorXd multipliers = state.multipliers;
   const bool is_last = take_steps_with_factor(state, slope);
-  RefineIterate end = std::exchange(state.now, begin);
+  Iterate end = std::exchange(state.now, begin);
   if (state.evaluate(end) && end.value < begin.value) {
     state.now = std::move(end);
   } else {
@@ -94,17 +94,17 @@ StepOutcome go_on_with_factor(RefineState& state, double slope) {
 
 }  // namespace
 
-StepOutcome reach_exact_lengths(RefineState& state, bool is_near_minimum) {
-  if (state.problem.length_error(state.now) <= LengthConstraints::kept) return StepOutcome::accepted;
+StepOutcome reach_exact_lengths(NewtonState& state, bool is_near_minimum) {
+  if (state.length_error() <= LengthConstraints::kept) return StepOutcome::accepted;
   for (int i = 0; i < (is_near_minimum ? 2 : 1); ++i) {
     state.update_gradient();
     if (!factorize_for_exact_lengths(state, is_near_minimum)) break;
     const NewtonStep step = newton_step(state);
-    const RefineIterate begin = state.now;
+    const Iterate begin = state.now;
     move_along(step, state);
     const bool is_last = is_near_minimum && take_steps_with_factor(state, step.slope);
-    state.limits.stop.check();
-    RefineIterate end = std::exchange(state.now, begin);
+    state.control.stop.check();
+    Iterate end = std::exchange(state.now, begin);
     const bool is_exact = state.evaluate(end);
     state.now = std::move(end);
     if (is_exact) return is_last ? StepOutcome::converged : StepOutcome::accepted;
@@ -112,11 +112,11 @@ StepOutcome reach_exact_lengths(RefineState& state, bool is_near_minimum) {
   return StepOutcome::rejected;
 }
 
-StepOutcome take_newton_step(RefineState& state) {
+StepOutcome take_newton_step(NewtonState& state) {
   if (!state.factorize(kExactHessian)) return StepOutcome::rejected;
   const NewtonStep step = newton_step(state);
   const bool is_last = std::abs(step.slope) < state.worthwhile_decrease();
-  RefineIterate trial = end_of(step, state.now);
+  Iterate trial = end_of(step, state.now);
   const double enough = state.now.value + kSufficientDecrease * step.slope;
   const bool goes_down = state.evaluate(trial) && trial.value <= enough;
   if (goes_down) {
@@ -125,7 +125,7 @@ StepOutcome take_newton_step(RefineState& state) {
   }
   if (is_last) return StepOutcome::converged;
   if (!goes_down) return StepOutcome::rejected;  // shorter steps are better taken in a trust region
-  const bool is_near = std::abs(step.slope) < RefineConstants::near_minimum * state.now.value;
+  const bool is_near = std::abs(step.slope) < NewtonConstants::near_minimum * state.now.value;
   return is_near ? go_on_with_factor(state, step.slope) : StepOutcome::accepted;
 }
 

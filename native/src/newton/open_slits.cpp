@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-#include <utility>
+#include <memory>
+#include <vector>
 
 #include "base/planar.h"
+#include "newton/minimize.h"
 #include "newton/sewn_problem.h"
 #include "surface/charts/isoperimetric.h"
 #include "surface/mesh/geometry.h"
@@ -71,37 +72,31 @@ bool touches(const Chart& chart, const Slit& slit, const std::vector<int>& faces
 
 }  // namespace
 
-RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
-                        const std::function<RefinedShape(const RefineTask& sewn)>& refine_sewn,
-                        const RefinementLimits& limits) {
-  const Chart& chart = task.chart;
-  const auto sewn_problem = [&](const std::vector<Slit>& shut) -> std::optional<SewnProblem> {
-    std::optional<SewnChart> sewn = sew(chart, shut);
-    if (!sewn) return std::nullopt;
-    return SewnProblem(task, std::move(*sewn));
-  };
-  const std::optional<SewnProblem> all_shut = sewn_problem(slits);
-  if (!all_shut || is_outline_too_short(all_shut->task().chart)) return {};
-  const RefinedShape whole = refine_sewn(all_shut->task());
+Solution open_slits(Problem& problem, const Stage& stage, const std::function<Solution(Problem& sewn)>& solve_sewn,
+                    const Control& control) {
+  const Chart& chart = problem.chart();
+  const std::unique_ptr<SewnProblem> all_shut = sew_slits(problem, stage, problem.slits());
+  if (!all_shut || is_outline_too_short(all_shut->problem().chart())) return {};
+  const Solution whole = solve_sewn(all_shut->problem());
   if (!whole.is_exact()) return {};
-  RefinedShape best = all_shut->as_open(task, whole);
+  Solution best = all_shut->as_open(whole);
   if (!best.is_exact()) return best;
 
   std::vector<Slit> shut, open;
-  for (const Slit& slit : slits) (slit.rims.size() == 2 ? shut : open).push_back(slit);
-  const auto may_go_on = [&] { return limits.budget.allows() && !limits.stop.is_stopped(); };
+  for (const Slit& slit : problem.slits()) (slit.rims.size() == 2 ? shut : open).push_back(slit);
+  const auto may_go_on = [&] { return control.budget.allows() && !control.stop.is_stopped(); };
   while (!open.empty() && may_go_on()) {
-    const std::optional<SewnProblem> problem = sewn_problem(shut);
-    if (!problem) return best;
-    RefinementStart start{best.uv, best.multipliers};
+    const std::unique_ptr<SewnProblem> sewn = sew_slits(problem, stage, shut);
+    if (!sewn) return best;
+    Shape start{best.shape.uv, {}, best.shape.multipliers};
     for (const Slit& slit : open) open_a_little(chart, slit, start.uv);
-    RefinedShape trial = refine_shape(problem->task(), problem->to_sewn(start), limits);
-    if (!may_go_on() && !trial.is_converged()) best.status = ShapeStatus::stalled;
+    Solution trial = minimize(sewn->problem(), sewn->stage(), sewn->to_sewn(start), control);
+    if (!may_go_on() && !trial.is_converged()) best.status = SolutionStatus::stalled;
     if (!trial.is_exact()) return best;
     const std::vector<int> overlapping_faces = find_overlapping_faces(
-        triangles_of(chart.mesh), faces_on_boundary(chart.mesh), problem->to_open(trial).uv, kOverlapDepth);
+        triangles_of(chart.mesh), faces_on_boundary(chart.mesh), sewn->to_open(trial.shape).uv, kOverlapDepth);
     if (overlapping_faces.empty()) {
-      trial = problem->as_open(task, trial);
+      trial = sewn->as_open(trial);
       return trial.is_exact() && trial.objective < best.objective ? trial : best;
     }
     const auto crossed = std::stable_partition(
@@ -110,7 +105,7 @@ RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
     shut.insert(shut.end(), crossed, open.end());
     open.erase(crossed, open.end());
   }
-  if (!open.empty()) best.status = ShapeStatus::stalled;
+  if (!open.empty()) best.status = SolutionStatus::stalled;
   return best;
 }
 

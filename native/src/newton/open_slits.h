@@ -11,18 +11,16 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
-#include "newton/refine_shape.h"
-#include "surface/charts/slits.h"
+#include "newton/control.h"
+#include "newton/problem.h"
+#include "newton/solution.h"
 
 namespace wirewarp {
 
-/// The better one of the shapes of step 1 and of the last step 3; not exact where the sewn chart has no flat shape.
-/// slits: of the chart, one or more. refine_sewn: the least distorted
-/// shape of a chart from scratch.
-RefinedShape open_slits(const RefineTask& task, const std::vector<Slit>& slits,
-                        const std::function<RefinedShape(const RefineTask& sewn)>& refine_sewn,
-                        const RefinementLimits& limits);
+/// Returns the better one of the shapes of step 1 and of the last step 3, not exact if the sewn chart has no flat
+/// shape. The chart has one slit or more. solve_sewn: finds the least distorted shape of a chart from scratch.
+Solution open_slits(Problem& problem, const Stage& stage, const std::function<Solution(Problem& sewn)>& solve_sewn,
+                    const Control& control);
 
 }  // namespace wirewarp

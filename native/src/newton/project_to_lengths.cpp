@@ -14,7 +14,7 @@ constexpr int kMaxProjectSteps = 10;               // with one factor
 constexpr double kShortestProjectStep = 1.0 / 64;  // below, the lengths are as near as they get from here
 constexpr double kSufficientProjectStep = 0.1;     // share of the decrease of the strain which a step must bring
 
-struct Iterate {
+struct Projected {
   Positions2 uv;
   Eigen::VectorXd variation;  // h of elastic parts
   Eigen::VectorXd residual;   // c
@@ -24,10 +24,10 @@ struct Iterate {
 /// With d eliminated a quadratic program in Δh is left: h + Δh keeps to its tolerance.
 class Projection {
  public:
-  Projection(const RefineTask& task, const Positions2& uv, const StopToken& stop)
-      : constraints_(task.chart, task.network),
-        objective_(task),
-        system_(task.chart, objective_, constraints_, uv, stop),
+  Projection(const Problem& problem, const Positions2& uv, const StopToken& stop)
+      : constraints_(problem.constraints({})),
+        objective_(problem.objective({})),
+        system_(problem.chart(), objective_, constraints_, uv, stop),
         lengths_(constraints_.elastic_lengths()),
         now_(at(uv, constraints_.variation(uv))) {}
 
@@ -42,9 +42,9 @@ class Projection {
     stop.check();
     if (!is_positive) return false;
     if (constraints_.num_elastic() > 0) stiffness_h_ = system_.stiffness_by_variation();
-    const Iterate far = moved();
+    const Projected far = moved();
     double t = 1;
-    Iterate next = far;
+    Projected next = far;
     while (!(strain(next) <= (1 - kSufficientProjectStep * t) * strain(now_))) {
       t /= 2;
       if (t < kShortestProjectStep) return false;
@@ -52,7 +52,7 @@ class Projection {
     }
     now_ = std::move(next);
     for (int k = 1; k < kMaxProjectSteps && !has(LengthConstraints::exact); ++k) {
-      Iterate nearer = moved();
+      Projected nearer = moved();
       if (!(strain(nearer) < 0.5 * strain(now_))) break;
       now_ = std::move(nearer);
     }
@@ -60,18 +60,18 @@ class Projection {
   }
 
  private:
-  Iterate at(const Positions2& uv, const Eigen::VectorXd& variation) const {
-    Iterate iterate{uv, constraints_.within_tolerance(variation), {}};
+  Projected at(const Positions2& uv, const Eigen::VectorXd& variation) const {
+    Projected iterate{uv, constraints_.within_tolerance(variation), {}};
     iterate.residual = constraints_.residual(uv, iterate.variation);
     return iterate;
   }
 
-  double strain(const Iterate& iterate) const {
+  double strain(const Projected& iterate) const {
     return std::sqrt(iterate.residual.cwiseAbs2().dot(system_.stiffness()));
   }
 
   /// By a whole step.
-  Iterate moved() const {
+  Projected moved() const {
     Eigen::VectorXd d = system_.least_change(-now_.residual);
     Eigen::VectorXd change = Eigen::VectorXd::Zero(constraints_.num_elastic());
     if (change.size() > 0) {
@@ -90,16 +90,16 @@ class Projection {
   NewtonSystem system_;
   const Eigen::SparseMatrix<double>& lengths_;  // T
   Eigen::MatrixXd stiffness_h_;
-  Iterate now_;
+  Projected now_;
 };
 
 }  // namespace
 
-bool project_to_lengths(const RefineTask& task, Positions2& uv, RefineBudget& budget, const StopToken& stop) {
-  Projection projection(task, uv, stop);
-  while (!projection.has(LengthConstraints::exact) && budget.allows()) {
-    budget.spend(1);
-    if (!projection.get_nearer(stop)) break;
+bool project_to_lengths(const Problem& problem, Positions2& uv, const Control& control) {
+  Projection projection(problem, uv, control.stop);
+  while (!projection.has(LengthConstraints::exact) && control.budget.allows()) {
+    control.budget.spend(1);
+    if (!projection.get_nearer(control.stop)) break;
   }
   uv = projection.uv();
   return projection.has(LengthConstraints::kept);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "base/stop_token.h"
-#include "energy/refine_task.h"
-#include "newton/refine_budget.h"
+#include "newton/control.h"
+#include "newton/problem.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -14,6 +13,6 @@ inline constexpr int kMaxProjectFactorizations = 30;  // of a start near exact l
 /// the Laplacian, with any variations of the elastic parts within their tolerances. Those matter if more lengths are
 /// held than a flat shape has freedom. Returns false if no exact lengths are near; uv then has the smallest length
 /// errors that were found. Throws Stopped, asking before each factorization.
-bool project_to_lengths(const RefineTask& task, Positions2& uv, RefineBudget& budget, const StopToken& stop = {});
+bool project_to_lengths(const Problem& problem, Positions2& uv, const Control& control);
 
 }  // namespace wirewarp

@@ -6,6 +6,7 @@
 
 #include "base/attempt.h"
 #include "newton/injective_shape.h"
+#include "newton/minimize.h"
 #include "newton/open_slits.h"
 #include "newton/starts.h"
 #include "newton/unfold.h"
@@ -22,82 +23,71 @@ constexpr Start kInjective{"injective", injective_shape, Injectivity::local};
 /// In the order in which they are tried; native/README.md says how often each won.
 constexpr std::initializer_list<Start> kStarts{kUnfolded, kCoarse, kFree, kWiresAlone, kInjective};
 
-/// Returns the first exact shape.
-RefineResult try_starts(StartProblem& problem) {
-  RefineResult result;
+/// Returns the first exact shape. is_large: a coarser chart is a start.
+Solution try_starts(Problem& problem, Stage stage, bool is_large, const Control& control) {
+  Solution found;
   bool is_any_infeasible = false;
   for (const Start& start : kStarts) {
-    const std::optional<RefinementStart> made = attempt([&] { return start.make(problem); });
-    if (problem.stop.is_stopped()) break;
+    if (start.make == coarse_shape && !is_large) continue;
+    const std::optional<Shape> made = attempt([&] { return start.make(problem, control); });
+    if (control.stop.is_stopped()) break;
     if (!made) continue;
-    result.shape = refine_shape(problem.task, *made, {problem.budget, problem.stop.in("shape"), start.injectivity});
-    if (result.shape.is_exact()) {
-      result.start = start.name;
-      break;
+    stage.injectivity = start.injectivity;
+    found = minimize(problem, stage, *made, control.in("shape"));
+    if (found.is_exact()) {
+      found.start = start.name;
+      return found;
     }
-    is_any_infeasible = is_any_infeasible || result.shape.status == ShapeStatus::infeasible;
+    is_any_infeasible = is_any_infeasible || found.status == SolutionStatus::infeasible;
   }
-  if (!result.shape.is_exact()) {
-    result.shape.status = problem.stop.is_stopped() ? ShapeStatus::cancelled
-                          : is_any_infeasible       ? ShapeStatus::infeasible
-                                                    : ShapeStatus::singular;
-  }
-  result.factorizations = problem.budget.spent();
-  result.ran_out = problem.budget.ran_out();
-  return result;
+  found.status = control.stop.is_stopped() ? SolutionStatus::cancelled
+                 : is_any_infeasible       ? SolutionStatus::infeasible
+                                           : SolutionStatus::singular;
+  return found;
 }
 
-/// The unfolded chart where it has no strain: its slits are shut. Else sewn up and opened. Not exact where neither
-/// serves.
-RefineResult refine_with_slits(StartProblem& problem, const std::vector<Slit>& slits) {
-  RefineResult result;
-  if (const std::optional<Positions2> flat = unfold(problem.task.chart)) {
-    result.shape = evaluate_shape(problem.task, *flat);
-    if (result.shape.is_converged()) result.start = kUnfolded.name;
-    if (result.shape.is_converged()) return result;
+/// Unfolds the chart if that takes no strain: its slits are shut then. Otherwise sews the slits and opens them. Not
+/// exact if neither works.
+Solution refine_with_slits(Problem& problem, const Stage& stage, std::size_t large_chart, const Control& control) {
+  if (const std::optional<Positions2> flat = unfold(problem.chart())) {
+    Solution unfolded = evaluate(problem, stage, {*flat});
+    unfolded.start = kUnfolded.name;
+    if (unfolded.is_converged()) return unfolded;
   }
-  const auto refine_sewn = [&](const RefineTask& sewn) {
-    StartProblem closed{sewn, problem.budget, problem.stop, problem.large_chart};
-    return try_starts(closed).shape;
+  const auto solve_sewn = [&](Problem& sewn) {
+    return try_starts(sewn, stage, sewn.chart().mesh.n_faces() >= large_chart, control);
   };
-  result.shape = open_slits(problem.task, slits, refine_sewn, {problem.budget, problem.stop.in("shape")});
-  result.start = result.shape.is_exact() ? "sewn" : "";
-  return result;
+  Solution opened = open_slits(problem, stage, solve_sewn, control.in("shape"));
+  opened.start = opened.is_exact() ? "sewn" : "";
+  return opened;
 }
 
-/// Another shape if the piece is flipped or overlaps itself, and one is found.
-RefineResult without_flips_and_overlaps(RefineResult result, StartProblem& problem) {
-  const bool is_other = make_injective(problem, result.shape);
-  if (is_other) result.start = kInjective.name;
-  result.factorizations = problem.budget.spent();
-  result.ran_out = problem.budget.ran_out();
-  return result;
+/// Returns another solution if the given one is flipped or overlaps itself, and another is found.
+Solution without_flips_and_overlaps(Solution solution, Problem& problem, const Stage& stage, const Control& control) {
+  if (make_injective(problem, stage, control, solution)) solution.start = kInjective.name;
+  return solution;
 }
 
 }  // namespace
 
-RefineResult refine_chart(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
-                          const StopToken& stop) {
-  const HeldNetwork network = build_held_network(chart);
-  const Target target = options.cloth ? Target::rough : options.target;
-  StartProblem problem{{chart, network, options.fairness, nullptr, target}, budget, stop, options.large_chart};
-  RefineResult result;
-  if (const std::vector<Slit> slits = find_slits(chart); !slits.empty()) result = refine_with_slits(problem, slits);
-  if (!result.shape.is_exact()) result = try_starts(problem);
-  if (options.mends_folds) return without_flips_and_overlaps(std::move(result), problem);
-  result.factorizations = budget.spent();
-  result.ran_out = budget.ran_out();
-  return result;
+Solution refine_chart(Problem& problem, const InternalOptions& options, const Control& control) {
+  const Stage stage{nullptr, Injectivity::none, options.cloth ? Target::rough : options.target};
+  Solution found;
+  if (!problem.slits().empty()) found = refine_with_slits(problem, stage, options.large_chart, control);
+  if (!found.is_exact()) {
+    found = try_starts(problem, stage, problem.chart().mesh.n_faces() >= options.large_chart, control);
+  }
+  return options.mends_folds ? without_flips_and_overlaps(std::move(found), problem, stage, control) : found;
 }
 
-RefineResult refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
-  RefineBudget budget(options.max_factorizations);
-  return refine_chart(chart, options, budget, stop);
+Solution refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
+  Problem problem(chart, options.fairness);
+  Budget budget(options.max_factorizations);
+  return refine_chart(problem, options, {budget, stop});
 }
 
-RefineResult refine_from_scratch(const RefineTask& task, RefineBudget& budget, const StopToken& stop) {
-  StartProblem problem{task, budget, stop};
-  return without_flips_and_overlaps(try_starts(problem), problem);
+Solution refine_from_scratch(Problem& problem, const Control& control) {
+  return without_flips_and_overlaps(try_starts(problem, {}, false, control), problem, {}, control);
 }
 
 }  // namespace wirewarp

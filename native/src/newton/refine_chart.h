@@ -5,27 +5,22 @@
 
 #include "base/internal_options.h"
 #include "base/stop_token.h"
-#include "newton/refine_shape.h"
+#include "newton/control.h"
+#include "newton/problem.h"
+#include "newton/solution.h"
 
 namespace wirewarp {
 
-struct RefineResult {
-  RefinedShape shape;      // of the last start that was tried; singular: none could be made or refined
-  const char* start = "";  // the one that led to an exact shape
-  int factorizations = 0;  // that the budget has spent: of all starts, and what came before
-  bool ran_out = false;    // of factorizations: more were wanted
-};
+/// Finds the least distorted shape of a chart. Charts with slits start with these sewn (newton/open_slits.h). If the
+/// shape is flipped or overlaps itself, returns an injective one if options ask for it and one is found
+/// (newton/injective_shape.h). If no start leads to exact lengths, returns the last one that was tried. The token is
+/// polled in the stages "start" and "shape".
+Solution refine_chart(Problem& problem, const InternalOptions& options, const Control& control);
 
-/// Unfolded; else with slits sewn up first, where there are any (newton/open_slits.h); else from a coarser chart or
-/// from scratch. If that is flipped or overlaps itself, another shape, if one is found
-/// (newton/injective_shape.h), unless options say otherwise. stop: asked in the stages "start" and "shape".
-RefineResult refine_chart(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
-                          const StopToken& stop);
+/// The same for a chart, with a budget of options.max_factorizations.
+Solution refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
-/// With options.max_factorizations, all to itself.
-RefineResult refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
-
-/// Tries all starts but a coarser chart, and not slit by slit.
-RefineResult refine_from_scratch(const RefineTask& task, RefineBudget& budget, const StopToken& stop = {});
+/// Tries all starts but a coarser chart. Slits are treated like any other outline.
+Solution refine_from_scratch(Problem& problem, const Control& control);
 
 }  // namespace wirewarp

@@ -11,9 +11,8 @@
 
 #include "base/planar.h"
 #include "newton/injective_shape.h"
-#include "newton/refine_constants.h"
+#include "newton/newton_constants.h"
 #include "newton/shut_slits.h"
-#include "surface/mesh/geometry.h"
 #include "surface/orientation/upright_direction.h"
 
 namespace wirewarp {
@@ -31,11 +30,11 @@ Positions2 turned(const Positions2& uv, double angle) {
 
 class ClothRefinement {
  public:
-  ClothRefinement(const Chart& chart, const InternalOptions& options, const StopToken& stop)
-      : chart_(chart), network_(build_held_network(chart)), options_(options), stop_(stop) {}
+  ClothRefinement(Problem& problem, const InternalOptions& options, const Control& control)
+      : problem_(problem), chart_(problem.chart()), options_(options), control_(control) {}
 
-  /// None where no shape for the cloth is sound.
-  std::optional<RefinedShape> refine(const RefinedShape& upright, RefineBudget& budget);
+  /// None if no shape for the cloth is as injective as the upright one.
+  std::optional<Solution> refine(const Solution& upright);
 
  private:
   /// A layout turned to a valley of its energy.
@@ -46,21 +45,18 @@ class ClothRefinement {
   };
 
   std::vector<Turn> best_turns(const Positions2& uv) const;
-  RefineTask task(const ClothOnChart& cloth) const {
-    return {chart_, network_, options_.fairness, &cloth, options_.target};
-  }
   ClothOnChart cloth_held_as(const Positions2& uv) const;
-  RefinedShape refine_held(const RefinementStart& start, RefineBudget& budget) const;
-  RefinedShape refine_turning(const RefinedShape& upright, RefineBudget& budget) const;
-  double slope_of(const RefinedShape& shape) const;
+  Solution minimize_held(const Shape& start);
+  Solution minimize_turning(const Shape& upright);
+  double slope_of(const Shape& shape) const;
   /// As injective as the shape without a cloth: that comes first.
-  bool is_sound(const RefinedShape& shape) const { return shape.is_exact() && shape.injectivity >= injectivity_; }
-  bool may_go_on(RefineBudget& budget) const { return !stop_.is_stopped() && budget.allows(); }
+  bool is_sound(const Solution& found) const { return found.is_exact() && found.injectivity >= injectivity_; }
+  bool may_go_on() const { return !control_.stop.is_stopped() && control_.budget.allows(); }
 
+  Problem& problem_;
   const Chart& chart_;
-  HeldNetwork network_;
   const InternalOptions& options_;
-  StopToken stop_;
+  const Control control_;
   VertexPair pair_{};                            // whose direction is held
   Injectivity injectivity_ = Injectivity::none;  // of the shape without a cloth
 };
@@ -69,30 +65,31 @@ ClothOnChart ClothRefinement::cloth_held_as(const Positions2& uv) const {
   return {without_stretch(*options_.cloth), {hold_direction(pair_, uv)}, {}};
 }
 
-/// Turned as the start is. If the piece overlaps itself and did not before, it is refined once more with a
-/// barrier against that.
-RefinedShape ClothRefinement::refine_held(const RefinementStart& start, RefineBudget& budget) const {
+/// Keeps the direction of the start. If the piece overlaps itself and did not before, minimizes once more with a
+/// barrier against overlaps.
+Solution ClothRefinement::minimize_held(const Shape& start) {
   const ClothOnChart cloth = cloth_held_as(start.uv);
-  RefinedShape shape = refine_with_shut_slits(task(cloth), start, {budget, stop_, Injectivity::local});
-  shape.injectivity = injectivity_of(chart_, shape.uv);
-  if (shape.injectivity >= injectivity_ || !may_go_on(budget)) return shape;
-  shape = refine_with_shut_slits(task(cloth), start, {budget, stop_, Injectivity::global});
-  shape.injectivity = injectivity_of(chart_, shape.uv);
-  return shape;
+  Solution held;
+  for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
+    held = minimize_with_shut_slits(problem_, {&cloth, injectivity, options_.target}, start, control_);
+    held.injectivity = injectivity_of(chart_, held.shape.uv);
+    if (held.injectivity >= injectivity_ || !may_go_on()) break;
+  }
+  return held;
 }
 
 /// Of f over the area by the angle at which the shape is held: with n turned by dθ, n·d changes by |d| dθ, at the price
 /// of its multiplier.
-double ClothRefinement::slope_of(const RefinedShape& shape) const {
+double ClothRefinement::slope_of(const Shape& shape) const {
   const double length = (shape.uv.row(pair_[1]) - shape.uv.row(pair_[0])).norm();
-  return shape.multipliers[shape.multipliers.size() - 1] * length / surface_area(chart_.mesh);
+  return shape.multipliers[shape.multipliers.size() - 1] * length / problem_.area();
 }
 
 /// The best few of many directions.
 std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2& uv) const {
   const ClothOnChart cloth = cloth_held_as(uv);
-  const FairShapeError objective(task(cloth));
-  const double area = surface_area(chart_.mesh), spacing = kPi / kDirections;
+  const FairShapeError objective = problem_.objective({&cloth});
+  const double area = problem_.area(), spacing = kPi / kDirections;
   std::array<double, kDirections> energy;
   for (int k = 0; k < kDirections; ++k) energy[k] = objective.value(turned(uv, k * spacing)) / area;
   std::vector<Turn> turns;
@@ -108,51 +105,49 @@ std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2&
 }
 
 /// Newton steps by the angle, from the best of the shapes held at a few.
-RefinedShape ClothRefinement::refine_turning(const RefinedShape& upright, RefineBudget& budget) const {
-  RefinedShape best;
+Solution ClothRefinement::minimize_turning(const Shape& upright) {
+  Solution best;
   double curvature = 0;
   for (const Turn& turn : best_turns(upright.uv)) {
-    if (!may_go_on(budget)) break;
-    RefinedShape shape = refine_held({turn.uv, upright.multipliers}, budget);
-    if (!is_sound(shape) || (is_sound(best) && shape.objective >= best.objective)) continue;
-    best = std::move(shape);
+    if (!may_go_on()) break;
+    Solution held = minimize_held({turn.uv, {}, upright.multipliers});
+    if (!is_sound(held) || (is_sound(best) && held.objective >= best.objective)) continue;
+    best = std::move(held);
     curvature = turn.curvature;
   }
   if (!is_sound(best)) return best;
   const double longest = kPi / kDirections;
   for (int i = 0; i < kMaxTurns; ++i) {
-    const double slope = slope_of(best);
+    const double slope = slope_of(best.shape);
     double angle = curvature > 0 ? -slope / curvature : -std::copysign(longest, slope);
     angle = std::clamp(angle, -longest, longest);
-    if (std::abs(slope * angle) < RefineConstants::worthwhile * best.objective || !best.is_converged()) return best;
-    if (!may_go_on(budget)) break;
-    RefinedShape trial = refine_held({turned(best.uv, angle), best.multipliers}, budget);
+    if (std::abs(slope * angle) < NewtonConstants::worthwhile * best.objective || !best.is_converged()) return best;
+    if (!may_go_on()) break;
+    Solution trial = minimize_held({turned(best.shape.uv, angle), {}, best.shape.multipliers});
     if (trial.is_converged() && is_sound(trial) && trial.objective < best.objective) {
-      const double change = (slope_of(trial) - slope) / angle;
+      const double change = (slope_of(trial.shape) - slope) / angle;
       curvature = change > 0 ? change : 0;
       best = std::move(trial);
     } else {
       curvature = kShorter * std::abs(slope / angle);
     }
   }
-  best.status = ShapeStatus::stalled;
+  best.status = SolutionStatus::stalled;
   return best;
 }
 
-std::optional<RefinedShape> ClothRefinement::refine(const RefinedShape& upright, RefineBudget& budget) {
-  pair_ = upright_pair(chart_, upright.uv, options_);
+std::optional<Solution> ClothRefinement::refine(const Solution& upright) {
+  pair_ = upright_pair(chart_, upright.shape.uv, options_);
   injectivity_ = *upright.injectivity;
-  RefinementStart start{upright.uv, Eigen::VectorXd(upright.multipliers.size() + 1)};
-  start.multipliers << upright.multipliers, 0;
+  const Eigen::VectorXd& forces = upright.shape.multipliers;
+  Shape start{upright.shape.uv, {}, Eigen::VectorXd(forces.size() + 1)};
+  start.multipliers << forces, 0;
   const bool is_turned = options_.orientation == Orientation::best;
-  RefinedShape with_row = upright;
-  with_row.multipliers = start.multipliers;
-  RefinedShape shape = is_turned ? refine_turning(with_row, budget) : refine_held(start, budget);
-  if (!is_sound(shape)) return std::nullopt;
-  if (!is_turned) return shape;
+  Solution found = is_turned ? minimize_turning(start) : minimize_held(start);
+  if (!is_sound(found)) return std::nullopt;
   // Weft and warp are the same after a half turn: what leads up is up.
-  if (upright_direction(chart_, shape.uv, options_).y() < 0) shape.uv *= -1;
-  return shape;
+  if (is_turned && upright_direction(chart_, found.shape.uv, options_).y() < 0) found.shape.uv *= -1;
+  return found;
 }
 
 }  // namespace
@@ -161,25 +156,25 @@ GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& o
   return hold_direction(upright_pair(chart, uv, options), uv);
 }
 
-void refine_cloth(const Chart& chart, const InternalOptions& options, RefineBudget& budget, const StopToken& stop,
-                  RefineResult& result) {
-  stand_upright(result.shape.uv, upright_direction(chart, result.shape.uv, options));
-  result.shape.status = ShapeStatus::stalled;  // until its energy is least for the cloth
-  if (!result.shape.injectivity) result.shape.injectivity = injectivity_of(chart, result.shape.uv);
-  if (result.shape.injectivity == Injectivity::none) return;
-  if (stop.is_stopped() || !budget.allows()) return;
-  if (std::optional<RefinedShape> shape = ClothRefinement(chart, options, stop).refine(result.shape, budget)) {
-    shape->iterations += result.shape.iterations;
-    result.shape = std::move(*shape);
+void refine_cloth(Problem& problem, const InternalOptions& options, const Control& control, Solution& solution) {
+  const Chart& chart = problem.chart();
+  stand_upright(solution.shape.uv, upright_direction(chart, solution.shape.uv, options));
+  solution.status = SolutionStatus::stalled;  // until its energy is least for the cloth
+  if (!solution.injectivity) solution.injectivity = injectivity_of(chart, solution.shape.uv);
+  if (solution.injectivity == Injectivity::none) return;
+  if (control.stop.is_stopped() || !control.budget.allows()) return;
+  if (std::optional<Solution> found = ClothRefinement(problem, options, control).refine(solution)) {
+    found->iterations += solution.iterations;
+    found->start = solution.start;
+    solution = std::move(*found);
   }
-  result.factorizations = budget.spent();
 }
 
-std::optional<RefineResult> refine_injective(const Chart& chart, const InternalOptions& options, RefineBudget& budget,
-                                             const StopToken& stop) {
-  RefineResult refined = refine_chart(chart, options, budget, stop);
-  if (!refined.shape.is_exact() || injectivity_of(chart, refined.shape.uv) != Injectivity::global) return std::nullopt;
-  if (options.cloth) refine_cloth(chart, options, budget, stop.in("shape"), refined);
+std::optional<Solution> refine_injective(const Chart& chart, const InternalOptions& options, const Control& control) {
+  Problem problem(chart, options.fairness);
+  Solution refined = refine_chart(problem, options, control);
+  if (!refined.is_exact() || injectivity_of(chart, refined.shape.uv) != Injectivity::global) return std::nullopt;
+  if (options.cloth) refine_cloth(problem, options, control.in("shape"), refined);
   return refined;
 }
 

@@ -7,11 +7,10 @@
 #include <utility>
 
 #include "base/attempt.h"
-#include "energy/length_constraints.h"
 #include "newton/injective_start.h"
+#include "newton/minimize.h"
 #include "newton/shut_slits.h"
 #include "surface/charts/elastic_seams.h"
-#include "surface/mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
@@ -35,23 +34,23 @@ std::optional<ClothOnChart> combine_cloths(const CombinedCharts& combined, const
 }
 
 /// The starts of all charts, each where it is: charts have no entry of the matrix in common.
-RefinementStart combine_starts(const CombinedCharts& combined, const HeldNetwork& network,
-                               const std::vector<HeldNetwork>& networks, const std::vector<ClothOnChart>& cloths,
-                               const std::vector<RefinementStart>& starts) {
-  std::size_t num_rows = network.edges.size(), next_row = num_rows;
+Shape combine_starts(const CombinedCharts& combined, const Problem& whole, const std::vector<Problem>& problems,
+                     const std::vector<ClothOnChart>& cloths, const std::vector<Shape>& starts) {
+  std::size_t num_rows = whole.network().edges.size(), next_row = num_rows;
   for (const ClothOnChart& cloth : cloths) num_rows += cloth.grains.size();
-  RefinementStart all{Positions2(static_cast<Eigen::Index>(combined.chart.mesh.n_vertices()), 2),
-                      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(num_rows))};
+  Shape all{Positions2(static_cast<Eigen::Index>(combined.chart.mesh.n_vertices()), 2),
+            {},
+            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(num_rows))};
   for (std::size_t c = 0; c < starts.size(); ++c) {
     all.uv.middleRows(combined.first_vertex[c], starts[c].uv.rows()) = starts[c].uv;
-    const HeldNetwork& own = networks[c];
+    const HeldNetwork& own = problems[c].network();
     const Eigen::VectorXd& multipliers = starts[c].multipliers;
     const auto multiplier = [&](std::size_t row) {
       const auto index = static_cast<Eigen::Index>(row);
       return index < multipliers.size() ? multipliers[index] : 0;
     };
     for (std::size_t e = 0; e < own.edges.size(); ++e) {
-      const int there = network.wire_edge_of_edge[combined.first_edge[c] + own.edges[e].edge.idx()];
+      const int there = whole.network().wire_edge_of_edge[combined.first_edge[c] + own.edges[e].edge.idx()];
       all.multipliers[there] = multiplier(e);
     }
     for (std::size_t g = 0; g < (cloths.empty() ? 0 : cloths[c].grains.size()); ++g) {
@@ -62,15 +61,14 @@ RefinementStart combine_starts(const CombinedCharts& combined, const HeldNetwork
 }
 
 /// What is left of the first-order conditions.
-double projected_gradient(const RefineTask& task, const RefinedShape& shape) {
-  const LengthConstraints constraints(task.chart, task.network, task.cloth, shape.uv);
-  const double area = surface_area(task.chart.mesh);
+double projected_gradient(const Problem& problem, const Stage& stage, const Shape& shape) {
+  const LengthConstraints constraints = problem.constraints(stage, shape.uv);
   Positions2 gradient;
-  FairShapeError(task).value_and_gradient(shape.uv, gradient);
+  problem.objective(stage).value_and_gradient(shape.uv, gradient);
   constraints.add_transposed(constraints.directions(shape.uv), shape.multipliers, gradient);
-  double largest = gradient.cwiseAbs().maxCoeff() / std::sqrt(area);
-  const Eigen::VectorXd pull = constraints.elastic_lengths().transpose() * shape.multipliers / area;
-  for (std::size_t i = 0; i < task.chart.wire_parts.size(); ++i) {
+  double largest = gradient.cwiseAbs().maxCoeff() / std::sqrt(problem.area());
+  const Eigen::VectorXd pull = constraints.elastic_lengths().transpose() * shape.multipliers / problem.area();
+  for (std::size_t i = 0; i < problem.chart().wire_parts.size(); ++i) {
     const int w = constraints.elastic_of_part()[i];
     if (w < 0) continue;
     const double h = shape.variation[static_cast<Eigen::Index>(i)], most = constraints.tolerance()[w];
@@ -80,43 +78,44 @@ double projected_gradient(const RefineTask& task, const RefinedShape& shape) {
   return largest;
 }
 
-/// Where the start is too far from exact lengths for one step, by the method of multipliers from there.
-RefinedShape refine_near(const RefineTask& task, const RefinementStart& start, bool is_one,
-                         const RefinementLimits& limits) {
-  const int spent_before = limits.budget.spent();
-  RefinedShape shape = is_one ? refine_with_shut_slits(task, start, limits) : refine_shape(task, start, limits);
-  const bool may_not_turn_over = limits.injectivity != Injectivity::none;
-  if (!shape.is_exact() && may_not_turn_over && FairShapeError(task).count_flips(start.uv) == 0) {
-    const std::optional<RefinementStart> exact = attempt([&] { return injective_start(task, start.uv, limits); });
-    if (exact) shape = refine_shape(task, *exact, limits);
+/// If the start is too far from exact lengths for one step, tries the method of multipliers from there.
+Solution minimize_near(Problem& problem, const Stage& stage, const Shape& start, bool is_one, const Control& control) {
+  const int spent_before = control.budget.spent();
+  Solution found =
+      is_one ? minimize_with_shut_slits(problem, stage, start, control) : minimize(problem, stage, start, control);
+  const bool may_not_flip = stage.injectivity != Injectivity::none;
+  if (!found.is_exact() && may_not_flip && problem.objective({stage.cloth}).count_flips(start.uv) == 0) {
+    const std::optional<Shape> exact = attempt([&] { return injective_start(problem, stage, start.uv, control); });
+    if (exact) found = minimize(problem, stage, *exact, control);
   }
-  shape.factorizations = limits.budget.spent() - spent_before;
-  return shape;
+  found.factorizations = control.budget.spent() - spent_before;
+  return found;
 }
 
 }  // namespace
 
-CoupledShapes refine_coupled(const std::vector<Chart>& charts, double fairness, const std::vector<ClothOnChart>& cloths,
-                             const std::vector<RefinementStart>& starts, const RefinementLimits& limits) {
+CoupledSolution refine_coupled(const std::vector<Chart>& charts, double fairness,
+                               const std::vector<ClothOnChart>& cloths, Injectivity injectivity,
+                               const std::vector<Shape>& starts, const Control& control) {
   const CombinedCharts combined = combine(charts);
-  const HeldNetwork network = build_held_network(combined.chart);
-  std::vector<HeldNetwork> networks;
-  for (const Chart& chart : charts) networks.push_back(build_held_network(chart));
+  Problem problem(combined.chart, fairness);
+  std::vector<Problem> problems;
+  for (const Chart& chart : charts) problems.emplace_back(chart, fairness);
   const std::optional<ClothOnChart> cloth = combine_cloths(combined, charts, cloths);
-  const RefineTask task{combined.chart, network, fairness, cloth ? &*cloth : nullptr};
-  const RefinementStart start = combine_starts(combined, network, networks, cloths, starts);
-  const RefinedShape whole = refine_near(task, start, charts.size() == 1, limits);
-  CoupledShapes coupled;
-  coupled.projected_gradient = projected_gradient(task, whole);
+  Stage stage{cloth ? &*cloth : nullptr, injectivity};
+  const Shape start = combine_starts(combined, problem, problems, cloths, starts);
+  const Solution whole = minimize_near(problem, stage, start, charts.size() == 1, control);
+  CoupledSolution coupled;
+  stage.injectivity = Injectivity::none;
+  coupled.projected_gradient = projected_gradient(problem, stage, whole.shape);
   for (std::size_t c = 0; c < charts.size(); ++c) {
-    RefinedShape shape = whole;
-    shape.multipliers.resize(0);
-    shape.uv = whole.uv.middleRows(combined.first_vertex[c], starts[c].uv.rows());
-    shape.variation =
-        whole.variation.segment(combined.first_part[c], static_cast<Eigen::Index>(charts[c].wire_parts.size()));
-    const RefineTask alone{charts[c], networks[c], fairness, cloth ? &cloths[c] : nullptr};
-    shape.objective = FairShapeError(alone).value(shape.uv) / surface_area(charts[c].mesh);
-    coupled.shapes.push_back(std::move(shape));
+    Solution one = whole;
+    const auto num_parts = static_cast<Eigen::Index>(charts[c].wire_parts.size());
+    one.shape = {whole.shape.uv.middleRows(combined.first_vertex[c], starts[c].uv.rows()),
+                 whole.shape.variation.segment(combined.first_part[c], num_parts),
+                 {}};
+    one.objective = problems[c].objective({cloth ? &cloths[c] : nullptr}).value(one.shape.uv) / problems[c].area();
+    coupled.charts.push_back(std::move(one));
   }
   return coupled;
 }

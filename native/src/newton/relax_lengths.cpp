@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "newton/newton_system.h"
+#include "newton/newton_state.h"
 #include "numerics/optimize/line_search.h"
-#include "surface/mesh/geometry.h"
 
 namespace wirewarp {
 namespace {
@@ -33,9 +32,9 @@ Chart with_variations(Chart chart) {
 
 class RelaxedLengths {
  public:
-  RelaxedLengths(const RefineTask& task, const Positions2& start, const StopToken& stop);
+  RelaxedLengths(const Problem& problem, const Positions2& start, const StopToken& stop);
 
-  bool minimize(double smoothing, RefineBudget& budget, const StopToken& stop);
+  bool minimize(double smoothing, const Control& control);
   RelaxedShape shape() const;
 
  private:
@@ -43,10 +42,6 @@ class RelaxedLengths {
     double weight;      // W
     double length = 0;  // L
     int part;           // -1: boundary
-  };
-  struct Iterate {
-    Positions2 uv;
-    Eigen::VectorXd variation;  // h
   };
   struct Step {
     Positions2 d;
@@ -74,18 +69,18 @@ class RelaxedLengths {
   Iterate now_;
 };
 
-RelaxedLengths::RelaxedLengths(const RefineTask& task, const Positions2& start, const StopToken& stop)
-    : chart_(task.chart),
-      size_(std::sqrt(surface_area(chart_.mesh))),
-      constraints_(chart_, task.network),
-      objective_(task),
+RelaxedLengths::RelaxedLengths(const Problem& problem, const Positions2& start, const StopToken& stop)
+    : chart_(problem.chart()),
+      size_(std::sqrt(problem.area())),
+      constraints_(problem.constraints({})),
+      objective_(problem.objective({})),
       system_(chart_, objective_, constraints_, start, stop),
       lengths_(constraints_.elastic_lengths()),
       part_length_(lengths_.transpose() * Eigen::VectorXd::Ones(constraints_.size())),
       tolerance_(kWithinTolerance * constraints_.tolerance()),
       slack_(Eigen::VectorXd::Zero(constraints_.size())),
       now_{start, constraints_.variation(start)} {
-  make_groups(task.network);
+  make_groups(problem.network());
 }
 
 void RelaxedLengths::make_groups(const HeldNetwork& network) {
@@ -185,13 +180,13 @@ RelaxedLengths::Step RelaxedLengths::step(double smoothing, const StopToken& sto
   return step;
 }
 
-/// False where the budget was spent before.
-bool RelaxedLengths::minimize(double smoothing, RefineBudget& budget, const StopToken& stop) {
+/// Returns false if the budget was spent before.
+bool RelaxedLengths::minimize(double smoothing, const Control& control) {
   double now = value(now_, smoothing);
   for (int i = 0; i < kMaxRelaxSteps; ++i) {
-    if (!budget.allows()) return false;
-    budget.spend(1);
-    const Step full = step(smoothing, stop);
+    if (!control.budget.allows()) return false;
+    control.budget.spend(1);
+    const Step full = step(smoothing, control.stop);
     if (-full.slope <= kWorthwhile * now) return true;
     double t = 1;
     Iterate trial;
@@ -234,12 +229,12 @@ RelaxedShape RelaxedLengths::shape() const {
 
 }  // namespace
 
-RelaxedShape relax_lengths(const RefineTask& task, const Positions2& start, RefineBudget& budget,
-                           const StopToken& stop) {
-  const Chart varied = with_variations(task.chart);
-  RelaxedLengths lengths({varied, task.network, task.fairness}, start, stop);
+RelaxedShape relax_lengths(const Problem& problem, const Positions2& start, const Control& control) {
+  const Chart varied = with_variations(problem.chart());
+  const Problem varied_problem(varied, problem.network(), problem.fairness());
+  RelaxedLengths lengths(varied_problem, start, control.stop);
   bool is_minimum = true;
-  for (const double smoothing : kSmoothing) is_minimum = is_minimum && lengths.minimize(smoothing, budget, stop);
+  for (const double smoothing : kSmoothing) is_minimum = is_minimum && lengths.minimize(smoothing, control);
   RelaxedShape shape = lengths.shape();
   shape.is_minimum = is_minimum;
   return shape;

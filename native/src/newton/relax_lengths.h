@@ -14,9 +14,8 @@
 // squares: for given weights every term is a spring, and the Newton system has springs already.
 #pragma once
 
-#include "base/stop_token.h"
-#include "energy/refine_task.h"
-#include "newton/refine_budget.h"
+#include "newton/control.h"
+#include "newton/problem.h"
 #include "wirewarp/types.h"
 
 namespace wirewarp {
@@ -31,8 +30,7 @@ struct RelaxedShape {
   bool is_minimum = true;               // false: the budget was spent before that
 };
 
-/// Minimizes Φ from a start, one row per chart vertex. Throws Stopped, asking before each factorization.
-RelaxedShape relax_lengths(const RefineTask& task, const Positions2& start, RefineBudget& budget,
-                           const StopToken& stop = {});
+/// Minimizes Φ from a start, one row per chart vertex. Throws Stopped; the token is polled before each factorization.
+RelaxedShape relax_lengths(const Problem& problem, const Positions2& start, const Control& control);
 
 }  // namespace wirewarp

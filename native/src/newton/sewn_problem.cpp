@@ -4,29 +4,30 @@
 #include <stdexcept>
 #include <utility>
 
+#include "newton/minimize.h"
+
 namespace wirewarp {
 
-SewnProblem::SewnProblem(const RefineTask& open, SewnChart sewn)
-    : sewn_(std::move(sewn)),
-      network_(build_held_network(sewn_.chart)),
-      fairness_(open.fairness),
-      target_(open.target) {
-  for (const WireEdge& edge : open.network.edges) {
-    const HalfedgeHandle h = open.chart.mesh.halfedge_handle(edge.edge, 0);
+SewnProblem::SewnProblem(const Problem& open, const Stage& stage, SewnChart sewn)
+    : open_(open), stage_(stage), sewn_(std::move(sewn)), problem_(sewn_.chart, open.fairness()) {
+  const HeldNetwork &network = problem_.network(), &open_network = open.network();
+  const HalfEdgeMesh &mesh = sewn_.chart.mesh, &open_mesh = open.chart().mesh;
+  for (const WireEdge& edge : open_network.edges) {
+    const HalfedgeHandle h = open_mesh.halfedge_handle(edge.edge, 0);
     const auto sewn_end = [&](VertexHandle v) { return VertexHandle(sewn_.vertex[v.idx()]); };
-    const HalfedgeHandle there = sewn_.chart.mesh.find_halfedge(sewn_end(open.chart.mesh.from_vertex_handle(h)),
-                                                                sewn_end(open.chart.mesh.to_vertex_handle(h)));
-    const int sewn_edge = there.is_valid() ? network_.wire_edge_of_edge[sewn_.chart.mesh.edge_handle(there).idx()] : -1;
-    if (sewn_edge < 0) throw std::logic_error("an edge of a wire is none any more once slits are sewn");
+    const HalfedgeHandle there =
+        mesh.find_halfedge(sewn_end(open_mesh.from_vertex_handle(h)), sewn_end(open_mesh.to_vertex_handle(h)));
+    const int sewn_edge = there.is_valid() ? network.wire_edge_of_edge[mesh.edge_handle(there).idx()] : -1;
+    if (sewn_edge < 0) throw std::logic_error("an edge of a wire is not one any more once slits are sewn");
     row_.push_back(sewn_edge);
   }
-  num_rows_ = static_cast<int>(network_.edges.size());
-  if (!open.cloth) return;
-  cloth_ = *open.cloth;
+  num_rows_ = static_cast<int>(network.edges.size());
+  if (!stage.cloth) return;
+  cloth_ = *stage.cloth;
   if (!cloth_->flat_ratio.empty()) {
-    cloth_->flat_ratio.assign(sewn_.chart.mesh.n_edges(), 1);
-    for (std::size_t e = 0; e < open.network.edges.size(); ++e) {
-      cloth_->flat_ratio[network_.edges[row_[e]].edge.idx()] = open.cloth->flat_ratio[open.network.edges[e].edge.idx()];
+    cloth_->flat_ratio.assign(mesh.n_edges(), 1);
+    for (std::size_t e = 0; e < open_network.edges.size(); ++e) {
+      cloth_->flat_ratio[network.edges[row_[e]].edge.idx()] = stage.cloth->flat_ratio[open_network.edges[e].edge.idx()];
     }
   }
   for (GrainRow& grain : cloth_->grains) {
@@ -36,28 +37,34 @@ SewnProblem::SewnProblem(const RefineTask& open, SewnChart sewn)
   }
 }
 
-RefinementStart SewnProblem::to_sewn(const RefinementStart& open) const {
-  RefinementStart start{Positions2(static_cast<Eigen::Index>(sewn_.chart.mesh.n_vertices()), 2),
-                        Eigen::VectorXd::Zero(num_rows_)};
+Shape SewnProblem::to_sewn(const Shape& open) const {
+  Shape start{
+      Positions2(static_cast<Eigen::Index>(sewn_.chart.mesh.n_vertices()), 2), {}, Eigen::VectorXd::Zero(num_rows_)};
   for (int v = 0; v < open.uv.rows(); ++v) start.uv.row(sewn_.vertex[v]) = open.uv.row(v);
   for (int e = 0; e < open.multipliers.size(); ++e) start.multipliers[row_[e]] += open.multipliers[e];
   return start;
 }
 
-RefinementStart SewnProblem::to_open(const RefinedShape& sewn) const {
+Shape SewnProblem::to_open(const Shape& sewn) const {
   std::vector<int> num_open(num_rows_, 0);
   for (const int e : row_) ++num_open[e];
-  RefinementStart start{sewn.uv(sewn_.vertex, Eigen::all), Eigen::VectorXd(static_cast<Eigen::Index>(row_.size()))};
+  Shape start{sewn.uv(sewn_.vertex, Eigen::all), {}, Eigen::VectorXd(static_cast<Eigen::Index>(row_.size()))};
   for (int e = 0; e < start.multipliers.size(); ++e)
     start.multipliers[e] = sewn.multipliers[row_[e]] / num_open[row_[e]];
   return start;
 }
 
-RefinedShape SewnProblem::as_open(const RefineTask& open, const RefinedShape& sewn) const {
-  RefinedShape shape = evaluate_shape(open, to_open(sewn));
-  if (shape.is_exact() || !sewn.is_exact()) shape.status = sewn.status;
-  shape.iterations = sewn.iterations;
-  return shape;
+Solution SewnProblem::as_open(const Solution& sewn) const {
+  Solution solution = evaluate(open_, stage_, to_open(sewn.shape));
+  if (solution.is_exact() || !sewn.is_exact()) solution.status = sewn.status;
+  solution.iterations = sewn.iterations;
+  solution.factorizations = sewn.factorizations;
+  return solution;
+}
+
+std::unique_ptr<SewnProblem> sew_slits(const Problem& open, const Stage& stage, const std::vector<Slit>& slits) {
+  std::optional<SewnChart> sewn = sew(open.chart(), slits);
+  return sewn ? std::make_unique<SewnProblem>(open, stage, std::move(*sewn)) : nullptr;
 }
 
 }  // namespace wirewarp

@@ -1,38 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "newton/refine_shape.h"
+#include "newton/problem.h"
+#include "newton/solution.h"
 #include "surface/charts/slits.h"
 
 namespace wirewarp {
 
-/// A chart to refine with some slits sewn, and the way to and from it.
+/// A problem and a stage with some slits sewn, and the way to and from it.
 class SewnProblem {
  public:
-  SewnProblem(const RefineTask& open, SewnChart sewn);
+  /// The open problem and the cloth of its stage must outlive this one.
+  SewnProblem(const Problem& open, const Stage& stage, SewnChart sewn);
+  SewnProblem(const SewnProblem&) = delete;  // the problem refers to the chart
+  SewnProblem& operator=(const SewnProblem&) = delete;
 
-  /// Refers to this problem.
-  RefineTask task() const { return {sewn_.chart, network_, fairness_, cloth_ ? &*cloth_ : nullptr, target_}; }
+  Problem& problem() { return problem_; }
+  Stage stage() const { return {cloth_ ? &*cloth_ : nullptr, stage_.injectivity, stage_.target}; }
 
   /// Edges that are sewn together bear the forces of both.
-  RefinementStart to_sewn(const RefinementStart& open) const;
+  Shape to_sewn(const Shape& open) const;
 
-  RefinementStart to_open(const RefinedShape& sewn) const;
+  Shape to_open(const Shape& sewn) const;
 
-  /// A shape of this problem as one of the open chart. open: the task this was made of.
-  RefinedShape as_open(const RefineTask& open, const RefinedShape& sewn) const;
+  /// A solution of this problem as one of the open problem.
+  Solution as_open(const Solution& sewn) const;
 
  private:
+  const Problem& open_;
+  Stage stage_;  // of the open problem
   SewnChart sewn_;
-  HeldNetwork network_;
-  double fairness_;
-  Target target_;
+  Problem problem_;
   std::optional<ClothOnChart> cloth_;
   std::vector<int> row_;  // of the sewn constraints, one per row of the open ones
   int num_rows_;          // of the sewn constraints
 };
+
+/// Null if the sewn surface is not a chart.
+std::unique_ptr<SewnProblem> sew_slits(const Problem& open, const Stage& stage, const std::vector<Slit>& slits);
 
 }  // namespace wirewarp

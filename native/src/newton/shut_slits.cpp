@@ -2,10 +2,10 @@
 #include "newton/shut_slits.h"
 
 #include <algorithm>
-#include <optional>
-#include <utility>
+#include <memory>
 #include <vector>
 
+#include "newton/minimize.h"
 #include "newton/sewn_problem.h"
 
 namespace wirewarp {
@@ -29,16 +29,14 @@ bool is_shut(const Chart& chart, const Slit& slit, const Positions2& uv) {
 
 }  // namespace
 
-RefinedShape refine_with_shut_slits(const RefineTask& task, const RefinementStart& start,
-                                    const RefinementLimits& limits) {
-  std::vector<Slit> slits = find_slits(task.chart);
-  const auto is_open = [&](const Slit& slit) { return !is_shut(task.chart, slit, start.uv); };
-  slits.erase(std::remove_if(slits.begin(), slits.end(), is_open), slits.end());
-  std::optional<SewnChart> sewn;
-  if (!slits.empty()) sewn = sew(task.chart, slits);
-  if (!sewn) return refine_shape(task, start, limits);
-  const SewnProblem problem(task, std::move(*sewn));
-  return problem.as_open(task, refine_shape(problem.task(), problem.to_sewn(start), limits));
+Solution minimize_with_shut_slits(Problem& problem, const Stage& stage, const Shape& start, const Control& control) {
+  std::vector<Slit> shut;
+  for (const Slit& slit : problem.slits()) {
+    if (is_shut(problem.chart(), slit, start.uv)) shut.push_back(slit);
+  }
+  const std::unique_ptr<SewnProblem> sewn = shut.empty() ? nullptr : sew_slits(problem, stage, shut);
+  if (!sewn) return minimize(problem, stage, start, control);
+  return sewn->as_open(minimize(sewn->problem(), sewn->stage(), sewn->to_sewn(start), control));
 }
 
 }  // namespace wirewarp

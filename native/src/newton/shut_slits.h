@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "newton/refine_shape.h"
+#include "newton/control.h"
+#include "newton/problem.h"
+#include "newton/solution.h"
 
 namespace wirewarp {
 
-/// refine_shape() of a chart; slits that are shut at the start stay so, sewn: open rims that lie on one another are no
-/// smooth point (newton/open_slits.h).
-RefinedShape refine_with_shut_slits(const RefineTask& task, const RefinementStart& start,
-                                    const RefinementLimits& limits);
+/// Does what minimize() does, with the slits sewn that the start has shut: shapes with rims that lie on one another are
+/// not smooth points (newton/open_slits.h).
+Solution minimize_with_shut_slits(Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
 }  // namespace wirewarp

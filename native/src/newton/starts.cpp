@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "energy/free_boundary_arap.h"
 #include "newton/coarse_start.h"
 #include "newton/injective_shape.h"
 #include "newton/unfold.h"
@@ -13,28 +12,24 @@
 
 namespace wirewarp {
 
-const Positions2& StartProblem::free_map() {
-  if (!known_free_map) known_free_map = free_boundary_arap(task.chart, kFreeSteps, {}, stop.in("start")).uv;
-  return *known_free_map;
-}
-
-std::optional<RefinementStart> unfolded(StartProblem& problem) {
-  std::optional<Positions2> uv = unfold(problem.task.chart);
+std::optional<Shape> unfolded(Problem& problem, const Control&) {
+  std::optional<Positions2> uv = unfold(problem.chart());
   if (!uv) return std::nullopt;
-  return RefinementStart(std::move(*uv));
+  return Shape{std::move(*uv)};
 }
 
-std::optional<RefinementStart> coarse_shape(StartProblem& problem) {
-  if (problem.task.chart.mesh.n_faces() < problem.large_chart) return std::nullopt;
-  return start_from_coarse(problem.task, problem.budget, problem.stop);
+std::optional<Shape> coarse_shape(Problem& problem, const Control& control) {
+  return start_from_coarse(problem, control);
 }
 
-std::optional<RefinementStart> free_shape(StartProblem& problem) { return RefinementStart(problem.free_map()); }
+std::optional<Shape> free_shape(Problem& problem, const Control& control) {
+  return Shape{problem.free_map(control.stop.in("start"))};
+}
 
-std::optional<RefinementStart> wires_alone(StartProblem& problem) {
-  const Chart& chart = problem.task.chart;
+std::optional<Shape> wires_alone(Problem& problem, const Control& control) {
+  const Chart& chart = problem.chart();
   const Options plain;  // those of Eq. (1) are not the refined method's
-  const StopToken stop = problem.stop.in("start");
+  const StopToken stop = control.stop.in("start");
   stop.check();
   std::optional<Chart> split;
   try {
@@ -49,11 +44,11 @@ std::optional<RefinementStart> wires_alone(StartProblem& problem) {
   WarpedShape shape = start_variation(prepared, warp, variation_bounds(prepared, plain)).shape;
   if (!shape.inner.is_feasible) return std::nullopt;
   shape.uv.conservativeResize(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
-  return RefinementStart(std::move(shape.uv));
+  return Shape{std::move(shape.uv)};
 }
 
-std::optional<RefinementStart> injective_shape(StartProblem& problem) {
-  return reach_injectively(problem, Injectivity::local);
+std::optional<Shape> injective_shape(Problem& problem, const Control& control) {
+  return reach_injectively(problem, {nullptr, Injectivity::local}, control);
 }
 
 }  // namespace wirewarp

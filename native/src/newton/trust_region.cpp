@@ -7,14 +7,14 @@
 #include <utility>
 #include <vector>
 
-#include "newton/refine_constants.h"
+#include "newton/newton_constants.h"
 
 namespace wirewarp {
 namespace {
 
 /// All elastic parts but those at a bound that would go beyond it: f falls by (Tᵀλ)_w per unit of h_w.
-std::vector<int> free_parts(const RefineState& state) {
-  const LengthConstraints& constraints = state.problem.constraints();
+std::vector<int> free_parts(const NewtonState& state) {
+  const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd &h = state.now.variation, &tolerance = constraints.tolerance();
   const Eigen::VectorXd pull = constraints.elastic_lengths().transpose() * state.multipliers;
   std::vector<int> free;
@@ -27,9 +27,9 @@ std::vector<int> free_parts(const RefineState& state) {
 
 /// The forces in the wires, each vertex's turned by a quarter. At a saddle they push where a mirror image would: its
 /// way down may be against a symmetry that the gradient has.
-Positions2 forces_across_symmetry(const RefineState& state) {
+Positions2 forces_across_symmetry(const NewtonState& state) {
   Positions2 tension = Positions2::Zero(state.now.uv.rows(), 2), turned(tension.rows(), 2);
-  state.problem.constraints().add_transposed(state.system->directions(), state.multipliers, tension);
+  state.constraints.add_transposed(state.system->directions(), state.multipliers, tension);
   turned.col(0) = -tension.col(1);
   turned.col(1) = tension.col(0);
   return turned;
@@ -37,9 +37,9 @@ Positions2 forces_across_symmetry(const RefineState& state) {
 
 }  // namespace
 
-StepOutcome TrustRegion::take_step(RefineState& state) {
+StepOutcome TrustRegion::take_step(NewtonState& state) {
   if (!state.factorize(kConvexHessian)) return StepOutcome::rejected;
-  const LengthConstraints& constraints = state.problem.constraints();
+  const LengthConstraints& constraints = state.constraints;
   state.multipliers =
       state.system->solve_on_wires(-state.gradient, Eigen::VectorXd::Zero(constraints.size())).multipliers;
   const TangentSpace space(*state.system, constraints, free_parts(state));
@@ -52,40 +52,40 @@ StepOutcome TrustRegion::take_step(RefineState& state) {
   const auto precondition = [&](Eigen::VectorXd& force) { return space.solve(force); };
   const auto model_for = [&](const Positions2& gradient) {
     return LanczosTrustRegion(times_hessian, precondition, space.force_on_vertices(gradient),
-                              RefineConstants::max_krylov_size);
+                              NewtonConstants::max_krylov_size);
   };
   const LanczosTrustRegion model = model_for(state.gradient);
   if (radius_ == 0) radius_ = model.convex_length();
   const bool is_stationary = model.convex_length() * model.convex_length() < state.worthwhile_decrease();
   if (!is_stationary) return search(state, space, [&](double radius) { return model.step(radius); });
   const LanczosTrustRegion off_saddle = model_for(forces_across_symmetry(state));
-  if (off_saddle.lowest_curvature() > -RefineConstants::flat_curvature) return StepOutcome::converged;
+  if (off_saddle.lowest_curvature() > -NewtonConstants::flat_curvature) return StepOutcome::converged;
   // The gradient, which has all but vanished, says nothing of how far to go: at least as far as is worthwhile.
   radius_ = std::max(radius_, std::sqrt(2 * state.worthwhile_decrease() / -off_saddle.lowest_curvature()));
   return search(state, space, [&](double radius) { return off_saddle.step_along_lowest_curvature(radius); });
 }
 
 /// Takes the step of the largest radius whose step goes down as the model says.
-StepOutcome TrustRegion::search(RefineState& state, const TangentSpace& space,
+StepOutcome TrustRegion::search(NewtonState& state, const TangentSpace& space,
                                 const std::function<ModelStep(double radius)>& step_of) {
-  std::optional<RefineIterate> best;
+  std::optional<Iterate> best;
   double best_radius = 0;
-  for (int i = 0; i < RefineConstants::max_radii && (i == 0 || state.limits.stop.may_go_on()); ++i) {
+  for (int i = 0; i < NewtonConstants::max_radii && (i == 0 || state.control.stop.may_go_on()); ++i) {
     const ModelStep step = step_of(radius_);
-    RefineIterate trial = state.now;
+    Iterate trial = state.now;
     trial.uv += Eigen::Map<const Positions2>(step.d.data(), trial.uv.rows(), 2);
     trial.variation(space.free()) += step.d.tail(static_cast<Eigen::Index>(space.free().size()));
     const double ratio = state.evaluate(trial) ? (state.now.value - trial.value) / step.decrease : -1;
-    if (ratio > RefineConstants::accept_ratio && (!best || trial.value < best->value)) {
+    if (ratio > NewtonConstants::accept_ratio && (!best || trial.value < best->value)) {
       best = std::move(trial);
       best_radius = radius_;
       was_inside_ = step.is_inside;
-      if (ratio < RefineConstants::grow_ratio || step.is_inside) break;
+      if (ratio < NewtonConstants::grow_ratio || step.is_inside) break;
       radius_ *= 2;
     } else if (best) {
       break;
     } else {
-      radius_ = std::min(radius_, step.length) / RefineConstants::shrink;
+      radius_ = std::min(radius_, step.length) / NewtonConstants::shrink;
     }
   }
   if (!best) return StepOutcome::rejected;

@@ -10,8 +10,8 @@
 #include "count_allocations.h"
 #include "count_fronts.h"
 #include "energy/free_boundary_arap.h"
+#include "newton/minimize.h"
 #include "newton/newton_system.h"
-#include "newton/refine_shape.h"
 #include "numerics/cholesky/multifrontal_cholesky.h"
 #include "test_meshes.h"
 #include "warp/outer/warp.h"
@@ -86,7 +86,7 @@ std::pair<int, int> newton_allocations(int n) {
   const SheetToFlatten flat(n);
   const HeldNetwork network = build_held_network(flat.chart());
   const LengthConstraints constraints(flat.chart(), network);
-  FairShapeError objective({flat.chart(), network, 0.1});
+  FairShapeError objective(flat.chart(), network, 0.1);
   NewtonSystem system(flat.chart(), objective, constraints, flat.uv);
   const Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(constraints.size());
   const auto factorize = [&] { system.factorize(flat.uv, multipliers, {Curvature::convex, false}); };
@@ -108,17 +108,16 @@ struct RefinementCost {
 RefinementCost cost_of_refinement(const FlattenInput& input) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
-  const HeldNetwork network = build_held_network(chart);
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   const FrontCounts before = count_fronts();
-  RefineBudget budget(100);
-  const RefinedShape shape = refine_shape({chart, network, 0.1}, start, {budget});
+  Budget budget(100);
+  const Solution found = minimize({chart, 0.1}, {}, {start}, {budget});
   const FrontCounts after = count_fronts();
-  EXPECT_TRUE(shape.is_converged());
-  const auto fronts = static_cast<double>(after.factored - before.factored) / shape.factorizations;
+  EXPECT_TRUE(found.is_converged());
+  const auto fronts = static_cast<double>(after.factored - before.factored) / found.factorizations;
   const auto visited = static_cast<double>(after.substituted_forward - before.substituted_forward +
                                            after.substituted_back - before.substituted_back);
-  return {shape.factorizations, visited / (2 * fronts)};
+  return {found.factorizations, visited / (2 * fronts)};
 }
 
 TEST(Budgets, ARefinementSubstitutesAFewTimesPerFactorization) {

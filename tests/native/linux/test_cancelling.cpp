@@ -8,7 +8,7 @@
 #include "count_fronts.h"
 #include "energy/free_boundary_arap.h"
 #include "flatten.h"
-#include "newton/refine_shape.h"
+#include "newton/minimize.h"
 #include "newton/starts.h"
 #include "test_meshes.h"
 
@@ -33,8 +33,8 @@ long fronts_of(const FlattenInput& input) {
   const Chart& chart = charts.charts.at(0);
   const Positions2 start = free_boundary_arap(chart, kFreeSteps).uv;
   const long before = count_fronts().factored;
-  RefineBudget one(1);
-  refine_shape({chart, build_held_network(chart), 0.1}, start, {one});
+  Budget one(1);
+  minimize({chart, 0.1}, {}, {start}, {one});
   return count_fronts().factored - before;
 }
 

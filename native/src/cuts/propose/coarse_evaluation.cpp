@@ -6,6 +6,7 @@
 
 #include "cuts/feasibility/cut_apart.h"
 #include "energy/shape_error.h"
+#include "newton/minimize.h"
 #include "newton/refine_chart.h"
 #include "surface/charts/folded_faces.h"
 #include "surface/mesh/geometry.h"
@@ -31,40 +32,41 @@ InternalOptions brief(InternalOptions options) {
   return options;
 }
 
-double energy_of(const Chart& piece, const RefinedShape& shape) {
-  const bool lies_flat = shape.is_exact() && find_folded_faces(piece.mesh, shape.uv).empty();
-  return lies_flat ? ShapeError(piece).energy(shape.uv) : kDoesNotLieFlat;
+double energy_of(const Chart& piece, const Solution& found) {
+  const bool lies_flat = found.is_exact() && find_folded_faces(piece.mesh, found.shape.uv).empty();
+  return lies_flat ? ShapeError(piece).energy(found.shape.uv) : kDoesNotLieFlat;
 }
 
 /// From the shape of the whole chart: without forces in the wires, so that the first step opens the cut.
-RefinedShape refine_from(const Positions2& whole, const Chart& piece, const InternalOptions& options,
-                         const StopToken& stop) {
-  const HeldNetwork network = build_held_network(piece);
-  RefinementStart start(whole(piece.source_vertex, Eigen::all),
-                        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network.edges.size())));
-  RefineBudget budget(options.max_factorizations);
-  return refine_shape({piece, network, options.fairness, nullptr, options.target}, start, {budget, stop});
+Solution refine_from(const Positions2& whole, const Chart& piece, const InternalOptions& options,
+                     const StopToken& stop) {
+  const Problem problem(piece, options.fairness);
+  const Shape start{whole(piece.source_vertex, Eigen::all),
+                    {},
+                    Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.network().edges.size()))};
+  Budget budget(options.max_factorizations);
+  return minimize(problem, {nullptr, Injectivity::none, options.target}, start, {budget, stop});
 }
 
 }  // namespace
 
 CoarseEvaluation::CoarseEvaluation(const Chart& chart, const InternalOptions& options, const StopToken& stop)
     : chart_(chart), options_(brief(options)) {
-  RefinedShape shape = refine_chart(chart, options_, stop).shape;
+  Solution uncut = refine_chart(chart, options_, stop);
   stop.check();
-  uncut_ = energy_of(chart, shape);
-  if (uncut_ < kNearFlat * surface_area(chart.mesh)) start_ = std::move(shape.uv);
+  uncut_ = energy_of(chart, uncut);
+  if (uncut_ < kNearFlat * surface_area(chart.mesh)) start_ = std::move(uncut.shape.uv);
 }
 
 double CoarseEvaluation::energy_when_cut(const CutMask& cut, const StopToken& stop) const {
   double energy = 0;
   for (const Chart& piece : cut_apart(chart_, cut)) {
     if (piece.error) return kDoesNotLieFlat;
-    RefinedShape shape;
-    if (start_) shape = refine_from(*start_, piece, options_, stop);
-    if (!shape.is_exact()) shape = refine_chart(piece, options_, stop).shape;
+    Solution flat;
+    if (start_) flat = refine_from(*start_, piece, options_, stop);
+    if (!flat.is_exact()) flat = refine_chart(piece, options_, stop);
     stop.check();
-    energy += energy_of(piece, shape);
+    energy += energy_of(piece, flat);
   }
   return energy;
 }

@@ -12,7 +12,7 @@
 #include "cuts/propose/coarse_copy.h"
 #include "cuts/propose/mirror_image.h"
 #include "cuts/propose/rank_cuts.h"
-#include "newton/refine_constants.h"
+#include "newton/newton_constants.h"
 #include "surface/mesh/geometry.h"
 
 namespace wirewarp {
@@ -291,7 +291,7 @@ DartProposal PieceSearch::proposal_of(const HalfEdgeChain& chain, const PieceFig
 }
 
 void PieceSearch::check_strain() const {
-  if (before_.energy <= RefineConstants::isometric) throw flat_already(input_chart_);
+  if (before_.energy <= NewtonConstants::isometric) throw flat_already(input_chart_);
   const double may_stay = cut_options_.strain.value_or(kMayStay);
   if (before_.strain <= may_stay) throw flat_enough(input_chart_, before_.strain, may_stay);
 }

@@ -75,12 +75,12 @@ class GroupStage {
       limits.push_back(run_.options.max_factorizations + (is_stretched_ ? spent : 0));
       left = std::min(left, limits.back() - spent);
     }
-    RefineBudget budget(left);
+    Budget budget(left);
     if (!take_common_shapes(parts, budget)) return {false, budget.ran_out(), {}};
     Outcome outcome{true, budget.ran_out(), find_folded(parts)};
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (outcome.is_folded[i] == 0) continue;
-      RefineBudget own(limits[i] - solved(parts[i].member).report.factorizations);
+      Budget own(limits[i] - solved(parts[i].member).report.factorizations);
       if (replace_folded(parts[i], own)) outcome.is_folded[i] = 0;
       outcome.ran_out = outcome.ran_out || own.ran_out();
     }
@@ -109,45 +109,44 @@ class GroupStage {
   }
 
   /// False if there are no common lengths. Each factorization counts for each of the parts.
-  bool take_common_shapes(const std::vector<Part>& parts, RefineBudget& budget) {
+  bool take_common_shapes(const std::vector<Part>& parts, Budget& budget) {
     std::vector<Chart> charts;
     std::vector<ClothOnChart> cloths;
-    std::vector<RefinementStart> starts;
+    std::vector<Shape> starts;
     for (const Part& part : parts) {
       charts.push_back(part.chart);
-      starts.emplace_back(solved(part.member).uv, solved(part.member).multipliers);
+      starts.push_back({solved(part.member).uv, {}, solved(part.member).multipliers});
       if (run_.options.cloth) cloths.push_back(cloths_[part.member]);
     }
     const Injectivity injectivity = run_.options.cloth ? Injectivity::local : Injectivity::none;
     const StageTimer timer(solved(parts.front().member).report.seconds, "shape");
-    CoupledShapes found = refine_coupled(charts, run_.options.fairness, cloths, starts, {budget, stop_, injectivity});
-    const bool is_exact = found.shapes.front().is_exact();
+    CoupledSolution found = refine_coupled(charts, run_.options.fairness, cloths, injectivity, starts, {budget, stop_});
+    const bool is_exact = found.charts.front().is_exact();
     for (std::size_t i = 0; i < parts.size(); ++i) {
       SolvedChart& one = solved(parts[i].member);
       if (!is_exact) {
         one.report.factorizations += budget.spent();
         continue;
       }
-      report_next_refinement(found.shapes[i], stop_.is_stopped(), one.report);
+      report_next_refinement(found.charts[i], stop_.is_stopped(), one.report);
       one.report.projected_gradient = parts.size() > 1 ? found.projected_gradient : kUnknown;
-      one.variation = variations_of(parts[i].chart, found.shapes[i].variation);
-      one.uv = std::move(found.shapes[i].uv);
+      one.variation = variations_of(parts[i].chart, found.charts[i].shape.variation);
+      one.uv = std::move(found.charts[i].shape.uv);
     }
     return is_exact;
   }
 
   /// By the chart alone with its elastic seams at the common lengths, if that shape is good. Whether it is.
-  bool replace_folded(const Part& part, RefineBudget& budget) {
+  bool replace_folded(const Part& part, Budget& budget) {
     if (stop_.is_stopped()) return false;
     SolvedChart& one = solved(part.member);
     const Chart fixed = with_fixed_seams(part.chart, one.variation);
-    std::optional<RefineResult> refined = is_stretched_ ? refine_without_overlap(part.member, fixed, budget)
-                                                        : refine_injective(fixed, run_.options, budget, stop_);
+    std::optional<Solution> refined = is_stretched_ ? refine_without_overlap(part.member, fixed, budget)
+                                                    : refine_injective(fixed, run_.options, {budget, stop_});
     one.report.factorizations += budget.spent();
     if (!refined) return false;
-    refined->factorizations = one.report.factorizations;
     one.report.warnings.clear();
-    report_refinement(*refined, stop_.is_stopped(), one.report);
+    report_refinement(*refined, one.report.factorizations, stop_.is_stopped(), one.report);
     one.report.projected_gradient = kUnknown;
     one.variation = variations_of(fixed, refined->shape.variation);
     one.uv = std::move(refined->shape.uv);
@@ -155,16 +154,14 @@ class GroupStage {
   }
 
   /// From the shape before the stage, without overlaps on the way.
-  std::optional<RefineResult> refine_without_overlap(std::size_t k, const Chart& fixed, RefineBudget& budget) const {
+  std::optional<Solution> refine_without_overlap(std::size_t k, const Chart& fixed, Budget& budget) const {
     if (injectivity_of(fixed, before_[k].uv) != Injectivity::global) return std::nullopt;
-    RefineResult refined;
-    refined.shape = refine_coupled({fixed}, run_.options.fairness, {cloths_[k]}, {RefinementStart(before_[k].uv)},
-                                   {budget, stop_, Injectivity::global})
-                        .shapes.front();
-    if (!refined.shape.is_exact() || injectivity_of(fixed, refined.shape.uv) != Injectivity::global)
-      return std::nullopt;
+    Solution refined = refine_coupled({fixed}, run_.options.fairness, {cloths_[k]}, Injectivity::global,
+                                      {Shape{before_[k].uv}}, {budget, stop_})
+                           .charts.front();
+    if (!refined.is_exact() || injectivity_of(fixed, refined.shape.uv) != Injectivity::global) return std::nullopt;
     refined.start = before_[k].report.start.c_str();
-    refined.shape.iterations += before_[k].report.outer_iterations;
+    refined.iterations += before_[k].report.outer_iterations;
     return refined;
   }
 
@@ -205,7 +202,7 @@ class GroupStage {
 
   /// From scratch at h = ease, or for the error that the chart has there.
   void solve_anew(std::size_t k) const {
-    RefineBudget budget(run_.options.max_factorizations);
+    Budget budget(run_.options.max_factorizations);
     budget.spend(solved(k).report.factorizations);
     solved(k) =
         stop_.is_stopped() ? cancelled_chart() : solve_chart_with_fixed_seams(group_[k].chart, run_, budget, stop_);

@@ -20,10 +20,10 @@ void report_solution(const OuterSolution& solution, PieceReport& report) {
 namespace {
 
 /// Of a shape with exact lengths. The warnings say what keeps it from being converged.
-void report_shape(const RefinedShape& shape, bool was_stopped, PieceReport& report) {
-  report.constraint_residual = shape.length_error;
-  report.objective = shape.objective;
-  if (!was_stopped && !shape.is_converged()) {
+void report_shape(const Solution& solution, bool was_stopped, PieceReport& report) {
+  report.constraint_residual = solution.length_error;
+  report.objective = solution.objective;
+  if (!was_stopped && !solution.is_converged()) {
     report.warnings.push_back("The shape stopped short of the least distortion.");
   }
   report.termination = report.warnings.empty() ? Termination::converged : Termination::stalled;
@@ -32,18 +32,18 @@ void report_shape(const RefinedShape& shape, bool was_stopped, PieceReport& repo
 
 }  // namespace
 
-void report_refinement(const RefineResult& refined, bool was_stopped, PieceReport& report) {
-  report.outer_iterations = refined.shape.iterations;
-  report.factorizations = refined.factorizations;
-  report.start = refined.start;
-  if (refined.shape.is_exact()) report_shape(refined.shape, was_stopped, report);
+void report_refinement(const Solution& solution, int factorizations, bool was_stopped, PieceReport& report) {
+  report.outer_iterations = solution.iterations;
+  report.factorizations = factorizations;
+  report.start = solution.start;
+  if (solution.is_exact()) report_shape(solution, was_stopped, report);
 }
 
-void report_next_refinement(const RefinedShape& shape, bool was_stopped, PieceReport& report) {
+void report_next_refinement(const Solution& solution, bool was_stopped, PieceReport& report) {
   report.warnings.clear();
-  report.outer_iterations += shape.iterations;
-  report.factorizations += shape.factorizations;
-  report_shape(shape, was_stopped, report);
+  report.outer_iterations += solution.iterations;
+  report.factorizations += solution.factorizations;
+  report_shape(solution, was_stopped, report);
 }
 
 void report_fixed_seams(PieceReport& report) {

@@ -9,10 +9,11 @@ namespace wirewarp {
 
 void report_solution(const OuterSolution& solution, PieceReport& report);
 
-void report_refinement(const RefineResult& refined, bool was_stopped, PieceReport& report);
+/// factorizations: of all starts of the piece.
+void report_refinement(const Solution& solution, int factorizations, bool was_stopped, PieceReport& report);
 
-/// Of an exact shape that was refined from that of the report.
-void report_next_refinement(const RefinedShape& shape, bool was_stopped, PieceReport& report);
+/// For an exact solution that started from the shape of the report.
+void report_next_refinement(const Solution& solution, bool was_stopped, PieceReport& report);
 
 /// For a piece whose elastic seams keep their nominal lengths because nothing better was found.
 void report_fixed_seams(PieceReport& report);

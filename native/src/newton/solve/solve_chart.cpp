@@ -24,20 +24,21 @@
 namespace wirewarp {
 namespace {
 
-/// Why lengths that were not reached cannot be kept. refined: of the chart, not exact.
-FlattenError explain_infeasible(const Chart& chart, const Run& run, const RefineResult& refined,
+/// Returns why lengths cannot be kept for which no shape was found. status: of the search, which spent the budget.
+FlattenError explain_infeasible(Problem& problem, const Run& run, SolutionStatus status, const Budget& budget,
                                 const StopToken& stop) {
-  if (refined.shape.status == ShapeStatus::singular) return not_solvable(chart);
+  const Chart& chart = problem.chart();
+  if (status == SolutionStatus::singular) return not_solvable(chart);
   LengthDiagnosis found;
-  if (run.propose_seams) found = diagnose_lengths(chart, run.options, stop);
+  if (run.propose_seams) found = diagnose_lengths(problem, run.options, stop);
   stop.check();
-  const bool ran_out = refined.ran_out && !found.lengths_conflict;
+  const bool ran_out = budget.ran_out() && !found.lengths_conflict;
   if (found.tolerances.empty()) return infeasible_outline(chart, run.options, propose_seams(chart, run, stop), ran_out);
   return infeasible_wires(chart, run.input.wires, run.options, std::move(found.tolerances), ran_out);
 }
 
 /// WireWarping and WireWarping++: the wires first, the surface follows (II).
-std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& run, RefineBudget& budget,
+std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& run, Budget& budget,
                                                const StopToken& stop, SolvedChart& solved) {
   std::map<std::string, double>& seconds = solved.report.seconds;
   if (run.options.method == Method::wirewarp_plus_plus) {
@@ -67,10 +68,11 @@ std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& ru
   report_solution(solution, solved.report);
   if (!solution.shape.inner.is_feasible) {
     const StopToken in_no_other_stage([&](const char*) { return at_lengths.may_go_on(); });
-    const RefineResult refined = refine_chart(chart, run.options, budget, in_no_other_stage);
+    Problem problem(chart, run.options.fairness);
+    const Solution refined = refine_chart(problem, run.options, {budget, in_no_other_stage});
     if (stop.is_stopped()) throw Stopped();
-    if (refined.shape.is_exact()) return needs_refinement(chart);
-    return explain_infeasible(chart, run, refined, in_no_other_stage);
+    if (refined.is_exact()) return needs_refinement(chart);
+    return explain_infeasible(problem, run, refined.status, budget, in_no_other_stage);
   }
   solved.helper_wires = list_helper_wires(prepared, chart.wire_parts.size(), solution.variation);
   solved.variation = variations_of(chart, solution.variation);
@@ -82,29 +84,28 @@ std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& ru
 
 /// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
 /// leaves the piece at the best shape so far.
-std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& run, RefineBudget& budget,
+std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& run, Budget& budget,
                                                 const StopToken& stop, SolvedChart& solved) {
   stop.in("start").check();
   const StageTimer timer(solved.report.seconds, "shape");
   solved.network = build_wire_network(chart);
-  RefineResult refined = refine_chart(chart, run.options, budget, stop);
-  if (refined.shape.status == ShapeStatus::cancelled) throw Stopped();
-  if (run.options.cloth && refined.shape.is_exact()) {
-    refine_cloth(chart, run.options, budget, stop.in("shape"), refined);
-  }
-  report_refinement(refined, stop.is_stopped(), solved.report);
-  if (!refined.shape.is_exact()) return explain_infeasible(chart, run, refined, stop.in("shape"));
+  Problem problem(chart, run.options.fairness);
+  Solution refined = refine_chart(problem, run.options, {budget, stop});
+  if (refined.status == SolutionStatus::cancelled) throw Stopped();
+  if (run.options.cloth && refined.is_exact()) refine_cloth(problem, run.options, {budget, stop.in("shape")}, refined);
+  report_refinement(refined, budget.spent(), stop.is_stopped(), solved.report);
+  if (!refined.is_exact()) return explain_infeasible(problem, run, refined.status, budget, stop.in("shape"));
   solved.variation = variations_of(chart, refined.shape.variation);
   solved.multipliers = std::move(refined.shape.multipliers);
   solved.uv = std::move(refined.shape.uv);
-  const bool is_folded = refined.shape.injectivity != Injectivity::global;
+  const bool is_folded = refined.injectivity != Injectivity::global;
   if (is_folded && !stop.is_stopped()) solved.proposed_seams = propose_seams(chart, run, stop);
   return std::nullopt;
 }
 
 /// Sets the layout, or returns why there is none.
-std::optional<FlattenError> flatten_chart(const Chart& chart, const Run& run, RefineBudget& budget,
-                                          const StopToken& stop, SolvedChart& solved) {
+std::optional<FlattenError> flatten_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop,
+                                          SolvedChart& solved) {
   if (chart.error) return with_proposed_seams(*chart.error, propose_seams(chart, run, stop));
   if (is_outline_too_short(chart)) return outline_too_short(chart, propose_seams(chart, run, stop));
   const auto flatten = run.options.method == Method::refined ? flatten_by_refining : flatten_by_warping;
@@ -130,7 +131,7 @@ SolvedChart cancelled_chart() {
   return solved;
 }
 
-SolvedChart solve_chart(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop) {
+SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop) {
   SolvedChart solved;
   try {
     solved.error = flatten_chart(chart, run, budget, stop, solved);
@@ -144,8 +145,7 @@ SolvedChart solve_chart(const Chart& chart, const Run& run, RefineBudget& budget
   return solved;
 }
 
-SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, RefineBudget& budget,
-                                         const StopToken& stop) {
+SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop) {
   SolvedChart solved = solve_chart(with_fixed_seams(chart), run, budget, stop);
   if (solved.network) solved.network = build_wire_network(chart);
   return solved;

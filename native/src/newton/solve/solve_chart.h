@@ -6,7 +6,7 @@
 
 #include "base/internal_options.h"
 #include "base/stop_token.h"
-#include "newton/refine_budget.h"
+#include "newton/control.h"
 #include "newton/solved_chart.h"
 #include "surface/charts/chart.h"
 
@@ -25,11 +25,10 @@ struct Run {
 
 /// The layout of a chart with a mesh, or why it has none. budget: what several trials of the chart may spend together,
 /// of which the error names options.max_factorizations.
-SolvedChart solve_chart(const Chart& chart, const Run& run, RefineBudget& budget, const StopToken& stop);
+SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
 /// The same with its elastic seams at h = ease.
-SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, RefineBudget& budget,
-                                         const StopToken& stop);
+SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
 /// By Run::propose_seams.
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop);

@@ -103,7 +103,7 @@ class ChartsSolver {
       solved_[c] = std::move(known->front());
       return;
     }
-    RefineBudget budget(run_.options.max_factorizations);
+    Budget budget(run_.options.max_factorizations);
     const StopToken stop = progress_.stop_token(c);
     solved_[c] = report_.is_cancelled() ? cancelled_chart() : solve_chart(charts_[c], run_, budget, stop);
     solved_[c].multipliers.resize(0);
@@ -118,7 +118,7 @@ class ChartsSolver {
     }
     const InternalOptions options = on_the_way(run_.options);
     const StopToken stop = progress_.stop_token(c);
-    RefineBudget budget(options.max_factorizations);
+    Budget budget(options.max_factorizations);
     solved_[c] = solve_chart_with_fixed_seams(charts_[c], {run_.input, options, {}}, budget, stop);
     is_nominal_[c] = solved_[c].error ? 0 : 1;
     if (!solved_[c].error || stop.is_stopped()) return;

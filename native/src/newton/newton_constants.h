@@ -3,13 +3,13 @@
 
 namespace wirewarp {
 
-/// The constants of refine_shape, each with the reason for its value. f is the objective, the slope of a step the first
+/// Constants of minimize(), each with the reason for its value. f is the objective; the slope of a step is the first
 /// derivative of f along it.
-struct RefineConstants {
+struct NewtonConstants {
   // When to stop.
 
-  /// Predicted decrease of f that a step must have, over f: lengths are exact at every step, so that only the shape
-  /// gains from more digits, and f sums up rounding of 1e-13 on a million triangles.
+  /// Predicted decrease of f over f that a step must have. Lengths are exact at every step, so that only the shape gains
+  /// from more digits, and f has rounding errors of 1e-13 on a million triangles.
   static constexpr double worthwhile = 1e-9;
   /// The same for shapes that others start from: without a cloth, for those of a cloth; with fixed seams, for those
   /// of elastic seams. On the samples 1e-2 takes a tenth more factorizations in all; 1 takes 16 instead of 10 on a
@@ -24,7 +24,7 @@ struct RefineConstants {
 
   // Newton steps.
 
-  /// Slope over f, below which the Hessian hardly changes along a step: the factor serves the next step, too. A tenth
+  /// Slope over f, below which the Hessian hardly changes along a step: the next step can use the same factor. A tenth
   /// of it takes 1 % more factorizations.
   static constexpr double near_minimum = 1e-2;
   /// Slope of a step with an old factor over that of the step before. Where it falls less, a new factor is the cheaper
@@ -36,8 +36,8 @@ struct RefineConstants {
   /// Share of the decrease that the model predicts, from which on a step is taken: as usual (Nocedal, Wright,
   /// algorithm 4.1, where it is below 1/4).
   static constexpr double accept_ratio = 0.1;
-  /// The same, from which on twice the radius is tried. Lower than the usual 3/4: a larger step costs no
-  /// factorization, all radii being served by one basis.
+  /// The same, from which on twice the radius is tried. Lower than the usual 3/4, because a larger step costs no
+  /// factorization: one basis is enough for all radii.
   static constexpr double grow_ratio = 0.5;
   /// What the radius is divided by after a bad step: as usual, 2 to 4.
   static constexpr double shrink = 3;

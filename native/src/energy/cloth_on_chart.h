@@ -3,9 +3,8 @@
 
 #include <vector>
 
-#include "base/internal_options.h"
-#include "surface/network/wire_network.h"
 #include "wirewarp/cloth.h"
+#include "wirewarp/types.h"
 
 namespace wirewarp {
 
@@ -22,15 +21,6 @@ struct ClothOnChart {
   std::vector<GrainRow> grains;  // one for each connected part
   /// Per edge of the chart: flat length over the flat length without a stretch; empty: 1.
   std::vector<double> flat_ratio;
-};
-
-/// A chart to refine, with what f and the lengths depend on.
-struct RefineTask {
-  const Chart& chart;
-  const HeldNetwork& network;
-  double fairness;                      // shortest unpenalized wavelength of wires, over the square root of the area
-  const ClothOnChart* cloth = nullptr;  // null: f contains the shape error of Eq. (4)
-  Target target = Target::minimum;
 };
 
 }  // namespace wirewarp

@@ -16,6 +16,7 @@
 #include "energy/length_constraints.h"
 #include "energy/shape_error.h"
 #include "energy/tutte_embedding.h"
+#include "newton/minimize.h"
 #include "newton/refine_chart.h"
 #include "reference_cases.h"
 #include "surface/mesh/geometry.h"
@@ -23,7 +24,7 @@
 #include "warp/outer/choose_variation.h"
 #include "warp/topology/process_topology.h"
 
-namespace wirewarp::test_refine_shape {
+namespace wirewarp::test_minimize {
 namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
@@ -32,11 +33,11 @@ constexpr double kSameMinimum = 1e-7;  // of f: each run stops where a step prom
 struct Case {
   explicit Case(const FlattenInput& input) : charts(test::charts_of(input)) {}
 
-  RefinedShape refine(const Positions2& start, int max_factorizations = 100) const {
-    RefineBudget budget(max_factorizations);
-    return refine_shape({chart, network, fairness}, start, {budget});
+  Solution refine(const Positions2& start, int max_factorizations = 100) const {
+    Budget budget(max_factorizations);
+    return minimize({chart, fairness}, {}, {start}, {budget});
   }
-  RefinedShape refine() const { return refine(free_boundary_arap(chart, 30).uv); }
+  Solution refine() const { return refine(free_boundary_arap(chart, 30).uv); }
 
   /// ψ of the 3D lengths.
   Positions2 warped() const {
@@ -49,13 +50,13 @@ struct Case {
   }
 
   double value(const Positions2& uv) const {
-    return FairShapeError({chart, network, fairness}).value(uv) / surface_area(chart.mesh);
+    return FairShapeError(chart, network, fairness).value(uv) / surface_area(chart.mesh);
   }
 
-  int flips(const Positions2& uv) const { return FairShapeError({chart, network, fairness}).count_flips(uv); }
+  int flips(const Positions2& uv) const { return FairShapeError(chart, network, fairness).count_flips(uv); }
 
   /// Largest |l₂ - (1 + h) l| / l, h as the shape says.
-  double length_error(const RefinedShape& shape) const {
+  double length_error(const Shape& shape) const {
     const LengthConstraints constraints(chart, network);
     Eigen::VectorXd variation(constraints.num_elastic());
     for (std::size_t i = 0; i < constraints.elastic_of_part().size(); ++i) {
@@ -146,20 +147,20 @@ TEST_P(RefinePanels, EveryStartLeadsToTheSameMinimum) {
       const double little = 0.002 * panel.shortest_edge();
       const Positions2 free = free_boundary_arap(panel.chart, 30).uv,
                        mirror = free * Eigen::Vector2d(-1, 1).asDiagonal();
-      const RefinedShape first = panel.refine(free);
+      const Solution first = panel.refine(free);
       ASSERT_TRUE(first.is_exact() && first.is_converged());
       EXPECT_LE(first.factorizations, 8);
-      EXPECT_EQ(panel.flips(first.uv), 0);
-      EXPECT_LT(panel.length_error(first), 1e-12);
-      EXPECT_NEAR(first.objective, panel.value(first.uv), 1e-12 * first.objective);
+      EXPECT_EQ(panel.flips(first.shape.uv), 0);
+      EXPECT_LT(panel.length_error(first.shape), 1e-12);
+      EXPECT_NEAR(first.objective, panel.value(first.shape.uv), 1e-12 * first.objective);
       const std::pair<const char*, Positions2> starts[] = {
           {"the wires first", panel.warped()},
           {"turned over", free_boundary_arap(panel.chart, 30, mirror).uv},
           {"on a circle", free_boundary_arap(panel.chart, 30, tutte_embedding(panel.chart)).uv},
           {"jittered, then free", free_boundary_arap(panel.chart, 30, jittered(free, 200 * little, 1)).uv},
-          {"near the minimum", jittered(first.uv, little, 2)}};
+          {"near the minimum", jittered(first.shape.uv, little, 2)}};
       for (const auto& [name, start] : starts) {
-        const RefinedShape other = panel.refine(start);
+        const Solution other = panel.refine(start);
         EXPECT_TRUE(other.is_exact() && other.is_converged()) << name;
         EXPECT_NEAR(other.objective, first.objective, kSameMinimum * first.objective) << name;
       }
@@ -167,39 +168,39 @@ TEST_P(RefinePanels, EveryStartLeadsToTheSameMinimum) {
   }
 }
 
-TEST(RefineShape, MoreToleranceNeverRaisesTheMinimum) {
+TEST(Minimize, MoreToleranceNeverRaisesTheMinimum) {
   for (const auto& make : {dome_with_wires, gore_with_wires, saddle_with_a_floating_ring}) {
-    std::optional<RefinedShape> before;
+    std::optional<Solution> before;
     for (const double tolerance : {0.0, 0.01, 0.03, 0.1, 0.5}) {
       const Case panel(make(tolerance));
-      const RefinedShape shape = panel.refine();
-      EXPECT_LE(shape.variation.cwiseAbs().maxCoeff(), tolerance + 1e-12);
+      const Solution found = panel.refine();
+      EXPECT_LE(found.shape.variation.cwiseAbs().maxCoeff(), tolerance + 1e-12);
       if (before) {
-        EXPECT_LE(shape.objective, before->objective * (1 + 1e-9)) << tolerance;
-        const RefinedShape from_before = panel.refine(before->uv);
+        EXPECT_LE(found.objective, before->objective * (1 + 1e-9)) << tolerance;
+        const Solution from_before = panel.refine(before->shape.uv);
         EXPECT_LE(from_before.objective, before->objective * (1 + 1e-9)) << tolerance;
-        EXPECT_NEAR(from_before.objective, shape.objective, kSameMinimum * shape.objective);
+        EXPECT_NEAR(from_before.objective, found.objective, kSameMinimum * found.objective);
       }
-      before = shape;
+      before = found;
     }
   }
 }
 
-TEST(RefineShape, ANarrowToleranceIsUsedUpAndAWideOneIsNot) {
-  const RefinedShape narrow = Case(dome_with_wires(0.001)).refine(), wide = Case(dome_with_wires(0.5)).refine();
-  EXPECT_GT(narrow.variation.cwiseAbs().minCoeff(), 0.001 - 1e-12);
-  EXPECT_LT(wide.variation.cwiseAbs().maxCoeff(), 0.4);
+TEST(Minimize, ANarrowToleranceIsUsedUpAndAWideOneIsNot) {
+  const Solution narrow = Case(dome_with_wires(0.001)).refine(), wide = Case(dome_with_wires(0.5)).refine();
+  EXPECT_GT(narrow.shape.variation.cwiseAbs().minCoeff(), 0.001 - 1e-12);
+  EXPECT_LT(wide.shape.variation.cwiseAbs().maxCoeff(), 0.4);
 }
 
 /// f has no gradient along the shapes with these lengths: small moves to other exact shapes do not lower it.
-TEST(RefineShape, NothingNearIsBetter) {
+TEST(Minimize, NothingNearIsBetter) {
   for (const FlattenInput& input : {dome_with_wires(0), dome_with_wires(0.02), test::quarter_sphere(12)}) {
     const Case panel(input);
-    const RefinedShape least = refine_chart(panel.chart, Options{}).shape;
+    const Solution least = refine_chart(panel.chart, Options{});
     ASSERT_TRUE(least.is_exact() && least.is_converged());
     for (unsigned seed = 0; seed < 10; ++seed) {
       // No factorization beyond the one to exact lengths: a nearby exact shape, not the minimum again.
-      const RefinedShape near = panel.refine(jittered(least.uv, 0.01 * panel.shortest_edge(), seed), 1);
+      const Solution near = panel.refine(jittered(least.shape.uv, 0.01 * panel.shortest_edge(), seed), 1);
       ASSERT_TRUE(near.is_exact());
       EXPECT_GE(near.objective, least.objective * (1 - 1e-9));
     }
@@ -236,18 +237,18 @@ double misfit(Positions2 a, Positions2 b) {
   return (a * Eigen::Rotation2Dd(std::atan2(s, c)).toRotationMatrix().transpose() - b).rowwise().norm().maxCoeff();
 }
 
-TEST(RefineShape, LeavesASymmetricSaddle) {
+TEST(Minimize, LeavesASymmetricSaddle) {
   const int n = 12;
   Case panel(ridge(n, 0.3));
   panel.fairness = 0.03;  // for larger ones the wire rather stays straight
   const Positions2 start = panel.warped();
   ASSERT_LT(misfit(start, mirror_image(start, panel.chart, n)), 1e-9);
-  const RefinedShape shape = panel.refine(start);
-  EXPECT_TRUE(shape.is_exact() && shape.is_converged());
-  EXPECT_LE(shape.factorizations, 20);
-  EXPECT_GT(misfit(shape.uv, mirror_image(shape.uv, panel.chart, n)), 0.01);
-  const RefinedShape again = panel.refine(jittered(shape.uv, 1e-3, 1));
-  EXPECT_NEAR(again.objective, shape.objective, kSameMinimum * shape.objective);
+  const Solution found = panel.refine(start);
+  EXPECT_TRUE(found.is_exact() && found.is_converged());
+  EXPECT_LE(found.factorizations, 20);
+  EXPECT_GT(misfit(found.shape.uv, mirror_image(found.shape.uv, panel.chart, n)), 0.01);
+  const Solution again = panel.refine(jittered(found.shape.uv, 1e-3, 1));
+  EXPECT_NEAR(again.objective, found.objective, kSameMinimum * found.objective);
 }
 
 /// Distances between points along the outline of the quarter sphere, the same points whatever n, in one of the four
@@ -273,7 +274,7 @@ Eigen::MatrixXd outline_distances(const Chart& chart, const Positions2& uv, int 
   return distances;
 }
 
-TEST(RefineShape, ConvergesWhenTheSurfaceIsRefined) {
+TEST(Minimize, ConvergesWhenTheSurfaceIsRefined) {
   // E of the refined quarter sphere as a prototype, written apart from this code, found it at fairness 0.1.
   Options options;
   options.fairness = 0.1;
@@ -282,9 +283,10 @@ TEST(RefineShape, ConvergesWhenTheSurfaceIsRefined) {
   double change = std::numeric_limits<double>::infinity();
   for (const auto& [n, energy] : expected) {
     const Case sphere(test::quarter_sphere(n));
-    const RefinedShape shape = refine_chart(sphere.chart, options).shape;
-    EXPECT_TRUE(shape.is_converged());
-    EXPECT_LE(shape.factorizations, 16) << n;
+    const Solution found = refine_chart(sphere.chart, options);
+    const Shape& shape = found.shape;
+    EXPECT_TRUE(found.is_converged());
+    EXPECT_LE(found.factorizations, 16) << n;
     EXPECT_EQ(sphere.flips(shape.uv), 0);
     EXPECT_NEAR(ShapeError(sphere.chart).energy(shape.uv) / surface_area(sphere.chart.mesh), energy, 0.01 * energy);
     if (before.size() > 0) {
@@ -303,44 +305,44 @@ TEST(RefineShape, ConvergesWhenTheSurfaceIsRefined) {
   EXPECT_LT(change, 0.02);
 }
 
-TEST(RefineShape, StopsAtAnyBudgetWithExactLengths) {
+TEST(Minimize, StopsAtAnyBudgetWithExactLengths) {
   for (const FlattenInput& input : {with_tolerance(test::quarter_sphere(12), 0), dome_with_wires(0.05)}) {
     const Case panel(input);
-    Options options;
-    options.fairness = panel.fairness;
-    const RefineResult whole = refine_chart(panel.chart, options);
+    const Options options;
+    Problem problem(panel.chart, panel.fairness);
+    Budget unlimited(options.max_factorizations);
+    const Solution whole = refine_chart(problem, options, {unlimited});
     double before = std::numeric_limits<double>::infinity();
-    for (int budget = 1; budget <= whole.factorizations; ++budget) {
-      options.max_factorizations = budget;
-      const RefineResult result = refine_chart(panel.chart, options);
-      const RefinedShape& shape = result.shape;
-      EXPECT_LE(result.factorizations, budget);
-      ASSERT_TRUE(shape.is_exact()) << budget;
-      EXPECT_LT(panel.length_error(shape), 1e-11);
-      EXPECT_LE(shape.objective, before * (1 + 1e-12)) << budget;
-      EXPECT_NEAR(shape.objective, panel.value(shape.uv), 1e-9 * shape.objective);
-      EXPECT_EQ(shape.is_converged(), budget == whole.factorizations);
-      before = shape.objective;
+    for (int most = 1; most <= unlimited.spent(); ++most) {
+      Budget budget(most);
+      const Solution found = refine_chart(problem, options, {budget});
+      EXPECT_LE(budget.spent(), most);
+      ASSERT_TRUE(found.is_exact()) << most;
+      EXPECT_LT(panel.length_error(found.shape), 1e-11);
+      EXPECT_LE(found.objective, before * (1 + 1e-12)) << most;
+      EXPECT_NEAR(found.objective, panel.value(found.shape.uv), 1e-9 * found.objective);
+      EXPECT_EQ(found.is_converged(), most == unlimited.spent());
+      before = found.objective;
     }
-    EXPECT_EQ(before, whole.shape.objective);
+    EXPECT_EQ(before, whole.objective);
   }
 }
 
-TEST(RefineShape, CancelledAtAnyMomentItIsExactOrSaysSo) {
+TEST(Minimize, CancelledAtAnyMomentItIsExactOrSaysSo) {
   for (const FlattenInput& input : {test::quarter_sphere(12), dome_with_wires(0.05)}) {
     const Case panel(input);
     int questions = 0;
     const StopToken count([&](const char*) { return ++questions > 0; });
-    const RefinedShape whole = refine_chart(panel.chart, Options{}, count).shape;
+    const Solution whole = refine_chart(panel.chart, Options{}, count);
     for (int last = 1; last <= questions; ++last) {
       int asked = 0;
       const StopToken stop([&](const char*) { return ++asked < last; });
-      const RefinedShape stopped = refine_chart(panel.chart, Options{}, stop).shape;
+      const Solution stopped = refine_chart(panel.chart, Options{}, stop);
       if (stopped.is_exact()) {
-        EXPECT_LT(panel.length_error(stopped), 1e-11);
+        EXPECT_LT(panel.length_error(stopped.shape), 1e-11);
         EXPECT_GE(stopped.objective, whole.objective * (1 - kSameMinimum));
       } else {
-        EXPECT_EQ(stopped.status, ShapeStatus::cancelled);
+        EXPECT_EQ(stopped.status, SolutionStatus::cancelled);
         EXPECT_LT(last, questions) << "exact by then";
       }
       EXPECT_TRUE(stop.is_stopped());
@@ -349,16 +351,16 @@ TEST(RefineShape, CancelledAtAnyMomentItIsExactOrSaysSo) {
   }
 }
 
-TEST(RefineShape, ElasticPartsKeepZeroWhereNothingIsDistorted) {
+TEST(Minimize, ElasticPartsKeepZeroWhereNothingIsDistorted) {
   FlattenInput cylinder = test::cylinder_patch(12, 6, 1, 3, 2);
   test::add_wire(cylinder, test::grid_row(12, 2), 0.05);
   test::add_wire(cylinder, test::grid_column(12, 6, 5));
   test::add_wire(cylinder, test::grid_column(12, 6, 8), kFree);
   const Case panel(cylinder);
-  const RefinedShape shape = panel.refine();
-  EXPECT_TRUE(shape.is_exact() && shape.is_converged());
-  EXPECT_LT(shape.objective, 1e-20);
-  EXPECT_LT(shape.variation.cwiseAbs().maxCoeff(), 1e-9);
+  const Solution found = panel.refine();
+  EXPECT_TRUE(found.is_exact() && found.is_converged());
+  EXPECT_LT(found.objective, 1e-20);
+  EXPECT_LT(found.shape.variation.cwiseAbs().maxCoeff(), 1e-9);
 }
 
 /// Where the paper's method leads to the same lengths, f of its shape is never less.
@@ -375,9 +377,9 @@ TEST_P(RefinePanels, AreNeverAboveTheWarpOfTheSameLengths) {
       const OuterSolution solution = choose_variation(prepared, warp, variation_bounds(prepared, Options{}));
       ASSERT_TRUE(solution.shape.inner.is_feasible);
       const Positions2 uv = solution.shape.uv.topRows(static_cast<Eigen::Index>(panel.chart.mesh.n_vertices()));
-      const RefinedShape refined = refine_chart(panel.chart, Options{}).shape;
+      const Solution refined = refine_chart(panel.chart, Options{});
       EXPECT_LT(refined.objective, panel.value(uv));
-      const RefinedShape from_there = panel.refine(uv);
+      const Solution from_there = panel.refine(uv);
       EXPECT_TRUE(from_there.is_exact());
       EXPECT_LT(from_there.objective, panel.value(uv));
     }
@@ -385,4 +387,4 @@ TEST_P(RefinePanels, AreNeverAboveTheWarpOfTheSameLengths) {
 }
 
 }  // namespace
-}  // namespace wirewarp::test_refine_shape
+}  // namespace wirewarp::test_minimize

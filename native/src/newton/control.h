@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+
+#include "base/stop_token.h"
+
+namespace wirewarp {
+
+/// Counts factorizations of Newton systems against a limit. All starts of a chart share one budget, also those of its
+/// coarser mesh and of the chart with its slits sewn.
+class Budget {
+ public:
+  explicit Budget(int max_factorizations) : left_(max_factorizations) {}
+
+  /// A part of another budget, at most the given size. Spending counts in both. The whole must outlive the part.
+  Budget(Budget& whole, int max_factorizations) : whole_(&whole), left_(std::min(max_factorizations, whole.left_)) {}
+
+  Budget(const Budget&) = delete;
+  Budget& operator=(const Budget&) = delete;
+
+  int left() const { return left_; }
+  int spent() const { return spent_; }
+
+  /// Returns whether the given number may be spent, and remembers a no; so does the whole budget if it is the reason.
+  bool allows(int factorizations = 1) {
+    if (whole_) whole_->allows(factorizations);
+    ran_out_ = ran_out_ || left_ < factorizations;
+    return left_ >= factorizations;
+  }
+
+  /// Returns whether allows() ever said no: a solver needed more.
+  bool ran_out() const { return ran_out_; }
+
+  void spend(int factorizations) {
+    left_ -= factorizations;
+    spent_ += factorizations;
+    if (whole_) whole_->spend(factorizations);
+  }
+
+ private:
+  Budget* whole_ = nullptr;
+  int left_;
+  int spent_ = 0;
+  bool ran_out_ = false;
+};
+
+/// What ends a solver early.
+struct Control {
+  Budget& budget;
+  StopToken stop = {};  // polled before each factorization
+
+  /// The control of another stage of progress.
+  Control in(const char* stage) const { return {budget, stop.in(stage)}; }
+
+  bool may_go_on() const { return budget.allows() && stop.may_go_on(); }
+};
+
+}  // namespace wirewarp

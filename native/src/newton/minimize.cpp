@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/minimize.h"
+
+#include "base/factorization_failed.h"
+#include "newton/newton_constants.h"
+#include "newton/newton_step.h"
+#include "newton/trust_region.h"
+
+namespace wirewarp {
+namespace {
+
+/// Flipped triangles that are not expected to open any more.
+bool stays_flipped(const NewtonState& state) {
+  return state.num_factorizations() >= NewtonConstants::patience && state.objective.count_flips(state.now.uv) > 0;
+}
+
+/// Steps from exact lengths, which all of them keep, to the least f. outcome: of the step to exact lengths.
+SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
+  const auto is_enough = [&] {
+    return state.stage.target == Target::newton_step && state.objective.count_flips(state.now.uv) == 0;
+  };
+  TrustRegion trust_region;
+  bool try_newton = true;
+  while (outcome == StepOutcome::accepted && !state.is_isometric() && !stays_flipped(state) &&
+         state.control.may_go_on()) {
+    // 2. f and its gradient at the shape at hand.
+    state.update_gradient();
+    ++state.iterations;
+    // 3. A Newton step, where the exact Hessian may be positive on the tangent space of the lengths.
+    outcome = try_newton ? take_newton_step(state) : StepOutcome::rejected;
+    if (outcome == StepOutcome::accepted && is_enough()) outcome = StepOutcome::converged;
+    // 4. Where it is not, or the step does not go down as predicted: a step in a trust region.
+    if (outcome == StepOutcome::rejected && state.control.may_go_on()) {
+      outcome = trust_region.take_step(state);
+      try_newton = trust_region.was_inside();
+    }
+  }
+  const bool is_converged = outcome == StepOutcome::converged || state.is_isometric();
+  return is_converged ? SolutionStatus::converged : SolutionStatus::stalled;
+}
+
+}  // namespace
+
+Solution minimize(const Problem& problem, const Stage& stage, const Shape& start, const Control& control) {
+  NewtonState state(problem, stage, start, control);
+  SolutionStatus status = SolutionStatus::infeasible;
+  const auto ended_early = [&](SolutionStatus reason) { return status == SolutionStatus::stalled ? status : reason; };
+  try {
+    // 1. Exact lengths.
+    const StepOutcome outcome = reach_exact_lengths(state, start.multipliers.size() > 0);
+    if (outcome != StepOutcome::rejected) {
+      status = SolutionStatus::stalled;
+      status = descend(state, outcome);
+    }
+  } catch (const Stopped&) {
+    status = ended_early(SolutionStatus::cancelled);
+  } catch (const FactorizationFailed&) {
+    status = ended_early(SolutionStatus::singular);
+  }
+  return state.solution(status);
+}
+
+Solution evaluate(const Problem& problem, const Stage& stage, const Shape& shape) {
+  Budget none(0);
+  const NewtonState state(problem, {stage.cloth, Injectivity::none, stage.target}, shape, {none});
+  if (state.length_error() > LengthConstraints::kept) return state.solution(SolutionStatus::infeasible);
+  return state.solution(state.is_isometric() ? SolutionStatus::converged : SolutionStatus::stalled);
+}
+
+}  // namespace wirewarp

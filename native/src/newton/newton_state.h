@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "newton/control.h"
+#include "newton/newton_system.h"
+#include "newton/problem.h"
+#include "newton/solution.h"
+
+namespace wirewarp {
+
+inline constexpr Convexity kExactHessian{Curvature::exact, true};
+inline constexpr Convexity kConvexHessian{Curvature::convex, false};
+inline constexpr Convexity kLaplacian{Curvature::none, false};
+
+enum class StepOutcome {
+  accepted,
+  rejected,   // the Hessian is not positive, or no step goes down as predicted
+  converged,  // what a step is predicted to gain is not worthwhile
+};
+
+/// A layout between two steps.
+struct Iterate {
+  Positions2 uv;              // one row per chart vertex
+  Eigen::VectorXd variation;  // h, one per elastic part of the constraints
+  double value = 0;           // f
+};
+
+/// What the steps of minimize() work on: the shape at hand, and the linear system of its last factorization.
+struct NewtonState {
+  /// The problem must outlive the state.
+  NewtonState(const Problem& the_problem, const Stage& the_stage, const Shape& start, const Control& the_control);
+  NewtonState(const NewtonState&) = delete;  // the system refers to the objective
+  NewtonState& operator=(const NewtonState&) = delete;
+
+  double length_error() const { return constraints.largest_error(constraints.residual(now.uv, now.variation)); }
+
+  /// Nothing is left to gain: f is at least 0.
+  bool is_isometric() const { return now.value <= isometric_value; }
+
+  /// Predicted decrease of f that a step must have.
+  double worthwhile_decrease() const;
+
+  /// f and its gradient at the shape at hand.
+  void update_gradient() { now.value = objective.value_and_gradient(now.uv, gradient); }
+
+  int num_factorizations() const { return system ? system->num_factorizations() : 0; }
+
+  /// Linearizes at the shape at hand. Returns false if the Hessian is not positive on the tangent space of the lengths.
+  bool factorize(const Convexity& convexity);
+
+  /// Takes the trial back to exact lengths and computes its f. Returns false if that fails, if something forbidden lies
+  /// on the way, or if the caller stopped.
+  bool evaluate(Iterate& trial) const;
+
+  /// The shape at hand and its figures.
+  Solution solution(SolutionStatus status) const;
+
+  const Problem& problem;
+  const Stage stage;
+  const Control control;
+  const LengthConstraints constraints;
+  FairShapeError objective;
+  const double isometric_value;        // f, below which a layout is isometric but for rounding
+  std::optional<NewtonSystem> system;  // from the first factorization on: shapes without strain need none
+  Iterate now;
+  Positions2 gradient;          // of f
+  Eigen::VectorXd multipliers;  // λ
+  int iterations = 0;
+};
+
+}  // namespace wirewarp
