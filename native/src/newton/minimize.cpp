@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "newton/minimize.h"
 
-#include "base/factorization_failed.h"
+#include <optional>
+
+#include "base/attempt.h"
 #include "newton/newton_constants.h"
 #include "newton/newton_step.h"
 #include "newton/trust_region.h"
@@ -43,21 +45,13 @@ SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
 
 Solution minimize(const Problem& problem, const Stage& stage, const Shape& start, const Control& control) {
   NewtonState state(problem, stage, start, control);
-  SolutionStatus status = SolutionStatus::infeasible;
-  const auto ended_early = [&](SolutionStatus reason) { return status == SolutionStatus::stalled ? status : reason; };
-  try {
-    // 1. Exact lengths.
-    const StepOutcome outcome = reach_exact_lengths(state, start.multipliers.size() > 0);
-    if (outcome != StepOutcome::rejected) {
-      status = SolutionStatus::stalled;
-      status = descend(state, outcome);
-    }
-  } catch (const Stopped&) {
-    status = ended_early(SolutionStatus::cancelled);
-  } catch (const FactorizationFailed&) {
-    status = ended_early(SolutionStatus::singular);
-  }
-  return state.solution(status);
+  // 1. Exact lengths.
+  const bool is_near_minimum = start.multipliers.size() > 0;
+  const auto outcome = attempt([&] { return std::optional(reach_exact_lengths(state, is_near_minimum)); });
+  if (!outcome) return state.solution(control.stop.is_stopped() ? SolutionStatus::cancelled : SolutionStatus::singular);
+  if (*outcome == StepOutcome::rejected) return state.solution(SolutionStatus::infeasible);
+  const auto status = attempt([&] { return std::optional(descend(state, *outcome)); });
+  return state.solution(status.value_or(SolutionStatus::stalled));
 }
 
 Solution evaluate(const Problem& problem, const Stage& stage, const Shape& shape) {
