@@ -206,6 +206,11 @@ TEST(SeamsThatGive, GoodPiecesThatWouldBeLostKeepTheirEase) {
   }
   for (const Piece& piece : flatten(ring_with_wall(0), few).pieces) spent_at_ease += piece.report.factorizations;
   EXPECT_GT(spent, spent_at_ease) << "what led nowhere counts";
+  const FlattenResult fixed = flatten(ring_with_wall(0));
+  for (std::size_t p = 0; p < fixed.pieces.size(); ++p) {
+    const double objective = fixed.pieces[p].report.objective;
+    EXPECT_NEAR(result.pieces[p].report.objective, objective, 1e-6 * objective) << "the shape of the last good stage";
+  }
 }
 
 /// The limit is one for all stages: with the seam at its ease, elastic, and solved anew.

@@ -48,15 +48,15 @@ class GroupStage {
   }
 
  private:
-  /// A chart of the group as it is solved.
+  /// A chart of the group, perhaps with fixed seams.
   struct Part {
     std::size_t member;
     const Chart& chart;
   };
 
   struct Outcome {
-    bool is_solved;               // else the shapes are those before the stage
-    bool ran_out;                 // of factorizations: more were wanted
+    bool is_solved;               // otherwise the shapes are those from before the stage
+    bool ran_out;                 // the limit of factorizations ended the search
     std::vector<char> is_folded;  // per part, if solved: flipped or overlapping
   };
 
@@ -67,7 +67,7 @@ class GroupStage {
   /// shapes from before.
   Outcome solve_parts(const std::vector<Part>& parts, bool keeps_good) {
     if (!stop_.may_go_on()) return {false, false, {}};
-    // Each attempt at a stretch may spend the whole limit: without a shape for it, a good piece is lost.
+    // Each attempt at a stretch may spend the whole limit, because a piece without a shape for it is lost.
     std::vector<int> limits;
     int left = std::numeric_limits<int>::max();
     for (const Part& part : parts) {
@@ -91,7 +91,7 @@ class GroupStage {
         before_[part.member].report.factorizations = solved(part.member).report.factorizations;
         solved(part.member) = before_[part.member];
       } else if (stop_.is_stopped()) {
-        report_as_cancelled(part.member);  // also if it was done: together they are not
+        report_as_cancelled(part.member);  // even if this chart was finished: the group is not
       }
     }
     return outcome;
@@ -108,7 +108,7 @@ class GroupStage {
                         [&](const Part& part) { return has_folds(part.chart, before_[part.member].uv); });
   }
 
-  /// False if there are no common lengths. Each factorization counts for each of the parts.
+  /// Returns false if there are no common lengths. Each factorization counts for each of the parts.
   bool take_common_shapes(const std::vector<Part>& parts, Budget& budget) {
     std::vector<Chart> charts;
     std::vector<ClothOnChart> cloths;
@@ -136,7 +136,8 @@ class GroupStage {
     return is_exact;
   }
 
-  /// By the chart alone with its elastic seams at the common lengths, if that shape is good. Whether it is.
+  /// Solves a folded chart by itself, with its elastic seams fixed at the common lengths. Returns false if the shape is
+  /// folded again, and keeps the old one then.
   bool replace_folded(const Part& part, Budget& budget) {
     if (stop_.is_stopped()) return false;
     SolvedChart& one = solved(part.member);
@@ -153,7 +154,7 @@ class GroupStage {
     return true;
   }
 
-  /// From the shape before the stage, without overlaps on the way.
+  /// Starts from the shape before the stage and allows no overlaps on the way.
   std::optional<Solution> refine_without_overlap(std::size_t k, const Chart& fixed, Budget& budget) const {
     if (injectivity_of(fixed, before_[k].uv) != Injectivity::global) return std::nullopt;
     Solution refined = refine_coupled({fixed}, run_.options.fairness, {cloths_[k]}, Injectivity::global,
@@ -165,7 +166,7 @@ class GroupStage {
     return refined;
   }
 
-  /// With its elastic seams at h = ease. ran_out: so did the group.
+  /// Solves a chart by itself, with its elastic seams fixed at h = ease. ran_out: the group ran out of factorizations.
   void solve_with_fixed_seams(std::size_t k, bool ran_out) {
     const Chart fixed = with_fixed_seams(group_[k].chart);
     Outcome outcome{false, false, {}};
@@ -177,7 +178,7 @@ class GroupStage {
       explain_stretch(k, ran_out || outcome.ran_out);
     } else if (group_[k].is_nominal && stop_.is_stopped()) {
       report_as_cancelled(k);
-    } else if (group_[k].is_nominal && outcome.ran_out) {  // from scratch, too little is left for any shape
+    } else if (group_[k].is_nominal) {  // keeps its shape from before the stage
       finish(k, fixed, has_folds(fixed, solved(k).uv));
       report_as_fixed(k);
     } else {
@@ -185,7 +186,7 @@ class GroupStage {
     }
   }
 
-  /// chart: what the shape is for.
+  /// Sets what follows from a new shape. chart: the chart that has this shape.
   void finish(std::size_t k, const Chart& chart, bool is_folded) {
     if (is_stretched_) set_stretched_lengths(k, group_[k].chart);
     if (is_folded) propose_seams_for_layout(is_stretched_ ? group_[k].chart : chart, run_, stop_, solved(k));
@@ -200,7 +201,7 @@ class GroupStage {
     if (solved(k).report.termination != Termination::cancelled) report_cancelled(solved(k).report);
   }
 
-  /// From scratch at h = ease, or for the error that the chart has there.
+  /// Solves a chart from scratch at h = ease, where it had no shape, for its error.
   void solve_anew(std::size_t k) const {
     Budget budget(run_.options.max_factorizations);
     budget.spend(solved(k).report.factorizations);
@@ -210,7 +211,7 @@ class GroupStage {
     if (!solved(k).error) report_as_fixed(k);
   }
 
-  /// The proposed seams are judged at the stretched lengths: others would not help.
+  /// Replaces the layout by an error. Its proposed seams are evaluated at the stretched lengths; others would not help.
   void explain_stretch(std::size_t k, bool ran_out) const {
     if (injectivity_of(group_[k].chart, before_[k].uv) != Injectivity::global && !stop_.is_stopped()) return;
     Chart stretched = group_[k].chart;
@@ -231,7 +232,7 @@ class GroupStage {
     for (std::size_t e = 0; e < ratio.size(); ++e) chart.length_ratio[e] *= ratio[e];
   }
 
-  /// The layout in the plane of the stretched cloth becomes the flat one.
+  /// Turns the layout in the plane of the stretched cloth into the flat one.
   void lie_flat(std::size_t k) const {
     SolvedChart& one = solved(k);
     const Chart& chart = group_[k].chart;
