@@ -11,10 +11,10 @@ namespace wirewarp {
 namespace {
 
 constexpr double kCoarsening = 4;       // length of a coarse edge over that of a fine one: a sixteenth of the faces
-constexpr double kLeastCoarsening = 2;  // a quarter of the faces: with more the coarse chart costs what it saves
+constexpr double kLeastCoarsening = 2;  // a quarter of the faces: with more, the coarse chart costs as much as it saves
 constexpr double kPerWiggle = 0.9;      // length of a coarse edge over the shortest wavelength of wires, at most:
-                                        // longer ones cannot bend as the wires do
-constexpr int kMaxCoarseFactorizations = 30;  // and half of what is left: the chart itself needs some
+                                        // longer edges cannot bend like the wires
+constexpr int kMaxCoarseFactorizations = 30;  // and at most half of the budget: the chart itself needs some
 
 }  // namespace
 

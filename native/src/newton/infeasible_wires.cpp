@@ -17,21 +17,22 @@
 namespace wirewarp {
 namespace {
 
-// Strains that pass for the rounding of the smoothing, 1e-4: first those that are plainly none, then those that may be.
+// Strains up to which a length counts as kept; smoothing leaves strains of 1e-4. If it does not help to free the wires
+// above the first bound, those above the second are freed, too.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
 constexpr double kUneven = 5e-3;                  // strain_rms that a larger variation of other wires may take away
 constexpr double kFineStep = 1e-3, kStep = 5e-3;  // of proposed tolerances: 0.1%, from 0.5% on 0.5%: people type them
 constexpr double kLargest = 0.5;                  // a wire that needs more is freed
 constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
 constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); those of a coarser or a sewn chart count
-constexpr double kMostTrials = 30;          // of fewer wires, and again of smaller tolerances: project_to_lengths each
-constexpr std::size_t kFewWires = 8;        // up to so many get individual tolerances; more share one, which is quicker
-                                            // to find and to type
+constexpr double kMostTrials = 30;          // to use fewer wires, and again to lower tolerances
+constexpr std::size_t kFewWires = 8;  // up to this many get individual tolerances; more share one, which is quicker
+                                      // to find and to type
 /// More wires than this are freed or left alone: a trial with a tolerance on n wires solves dense problems of size n,
 /// n³ work each. Nets of 168 wires get one tolerance of 5%; trials on 569 wires cost as much as 23 on 200.
 constexpr std::size_t kMostElasticWires = 200;
 
-/// Tolerances that are tried, 0.1% to 50%: each a third larger than the one before to twice as large.
+/// Tolerances to try, 0.1% to 50%: each larger than the one before by a third to twice.
 constexpr double kLadder[] = {0.001, 0.002, 0.003, 0.005, 0.01, 0.015, 0.02, 0.03,
                               0.05,  0.075, 0.1,   0.15,  0.2,  0.3,   0.5};
 
@@ -39,7 +40,7 @@ using Tolerances = std::map<int, double>;  // by wire
 
 bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
 
-/// The wires that give way in the relaxed shape, freed.
+/// Returns the wires whose lengths the relaxed shape changes, all free.
 Tolerances giving_way(const Chart& chart, const RelaxedShape& relaxed, double kept) {
   Tolerances wires;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
@@ -71,7 +72,8 @@ Chart with_tolerances(Chart chart, const Tolerances& tolerances) {
   return chart;
 }
 
-/// The wires that leave their tolerances by the lowest rung of the ladder or more when they are free, freed.
+/// Returns the wires that leave their tolerances by more than the lowest rung of the ladder when all are free, all
+/// free.
 Tolerances free_wires_that_change(const Chart& chart, const Solution& free) {
   Tolerances tolerances;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
@@ -101,10 +103,10 @@ std::vector<ProposedTolerance> listed(const Tolerances& tolerances) {
   return proposed;
 }
 
-/// Finds tolerances under which a chart has all its lengths, each proven by a flat shape, which may be folded.
+/// Finds tolerances under which a chart has all its lengths, each proven by a flat shape, which may be flipped.
 class ToleranceSearch {
  public:
-  /// starts: layouts to come from, near exact lengths.
+  /// starts: layouts near exact lengths.
   ToleranceSearch(const Chart& chart, double fairness, std::vector<Positions2> starts, StopToken stop)
       : chart_(chart), fairness_(fairness), starts_(std::move(starts)), stop_(std::move(stop)) {}
 
@@ -117,7 +119,7 @@ class ToleranceSearch {
     });
   }
 
-  /// Of wires that work if they are free: as few as do, with tolerances as small as do.
+  /// Reduces wires that work if they are free to as few as possible, with tolerances as small as possible.
   Tolerances on_few_wires(Tolerances tolerances) {
     trials_ = 0;
     drop_wires(tolerances);
@@ -128,8 +130,8 @@ class ToleranceSearch {
     return tolerances;
   }
 
-  /// The same wires with one tolerance for all: the lowest rung of the ladder below a limit under which they are
-  /// good, by bisection. None if not even the highest of these works, or if the wires are too many to try.
+  /// Returns the wires with one tolerance for all, the lowest rung of the ladder below a limit that is good, found by
+  /// bisection. None if even the highest of these rungs does not work, or if there are too many wires to try.
   Tolerances lowest_shared(const Tolerances& wires, double below,
                            const std::function<bool(const Tolerances&)>& are_good) const {
     Tolerances lowest;
@@ -170,7 +172,7 @@ class ToleranceSearch {
     return true;
   }
 
-  /// Of a trial, in trials on kMostElasticWires wires. The wires whose own tolerances stay count, too.
+  /// Returns the cost of a trial in trials with kMostElasticWires elastic wires. All elastic wires count.
   double cost_of(const Tolerances& tolerances) const {
     const Chart looser = with_tolerances(chart_, tolerances);
     const auto num_elastic = std::count_if(looser.wire_parts.begin(), looser.wire_parts.end(),
@@ -178,7 +180,7 @@ class ToleranceSearch {
     return std::max(1.0, std::pow(static_cast<double>(num_elastic) / kMostElasticWires, 3));
   }
 
-  /// Half of the wires at once, then a quarter, ..., then one by one.
+  /// Tries to do without half of the wires at once, then a quarter, and so on down to single wires.
   void drop_wires(Tolerances& tolerances) {
     std::vector<int> wires = wires_of(tolerances);
     for (std::size_t size = wires.size() / 2; size > 0; size /= 2) {
@@ -227,7 +229,7 @@ class ToleranceSearch {
   double trials_ = 0;
 };
 
-/// The shape that breaks lengths at the least price; none if a factorization fails.
+/// Returns the shape that breaks lengths at the least price; none if a factorization fails.
 std::optional<RelaxedShape> relax(Problem& problem, const StopToken& stop) {
   Budget budget(kMaxRelaxFactorizations);
   auto relaxed = attempt([&] { return std::optional(relax_lengths(problem, problem.free_map(stop), {budget, stop})); });
@@ -270,7 +272,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   if (are_few_elastic) proposed = first_flat({few, doubled(few)});
   if (proposed.empty()) {
     proposed = search.lowest_shared(freed, kFreeTolerance, lie_flat);
-    // More wires are worth naming where that more than halves their tolerance.
+    // Naming more wires is worthwhile if that more than halves their tolerance.
     const double below = proposed.empty() ? kFreeTolerance : proposed.begin()->second / 2;
     const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), below, lie_flat);
     if (!of_many.empty()) proposed = of_many;

@@ -12,11 +12,11 @@
 namespace wirewarp {
 
 struct LengthDiagnosis {
-  /// By rising wire. Under them the refined method finds a good flat shape of the chart, proven by a run: all lengths
-  /// kept, nothing flipped, no overlap. Round, and as small as works: one for each of a few wires that give way, else
-  /// the same for all that give way, or for all that change when free if that is far lower, else infinity for those
-  /// that no tolerance up to a half helps and for more wires than can be tried. Empty if no good shape is found even
-  /// with all wires free.
+  /// Tolerances by rising wire, under which a run of the refined method found a flat shape of the chart with all
+  /// lengths, without flips and overlaps. They are round and as small as possible: individual ones for a few wires,
+  /// otherwise a shared one for all wires that the relaxed shape changes, or for all wires that change when they are
+  /// free if that is far lower. Infinity for wires that no tolerance up to a half helps, and for more wires than can be
+  /// tried. Empty if no such shape is found even with all wires free.
   std::vector<ProposedTolerance> tolerances{};
   /// The lengths contradict one another near every shape that was found, so that a longer search would not help.
   bool lengths_conflict = false;

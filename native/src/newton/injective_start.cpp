@@ -6,23 +6,22 @@
 
 #include "newton/newton_state.h"
 #include "newton/retract_to_lengths.h"
-#include "numerics/optimize/box_quadratic.h"
 #include "numerics/optimize/line_search.h"
 
 namespace wirewarp {
 namespace {
 
-constexpr double kFirstStiffness = 1;   // of ρ l / √area: a strain of 1 costs what one of the surface nearby does
-constexpr double kStiffening = 4;       // of ρ, where lengths do not become four times as good
-constexpr double kStiffest = 1e6;       // beyond, rounding spoils the steps
-constexpr double kStiff = 1e4;          // lengths that are not kept to kHopeless by then contradict one another
+constexpr double kFirstStiffness = 1;   // of ρ l / √area: a wire is as stiff as the surface beside it
+constexpr double kStiffening = 4;       // factor of ρ if the length errors fall by less than this factor
+constexpr double kStiffest = 1e6;       // beyond, rounding errors spoil the steps
+constexpr double kStiff = 1e4;          // lengths with larger errors than kHopeless by then contradict one another
 constexpr double kHopeless = 1e-2;      // strain
-constexpr int kStepsPerMultiplier = 5;  // at most: λ far from its end needs no minimum
-constexpr double kEnough = 1e-2;        // slope over Φ from where on the minimum is near enough for the next λ
+constexpr int kStepsPerMultiplier = 5;  // at most: as long as λ is far from its limit, no exact minimum is needed
+constexpr double kEnough = 1e-2;        // slope over Φ below which the minimum is near enough for the next λ
 constexpr double kShortestStep = 1e-9;  // thirty halvings
-constexpr double kInside = 0.9;         // of the way to where the injectivity is lost
-constexpr double kRetractable =
-    1e-3;  // error of lengths that are tried to be made exact at once; then a tenth each time
+constexpr double kInside = 0.9;         // share of the way to where the injectivity is lost
+/// Length error from which on a retraction to exact lengths is tried; after a failure, again at a tenth of the error.
+constexpr double kRetractable = 1e-3;
 
 class MultiplierMethod {
  public:
@@ -82,7 +81,7 @@ MultiplierMethod::MultiplierMethod(const Problem& problem, const Stage& stage, c
   linearize_near(map);
 }
 
-/// A system whose Hessian knows the parts of the outline that are near each other.
+/// Builds a system whose Hessian couples the parts of the outline that are near each other.
 void MultiplierMethod::linearize_near(const Positions2& uv) {
   system_.reset();
   objective_.emplace(problem_.objective(stage_, uv));
@@ -103,7 +102,8 @@ bool MultiplierMethod::factorize(const Eigen::VectorXd& multipliers) {
   return is_positive;
 }
 
-/// With d eliminated a quadratic program in Δh is left: how ρ and the surface resist, and what the forces pull.
+/// With d eliminated, a quadratic program in Δh remains: its Hessian is the stiffness of ρ and the surface, its
+/// gradient the pull of the forces.
 std::optional<MultiplierMethod::Step> MultiplierMethod::newton_step() {
   const Eigen::VectorXd stiffness = stiffness_ * unit_;
   const Eigen::VectorXd forces = multipliers_ + stiffness.cwiseProduct(residual(now_));
@@ -117,9 +117,7 @@ std::optional<MultiplierMethod::Step> MultiplierMethod::newton_step() {
   if (constraints_.num_elastic() > 0) {
     const Eigen::VectorXd pull =
         lengths_.transpose() * (forces + stiffness.cwiseProduct(constraints_.apply(directions, step.d)));
-    step.variation = minimize_quadratic_in_box(-pull, make_positive(system_->stiffness_by_variation()),
-                                               -constraints_.tolerance() - now_.variation,
-                                               constraints_.tolerance() - now_.variation);
+    step.variation = system_->choose_variation_change(pull, now_.variation);
     step.d += system_->finish(system_->least_change(lengths_ * step.variation));
   }
   step.slope = (gradient.array() * step.d.array()).sum() - forces.dot(lengths_ * step.variation);
@@ -147,7 +145,7 @@ void MultiplierMethod::update_multipliers() {
   error_before_ = error;
 }
 
-/// To exact lengths by the least change, if nothing is in the way.
+/// Moves to exact lengths by the least change. Returns false if the injectivity would be lost on the way.
 bool MultiplierMethod::retract() {
   system_->set_stiffness(holding_stiffness_);
   if (!factorize(multipliers_)) return false;

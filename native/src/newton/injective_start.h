@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// To exact lengths without turning a triangle over: from a flat shape that is injective and has wrong lengths, by the
-// method of multipliers (M. J. D. Powell, A method for nonlinear constraints in minimization problems, 1969).
+// Finds exact lengths without flipping a triangle: starts from a flat shape that is injective and has wrong lengths,
+// and uses the method of multipliers (M. J. D. Powell, A method for nonlinear constraints in minimization problems,
+// 1969).
 //
-//   Φ(u, h) = f(u) + λᵀc + ½ cᵀρc,   |h| <= ε        f infinite where the injectivity is lost:
-//   energy/fair_shape_error.h
+//   Φ(u, h) = f(u) + λᵀc + ½ cᵀρc,   |h| <= ε
 //
-// Φ is minimized by Newton steps with a convex Hessian, each so short that it stays inside; then λ += ρc. Lengths
-// become exact as λ becomes the forces in the wires, so that no step ever has to reach them at any price.
+// f is infinite where the injectivity is lost (energy/fair_shape_error.h). Newton steps with a convex Hessian minimize
+// Φ, each short enough to stay where f is finite; then λ += ρc. Lengths become exact as λ approaches the forces in the
+// wires, so that no single step has to reach exact lengths.
 #pragma once
 
 #include <optional>

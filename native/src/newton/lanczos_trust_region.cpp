@@ -10,10 +10,11 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kExhausted = 1e-6;  // an entry beside T's diagonal: its vectors span an invariant space
+constexpr double kExhausted = 1e-6;  // off-diagonal entry of T below which the basis spans an invariant space
 constexpr double kSolved = 0.01;     // residual of H d = -g over that of d = 0: the next step starts with a new H
 
-/// |r| in the norm dual to G, where z = G⁻¹ r. Throws where it is no number, which must not pass for a small one.
+/// Returns |r| in the norm dual to G for z = G⁻¹ r. Throws if it is not a number, because that would pass for a small
+/// one.
 double dual_norm(const Eigen::VectorXd& r, const Eigen::VectorXd& z) {
   const double squared = r.dot(z);
   if (!std::isfinite(squared)) throw FactorizationFailed("a gradient or its preconditioner is not finite");
@@ -65,7 +66,7 @@ LanczosTrustRegion::LanczosTrustRegion(const Operator& times_hessian,
   eigenvectors_ = eigen.eigenvectors();
 }
 
-/// y(σ) = β₀ (T + σ)⁻¹ e₁ with the σ >= 0 that makes T + σ positive and |y| <= Δ, by bisection on σ.
+/// Finds y(σ) = β₀ (T + σ)⁻¹ e₁ with the σ >= 0 that makes T + σ positive and |y| <= Δ, by bisection on σ.
 ModelStep LanczosTrustRegion::step(double radius) const {
   const Eigen::VectorXd force = first_ * eigenvectors_.row(0).transpose();
   const auto solution = [&](double shift) -> Eigen::VectorXd {

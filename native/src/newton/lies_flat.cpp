@@ -7,8 +7,8 @@
 namespace wirewarp {
 namespace {
 
-/// From 20 to 100, proposed seams fix all of 43 garments, shoes, cushions and toys, with 94 to 92 pieces in the end:
-/// what takes longer had best be cut.
+/// With any limit from 20 to 100, proposed seams fix all of 43 garments, shoes, cushions and toys, with 94 to 92 pieces
+/// in the end. A piece that takes longer is better cut.
 constexpr int kMaxFactorizations = 40;
 
 }  // namespace
@@ -16,8 +16,8 @@ constexpr int kMaxFactorizations = 40;
 bool lies_flat(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
   if (chart.error || is_outline_too_short(chart)) return false;
   InternalOptions brief = options;
-  brief.max_factorizations = kMaxFactorizations;  // whatever the user allows the piece itself
-  brief.cloth.reset();                            // what lies flat does so in any cloth
+  brief.max_factorizations = kMaxFactorizations;  // independent of the user's limit for the piece itself
+  brief.cloth.reset();                            // a chart that lies flat does so in any cloth
   const Solution found = refine_chart(chart, brief, stop);
   return found.is_exact() && find_folded_faces(chart.mesh, found.shape.uv).empty();
 }

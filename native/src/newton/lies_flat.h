@@ -5,8 +5,8 @@
 
 namespace wirewarp {
 
-/// The refined method finds a flat shape of the chart with all guarantees: lengths, no flips, no overlap. A trial,
-/// for what is proposed: it gives up where a piece takes far longer than others do, or where it is stopped.
+/// Returns whether the refined method finds a flat shape of the chart with all guarantees: lengths, no flips, no
+/// overlaps. Gives up on pieces that take far longer than most, and if the caller stops.
 bool lies_flat(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -8,8 +8,8 @@ namespace wirewarp {
 struct NewtonConstants {
   // When to stop.
 
-  /// Predicted decrease of f over f that a step must have. Lengths are exact at every step, so that only the shape gains
-  /// from more digits, and f has rounding errors of 1e-13 on a million triangles.
+  /// Predicted decrease of f over f that a step must have. Lengths are exact at every step, so that only the shape
+  /// gains from more digits, and f has rounding errors of 1e-13 on a million triangles.
   static constexpr double worthwhile = 1e-9;
   /// The same for shapes that others start from: without a cloth, for those of a cloth; with fixed seams, for those
   /// of elastic seams. On the samples 1e-2 takes a tenth more factorizations in all; 1 takes 16 instead of 10 on a

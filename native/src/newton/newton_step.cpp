@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "newton/newton_constants.h"
-#include "numerics/optimize/box_quadratic.h"
 #include "numerics/optimize/line_search.h"
 
 namespace wirewarp {
@@ -15,12 +14,12 @@ struct NewtonStep {
   Positions2 d;
   Eigen::VectorXd variation;    // Δh
   Eigen::VectorXd multipliers;  // λ at its end
-  double slope;                 // of f + λᵀc along the step: that of f but for the change of lengths
+  double slope;                 // of f + λᵀc along the step
 };
 
-/// The quadratic program min g·d + ½ d·H d, J d - T Δh = -c, h + Δh in its bounds. With d eliminated a dense one in Δh
-/// is left, with the Hessian S and the gradient -Tᵀλ. It is solved for the change of λ, g + Jᵀλ in place of g: so a
-/// factor from before the last step, with the J of then, is wrong in what is small.
+/// Solves min g·d + ½ d·H d with J d - T Δh = -c and h + Δh in its bounds. With d eliminated, a dense quadratic program
+/// in Δh remains, with the Hessian S and the gradient -Tᵀλ. The unknown is the change of λ, with g + Jᵀλ in place of g,
+/// so that an older factor, with the J of its time, causes only small errors.
 NewtonStep newton_step(const NewtonState& state) {
   const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);
@@ -28,20 +27,15 @@ NewtonStep newton_step(const NewtonState& state) {
   constraints.add_transposed(constraints.directions(state.now.uv), state.multipliers, force);
   const NewtonSystem::Reduced reduced = state.system->reduce(-force, -residual);
   const Eigen::SparseMatrix<double>& lengths = constraints.elastic_lengths();
-  Eigen::VectorXd variation = Eigen::VectorXd::Zero(constraints.num_elastic());
-  if (constraints.num_elastic() > 0) {
-    const Eigen::VectorXd& tolerance = constraints.tolerance();
-    variation = minimize_quadratic_in_box(-(lengths.transpose() * state.multipliers + reduced.pull),
-                                          make_positive(state.system->stiffness_by_variation()),
-                                          -tolerance - state.now.variation, tolerance - state.now.variation);
-  }
+  Eigen::VectorXd variation = state.system->choose_variation_change(
+      lengths.transpose() * state.multipliers + reduced.pull, state.now.variation);
   const NewtonSystem::Solution solution = state.system->solve_on_wires(reduced, variation);
   NewtonStep step{state.system->finish(solution.d), std::move(variation), state.multipliers + solution.multipliers, 0};
   step.slope = force.cwiseProduct(step.d).sum() - state.multipliers.dot(lengths * step.variation);
   return step;
 }
 
-/// Its end before the way back to exact lengths.
+/// Returns the end of a step, before the retraction to exact lengths.
 Iterate end_of(const NewtonStep& step, const Iterate& begin) {
   return {begin.uv + step.d, begin.variation + step.variation, 0};
 }
@@ -61,8 +55,8 @@ void move_along(const NewtonStep& step, NewtonState& state) {
   ++state.iterations;
 }
 
-/// Newton steps with the factor from before a step with the given slope, as long as each leaves little to the next.
-/// Lengths are corrected by the next step only. Whether what is left is not worthwhile.
+/// Takes Newton steps with the factor from before a step with the given slope, as long as the slope falls fast. Length
+/// errors are corrected by the following step. Returns whether the remaining decrease is not worthwhile.
 bool take_steps_with_factor(NewtonState& state, double slope) {
   for (bool is_first = true; state.control.stop.may_go_on(); is_first = false) {
     state.update_gradient();
@@ -70,7 +64,8 @@ bool take_steps_with_factor(NewtonState& state, double slope) {
     const double fall = std::abs(step.slope / slope);
     if (!(fall < NewtonConstants::falls_fast)) break;
     slope = step.slope;
-    const double left = is_first ? std::abs(slope) : fall * std::abs(slope);  // after this step, at most
+    const double left =
+        is_first ? std::abs(slope) : fall * std::abs(slope);  // upper bound of the decrease after this step
     const bool is_last = left < state.worthwhile_decrease();
     move_along(step, state);
     if (is_last) return true;
@@ -78,7 +73,7 @@ bool take_steps_with_factor(NewtonState& state, double slope) {
   return false;
 }
 
-/// The same from exact lengths to exact lengths, downhill.
+/// Does the same from exact lengths to exact lengths, downhill.
 StepOutcome go_on_with_factor(NewtonState& state, double slope) {
   const Iterate begin = state.now;
   const Eigen::VectorXd multipliers = state.multipliers;

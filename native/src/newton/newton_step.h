@@ -6,14 +6,14 @@
 
 namespace wirewarp {
 
-/// Moves the start to exact lengths: one Newton step and the way back from its end, with the Laplacian as Hessian. Near
-/// the minimum with the exact Hessian, or its convex part where that is not positive; and a second step where the first
-/// one is too long; from there on steps with the factor at hand, as far as they lead. Rejected where lengths are not
-/// exact by then. Throws Stopped.
+/// Moves the start to exact lengths by one Newton step and a retraction. The Hessian is the Laplacian. Near the minimum
+/// it is the exact Hessian, or its convex part if that is not positive; then a second step follows if the first one is
+/// too long, and further steps use the factor at hand as long as they help. Rejected if lengths are not exact at the
+/// end. Throws Stopped.
 StepOutcome reach_exact_lengths(NewtonState& state, bool is_near_minimum);
 
-/// From exact lengths to exact lengths, downhill, with the exact Hessian; near the minimum several steps with one
-/// factor. Rejected where the Hessian is not positive, or the step does not go down as predicted.
+/// Steps from exact lengths to exact lengths, downhill, with the exact Hessian; near the minimum several steps use one
+/// factor. Rejected if the Hessian is not positive, or if f does not fall as predicted.
 StepOutcome take_newton_step(NewtonState& state);
 
 }  // namespace wirewarp

@@ -7,34 +7,35 @@
 #include <cmath>
 
 #include "base/in_threads.h"
+#include "numerics/optimize/box_quadratic.h"
 #include "surface/mesh/connected_parts.h"
 
 namespace wirewarp {
 namespace {
 
-// Holds what nothing else does. The softest mode of a square sheet has 2π² against a mass of 1: 1e-4 shortens its step
-// by a few millionths.
+// Makes modes definite that have no stiffness. The softest mode of a square sheet has a stiffness of 2π² for a mass of
+// 1, so that 1e-4 shortens its step by a few millionths.
 constexpr double kMass = 1e-4;
-// Far above the stiffness at a vertex, which is some units (cotangents of angles), and far below that of edges: what it
-// rounds off is 1e-10.
+// Far above the stiffness at a vertex, which is a few units (cotangents of angles), and far below that of edges: its
+// rounding errors are 1e-10.
 constexpr double kPin = 1e6;
 // Far above any curvature of f + λᵀc along a wire, so that a failed factorization concerns the null space of J alone.
 // Each step of the method of multipliers gains as many digits as ρ has over the stiffness of the surface: seven or so.
 constexpr double kSmallestStiffness = 1e8;
-// Over the largest diagonal entry of the Hessian at an edge's ends: fairness makes short edges stiffer than 1e8. No
-// more: what the entries of short edges round off must stay far below the stiffness of the surface.
+// Relative to the largest diagonal entry of the Hessian at an edge's ends, because fairness makes short edges stiffer
+// than 1e8. Not larger, because rounding errors of the entries of short edges must stay far below the stiffness of the
+// surface.
 constexpr double kStiffness = 10;
-constexpr int kMultiplierSteps = 3;  // mostly one is enough, and what three do not reach rounding has spoiled
-// Of changes of length, over how far the ends of edges move apart or aside: what a step is wrong by, steps back to
-// exact lengths correct.
+constexpr int kMultiplierSteps = 3;  // mostly one is enough; after three, rounding prevents better ones
+// Relative error of length changes tolerated in a Newton step; the retraction to exact lengths corrects it afterwards.
 constexpr double kAccuracy = 1e-9;
-// Least pivot over the largest diagonal entry: ten times the error of S where ρ holds the lengths to five digits.
+// Least pivot over the largest diagonal entry: ten times the error of S if ρ keeps the lengths to five digits.
 constexpr double kWellPositive = 1e-4;
 constexpr int kManyVariations = 200;  // beyond, eigenvalues cost more than the Newton system
 
 constexpr int kPerVertex = 2;  // unknowns of a vertex of the matrix: two positions, or two h
 
-/// Where h of an elastic edge is in the matrix: after the positions, as if two of them were x and y of a vertex.
+/// Returns the place of an elastic edge's h in the matrix: after the positions, as if two h were x and y of a vertex.
 int vertex_of_variation(const LengthConstraints::Edge& edge, int num_vertices) {
   return num_vertices + edge.elastic / kPerVertex;
 }
@@ -56,7 +57,7 @@ std::vector<VertexPair> coupled_vertices(const FairShapeError& objective, const 
   return pairs;
 }
 
-/// A third of the faces around each vertex, over the area of all in its connected part.
+/// Returns a third of the area of the faces around each vertex, relative to the area of its connected part.
 Eigen::VectorXd lumped_mass(const Chart& chart, const std::vector<ConnectedPart>& parts) {
   Eigen::VectorXd mass = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(chart.mesh.n_vertices()));
   for (const FaceHandle f : chart.mesh.faces()) {
@@ -76,7 +77,7 @@ Eigen::VectorXd lumped_mass(const Chart& chart, const std::vector<ConnectedPart>
   return mass;
 }
 
-/// A vertex near the middle of each connected part, and the one farthest away from it.
+/// Returns, for each connected part, a vertex near its middle and the vertex farthest away from that.
 std::vector<VertexPair> pinned_vertices(const Chart& chart, const std::vector<ConnectedPart>& parts) {
   const auto point = [&](int v) { return chart.mesh.point(VertexHandle(v)); };
   const auto nearer_to = [&](const OpenMesh::Vec3d& place) {
@@ -94,10 +95,10 @@ std::vector<VertexPair> pinned_vertices(const Chart& chart, const std::vector<Co
   return pinned;
 }
 
-/// With so much more on the diagonal that it is positive, from 1e-5 of the largest entry on: ten times as much each
-/// time.
+/// Adds to the diagonal until the matrix is positive definite: first 1e-5 of the largest entry, then ten times as much
+/// each time.
 Eigen::MatrixXd shifted(Eigen::MatrixXd symmetric) {
-  constexpr double kMost = 1e6;  // of a matrix without any positive entry on its diagonal nothing can be made
+  constexpr double kMost = 1e6;  // a matrix without a positive diagonal entry cannot be saved
   const double largest = symmetric.diagonal().cwiseAbs().maxCoeff();
   double shift = 0;
   for (double next = 1e-5; next < kMost; next *= 10) {
@@ -178,7 +179,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
     matrix_.add(edge_blocks_[e], -block);
   }
   add_elastic_springs(stiffness_share);
-  if (convexity.curvature == Curvature::none) return;  // the Laplacian resists turns: a pin would press a dent
+  if (convexity.curvature == Curvature::none) return;  // the Laplacian resists rotation, and a pin would dent the shape
   if (!objective_.is_free_to_turn()) return;
   for (const VertexPair& pin : pinned_) {
     const Eigen::Vector2d arm = (uv.row(pin[1]) - uv.row(pin[0])).transpose().normalized();
@@ -187,7 +188,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   }
 }
 
-/// What couples h with positions, and the diagonal of h: −ρ l d̂ at the end b of an edge, ρ l².
+/// Adds what couples h with positions, −ρ l d̂ at the end b of an edge, and the diagonal of h, ρ l².
 void NewtonSystem::add_elastic_springs(double stiffness_share) {
   auto blocks = elastic_blocks_.begin();
   for (int e = 0; e < constraints_.size(); ++e) {
@@ -231,7 +232,7 @@ Positions2 NewtonSystem::apply_inverse(const Positions2& b) const {
   return Eigen::Map<const Positions2>(all.data(), b.rows(), 2);
 }
 
-/// A⁻¹ Jᵀ τ on the wires, for h = 0.
+/// Returns A⁻¹ Jᵀ τ on the wires, for h = 0.
 Eigen::VectorXd NewtonSystem::response(const Eigen::VectorXd& tensions) const {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(num_unknowns());
   constraints_.add_transposed(directions_, tensions, Eigen::Map<Positions2>(x.data(), num_positions_ / 2, 2));
@@ -246,7 +247,7 @@ Eigen::VectorXd NewtonSystem::changes_of_length(const Eigen::VectorXd& d) const 
   return constraints_.apply(directions_, Eigen::Map<const Positions2>(d.data(), num_positions_ / 2, 2));
 }
 
-/// Of the ends of edges.
+/// Returns the norm of the relative motions of the two ends of all edges.
 double NewtonSystem::relative_motion(const Eigen::VectorXd& d) const {
   double sum = 0;
   for (const LengthConstraints::Edge& edge : constraints_.edges()) {
@@ -255,7 +256,7 @@ double NewtonSystem::relative_motion(const Eigen::VectorXd& d) const {
   return std::sqrt(sum);
 }
 
-/// b = [r₁ + Jᵀ ρ r₂; −Tᵀ ρ r₂], forward.
+/// Substitutes b = [r₁ + Jᵀ ρ r₂; −Tᵀ ρ r₂] forward.
 NewtonSystem::Reduced NewtonSystem::reduce(const Positions2& r1, const Eigen::VectorXd& r2) const {
   Reduced reduced{Eigen::VectorXd::Zero(num_unknowns()), {}, r2};
   const Eigen::VectorXd tensions = stiffness_.cwiseProduct(r2);
@@ -284,8 +285,8 @@ NewtonSystem::Solution NewtonSystem::solve_roughly(const Reduced& reduced, const
   return solve(reduced, variation, cholesky_->all());
 }
 
-/// (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then λ += ρ (J d − r₂): the first row holds after every step, the second is
-/// better by a factor of about ρ over the stiffness of the surface.
+/// Solves (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then sets λ += ρ (J d − r₂). The first row is satisfied after every
+/// step; the error of the second falls by a factor of about ρ over the stiffness of the surface.
 void NewtonSystem::improve(const Eigen::VectorXd& r2, Solution& solution) const {
   for (int i = 0; i < kMultiplierSteps; ++i) {
     Eigen::VectorXd tensions = stiffness_.cwiseProduct(r2) - solution.multipliers;
@@ -305,6 +306,13 @@ NewtonSystem::Solution NewtonSystem::solve_on_wires(const Reduced& reduced, cons
 
 NewtonSystem::Solution NewtonSystem::solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const {
   return solve_on_wires(reduce(r1, r2), Eigen::VectorXd::Zero(constraints_.num_elastic()));
+}
+
+Eigen::VectorXd NewtonSystem::choose_variation_change(const Eigen::VectorXd& pull,
+                                                      const Eigen::VectorXd& variation) const {
+  if (constraints_.num_elastic() == 0) return {};
+  const Eigen::VectorXd& tolerance = constraints_.tolerance();
+  return minimize_quadratic_in_box(-pull, make_positive(stiffness_h_), -tolerance - variation, tolerance - variation);
 }
 
 Eigen::VectorXd NewtonSystem::least_change(const Eigen::VectorXd& r2) const {

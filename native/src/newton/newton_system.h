@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The linear system of a Newton step under exact lengths,
 //
-//   [ H  Jᵀ ] [ d ]   [ r₁ ]      H   Hessian of f + λᵀc, made positive where that is asked for
+//   [ H  Jᵀ ] [ d ]   [ r₁ ]      H   Hessian of f + λᵀc, made positive on demand
 //   [ J  0  ] [ λ ] = [ r₂ ]      J   Jacobian of the lengths
 //
-// in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins, with M the lumped areas over the whole area, of each
-// connected part. For large ρ, A has a Cholesky factor exactly where H is positive on the null space of J: a failed
-// factorization is the test of the inertia. The method of multipliers takes two or three solves with it to the solution
-// for ρ → ∞ (M. J. D. Powell, A method for nonlinear constraints in minimization problems, 1969).
+// in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins. M has the lumped vertex areas of each connected part,
+// relative to the area of that part. For large ρ, A has a Cholesky factor if and only if H is positive on the null
+// space of J: a failed factorization is the test of the inertia. The method of multipliers (M. J. D. Powell, A method
+// for nonlinear constraints in minimization problems, 1969) needs two or three solves to reach the solution for ρ → ∞.
 //
-// All of them but the last need d on the wires only: back substitution goes on from there once, in finish().
+// All solves but the last need d only on the wires; finish() completes the back substitution once.
 //
 // The length variations h of elastic parts are unknowns, too, with the springs ρ between J d and T h. They come last
-// and are not eliminated, for a quadratic program has to choose them within their tolerances: with d eliminated, what
-// is left is ½ h·S h − h·Tᵀλ, S = Tᵀ (ρ − ρ J A⁻¹ Jᵀ ρ) T and λ those of h = 0. Back substitution then starts from h.
+// and are not eliminated, because a quadratic program chooses them within their tolerances. With d eliminated, it has
+// the objective ½ h·S h − h·Tᵀλ, S = Tᵀ (ρ − ρ J A⁻¹ Jᵀ ρ) T, with λ those of h = 0. Back substitution starts from h.
 #pragma once
 
 #include <array>
@@ -28,47 +28,49 @@
 
 namespace wirewarp {
 
-/// What of the curvature of f + λᵀc goes into H.
+/// Which parts of the curvature of f + λᵀc H contains.
 struct Convexity {
   Curvature curvature;
   bool keep_compression;  // the negative curvature of edges with λ < 0, which may buckle
 };
 
-/// A symmetric matrix as it is where it is well positive; else with the magnitudes of its eigenvalues, none below 1e-6
-/// of the largest: a model that has a minimum. One of more than 200 rows gets a larger diagonal instead.
+/// Returns a symmetric matrix unchanged if it is well positive, and otherwise with the magnitudes of its eigenvalues,
+/// none below 1e-6 of the largest, so that the quadratic model has a minimum. A matrix of more than 200 rows gets a
+/// larger diagonal instead.
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
 class NewtonSystem {
  public:
-  /// objective, constraints: must outlive the system. positions: any layout that separates near vertices from far ones,
-  /// for the order of elimination. Throws Stopped.
+  /// The objective and the constraints must outlive the system. positions: any layout that separates near vertices from
+  /// far ones, for the order of elimination. Throws Stopped.
   NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
                const Positions2& positions, const StopToken& stop = {});
 
-  /// ρ, #edges, from the next factorization on. By default so large that lengths are held.
+  /// ρ, one per edge, used from the next factorization on. The default is large enough to keep the lengths.
   const Eigen::VectorXd& stiffness() const { return stiffness_; }
   void set_stiffness(Eigen::VectorXd stiffness) { stiffness_ = std::move(stiffness); }
 
-  /// Linearizes at uv; false where A is not positive definite, or the caller stops. multipliers: λ, #edges.
+  /// Linearizes at uv. Returns false if A is not positive definite, or if the caller stops. multipliers: λ, one per
+  /// edge.
   bool factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
                  const StopToken& stop = {});
 
-  /// H at uv, with 10⁻⁴ M and the pins, to multiply with; lower triangle, positions alone.
+  /// Returns H + 10⁻⁴ M + pins at uv for products with vectors: the lower triangle, without the unknowns h.
   Eigen::SparseMatrix<double> hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
                                       const Convexity& convexity);
 
-  /// Numbers of a d: of positions and of h.
+  /// Size of a vector d with the unknowns h.
   Eigen::Index num_unknowns() const { return matrix_.lower().rows(); }
 
-  /// The way forward: a solution but for the h that is to be chosen.
+  /// A right-hand side after forward substitution, before h is chosen.
   struct Reduced {
     Eigen::VectorXd d;     // substituted forward, x and y of each vertex below one another
     Eigen::VectorXd pull;  // Tᵀλ for h = 0, #elastic
     Eigen::VectorXd r2;
   };
 
-  /// A solution on its way: A d = r₁ + Jᵀ τ on the wires, x and y of each vertex below one another. Elsewhere d holds
-  /// what finish() needs, and so do sums of such d.
+  /// A solution of A d = r₁ + Jᵀ τ on the wires, x and y of each vertex below one another. Elsewhere d has what
+  /// finish() needs; the same is true for sums of such d.
   struct Solution {
     Eigen::VectorXd d;
     Eigen::VectorXd tensions;     // τ
@@ -78,23 +80,27 @@ class NewtonSystem {
   /// r1: one row per chart vertex; r2: #edges.
   Reduced reduce(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
-  /// d on the wires and λ, J d being r₂ + T h, to nine digits.
+  /// Returns d on the wires and λ to nine digits; J d is r₂ + T h.
   Solution solve_on_wires(const Reduced& reduced, const Eigen::VectorXd& variation) const;
 
   /// The same for h = 0.
   Solution solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
-  /// d everywhere and λ by one solve, to about five digits.
+  /// Returns d everywhere and λ by one solve, to about five digits.
   Solution solve_roughly(const Reduced& reduced, const Eigen::VectorXd& variation) const;
 
-  /// S of the last factorization: how the springs ρ of the edges resist h, where d follows them. With ρ that hold the
-  /// lengths to about five digits ∂(−Tᵀλ)/∂h. #elastic by #elastic.
+  /// S of the last factorization, #elastic by #elastic: the stiffness against h of the springs ρ if d follows them. It
+  /// is ∂(−Tᵀλ)/∂h to about five digits if ρ keeps the lengths.
   const Eigen::MatrixXd& stiffness_by_variation() const { return stiffness_h_; }
 
-  /// d on the wires with J d = r2, the least in the metric H, to the accuracy of one solve.
+  /// Returns the change of h that minimizes the quadratic model with d eliminated, so that h stays within its
+  /// tolerances. pull: minus the gradient by h, #elastic.
+  Eigen::VectorXd choose_variation_change(const Eigen::VectorXd& pull, const Eigen::VectorXd& variation) const;
+
+  /// Returns the least d in the metric H with J d = r2, on the wires, to the accuracy of one solve.
   Eigen::VectorXd least_change(const Eigen::VectorXd& r2) const;
 
-  /// d everywhere.
+  /// Completes the back substitution: d everywhere.
   Positions2 finish(const Eigen::VectorXd& d_on_wires) const;
 
   /// A⁻¹ b. One row per chart vertex.
@@ -118,8 +124,8 @@ class NewtonSystem {
   FairShapeError& objective_;
   const LengthConstraints& constraints_;
   VertexMatrix matrix_;
-  std::vector<VertexPair> pinned_;  // one a connected part, hold its rigid motions: the first altogether, the second
-                                    // against turning
+  std::vector<VertexPair> pinned_;  // per connected part, against rigid motions: the first cannot move, the second
+                                    // cannot turn about it
   std::vector<VertexMatrix::Block> edge_blocks_;
   std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // of h and the ends a, b of each elastic edge
   Eigen::Index num_positions_;                                      // unknowns before h

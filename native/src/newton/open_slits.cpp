@@ -17,11 +17,12 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kOpening = 0.1;       // slope of opened rims against the shut slit: far less than angles of triangles
-constexpr double kOfHeight = 1.0 / 3;  // the most that a rim moves into the faces beside it: none of them flips
-constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the end, when pieces have been turned
+constexpr double kOpening = 0.1;  // slope of an opened rim against the shut slit, far less than angles of triangles
+constexpr double kOfHeight =
+    1.0 / 3;  // largest share of the height of a face by which a rim moves into it, so that none flips
+constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the result, where pieces are rotated
 
-/// Distance along the rims to the nearest tip, of the vertex where each half-edge begins.
+/// Returns the distance along the rims to the nearest tip, for the vertex where each half-edge begins.
 std::vector<double> distances_from_tips(const Chart& chart, const Slit& slit) {
   std::vector<double> distance(slit.rims.size(), 0);
   for (std::size_t i = 1; i < distance.size(); ++i) {
@@ -36,7 +37,7 @@ std::vector<double> distances_from_tips(const Chart& chart, const Slit& slit) {
   return distance;
 }
 
-/// The least height, in the plane, of the faces around the vertex where a half-edge begins.
+/// Returns the least height, in the plane, of the faces around the vertex where a half-edge begins.
 double height_beside(const Chart& chart, HalfedgeHandle rim, const Positions2& uv) {
   const auto place = [&](VertexHandle v) -> Eigen::Vector2d { return uv.row(v.idx()); };
   double least = std::numeric_limits<double>::infinity();
@@ -50,7 +51,7 @@ double height_beside(const Chart& chart, HalfedgeHandle rim, const Positions2& u
   return least;
 }
 
-/// Moves the rims of a slit apart, each into the chart and so little that no face flips.
+/// Moves the rims of a slit apart, each into the chart, but not far enough to flip a face.
 void open_a_little(const Chart& chart, const Slit& slit, Positions2& uv) {
   const std::vector<double> distance = distances_from_tips(chart, slit);
   const std::size_t count = slit.rims.size();

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts with slits. The rims of a shut slit are two chains that end at the same points and lie on one another. Such a
-// shape is no smooth point of the shapes with exact lengths: where the chains are straight, those with a shut slit,
-// bent to one side or the other, cross those where it opens or its rims go through each other, and the lengths have
-// dependent derivatives. Newton steps cannot turn from one branch into the other. So each branch is gone along by
-// itself, and what must not go through each other is contact, held by sewing:
+// Charts with slits. The rims of a shut slit are two chains that end at the same points and lie on one another. At such
+// a shape the set of shapes with exact lengths is not smooth: if the chains are straight, the branch of shapes with a
+// shut slit, bent to one side or the other, crosses the branch where the slit opens or its rims pass through each
+// other, and the derivatives of the lengths are dependent. Newton steps cannot change branches. So each branch is
+// searched by itself, and slits whose rims would pass through each other are sewn:
 //
-//   1. all slits sewn: the least distorted shape of a chart without them. It has the lengths of the open one too.
-//   2. from there, all slits opened a little.
-//   3. those whose rims went through each other sewn again, until none is left.
+//   1. Sew all slits and find the least distorted shape. It has the lengths of the open chart, too.
+//   2. From there, open all slits a little and minimize.
+//   3. Sew those again whose rims passed through each other; repeat until none did.
 #pragma once
 
 #include <functional>

@@ -20,8 +20,8 @@ struct Projected {
   Eigen::VectorXd residual;   // c
 };
 
-/// Gauss-Newton steps on the strain of springs ρ along the edges, the shortest in the metric H where there are many.
-/// With d eliminated a quadratic program in Δh is left: h + Δh keeps to its tolerance.
+/// Gauss-Newton steps on the strain of springs ρ along the edges; if many steps minimize it, the shortest in the metric
+/// H. With d eliminated, a quadratic program in Δh remains, which keeps h + Δh within its tolerance.
 class Projection {
  public:
   Projection(const Problem& problem, const Positions2& uv, const StopToken& stop)
@@ -34,14 +34,13 @@ class Projection {
   const Positions2& uv() const { return now_.uv; }
   bool has(double largest_error) const { return constraints_.largest_error(now_.residual) <= largest_error; }
 
-  /// One step, shorter if need be, and whole ones with the same factor as long as they halve the strain. False where
-  /// no step gets nearer.
+  /// Takes one step, shortened until the strain falls, and then whole ones with the same factor as long as they halve
+  /// the strain. Returns false if no step lowers it.
   bool get_nearer(const StopToken& stop) {
     const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints_.size());
     const bool is_positive = system_.factorize(now_.uv, no_forces, {Curvature::none, false}, stop);
     stop.check();
     if (!is_positive) return false;
-    if (constraints_.num_elastic() > 0) stiffness_h_ = system_.stiffness_by_variation();
     const Projected far = moved();
     double t = 1;
     Projected next = far;
@@ -70,15 +69,15 @@ class Projection {
     return std::sqrt(iterate.residual.cwiseAbs2().dot(system_.stiffness()));
   }
 
-  /// By a whole step.
+  /// Returns the end of a whole step.
   Projected moved() const {
     Eigen::VectorXd d = system_.least_change(-now_.residual);
     Eigen::VectorXd change = Eigen::VectorXd::Zero(constraints_.num_elastic());
     if (change.size() > 0) {
       const Eigen::Map<const Positions2> d_by_vertex(d.data(), now_.uv.rows(), 2);
       const Eigen::VectorXd left = now_.residual + constraints_.apply(system_.directions(), d_by_vertex);
-      change = minimize_quadratic_in_box(-(lengths_.transpose() * system_.stiffness().cwiseProduct(left)), stiffness_h_,
-                                         -constraints_.tolerance() - now_.variation,
+      change = minimize_quadratic_in_box(-(lengths_.transpose() * system_.stiffness().cwiseProduct(left)),
+                                         system_.stiffness_by_variation(), -constraints_.tolerance() - now_.variation,
                                          constraints_.tolerance() - now_.variation);
       d += system_.least_change(lengths_ * change);
     }
@@ -89,7 +88,6 @@ class Projection {
   FairShapeError objective_;
   NewtonSystem system_;
   const Eigen::SparseMatrix<double>& lengths_;  // T
-  Eigen::MatrixXd stiffness_h_;
   Projected now_;
 };
 

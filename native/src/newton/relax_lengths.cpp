@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kWeightOfExcess = 10;       // V over the square root of the area: far above the forces in wires
 constexpr double kWeightOfUnevenness = 100;  // W of wire parts, the same
-constexpr double kWeightOfBoundary = 1000;   // far above that of wires, so that outlines give way last
-constexpr double kWithinTolerance = 0.99;    // of it, so that what smoothing leaves stays within
+constexpr double kWeightOfBoundary = 1000;   // far above that of wires, so that outlines change last
+constexpr double kWithinTolerance = 0.99;    // share of it that counts, so that the rest after smoothing is within
 constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};          // σ: strains of 1e-4 are distinguished from 0 in the end
 constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
 constexpr double kWorthwhile = 1e-5;                         // predicted decrease over Φ
 constexpr double kShortestRelaxStep = 1e-3;                  // ten halvings
 
-/// The chart with those wire parts elastic whose edges share a variation, whatever their tolerance. A single edge needs
-/// none: r is the variation.
+/// Makes all wire parts of several edges elastic, whatever their tolerance, because their edges share a variation. A
+/// part of one edge needs no variation: r is the variation.
 Chart with_variations(Chart chart) {
   for (WirePart& part : chart.wire_parts) {
     if (part.kind != WireKind::elastic && part.kind != WireKind::rigid) continue;
@@ -103,13 +103,13 @@ void RelaxedLengths::make_groups(const HeldNetwork& network) {
   }
 }
 
-/// l r, of single edges what is beyond their tolerance. #edges.
+/// Returns l r, one per edge; for single edges, the part beyond their tolerance.
 Eigen::VectorXd RelaxedLengths::residual(const Iterate& iterate) const {
   const Eigen::VectorXd missing = constraints_.residual(iterate.uv, iterate.variation);
   return missing - missing.cwiseMax(-slack_).cwiseMin(slack_);
 }
 
-/// m. #groups.
+/// Returns m, one per group.
 Eigen::VectorXd RelaxedLengths::mean_squares(const Eigen::VectorXd& residual) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(groups_.size()));
   for (int e = 0; e < constraints_.size(); ++e) {
@@ -119,7 +119,7 @@ Eigen::VectorXd RelaxedLengths::mean_squares(const Eigen::VectorXd& residual) co
   return result;
 }
 
-/// x, with the sign of h.
+/// Returns x with the sign of h.
 Eigen::VectorXd RelaxedLengths::tolerance_violation(const Eigen::VectorXd& variation) const {
   return variation - variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
 }
@@ -138,8 +138,8 @@ double RelaxedLengths::value(const Iterate& iterate, double smoothing) const {
   return result;
 }
 
-/// The minimum of f and the springs of the weights at hand, linearized: ρ of the edges, κ of the variations. With d
-/// eliminated, a dense system in Δh is left.
+/// Returns the step to the minimum of the linearized problem: f, and springs by the weights at hand, ρ of the edges and
+/// κ of the variations. With d eliminated, a dense system in Δh remains.
 RelaxedLengths::Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
   Positions2 gradient;
   objective_.value_and_gradient(now_.uv, gradient);

@@ -8,12 +8,12 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kOrdinarySteps = 5;  // at most; those that take more ask whether to go on
+constexpr int kOrdinarySteps = 5;  // the token is polled once per this many steps
 constexpr int kMaxSteps = 60;      // with 30 some nets stop at 1e-11
-constexpr int kRemembered = 5;     // steps: 3 take a tenth longer on nets of 128 wires, 8 no less
+constexpr int kRemembered = 5;     // steps: with 3, nets of 128 wires take a tenth longer; with 8, as long
 constexpr double kMostLeft = 0.9;  // of the error after a step: with 0.45, 5 % more factorizations
 
-/// Anderson's acceleration: of the steps before, what made the error smallest by linear extrapolation.
+/// Anderson's acceleration: the combination of previous steps that minimizes the linearly extrapolated error.
 class StepsBefore {
  public:
   bool is_empty() const { return size_ == 0; }
@@ -25,7 +25,7 @@ class StepsBefore {
     next_ = (next_ + 1) % kRemembered;
   }
 
-  /// Moves along them, and the residual with it as if it were linear.
+  /// Moves along that combination, and changes the residual as if it were linear.
   void extrapolate(Eigen::VectorXd& moved, Eigen::VectorXd& residual) const {
     if (is_empty()) return;
     Eigen::MatrixXd changes(residual.size(), size_);
@@ -44,7 +44,7 @@ class StepsBefore {
 
 bool retract_to_lengths(const LengthConstraints& constraints, const NewtonSystem& system,
                         const Eigen::VectorXd& variation, Positions2& uv, const StopToken& stop) {
-  Eigen::VectorXd moved = Eigen::VectorXd::Zero(system.num_unknowns());  // on the wires: steps need no more
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(system.num_unknowns());  // on the wires, which are enough for the steps
   Eigen::VectorXd residual = constraints.residual(uv, variation);
   double error = constraints.largest_error(residual);
   StepsBefore before;

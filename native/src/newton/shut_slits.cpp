@@ -11,8 +11,7 @@
 namespace wirewarp {
 namespace {
 
-// Rims of a slit that are nearer to one another than this share of the slit's length lie on one another: exact lengths
-// leave a millionth of that.
+// Gap between the rims of a shut slit over its length, at most. Exact lengths leave a millionth of that.
 constexpr double kShut = 1e-7;
 
 bool is_shut(const Chart& chart, const Slit& slit, const Positions2& uv) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the refined method may start. Each start is a layout near exact lengths, or none if it does not work.
+// Where the refined method may start. Each start is a layout near exact lengths, or none if it does not work. They
+// throw Stopped and FactorizationFailed.
 #pragma once
 
 #include <optional>
@@ -27,7 +28,7 @@ std::optional<Shape> free_shape(Problem& problem, const Control& control);
 
 /// The wires flattened alone: the angles of Eq. (1) on the network that process_topology prepares, the other vertices
 /// by interior placement (paper II-A). It has exact lengths without a factorization of the whole chart. None if even
-/// the wires do not close, or if topology processing finds no way for helper wires.
+/// the wires do not close.
 std::optional<Shape> wires_alone(Problem& problem, const Control& control);
 
 /// A shape without flipped triangles, reached without flipping any (newton/injective_shape.h).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changes of shape that keep the lengths to first order: (d, Δh) with J d = T Δh, for those elastic parts that no bound
-// holds. A vector of it has x and y of every vertex, then Δh of the free parts.
+// Changes of shape that keep the lengths to first order: (d, Δh) with J d = T Δh, for the elastic parts that are not at
+// a bound. A vector of the space has x and y of every vertex, then Δh of these free parts.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -12,17 +12,17 @@ namespace wirewarp {
 
 class TangentSpace {
  public:
-  /// system: factored, with a convex H = G; it and the constraints must outlive the space, unchanged. free:
+  /// system: factored, with a convex H = G. The system and the constraints must outlive the space, unchanged. free:
   /// elastic parts of the constraints. Throws FactorizationFailed.
   TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free);
 
   const std::vector<int>& free() const { return free_; }
 
-  /// The (d, Δh) of the space whose image under G agrees with the force r in the space. Takes off r what is normal to
-  /// the space.
+  /// Returns the (d, Δh) of the space whose image under G equals the force r on the space. Removes from r the
+  /// components normal to the space.
   Eigen::VectorXd solve(Eigen::VectorXd& force) const;
 
-  /// A force on the vertices alone.
+  /// Returns a force that acts on the vertices alone as a vector of the space.
   Eigen::VectorXd force_on_vertices(const Positions2& force) const;
 
  private:

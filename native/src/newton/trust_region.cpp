@@ -12,7 +12,7 @@
 namespace wirewarp {
 namespace {
 
-/// All elastic parts but those at a bound that would go beyond it: f falls by (Tᵀλ)_w per unit of h_w.
+/// Returns all elastic parts except those that are at a bound and would leave it: f falls by (Tᵀλ)_w per unit of h_w.
 std::vector<int> free_parts(const NewtonState& state) {
   const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd &h = state.now.variation, &tolerance = constraints.tolerance();
@@ -25,8 +25,8 @@ std::vector<int> free_parts(const NewtonState& state) {
   return free;
 }
 
-/// The forces in the wires, each vertex's turned by a quarter. At a saddle they push where a mirror image would: its
-/// way down may be against a symmetry that the gradient has.
+/// Returns the forces in the wires, turned by a quarter at each vertex. At a saddle the way down may break a symmetry
+/// that the gradient has; these forces break it, too.
 Positions2 forces_across_symmetry(const NewtonState& state) {
   Positions2 tension = Positions2::Zero(state.now.uv.rows(), 2), turned(tension.rows(), 2);
   state.constraints.add_transposed(state.system->directions(), state.multipliers, tension);
@@ -60,12 +60,12 @@ StepOutcome TrustRegion::take_step(NewtonState& state) {
   if (!is_stationary) return search(state, space, [&](double radius) { return model.step(radius); });
   const LanczosTrustRegion off_saddle = model_for(forces_across_symmetry(state));
   if (off_saddle.lowest_curvature() > -NewtonConstants::flat_curvature) return StepOutcome::converged;
-  // The gradient, which has all but vanished, says nothing of how far to go: at least as far as is worthwhile.
+  // The gradient has all but vanished and does not say how far to go: at least as far as is worthwhile.
   radius_ = std::max(radius_, std::sqrt(2 * state.worthwhile_decrease() / -off_saddle.lowest_curvature()));
   return search(state, space, [&](double radius) { return off_saddle.step_along_lowest_curvature(radius); });
 }
 
-/// Takes the step of the largest radius whose step goes down as the model says.
+/// Takes the step of the largest radius at which f falls as the model predicts.
 StepOutcome TrustRegion::search(NewtonState& state, const TangentSpace& space,
                                 const std::function<ModelStep(double radius)>& step_of) {
   std::optional<Iterate> best;

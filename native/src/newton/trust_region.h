@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The step of minimize() where the exact Hessian is not positive: the quadratic model of f + λᵀc, minimized within a
-// radius (newton/lanczos_trust_region.h). The radius carries over from step to step.
+// The step of minimize() if the exact Hessian is not positive: minimizes the quadratic model of f + λᵀc within a radius
+// (newton/lanczos_trust_region.h). The radius carries over from step to step.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,11 @@ namespace wirewarp {
 
 class TrustRegion {
  public:
-  /// From exact lengths to exact lengths, downhill. Converged where no gradient is left, and no way down from a saddle.
+  /// Steps from exact lengths to exact lengths, downhill. Converged if the gradient vanishes and no direction leads
+  /// down from a saddle.
   StepOutcome take_step(NewtonState& state);
 
-  /// Whether the radius did not hold back the last step: the exact Hessian may be positive where it ends.
+  /// Returns whether the last step was shorter than the radius: the exact Hessian may be positive at its end.
   bool was_inside() const { return was_inside_; }
 
  private:

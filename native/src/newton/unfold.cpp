@@ -12,11 +12,11 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kMostStrain =
-    1e-4;  // rms: coordinates that were rounded to four digits, which Newton steps make up for
+/// Root mean square. Coordinates that were rounded to four digits have it, and Newton steps correct it.
+constexpr double kMostStrain = 1e-4;
 
-/// Where a face is to be laid: longer sides come first, of about the same length those that were met first, so that the
-/// way to each face is short.
+/// A side at which a face can be laid. Longer sides come first; among sides of about the same length those that were
+/// met first, so that few faces lie between the first face and any other.
 struct OpenSide {
   OpenSide(double length, int place, HalfedgeHandle h) : magnitude(std::ilogb(length)), rank(place), half_edge(h) {}
   bool operator<(const OpenSide& other) const {
@@ -28,7 +28,8 @@ struct OpenSide {
   HalfedgeHandle half_edge;
 };
 
-/// Where the face on the left of h, whose ends have their places, has its third vertex: measured from the nearer end.
+/// Returns the place of the third vertex of the face on the left of h, whose ends have theirs, measured from the nearer
+/// end.
 Eigen::RowVector2d opposite_place(const HalfEdgeMesh& mesh, HalfedgeHandle h, const Positions2& uv) {
   const VertexHandle a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
   const VertexHandle c = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));
@@ -54,7 +55,7 @@ std::optional<Positions2> unfold(const Chart& chart) {
   const HalfEdgeMesh& mesh = chart.mesh;
   const ShapeError shape_error(chart);
   const double most_energy = kMostStrain * kMostStrain * surface_area(mesh);
-  double energy = 0;  // of the triangles that found all their vertices placed
+  double energy = 0;  // of the triangles that are laid
   Positions2 uv = Positions2::Zero(static_cast<Eigen::Index>(mesh.n_vertices()), 2);
   std::vector<char> has_place(mesh.n_vertices(), 0), is_laid(mesh.n_faces(), 0);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts that lie flat without strain: sheets, cylinders, cones, whatever is folded from one plane.
+// Charts that lie flat without strain: sheets, cylinders, cones, and whatever else is folded from one plane.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,10 @@
 
 namespace wirewarp {
 
-/// The layout that keeps every triangle, one row per chart vertex, scene units; none where the triangles leave gaps:
-/// strains of 1e-4 in the mean. Each is laid beside one that is there already, across the longest edges there are: what
-/// an edge rounds off is multiplied by what lies behind it over its length.
+/// Returns the layout in which every triangle keeps its shape, one row per chart vertex, scene units. None if the
+/// triangles do not fit together within mean strains of 1e-4. Each triangle is laid beside one that has its place,
+/// across the longest edge available, because rounding errors of an edge grow with the size of what follows over its
+/// length.
 std::optional<Positions2> unfold(const Chart& chart);
 
 }  // namespace wirewarp

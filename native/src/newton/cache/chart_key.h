@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A key that two charts share if and only if one solution serves both. Whole bytes and no digest: equal keys are equal
-// charts, never a collision.
+// A key that two charts share if and only if they have the same solution. It has all bytes and is not a digest, so that
+// collisions are impossible.
 #pragma once
 
 #include <string>

@@ -67,7 +67,7 @@ void Coarsening::build_chart() {
   coarse_.network = build_held_network(coarse_.chart);
 }
 
-/// Lengths of the coarse wire edges, from the runs that they stand for.
+/// Sets the lengths of the coarse wire edges to those of their runs.
 void Coarsening::take_runs() {
   std::vector<char> stays;
   for (const int v : decimated_.coarse_vertex) stays.push_back(v == -1 ? 0 : 1);
@@ -102,7 +102,7 @@ void Coarsening::place_wire_vertices(const WireRun& run, int edge) {
   }
 }
 
-/// Surface angles between chords, from those between the end edges of the runs.
+/// Computes the surface angles between chords from those between the end edges of the runs.
 void Coarsening::measure_nodes() {
   for (WireNode& node : coarse_.network.nodes) {
     const WireRun& in = coarse_.runs[node.in.edge];

@@ -10,7 +10,7 @@
 
 namespace wirewarp {
 
-/// What a fine wire edge is of a coarse one.
+/// The place of a fine wire edge on a coarse one.
 struct CoarseWirePlace {
   int edge = -1;
   double from = 0, to = 0;  // shares of its length, along halfedge_handle(edge, 0) of the fine edge
@@ -24,13 +24,14 @@ struct CoarseChart {
   std::vector<CoarseWirePlace> wire_places;  // per fine wire edge
 };
 
-/// Of the edges of as many equilateral triangles with the same area, scene units.
+/// Returns the edge length of as many equilateral triangles with the same area, scene units.
 double typical_edge_length(const HalfEdgeMesh& mesh);
 
-/// False where a slit of one edge has two sides between the same two vertices: coarsening knows an edge by its ends.
+/// Returns false if a slit of one edge has two sides between the same two vertices: coarsening identifies an edge by
+/// its ends.
 bool can_coarsen(const Chart& chart);
 
-/// edge_length: wanted, scene units. Throws Stopped.
+/// Coarsens a chart to about the given edge length, scene units. Throws Stopped.
 CoarseChart coarsen(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

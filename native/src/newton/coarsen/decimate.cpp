@@ -110,7 +110,7 @@ Decimation::Decimation(const Chart& chart, const HeldNetwork& network, double ed
   }
 }
 
-/// The faces from the half-edge first, which leaves the vertex, counter-clockwise to its neighbor last.
+/// Returns the faces from the half-edge first, which leaves the vertex, counter-clockwise to its neighbor last.
 void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, Fan& fan) const {
   fan.rim.clear();
   fan.faces.clear();
@@ -136,7 +136,7 @@ void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, F
   }
 }
 
-/// False where the vertex turns too sharply on its wire to be taken out.
+/// Returns false if the wire turns too sharply at the vertex to remove it.
 bool Decimation::lay_out_fans(VertexHandle v) {
   num_fans_ = 0;
   if (is_free(v.idx())) {
@@ -155,8 +155,8 @@ bool Decimation::lay_out_fans(VertexHandle v) {
   return true;
 }
 
-/// The least 4√3 · area over the sum of squared sides, of the faces that the fan has when its vertex moves to
-/// rim[apex]; 0 where one is flipped, has a side that is too long or is worse than the least that serves.
+/// Returns the least quality, 4√3 · area over the sum of squared sides, of the faces of the fan after its vertex moves
+/// to rim[apex]; 0 if one is flipped, has a side that is too long, or has too low a quality.
 double Decimation::worst_quality(const Fan& fan, std::size_t apex, double least) const {
   double worst = 1;
   const auto& a = fan.positions[apex];
@@ -184,7 +184,7 @@ double Decimation::worst_quality_towards(VertexHandle w, double least) const {
   return worst;
 }
 
-/// The edge to collapse, invalid if none is good.
+/// Returns the edge to collapse, invalid if none is good.
 HalfedgeHandle Decimation::choose_collapse(VertexHandle v) {
   VertexHandle best;
   double best_quality = kWorstQuality;
@@ -204,7 +204,7 @@ HalfedgeHandle Decimation::choose_collapse(VertexHandle v) {
   return mesh_.is_collapse_ok(h) ? h : HalfedgeHandle();
 }
 
-/// Takes the removed vertices of a fan, and on a free vertex itself, to the faces that it has when v is at w.
+/// Moves the removed vertices of a fan, and a free vertex v itself, into the faces that the fan has once v is at w.
 void Decimation::move_points(const Fan& fan, VertexHandle v, VertexHandle w) {
   moved_.clear();
   moved_to_.clear();

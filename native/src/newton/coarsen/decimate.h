@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes vertices out of the mesh of a chart until its edges are about as long as wanted.
+// Removes vertices from the mesh of a chart until its edges have about a target length.
 //
-// A vertex goes by collapsing one of its edges. Before that, the faces around it are laid into the plane as z^a does it
+// Collapsing one of its edges removes a vertex. Before that, the faces around it are laid into the plane by the map z^a
 // (A. W. F. Lee, W. Sweldens, P. Schröder, L. Cowsar, D. Dobkin, MAPS: multiresolution adaptive parameterization of
-// surfaces, SIGGRAPH 1998): distances from the vertex kept, its angles scaled to a full turn, or on a wire to half a
-// turn on each side. There the new faces are checked, and the vertices removed before find their place in them. A
-// vertex on a wire or boundary goes along it alone; where such lines meet, end or turn sharply it stays.
+// surfaces, SIGGRAPH 1998): it keeps distances from the vertex and scales its angles to a full turn, or on a wire to
+// half a turn on each side. There the new faces are checked, and vertices removed before get their places in them. A
+// vertex on a wire or boundary moves only along that line, and stays where such lines meet, end or turn sharply.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@
 
 namespace wirewarp {
 
-/// Where a vertex of the fine mesh lies in the coarse one: the sum of weights · vertices.
+/// The place of a fine vertex in the coarse mesh: the sum of weights · vertices.
 struct CoarsePlace {
   int vertices[3];
   double weights[3];  // sum 1; a vertex that is still there: 1, 0, 0
@@ -29,8 +29,8 @@ struct DecimatedMesh {
   std::vector<CoarsePlace> places;  // of each vertex of the chart; not set for removed ones on wires
 };
 
-/// network: the lines along which wire vertices stay. edge_length: wanted, scene units; no new edge is longer than
-/// twice that. Throws Stopped, asking before each round over all vertices.
+/// network: the lines on which wire vertices stay. edge_length: the target, scene units; no new edge is longer than
+/// twice that. Throws Stopped; the token is polled before each round over all vertices.
 DecimatedMesh decimate(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

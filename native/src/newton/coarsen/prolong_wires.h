@@ -6,9 +6,8 @@
 
 namespace wirewarp {
 
-/// Places the fine wire vertices between coarse ones, in rows of uv: each run as it unrolls, bent so that runs that
-/// meet turn with one another as they do on the surface, and stretched from one end to the other. However jagged a wire
-/// is, its corners keep their angles.
+/// Places the fine wire vertices between coarse ones, in rows of uv. Each run is unrolled, bent so that runs meet at
+/// the angles of the surface, and stretched from one end to the other. Corners keep their angles even on jagged wires.
 void prolong_wires(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                    const Positions2& coarse_uv, Positions2& uv);
 

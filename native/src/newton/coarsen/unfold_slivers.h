@@ -6,9 +6,9 @@
 
 namespace wirewarp {
 
-/// Opens the triangles that a prolonged shape flips or nearly flips. A fine mesh has slivers that are folded over their
-/// neighbors, and a smooth map keeps them so. Their vertices move to where the triangles around them fit best, their
-/// neighbors after them as long as they move. Vertices of the network stay.
+/// Opens the triangles that a prolonged shape flips or nearly flips: fine meshes have slivers that are folded over
+/// their neighbors, and a smooth map keeps them folded. Their vertices move to where the triangles around them fit
+/// best, then the neighbors of all vertices that moved. Vertices of the network stay.
 void unfold_slivers(const Chart& chart, const HeldNetwork& network, Positions2& uv);
 
 }  // namespace wirewarp

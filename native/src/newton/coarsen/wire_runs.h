@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The runs of fine wire edges that coarse ones stand for.
+// Runs: the fine wire edges that one coarse edge replaces.
 //
-// Unrolled into the plane with the mean of what it turns on its two sides, a run has a chord: its length is that of the
-// coarse edge, and the angles between the chord and the end edges go to the coarse surface angles there. What the two
-// sides turn differently goes to the nearer end.
+// Unrolled into the plane with the mean turning of its two sides, a run has a chord. The chord's length is that of the
+// coarse edge, and the angles between the chord and the end edges are added to the coarse surface angles there. The
+// difference between the two sides' turning is added at the nearer end.
 #pragma once
 
 #include <vector>
@@ -20,8 +20,8 @@ struct WireRun {
   double one_sided[2] = {0, 0};  // what either side turns more than the mean, the share of the first and last vertex
 };
 
-/// Cuts all wires at the vertices that stay, one flag per chart vertex. Wires must not meet or end at others. Not
-/// unrolled yet.
+/// Cuts all wires into runs at the vertices that stay, one flag per chart vertex. Wires must not meet or end at others.
+/// The runs are not unrolled yet.
 std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& network, const std::vector<char>& stays);
 
 /// Fills in all but the half-edges. node_at_arrival: of the network.

@@ -5,10 +5,10 @@
 //   2. Stretched lengths: the same again for a cloth that is stretched when it is worn (stretched_lengths.h), in the
 //      plane of the stretched cloth (energy/cloth_on_chart.h).
 //
-// Each stage starts from the shapes of the one before. If it finds no common lengths, or if a chart is flipped or
-// overlaps with them although all charts were good at h = ease, each chart is refined by itself with its elastic seams
-// at h = ease: good pieces come before less distortion. If that fails, too, a chart keeps its shape in stage 1, and
-// loses it to an error in stage 2.
+// Each stage starts from the shapes of the one before. It fails if it finds no common lengths, or if a chart is flipped
+// or overlaps itself with them although all charts were good before: good pieces come before less distortion. Then each
+// chart is solved by itself, with its elastic seams fixed at h = ease. If that fails, too, a chart keeps its last good
+// shape in stage 1, and its report says so. In stage 2 it gets an error, because its neighbors have stretched lengths.
 #pragma once
 
 #include <vector>
@@ -19,11 +19,11 @@
 
 namespace wirewarp {
 
-/// A chart of a coupled group. solved: its layout from the stage before; upright for a cloth.
+/// A chart of a coupled group. solved: its layout from the stage before, upright for a cloth.
 struct GroupMember {
   Chart& chart;
   SolvedChart& solved;
-  bool is_nominal;     // it has elastic seams, which are at h = ease as far as is known
+  bool is_nominal;     // it has elastic seams, and can be solved with these at h = ease
   PerEdge flat_ratio;  // stage 2: StretchedLengths::ratios
 };
 
