@@ -98,7 +98,7 @@ class PatternSettings:
         items=[
             ("IN_ROWS", "In Rows", "Side by side to save paper, without rotation"),
             ("MARKER", "Marker", "Nested as closely as possible on fabric of one width. Each piece is cut once"),
-            ("AS_LAID_OUT", "As Laid Out", "As in the flat object, where you have moved and turned them"),
+            ("AS_LAID_OUT", "As Laid Out", "In the places and directions that they have in the flat object"),
         ],
         update=_redraw,
     )
@@ -214,7 +214,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
     )
     shown_map: EnumProperty(
         name="Map",
-        description="What the colors of models and flat pieces show in Object Mode",
+        description="Measure that the colors of models and flat pieces show in Object Mode",
         items=[
             ("NONE", "No Map", "Faces keep their usual look"),
             (
@@ -240,7 +240,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
             (
                 "LENGTH_VARIATION_COLOR",
                 "Change of Length",
-                "How much longer or shorter than asked for the edges of the mesh are in the flat pieces, in percent",
+                "Difference of mesh edges in the flat pieces from their target lengths, in percent",
             ),
             (
                 "ASPECT_RATIO_COLOR",
@@ -284,14 +284,14 @@ class WIREWARP_PG_wire_name(bpy.types.PropertyGroup):
 class WIREWARP_PG_piece(bpy.types.PropertyGroup):
     """The name of the piece with this id."""
 
-    name: StringProperty(name="Name", description="What the piece is called", update=_redraw)
+    name: StringProperty(name="Name", description="Name of the piece", update=_redraw)
     piece_id: IntProperty(name="Piece Id", options={"HIDDEN"})
 
 
 class WIREWARP_PG_seam(bpy.types.PropertyGroup):
     """The name of the seam with this id."""
 
-    name: StringProperty(name="Name", description="What the seam is called", update=_redraw)
+    name: StringProperty(name="Name", description="Name of the seam", update=_redraw)
     seam_id: IntProperty(name="Seam Id", options={"HIDDEN"})
 
 

@@ -29,7 +29,7 @@ ErrorCode = _DescribedCode(
     [(name, (name, *description)) for name, description in error_descriptions().items()],
     module=__package__,
 )
-ErrorCode.__doc__ = """What went wrong. Each code has a meaning and a remedy, one sentence each.
+ErrorCode.__doc__ = """The kind of an error. Each code has a meaning and a remedy, one sentence each.
 
 `arguments` documents the keys of `FlattenError.arguments`: "name: meaning" of each, separated by semicolons.
 """

@@ -93,7 +93,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         except ObjectError as error:
             return self.give_up(context, error.issue.code, str(error), "ERROR")
         except Exception as error:  # for example if memory is full; the undo step removes what was written
-            sentence = fault_sentence(error, "Flatten failed. Undo (Ctrl+Z) removes what was written")
+            sentence = fault_sentence(error, "Flatten failed. Press Ctrl+Z to undo the partial result")
             self.give_up(context, "internal_error", sentence, "ERROR")
             hold_whole_file()
             return {"FINISHED"}

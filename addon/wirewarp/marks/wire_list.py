@@ -48,7 +48,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
     bl_label = "Change Wire"
     on_model = "change the wire"
 
-    name: StringProperty(name="Name", description="What the wire is called; left empty, it keeps its name")
+    name: StringProperty(name="Name", description="Name of the wire. An empty name keeps the present one")
     ease: number(
         "Ease",
         "How much longer than on the model to cut the wire, as a fraction. Below 0: shorter. "

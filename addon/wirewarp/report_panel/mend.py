@@ -55,7 +55,7 @@ class BetweenRuns(OnMesh):
 
 
 class OBJECT_OT_wirewarp_check(BetweenRuns, Repairs, bpy.types.Operator):
-    """List what is wrong with the mesh, and repair the kinds that you choose"""
+    """List the faults of the mesh, and repair the kinds that you choose"""
 
     bl_idname = "object.wirewarp_check"
     bl_label = "Check and Repair"

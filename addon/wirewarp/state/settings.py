@@ -52,7 +52,7 @@ class FlattenSettings:
 
     method: EnumProperty(
         name="Method",
-        description="How the flat shape is found. Seams and outlines keep exactly the lengths asked for",
+        description="How the flat shape is found. Seams and outlines keep exactly the requested lengths",
         items=METHODS,
     )
     fairness: number(
@@ -147,8 +147,8 @@ class FlattenSettings:
         name="Model Is",
         description="Which surface of the thick material was modeled",
         items=[
-            ("INSIDE", "Inside", "The inner surface: the body or form that the material lies on"),
-            ("MIDDLE", "Middle", "The middle: half of the thickness lies on either side of the model"),
+            ("INSIDE", "Inside", "The inner surface: the body or form that the material covers"),
+            ("MIDDLE", "Middle", "The middle: half of the thickness is on each side of the model"),
             ("OUTSIDE", "Outside", "The outer surface, which is seen when the material is in place"),
         ],
     )
@@ -172,7 +172,7 @@ class FlattenSettings:
             ),
             ("BEST", "Best for the Fabric", "Turn each piece so that the fabric must stretch least. Needs a fabric"),
             ("BOUNDARY", "Longest Straight Edge", "The longest straight section of the outline"),
-            ("UP", "World Up", "What points up (Z) on the model; in level pieces, their first wire"),
+            ("UP", "World Up", "The direction that is up (Z) on the model; for level pieces, their first wire"),
         ],
     )
     grain_angle: number(
@@ -297,7 +297,7 @@ class TargetSettings:
     )
     aim_stretch: number(
         "Max Stretch",
-        "How far the fabric may stretch in 99% of a piece: no further cut is suggested for it then",
+        "Target: the stretch that 99% of a piece may have. No further cut is suggested for a piece within it",
         (0.0, 5.0, 25.0, 100.0),  # the library's default
         subtype="PERCENTAGE",
     )
