@@ -2,6 +2,7 @@
 """Flattenings for tests of patterns. Shapely, which is not used to make patterns, measures them."""
 
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 import pypdfium2
@@ -24,6 +25,13 @@ def quads(points, corners, **options) -> wirewarp.FlattenResult:
     vertices = np.column_stack([np.array(points) / 1000, np.zeros(len(points))])
     faces = [triangle for a, b, c, d in corners for triangle in ((a, b, c), (a, c, d))]
     return wirewarp.flatten(vertices, np.array(faces), **options)
+
+
+def grid(xs, ys, **options) -> wirewarp.FlattenResult:
+    """Return quads between these coordinates in millimeters. Vertices are numbered along x, one row after the other."""
+    row = len(xs)
+    first = [row * y + x for y in range(len(ys) - 1) for x in range(row - 1)]
+    return quads([(x, y) for y in ys for x in xs], [(a, a + 1, a + row + 1, a + row) for a in first], **options)
 
 
 def rectangle(width: float, height: float) -> wirewarp.FlattenResult:
@@ -68,3 +76,12 @@ def extent(pixels: np.ndarray, scale: float = SCALE) -> tuple[float, float]:
     """Return the millimeters from the first to the last dark pixel, across and upwards."""
     columns, rows = (np.flatnonzero(pixels.any(axis=axis)) for axis in (0, 1))
     return (columns[-1] - columns[0] + 1) / scale, (rows[-1] - rows[0] + 1) / scale
+
+
+def proof_words(pattern: Pattern, path: Path, paper="a4") -> str:
+    """Return the words on the pages after those of the pattern, with single spaces."""
+    pattern.write(path, paper=paper, proof=True)
+    pages = list(pypdfium2.PdfDocument(path))
+    assert len(pages) == len(pattern.page_sizes(paper, proof=True))
+    own = pages[len(pattern.page_sizes(paper)) :]
+    return " ".join(" ".join(page.get_textpage().get_text_range() for page in own).split())

@@ -16,7 +16,7 @@ import pypdfium2
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, quads, rectangle, sample
+from patterns import cut_polygon, grid, quads, rectangle, sample
 from processes import wait_until_gone
 from wirewarp.pattern import FORMATS, Marker, Pattern
 from wirewarp.pattern.geometry import Motion
@@ -100,9 +100,8 @@ def test_texts_in_a_piece_stay_on_a_marker():
 
 
 def test_an_opened_piece_has_no_texts_that_were_left_out():
-    points = [(0, 0), (100, 0), (200, 0), (200, 60), (100, 60), (0, 60)]
-    sewn = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)], seams=[(1, 4)])
-    named = Pattern.from_result(sewn, folds=[(0, 5)]).with_only(["sew", "line names"])
+    sewn = grid([0, 100, 200], [0, 60], seams=[(1, 4)])
+    named = Pattern.from_result(sewn, folds=[(0, 3)]).with_only(["sew", "line names"])
     laid = named.laid_on(named.nested(400, seconds=0))
     assert [{text.role for text in piece.texts} for piece in laid.pieces] == [{"line name"}] * 2
     left, right = sorted(text.center[0] for text in laid.pieces[0].texts)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, line_string, quads, rectangle, sample, sew_polygon
+from patterns import cut_polygon, grid, line_string, quads, rectangle, sample, sew_polygon
 from samples import SAMPLES, flattened
 from surfaces import tetrahedron
 from wirewarp.pattern import Pattern
@@ -88,11 +88,7 @@ def test_notches_pair_at_equal_sewn_length_and_no_seam_fits_upside_down(name):
 
 
 def test_a_seam_has_the_notches_of_its_spacing():
-    result = quads(
-        [(0, 0), (350, 0), (350, 100), (0, 100), (350, 200), (0, 200)],
-        [(0, 1, 2, 3), (3, 2, 4, 5)],
-        seams=[(2, 3)],
-    )
+    result = grid([0, 350], [0, 100, 200], seams=[(2, 3)])
     for spacing, count in ((0, 0), (100, 3), (50, 6)):
         pattern = Pattern.from_result(result, notch_spacing=spacing)
         assert [sum(1 for point in piece.points if point.pair) for piece in pattern.pieces] == [count] * 2
@@ -146,13 +142,9 @@ def test_both_allowances_of_a_seam_end_on_the_cut_lines_that_cross_it():
 
 
 def test_a_hem_is_wider_and_side_allowances_differ_by_side():
-    result = quads(
-        [(0, 0), (300, 0), (300, 100), (0, 100), (300, 200), (0, 200)],
-        [(0, 1, 2, 3), (3, 2, 4, 5)],
-        seams=[(2, 3)],
-    )
+    result = grid([0, 300], [0, 100, 200], seams=[(2, 3)])
     pattern = Pattern.from_result(
-        result, allowance=10, hem=30, allowances=[(0, 1, 15)], side_allowances=[(2, 3, 6), (3, 0, 0)]
+        result, allowance=10, hem=30, allowances=[(0, 1, 15)], side_allowances=[(3, 2, 6), (2, 0, 0)]
     )
     found = [sorted({line.width for line in piece.of_role("sew")}) for piece in pattern.pieces]
     assert found == [[0.0, 6.0, 15.0, 30.0], [10.0, 30.0]]
@@ -197,9 +189,7 @@ def test_no_notch_leaps_to_a_cut_line_far_away():
 
 
 def test_a_slit_inside_a_piece(tmp_path):
-    grid = [(40 * x, 40 * y) for y in range(9) for x in range(9)]
-    corners = [(9 * y + x, 9 * y + x + 1, 9 * y + x + 10, 9 * y + x + 9) for y in range(8) for x in range(8)]
-    result = quads(grid, corners, seams=[(38, 39), (39, 40), (40, 41)])
+    result = grid(range(0, 360, 40), range(0, 360, 40), seams=[(38, 39), (39, 40), (40, 41)])
     found = {}
     for how in ("close", "cut", "slit"):
         pattern = Pattern.from_result(result, darts=how)
@@ -339,8 +329,7 @@ def test_the_date_stands_on_every_piece():
 @pytest.mark.parametrize(("height", "depth"), [(8, 2.4), (60, 5.0)])
 def test_notches_without_allowance_that_face_each_other_do_not_meet(height, depth):
     """There is one at each end of a wire across; each is 0.3 of the way deep, at most 5 mm."""
-    points = [(0, 0), (100, 0), (200, 0), (200, height), (100, height), (0, height)]
-    result = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)], wires=[wirewarp.Wire([1, 4])])
+    result = grid([0, 100, 200], [0, height], wires=[wirewarp.Wire([1, 4])])
     (piece,) = Pattern.from_result(result, allowance=0, notch_spacing=0).pieces
     (wire,) = piece.of_role("wire")
     assert [point.depth for point in piece.points] == pytest.approx([depth, depth], abs=1e-3)
@@ -352,8 +341,7 @@ def test_notches_without_allowance_that_face_each_other_do_not_meet(height, dept
 
 @pytest.mark.parametrize("allowance", [2.0, 6.0, 30.0])
 def test_a_notch_is_half_as_deep_as_the_allowance_and_at_most_5_mm(allowance):
-    points = [(0, 0), (100, 0), (200, 0), (200, 60), (100, 60), (0, 60)]
-    result = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)], wires=[wirewarp.Wire([1, 4])])
+    result = grid([0, 100, 200], [0, 60], wires=[wirewarp.Wire([1, 4])])
     (piece,) = Pattern.from_result(result, allowance=allowance, notch_spacing=0).pieces
     assert [point.depth for point in piece.points] == pytest.approx([min(allowance / 2, 5.0)] * 2)
     for point in piece.points:
@@ -362,8 +350,6 @@ def test_a_notch_is_half_as_deep_as_the_allowance_and_at_most_5_mm(allowance):
 
 
 def test_a_seam_that_opens_nothing_is_named():
-    points = [(10 * x, 10 * y) for y in range(3) for x in range(4)]
-    corners = [(4 * y + x, 4 * y + x + 1, 4 * y + x + 5, 4 * y + x + 4) for y in range(2) for x in range(3)]
     with pytest.raises(wirewarp.FlattenError, match='Edge 5-6 is a seam inside "Piece 1" that opens nothing') as error:
-        Pattern.from_result(quads(points, corners, seams=[(5, 6)]))
+        Pattern.from_result(grid([0, 10, 20, 30], [0, 10, 20], seams=[(5, 6)]))
     assert list(error.value.edges) == [(5, 6)]

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 import wirewarp
-from patterns import quads
+from patterns import grid
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.make.notches import drill_hole
 from wirewarp.pattern.make.outline import Side
@@ -53,8 +53,7 @@ def test_seams_that_meet_on_a_smooth_outline_end_at_notches():
 
 def strap(length, **options):
     """Return two strips of 100 mm side by side."""
-    points = [(x, y) for y in (0, length) for x in (-100, 0, 100)]
-    return quads(points, [(0, 1, 4, 3), (1, 2, 5, 4)], seams=[(1, 4)], **options)
+    return grid([-100, 0, 100], [0, length], seams=[(1, 4)], **options)
 
 
 @pytest.mark.parametrize(("length", "count"), [(14, 0), (16, 1)])
@@ -71,9 +70,7 @@ def test_a_wire_on_a_seam_changes_no_notch():
 
 
 def test_a_wire_that_ends_at_a_seam_has_a_notch_on_the_other_side_too():
-    points = [(x, y) for y in (0, 60, 200) for x in (-100, 0, 100)]
-    corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
-    result = quads(points, corners, seams=[(1, 4), (4, 7)], wires=[wirewarp.Wire([4, 5])])
+    result = grid([-100, 0, 100], [0, 60, 200], seams=[(1, 4), (4, 7)], wires=[wirewarp.Wire([4, 5])])
     assert sorted(len(own) for own in notches(result, 0.0)) == [1, 2]  # the wire's other end is on the outline
     sewn = [point.along for own in notches(result, 0.0) for point in own if point.pair]
     assert sewn == pytest.approx([60, 60]) or sewn == pytest.approx([140, 140])

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, line_string, quads, rectangle, sample, turn
+from patterns import cut_polygon, grid, line_string, quads, rectangle, sample, turn
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.geometry import Motion, right_normals
 from wirewarp.pattern.make.outline import flat_piece
@@ -63,11 +63,9 @@ def test_holes_must_fit_too():
 
 
 def test_a_wire_on_one_half_alone_is_not_lost():
-    points = [(-60, 0), (0, 0), (60, 0), (60, 40), (0, 40), (-60, 40)]
-    faces = [(0, 1, 4, 5), (1, 2, 3, 4)]
-    corner, middle = wirewarp.Wire([1, 3]), wirewarp.Wire([1, 4])
-    assert not Pattern.from_result(quads(points, faces, wires=[corner]), on_fold=True).pieces[0].on_fold
-    assert Pattern.from_result(quads(points, faces, wires=[middle]), on_fold=True).pieces[0].on_fold
+    for wire, on_fold in (([1, 5], False), ([1, 4], True)):  # to a corner, in the middle
+        result = grid([-60, 0, 60], [0, 40], wires=[wirewarp.Wire(wire)])
+        assert Pattern.from_result(result, on_fold=True).pieces[0].on_fold == on_fold
 
 
 @pytest.mark.parametrize("name", ["Fitted top", "Ball of six gores", "Jeans", "Wetsuit upper body", "Swimsuit"])

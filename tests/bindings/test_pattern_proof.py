@@ -4,23 +4,14 @@
 import numpy as np
 import pypdfium2
 import pytest
-from patterns import flattened, quads, sample
+from patterns import flattened, grid, proof_words, sample
 from wirewarp.pattern import Pattern
-
-
-def proof_lines(pattern, path, paper="a4"):
-    """Return the lines of the pages after those of the pattern."""
-    pattern.write(path, paper=paper, proof=True)
-    pages = list(pypdfium2.PdfDocument(path))
-    assert len(pages) == len(pattern.page_sizes(paper, proof=True))
-    own = pages[len(pattern.page_sizes(paper)) :]
-    return "\n".join(page.get_textpage().get_text_range().replace("\r", "") for page in own).split("\n")
 
 
 @pytest.mark.parametrize("paper", ["letter", 700.0])
 def test_the_proof_names_every_piece_and_both_sides_of_every_seam(tmp_path, paper):
     pattern = sample("Fitted top", date="2026-11-22")
-    text = " ".join(proof_lines(pattern, tmp_path / "top.pdf", paper))
+    text = proof_words(pattern, tmp_path / "top.pdf", paper)
     assert "Fitted top, 2026-11-22" in text
     assert all(piece.name in text for piece in pattern.pieces)
     for walk in pattern.walks:
@@ -32,7 +23,7 @@ def test_the_proof_names_every_piece_and_both_sides_of_every_seam(tmp_path, pape
 
 def test_the_proof_states_how_far_mirror_images_are_off(tmp_path):
     pattern = sample("Cushion", pairs=True, on_fold=True)
-    text = " ".join(proof_lines(pattern, tmp_path / "a.pdf"))
+    text = proof_words(pattern, tmp_path / "a.pdf")
     borders = [piece for piece in pattern.pieces if piece.mirrored_name and piece.on_fold]
     assert len(borders) == 2 and all(0.001 < piece.deviation < 0.1 for piece in borders)
     for piece in borders:
@@ -40,9 +31,7 @@ def test_the_proof_states_how_far_mirror_images_are_off(tmp_path):
 
 
 def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):
-    strip = [(20 * x, 100 * y) for y in range(2) for x in range(101)]
-    corners = [(x, x + 1, x + 102, x + 101) for x in range(100)]
-    result = quads(strip, corners, seams=[(x, x + 101) for x in range(1, 100)])
+    result = grid(range(0, 2020, 20), [0, 100], seams=[(x, x + 101) for x in range(1, 100)])
     pattern = Pattern.from_result(result, piece_names=["A very long name of a piece " * 4] * 100)
     pattern.write(tmp_path / "strips.pdf", proof=True)
     pages = pattern.page_sizes("a4", proof=True)[len(pattern.page_sizes("a4")) :]
@@ -53,12 +42,11 @@ def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):
 
 def two_squares(**options):
     """Return two squares of 200 mm, sewn to each other; the second is on the left of the edge from 1 to 4."""
-    points = [(200 * x, 200 * y) for y in range(2) for x in range(3)]
-    return Pattern.from_result(quads(points, [(0, 1, 4, 3), (1, 2, 5, 4)], seams=[(1, 4)]), **options)
+    return Pattern.from_result(grid([0, 200, 400], [0, 200], seams=[(1, 4)]), **options)
 
 
 def test_allowances_are_told_where_no_sew_lines_are_drawn(tmp_path):
-    assert "10 mm" in " ".join(proof_lines(two_squares().with_only(["notches"]), tmp_path / "a.pdf"))
+    assert "10 mm" in proof_words(two_squares().with_only(["notches"]), tmp_path / "a.pdf")
 
 
 def test_the_proof_says_where_notches_stand(tmp_path):
@@ -75,24 +63,24 @@ def test_the_proof_says_where_notches_stand(tmp_path):
             [np.hypot(*(point.at - start)) for point in own] == pytest.approx([np.hypot(p, 10) for p in places])
             for start in starts
         )
-    text = " ".join(proof_lines(pattern, tmp_path / "a.pdf"))
+    text = proof_words(pattern, tmp_path / "a.pdf")
     assert "Notches at " + ", ".join(f"{place:.1f} mm" for place in walk.notches[0]) in text
 
 
 def test_the_proof_of_a_marker_says_what_cloth_it_takes(tmp_path):
     pattern = sample("Fitted top")
     laid = pattern.laid_on(pattern.nested(1400, seconds=0))
-    text = " ".join(proof_lines(laid, tmp_path / "a.pdf"))
+    text = proof_words(laid, tmp_path / "a.pdf")
     assert laid.marker.sentence(laid.units) in text and "In rows" not in text
     assert "Notches at 55.2 mm, 80.0 mm" in text  # of a sleeve, sewn to itself
 
 
 def test_sides_of_pieces_with_one_name_have_their_own_allowances(tmp_path):
     pattern = two_squares(piece_names=["Cuff", "Cuff"], side_allowances=[(1, 4, 5.0)])
-    text = " ".join(proof_lines(pattern, tmp_path / "a.pdf"))
+    text = proof_words(pattern, tmp_path / "a.pdf")
     assert text.count("200.0 mm 10 mm") == text.count("200.0 mm 5 mm") == 1
 
 
 def test_who_measures_in_inches_reads_no_millimeters(tmp_path):
-    text = " ".join(proof_lines(two_squares(units="imperial"), tmp_path / "a.pdf"))
+    text = proof_words(two_squares(units="imperial"), tmp_path / "a.pdf")
     assert "7.87 in 3/8 in 0.0000 in" in text and " mm" not in text

@@ -2,10 +2,9 @@
 """The order of sewing on the proof sheet works, and finished measures are those of the model."""
 
 import numpy as np
-import pypdfium2
 import pytest
 import wirewarp
-from patterns import cut_polygon, quads, sample
+from patterns import cut_polygon, grid, proof_words, sample
 from samples import SAMPLES, flattened
 from wirewarp.pattern import Pattern
 
@@ -48,21 +47,17 @@ def test_a_closed_body_has_one_gap_to_turn_it_through(name, tmp_path):
     (gap,) = (step for step in pattern.steps if step.has_gap)
     lengths = {walk.name: walk.lengths[0] for walk in pattern.walks}
     assert lengths[gap.seam] > 150 or lengths[gap.seam] == max(lengths.values())
-    words = proof(pattern, tmp_path / "a.pdf")
+    words = proof_words(pattern, tmp_path / "a.pdf")
     assert words.count("leave a gap for turning") == 1 and "close the gap by hand" in words
 
 
 def test_a_dart_is_closed_first(tmp_path):
     """The dart is in the upper one of two pieces, from its free edge to its middle."""
-    points = [(x, y) for y in (-80, 0, 50, 100) for x in (0, 100, 200)]
-    faces = [
-        (row + column, row + column + 1, row + column + 4, row + column + 3) for row in (0, 3, 6) for column in (0, 1)
-    ]
-    pattern = Pattern.from_result(quads(points, faces, seams=[(3, 4), (4, 5), (7, 10)]))
+    pattern = Pattern.from_result(grid([0, 100, 200], [-80, 0, 50, 100], seams=[(3, 4), (4, 5), (7, 10)]))
     assert [step.kind for step in pattern.steps] == ["dart", "flat"]
     areas = sorted(cut_polygon(piece).area for piece in pattern.pieces)
     assert areas == pytest.approx([220 * 100, 220 * 120], rel=1e-6)  # the dart is closed
-    assert "Close the dart in Piece" in proof(pattern, tmp_path / "a.pdf")
+    assert "Close the dart in Piece" in proof_words(pattern, tmp_path / "a.pdf")
 
 
 def test_a_closed_body_beside_an_open_one_has_its_gap():
@@ -78,18 +73,11 @@ def test_a_closed_body_beside_an_open_one_has_its_gap():
 
 def test_steps_are_numbered_and_rigid_wires_measured(tmp_path):
     top = sample("Fitted top", pairs=True, on_fold=True, units="imperial")
-    words = proof(top, tmp_path / "a.pdf")
-    assert "Sewing order" in words and f"{len(top.steps)} {top.steps[-1].seam}" in " ".join(words.split())
+    words = proof_words(top, tmp_path / "a.pdf")
+    assert "Sewing order" in words and f"{len(top.steps)} {top.steps[-1].seam}" in words
     rigid = [wire for wire in SAMPLES["Fitted top"].wires if wire.tolerance == 0]
     vertices = np.asarray(SAMPLES["Fitted top"].vertices)
     assert len(rigid) == len(top.measures) > 5
     for wire in rigid:
         length = np.linalg.norm(np.diff(vertices[list(wire.vertices)], axis=0), axis=1).sum()
         assert f"{wire.name}" in words and f"{length / 0.0254:.2f} in" in words
-
-
-def proof(pattern, path):
-    """Return the words on all pages after those of the pattern."""
-    pattern.write(path, proof=True)
-    pages = list(pypdfium2.PdfDocument(path))[len(pattern.page_sizes()) :]
-    return "\n".join(page.get_textpage().get_text_range() for page in pages)

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import wirewarp
-from patterns import cut_polygon, quads
+from patterns import cut_polygon, grid
 from wirewarp.pattern import Pattern
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "addon"))
@@ -22,13 +22,10 @@ KINDS = ["Rigid Wires", "Elastic Wires", "Free Wires"]
 @pytest.fixture
 def drawn(tmp_path):
     """Return two pieces with a wire of each kind across both."""
-    points = [(x, y) for y in (0, 60, 120, 180, 240) for x in (0, 150, 300)]
-    corners = [(3 * row + x, 3 * row + x + 1, 3 * row + x + 4, 3 * row + x + 3) for row in range(4) for x in range(2)]
-    wires = [
-        wirewarp.Wire([3 * row, 3 * row + 1, 3 * row + 2], tolerance)
-        for row, tolerance in ((1, 0.0), (2, 0.02), (3, np.inf))
-    ]
-    result = quads(points, corners, seams=[(3 * row + 1, 3 * row + 4) for row in range(4)], wires=wires)
+    chains = [list(range(3 * row, 3 * row + 3)) for row in (1, 2, 3)]
+    wires = [wirewarp.Wire(chain, tolerance) for chain, tolerance in zip(chains, (0.0, 0.02, np.inf), strict=True)]
+    seams = [(3 * row + 1, 3 * row + 4) for row in range(4)]
+    result = grid([0, 150, 300], range(0, 300, 60), seams=seams, wires=wires)
 
     def draw(**options):
         names = options.pop("piece_names", ["Left", "Right"])

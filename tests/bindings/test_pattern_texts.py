@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import shapely
 import wirewarp
-from patterns import cut_polygon, flattened, quads, rectangle, sample, turn
+from patterns import cut_polygon, flattened, grid, quads, rectangle, sample, turn
 from wirewarp.pattern import FlatPiece, Pattern, Text
 from wirewarp.pattern.label.leaders import FARTHEST, Beside
 from wirewarp.pattern.make.outline import flat_piece
@@ -116,9 +116,7 @@ def test_no_line_to_a_name_crosses_a_large_piece():
 
 def test_names_beside_a_piece_are_clear_of_each_other():
     """A strip of four pieces, each 2 by 6 mm."""
-    points = [(2 * column, 6 * row) for row in range(2) for column in range(5)]
-    corners = [(column, column + 1, column + 6, column + 5) for column in range(4)]
-    result = quads(points, corners, seams=[(column, column + 5) for column in range(1, 4)])
+    result = grid(range(0, 10, 2), [0, 6], seams=[(column, column + 5) for column in range(1, 4)])
     pattern = Pattern.from_result(result, allowance=0, piece_names=["A", "B", "C", "D"])
     for piece, seams in zip(pattern.pieces, (1, 2, 2, 1), strict=True):
         named = sorted(line.name for line in piece.of_role("sew") if line.name)
@@ -166,10 +164,8 @@ def strips(*widths):
     """Return a level sheet, 200 mm long, divided into strips of these widths, with a wire across all of them."""
     xs = np.concatenate([[0], np.cumsum(widths)]).tolist()
     row = len(xs)
-    points = [(x, 50.0 * y) for y in range(5) for x in xs]
-    corners = [(k, k + 1, k + row + 1, k + row) for y in range(4) for k in range(y * row, y * row + row - 1)]
     seams = [(y * row + k, (y + 1) * row + k) for y in range(4) for k in range(1, row - 1)]
-    return quads(points, corners, seams=seams, wires=[wirewarp.Wire(list(range(row, 2 * row)), name="Waist")])
+    return grid(xs, range(0, 250, 50), seams=seams, wires=[wirewarp.Wire(range(row, 2 * row), name="Waist")])
 
 
 def test_names_lie_inside_narrow_pieces_or_close_beside_and_clear_of_each_other():
@@ -185,9 +181,8 @@ def test_names_lie_inside_narrow_pieces_or_close_beside_and_clear_of_each_other(
 
 
 def test_a_wire_shorter_than_its_name_goes_without_and_others_have_it_in_the_piece():
-    points = [(x, y) for y in (0, 100, 200) for x in (0, 200)]
     for name, count in (("Waist", 1), ("Waist, as measured on the fitting day, " * 5, 0)):
-        result = quads(points, [(0, 1, 3, 2), (2, 3, 5, 4)], wires=[wirewarp.Wire([2, 3], name=name)])
+        result = grid([0, 200], [0, 100, 200], wires=[wirewarp.Wire([2, 3], name=name)])
         (piece,) = Pattern.from_result(result, allowance=0).pieces
         names = [text for text in piece.texts if text.role == "line name"]
         assert [text.lines for text in names] == [(name,)] * count
@@ -199,9 +194,8 @@ def test_a_wire_shorter_than_its_name_goes_without_and_others_have_it_in_the_pie
 
 def test_where_a_wire_ends_at_a_seam_its_number_stands_beside():
     """It would be in the middle otherwise."""
-    points = [(x, y) for y in (0, 100, 200) for x in (-150, 0, 150)]
-    corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
-    result = quads(points, corners, seams=[(1, 4), (4, 7)], wires=[wirewarp.Wire([3, 4, 5], name="Waist")])
+    wire = wirewarp.Wire([3, 4, 5], name="Waist")
+    result = grid([-150, 0, 150], [0, 100, 200], seams=[(1, 4), (4, 7)], wires=[wire])
     for piece in Pattern.from_result(result, allowance=0).pieces:
         (wire,) = piece.of_role("wire")
         (number,) = [text for text in piece.texts if text.lines[0].startswith("Seam 1")]
