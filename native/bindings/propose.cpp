@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.propose_darts, propose_seams and plan_cuts, and the same as jobs: start_darts, start_seams and start_plan.
+// wirewarp.propose_darts, propose_seams, plan_cuts and simplify_seams, and the same as jobs: start_darts, start_seams,
+// start_plan and start_simplify.
 #include "wirewarp/propose.h"
 
 #include <memory>
@@ -85,6 +86,29 @@ Raises the errors of propose_darts() for the first cut, and FlattenError "no_pro
 constexpr const char* kStartPlanDoc =
     R"(Starts plan_cuts() with these arguments and returns a Job at once, like start().)";
 
+constexpr const char* kSimplifyDoc =
+    R"(Leaves out seams that a model can do without: fewer and larger pieces with little more stretch.
+
+Sections of seams, or halves of them, are left out one after the other, the longest first. Each is left out only if
+flatten() finds a flat shape for what the pieces beside it become, with no more than the given strain, or than the worst
+of these pieces has with the given seams. Mirrored sections of a symmetric model are left out together.
+
+seams: those of a user or of any unwrapping tool, as flatten() takes them.
+strain: accepted strain (DartProposal.strain); 0.05 for 5%.
+progress: called as progress("cuts", fraction). If it returns False, the search ends with the seams that remain by then,
+    and was_stopped is True. FlattenError "cancelled" is raised only before the given seams have been flattened.
+The other arguments are those of flatten(), and every figure is of flatten(..., seams=proposal.edges).
+
+Seams with an ease on one side and seams with three sides or more remain. So do the seams of a part of the model that
+has no flat shape for other reasons than missing seams, such as a Moebius strip.
+
+Raises what flatten() raises.)";
+
+constexpr const char* kStartSimplifyDoc =
+    R"(Starts simplify_seams() with these arguments and returns a Job at once, like start().
+
+If the job is canceled, its result has the seams that remain by then.)";
+
 CutOptions read_cut_options(std::optional<int> piece, int count, std::optional<double> strain,
                             std::optional<double> longest, const py::object& no_seam) {
   return {piece, count, strain, longest.value_or(CutOptions().longest), read_no_seam(no_seam)};
@@ -110,10 +134,10 @@ Plan plan_of(const std::string& kind) {
 
 /// find: called with a Progress.
 template <class Find>
-std::vector<DartProposal> find_now(const Find& find, const py::object& progress) {
+auto find_now(const Find& find, const py::object& progress) {
   PythonProgress python_progress(progress);
   const RunningCall running;
-  std::vector<DartProposal> proposals;
+  decltype(find(Progress())) proposals;
   try {
     const py::gil_scoped_release no_gil;
     proposals =
@@ -194,6 +218,19 @@ std::unique_ptr<Job> start_plan(const py::object& vertices, const py::object& fa
       work_that(search_of(plan_of(kind), vertices, faces, seams, wires, options, eases, target)));
 }
 
+SeamProposal run_simplify(const py::object& vertices, const py::object& faces, const py::object& seams,
+                          const py::object& wires, const py::object& options, const py::object& eases, double strain,
+                          const py::object& progress) {
+  return find_now(search_of(simplify_seams, vertices, faces, seams, wires, options, eases, strain), progress);
+}
+
+std::unique_ptr<Job> start_simplify(const py::object& vertices, const py::object& faces, const py::object& seams,
+                                    const py::object& wires, const py::object& options, const py::object& eases,
+                                    double strain) {
+  return std::make_unique<Job>(
+      work_that(search_of(simplify_seams, vertices, faces, seams, wires, options, eases, strain)));
+}
+
 /// own: arguments that follow those of the mesh.
 template <class Function, class... Own>
 void define(py::module_& module, const char* name, Function function, const char* doc, const Own&... own) {
@@ -217,6 +254,13 @@ void define_plan(py::module_& module, const char* name, Function function, const
          py::arg("piece") = py::none(), py::arg("twins") = target.twins, py::arg("no_seam") = py::none(), more...);
 }
 
+template <class Function, class... More>
+void define_simplify(py::module_& module, const char* name, Function function, const char* doc, const More&... more) {
+  module.def(name, function, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams"),
+             py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("eases") = py::tuple(),
+             py::arg("strain") = 0.05, more..., doc);
+}
+
 }  // namespace
 
 void bind_propose(py::module_& module) {
@@ -235,13 +279,29 @@ void bind_propose(py::module_& module) {
       .field("strain_with_twin", &DartProposal::strain_with_twin)
       .field("strain_left", &DartProposal::strain_left)
       .picklable();
+  Record<SeamProposal>(module, "SeamProposal")
+      .field("edges", &SeamProposal::edges)
+      .field("opened", &SeamProposal::opened)
+      .field("paths", &SeamProposal::paths)
+      .field("length", &SeamProposal::length)
+      .field("length_before", &SeamProposal::length_before)
+      .field("num_pieces", &SeamProposal::num_pieces)
+      .field("num_pieces_before", &SeamProposal::num_pieces_before)
+      .field("energy", &SeamProposal::energy)
+      .field("energy_before", &SeamProposal::energy_before)
+      .field("strain", &SeamProposal::strain)
+      .field("strain_before", &SeamProposal::strain_before)
+      .field("was_stopped", &SeamProposal::was_stopped)
+      .picklable();
   const py::arg_v progress = py::arg("progress") = py::none(), smooth = py::arg("smooth") = false;
   define_proposals(module, "propose_darts", &run_darts, kDartsDoc, smooth, progress);
   define_proposals(module, "propose_seams", &run<propose_seams>, kSeamsDoc, progress);
   define_plan(module, "plan_cuts", &run_plan, kPlanDoc, progress);
+  define_simplify(module, "simplify_seams", &run_simplify, kSimplifyDoc, progress);
   define_proposals(module, "start_darts", &start_darts, kStartDartsDoc, smooth);
   define_proposals(module, "start_seams", &start<propose_seams>, kStartSeamsDoc);
   define_plan(module, "start_plan", &start_plan, kStartPlanDoc);
+  define_simplify(module, "start_simplify", &start_simplify, kStartSimplifyDoc);
 }
 
 }  // namespace wirewarp::bindings

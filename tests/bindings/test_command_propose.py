@@ -6,8 +6,8 @@ import json
 import commands
 import numpy as np
 import pytest
-from surfaces import half_cylinder, spherical_patch
-from wirewarp import Options, flatten, plan_cuts, propose_darts, propose_seams
+from surfaces import chain_edges, column_chain, half_cylinder, spherical_patch
+from wirewarp import Options, flatten, plan_cuts, propose_darts, propose_seams, simplify_seams
 from wirewarp.command.model import read_model
 
 trimesh = pytest.importorskip("trimesh")
@@ -71,6 +71,36 @@ def test_cuts_to_be_taken_together_are_those_of_the_plan(dome):
     expected = plan_cuts(model.vertices, model.faces, most=2, strain=0.01)
     assert line["together"] and "twin" not in line["proposals"][0]
     assert [edges(cut["lines"][0]).tolist() for cut in line["proposals"]] == [cut.edges.tolist() for cut in expected]
+
+
+def test_seams_to_leave_out_are_those_of_python(dome, tmp_path):
+    columns = [column_chain(8, 8, column) for column in (2, 4, 6)]
+    (tmp_path / "seams.json").write_text(json.dumps([[int(v) for v in column] for column in columns]))
+    words = ("--seams", tmp_path / "seams.json", "--cut", "fewer", "--strain", "20%", "--unit", "mm")
+    (line,) = propose(dome, *words)
+    model = read_model(dome)
+    seams = np.concatenate([chain_edges(column) for column in columns])
+    expected = simplify_seams(model.vertices, model.faces, seams=seams, strain=0.2)
+    (told,) = line["proposals"]
+    assert (line["verdict"], line["cut"]) == ("proposed", "fewer")
+    assert [edge for each in told["lines"] for edge in edges(each).tolist()] == expected.edges.tolist()
+    assert (told["pieces_before"], told["pieces"]) == (4, expected.num_pieces)
+    assert told["length_before_m"] == pytest.approx(expected.length_before / 1000)
+    assert told["strain"] == pytest.approx(expected.strain, rel=1e-6)
+
+
+def test_seams_that_are_all_needed_are_nothing_to_propose(tmp_path):
+    vertices, faces = half_cylinder()
+    (tmp_path / "none.json").write_text("[]")
+    trimesh.Trimesh(vertices, faces, process=False).export(tmp_path / "half.ply")
+    (line,) = propose(tmp_path / "half.ply", "--seams", tmp_path / "none.json", "--cut", "fewer", code=1)
+    assert (line["verdict"], line["codes"]) == ("nothing to propose", ["no_proposal"])
+
+
+@pytest.mark.parametrize("words", [(), ("--seams", "uv", "--together", "2"), ("--seams", "uv", "--no-seam", "a.json")])
+def test_fewer_needs_seams_and_makes_no_cuts(dome, words):
+    lines, said = commands.propose(dome, "--cut", "fewer", *words, code=2)
+    assert lines == [] and "--cut fewer" in said
 
 
 def test_no_cut_is_longer_or_runs_where_it_may_not(dome, tmp_path):

@@ -153,7 +153,8 @@ def test_results_have_the_types_of_the_stub():
     exec("from __future__ import annotations\n" + (PACKAGE / "_wirewarp.pyi").read_text(), typed)
     darts = wirewarp.propose_darts(vertices, faces, count=1)
     sources = wirewarp.cut_mesh(vertices, faces, darts[0].paths)[3]
-    seen = all_within(result) + all_within(darts) + all_within(sources)
+    fewer = wirewarp.simplify_seams(vertices, faces, seams=seams)
+    seen = all_within(result) + all_within(darts) + all_within(sources) + all_within(fewer)
     assert {type(each).__name__ for each in seen} == set(CLASSES) - {"Cache", "Cloth", "Ease", "Job", "Options", "Wire"}
     wrong = []
     for each in seen:

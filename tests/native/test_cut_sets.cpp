@@ -282,6 +282,13 @@ TEST(CutSetSearch, SayWhyThereAreNone) {
             std::string::npos);
 }
 
+CutState merge_sections(const CutState& state, const Chart& chart, const ExactEvaluation& exact, double most_strain) {
+  const MirroredCuts mirrored(chart, {});
+  SectionMerger merger(state, chart, mirrored, exact);
+  merger.run(most_strain, [](double) {});
+  return merger.state();
+}
+
 TEST(MergeSections, LeaveOneOfThreeSeamsOfATube) {
   const int around = 16, rows = 8;
   const double height = 4;
@@ -297,7 +304,7 @@ TEST(MergeSections, LeaveOneOfThreeSeamsOfATube) {
   const Chart& chart = uncut[0]->chart;
   const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
   ASSERT_EQ(state.pieces.size(), 3U);
-  const CutState merged = merge_sections(state, chart, MirroredCuts(chart, {}), {1e-6}, exact, [](double) {}).front();
+  const CutState merged = merge_sections(state, chart, exact, 1e-6);
   ASSERT_EQ(merged.pieces.size(), 1U);
   EXPECT_FALSE(merged.pieces[0]->error);
   EXPECT_NEAR(length_of_cut(chart.mesh, merged.cut), height, 1e-12);
@@ -327,8 +334,7 @@ TEST(MergeSections, MeasureTheThreadsOfACloth) {
   const Chart& chart = uncut[0]->chart;
   const CutState state{PartMap(chart).mask_of(across(8)), exact.with_cut(uncut, across(8))};
   const double most = 1.001 * uncut[0]->strain;
-  EXPECT_TRUE(
-      is_empty(merge_sections(state, chart, MirroredCuts(chart, {}), {most}, exact, [](double) {}).front().cut));
+  EXPECT_TRUE(is_empty(merge_sections(state, chart, exact, most).cut));
 }
 
 TEST(MergeSections, KeepWhatHoldsTheStrain) {
@@ -342,7 +348,7 @@ TEST(MergeSections, KeepWhatHoldsTheStrain) {
   const double cut_strain = std::max(state.pieces[0]->strain, state.pieces[1]->strain);
   ASSERT_LT(cut_strain, uncut[0]->strain);
   for (const double most : {(cut_strain + uncut[0]->strain) / 2, uncut[0]->strain}) {
-    const CutState merged = merge_sections(state, chart, MirroredCuts(chart, {}), {most}, exact, [](double) {}).front();
+    const CutState merged = merge_sections(state, chart, exact, most);
     for (const std::shared_ptr<const FlatPiece>& piece : merged.pieces) EXPECT_LE(piece->strain, most);
     EXPECT_EQ(is_empty(merged.cut), most == uncut[0]->strain);
   }

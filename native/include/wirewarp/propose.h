@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Suggests where to cut a piece that is too distorted for its fabric, or that has no flat shape, such as a ball.
+// Suggests where to cut a piece that is too distorted for its fabric, or that has no flat shape, such as a ball, and
+// which seams a model can do without.
 #pragma once
 
 #include <limits>
@@ -91,5 +92,36 @@ std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& o
 /// Returns seams and cut sets by the same rules. Pieces that lack seams come first, the largest one before the others.
 std::vector<DartProposal> plan_seams(const FlattenInput& input, const Options& options = {},
                                      const CutTarget& target = {}, const Progress& progress = {});
+
+/// Fewer seams for a model, with their effect. Every figure comes from flatten() with these seams, and is that of all
+/// pieces together; strain is that of DartProposal.
+struct SeamProposal {
+  std::vector<VertexPair> edges;   // (k, 2) seams that remain, in place of those of the input; one line after the other
+  std::vector<VertexPair> opened;  // (m, 2) seams of the input that are left out
+  std::vector<SurfacePath> paths;  // the edges as lines
+  double length = 0;               // length of the seams on the surface, scene units
+  double length_before = 0;        // the same of the input's seams
+  int num_pieces = 0;              // number of pieces
+  int num_pieces_before = 0;       // the same with the input's seams
+  double energy = 0;               // Eq. (4), or cloth energy, divided by the 3D area; infinite if a piece has no flat
+                                   // shape
+  double energy_before = 0;        // the same with the input's seams
+  double strain = 0;               // of the worst piece; infinite if a piece has no flat shape
+  double strain_before = 0;        // the same with the input's seams
+  bool was_stopped = false;        // progress ended the search before every section was tried
+};
+
+/// Returns the seams that remain after sections of seams, or halves of them, were left out one after the other, the
+/// longest first. A section is left out only if flatten() finds a flat shape for what the pieces beside it become, with
+/// no more than the given strain, or than the worst of these pieces has with the input's seams. Strains below 1e-6 are
+/// rounding, and always accepted. Mirrored sections of a symmetric model are left out together.
+///
+/// Seams with an ease on one side and seams with three sides or more remain. So do all seams of a part of the model
+/// that has no flat shape for other reasons than missing seams, such as a Moebius strip. The result does not depend on
+/// how the input is turned, mirrored or numbered. If progress returns false, the search ends with the seams that remain
+/// by then, which have the figures claimed. Throws the errors of flatten(), invalid_option for a strain below 0, and
+/// cancelled before the seams of the input have been flattened.
+SeamProposal simplify_seams(const FlattenInput& input, const Options& options = {}, double strain = 0.05,
+                            const Progress& progress = {});
 
 }  // namespace wirewarp

@@ -98,6 +98,8 @@ def parsed(words: Sequence[str]) -> Arguments:
     if given.command is propose:
         if given.together and (given.piece or given.count):
             propose.error("--together chooses pieces and cuts itself: use it without --piece and --count")
+        if given.kind == "fewer":
+            _check_fewer(propose, given)
         material = _made(MaterialRequest, given)
         cuts = [_made(CutRequest, given, model=model, material=material) for model in given.models]
         return Arguments(cuts, given.jobs, _limits(given))
@@ -153,7 +155,13 @@ def _shape_options() -> argparse.ArgumentParser:
 
 def _cut_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
-    options.add_argument("--cut", dest="kind", choices=("dart", "seam"), default="dart", help="kind of cut (dart)")
+    options.add_argument(
+        "--cut",
+        dest="kind",
+        choices=("dart", "seam", "fewer"),
+        default="dart",
+        help="kind of cut, or fewer to leave out some of --seams (dart)",
+    )
     options.add_argument("--piece", type=_count, metavar="N", help="cut only the N-th piece (the one that gains most)")
     options.add_argument(
         "--count", type=_count, metavar="N", help="number of proposals, with mirror images counted once (5)"
@@ -269,6 +277,14 @@ def _made(kind: type[T], given: argparse.Namespace, **others: object) -> T:
     """Return a request of this kind: its fields have the names of arguments, apart from the others."""
     names = [each.name for each in fields(kind)]  # type: ignore[arg-type]
     return kind(**{name: others[name] if name in others else getattr(given, name) for name in names})
+
+
+def _check_fewer(parser: argparse.ArgumentParser, given: argparse.Namespace) -> None:
+    if not given.seams:
+        parser.error("--cut fewer leaves out seams of --seams: name them")
+    for option in ("together", "piece", "count", "longest", "no_seam"):
+        if getattr(given, option):
+            parser.error(f"--cut fewer makes no cuts: use it without --{option.replace('_', '-')}")
 
 
 def _clashes(requests: Sequence[Request]) -> dict[int, str]:

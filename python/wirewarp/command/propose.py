@@ -4,13 +4,14 @@
 import math
 from typing import Any
 
-from .. import DartProposal, plan_cuts, propose_darts, propose_seams
+from .. import DartProposal, SeamProposal, plan_cuts, propose_darts, propose_seams, simplify_seams
 from .flatten import material_options
 from .lines import edges_of, lines_of, seams_of
 from .model import read_model
 from .request import BLEND, MILLIMETERS, CutRequest, InputError
-from .verdicts import PROPOSED, Line, with_faults_answered
+from .verdicts import NOTHING, PROPOSED, Line, unfinished, with_faults_answered
 
+ALL_NEEDED = "Every seam is needed for this strain."
 IN_BLENDER = "In Blender the add-on suggests darts and seams; here models are OBJ, PLY, STL or glTF."
 
 
@@ -27,11 +28,13 @@ def propose_for(request: CutRequest) -> Line:
         "seams": seams_of(model, request.seams),
         "wires": lines.wires,
         "eases": lines.eases,
-        "no_seam": edges_of(request.no_seam),
         "options": material_options(request.material, request.unit),
     }
     if request.strain is not None:
         mesh["strain"] = request.strain
+    if request.kind == "fewer":
+        return _fewer(simplify_seams(**mesh), per_unit / 1000)
+    mesh["no_seam"] = edges_of(request.no_seam)
     longest = None if request.longest is None else request.longest / per_unit
     if request.together:
         cuts = plan_cuts(**mesh, kind=request.kind, most=request.together, longest=longest)
@@ -46,6 +49,31 @@ def propose_for(request: CutRequest) -> Line:
         "cut": request.kind,
         "together": request.together is not None,
         "proposals": [_proposal(cut, per_unit / 1000, request.together is None) for cut in cuts],
+        "problems": [],
+        "codes": [],
+    }
+
+
+def _fewer(proposal: SeamProposal, meters: float) -> Line:
+    """Return the line of seams that are left out."""
+    if len(proposal.opened) == 0:
+        return unfinished(NOTHING, "no_proposal", ALL_NEEDED)
+    described = {
+        "lines": _lines_along(proposal.edges.tolist()),
+        "length_m": proposal.length * meters,
+        "length_before_m": proposal.length_before * meters,
+        "pieces": proposal.num_pieces,
+        "pieces_before": proposal.num_pieces_before,
+        "energy": _if_finite(proposal.energy),
+        "energy_before": _if_finite(proposal.energy_before),
+        "strain": _if_finite(proposal.strain),
+        "strain_before": _if_finite(proposal.strain_before),
+    }
+    return {
+        "verdict": PROPOSED,
+        "cut": "fewer",
+        "together": False,
+        "proposals": [described],
         "problems": [],
         "codes": [],
     }
@@ -87,5 +115,5 @@ def _lines_along(edges: list[list[int]]) -> list[list[int]]:
 
 
 def _if_finite(figure: float) -> float | None:
-    """Return None for infinity, which JSON lacks: cut sets have no figures before."""
+    """Return None for infinity, which JSON lacks: it stands for a piece without a flat shape."""
     return figure if math.isfinite(figure) else None

@@ -58,7 +58,7 @@ class CutRequest(ModelRequest):
     """Where to cut. Lengths are in millimeters."""
 
     no_seam: str  # a path, or "" for none
-    kind: Literal["dart", "seam"]
+    kind: Literal["dart", "seam", "fewer"]
     piece: int | None  # from 1; None for any
     count: int | None  # None: the library's number
     strain: float | None  # None: the library's value

@@ -48,7 +48,7 @@ constexpr double kOpened = 0.1, kCut = 0.5;
 
 /// Sets that are made of the last one by merging, and the ratio of the strains that they are allowed: from 5%, which
 /// woven fabric takes, to 10% and the 20% that plush and knits take.
-constexpr std::size_t kMergedSets = 3;
+constexpr int kMergedSets = 3;
 constexpr double kStrainStep = 2;
 
 /// Cuts that take this share come before those that take more for their length: many small darts are slow to sew, and
@@ -104,14 +104,13 @@ CutMask CutSetSearch::opening() const {
   return cut;
 }
 
-/// before: with some of the cuts.
-CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutMask& cut) const {
+CutSetSearch::CutSet CutSetSearch::with_figures(CutMask cut, FlatPieces pieces) const {
   CutSet set;
-  set.cut = cut;
+  set.cut = std::move(cut);
+  set.pieces = std::move(pieces);
   DartProposal& proposal = set.proposal;
-  proposal.edges = edges_of(cut);
-  proposal.length = length_of_cut(chart_.mesh, cut);
-  set.pieces = exact_.with_cut(before, proposal.edges);
+  proposal.edges = edges_of(set.cut);
+  proposal.length = length_of_cut(chart_.mesh, set.cut);
   set.lies_flat = true;
   double energy = 0, area = 0;
   for (std::size_t i = 0; i < set.pieces.size(); ++i) {
@@ -129,6 +128,11 @@ CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutM
   proposal.energy = energy / area;
   proposal.energy_before = proposal.strain_before = std::numeric_limits<double>::infinity();
   return set;
+}
+
+/// before: with some of the cuts.
+CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutMask& cut) const {
+  return with_figures(cut, exact_.with_cut(before, edges_of(cut)));
 }
 
 /// Darts and seams of one of its parts.
@@ -245,14 +249,14 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
 
 /// From the last one, sets with fewer sections for the same strain, and for more and more.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
-  std::vector<double> most_strains{std::max(target_, sets.back().proposal.strain)};
-  while (most_strains.size() < kMergedSets) most_strains.push_back(kStrainStep * most_strains.back());
-  const std::vector<CutState> merged =
-      merge_sections({sets.back().cut, sets.back().pieces}, chart_, mirrored_, most_strains, exact_,
-                     [&](double share) { progress_.enter(kCut + (1 - kCut) * share, kCut + (1 - kCut) * share); });
-  for (std::size_t i = 0; i < merged.size(); ++i) {
-    CutSet set = evaluate(pieces_, merged[i].cut);
-    if (set.lies_flat && set.proposal.strain <= most_strains[i]) sets.push_back(std::move(set));
+  SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_);
+  double most_strain = std::max(target_, sets.back().proposal.strain);
+  for (int i = 0; i < kMergedSets; ++i, most_strain *= kStrainStep) {
+    merger.run(most_strain, [&](double share) {
+      const double reached = kCut + (1 - kCut) * (i + share) / kMergedSets;
+      progress_.enter(reached, reached);
+    });
+    sets.push_back(with_figures(merger.state().cut, merger.state().pieces));
   }
 }
 

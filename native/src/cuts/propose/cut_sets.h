@@ -45,6 +45,7 @@ class CutSetSearch {
   };
 
   CutMask opening() const;
+  CutSet with_figures(CutMask cut, FlatPieces pieces) const;
   CutSet evaluate(const FlatPieces& before, const CutMask& cut) const;
   void report_strain(double first, double now);
   std::optional<CutSet> cut_once_more(const CutSet& set) const;

@@ -2,6 +2,8 @@
 #include "cuts/propose/flat_pieces.h"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -62,10 +64,9 @@ FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>
   return beside;
 }
 
-PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart) {
+PieceFigures figures_of(const FlatPieces& pieces) {
   PieceFigures figures;
   for (const std::shared_ptr<const FlatPiece>& piece : pieces) {
-    if (!is_part_of(piece->chart, chart)) continue;
     if (piece->error) figures.error = piece->error;
     figures.energy += piece->energy;
     figures.area += piece->area;
@@ -73,7 +74,15 @@ PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart) {
     ++figures.num_pieces;
   }
   figures.energy /= figures.area;
+  if (figures.error) figures.energy = figures.strain = std::numeric_limits<double>::infinity();
   return figures;
+}
+
+PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart) {
+  FlatPieces parts;
+  std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(parts),
+               [&](const std::shared_ptr<const FlatPiece>& piece) { return is_part_of(piece->chart, chart); });
+  return figures_of(parts);
 }
 
 double most_strain(const FlatPieces& pieces) {

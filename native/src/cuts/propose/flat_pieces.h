@@ -35,8 +35,11 @@ struct PieceFigures {
   double strain = 0;  // of the part with most
   double area = 0;    // in 3D, scene units squared
   int num_pieces = 0;
-  std::optional<FlattenError> error;  // of any part: then the figures are not valid
+  std::optional<FlattenError> error;  // of any part
 };
+
+/// The figures of all pieces. If one has no flat shape, energy and strain are infinite.
+PieceFigures figures_of(const FlatPieces& pieces);
 
 /// The figures of those pieces that are made of faces of a chart.
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -35,6 +35,9 @@ constexpr int kMergeFactorizations = 40;
 /// overlapped. By these limits three fourths of the time for all unions are saved.
 constexpr double kMostFreeStrain = 1.1;
 constexpr double kMostFolded = 0.025;
+
+/// Strains below are rounding: to about this, shapes are found.
+constexpr double kFlatStrain = 1e-6;
 
 constexpr double kCannotLieFlat = std::numeric_limits<double>::infinity();
 
@@ -71,16 +74,45 @@ InternalOptions without_long_runs(InternalOptions options) {
   return options;
 }
 
-/// Both halves of a section; none of a single edge.
-std::vector<HalfEdgeChain> halves_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
+/// A section that turns by more has a corner: a box's does so where three of its sides meet, a jagged one of triangles
+/// with equal sides by 60 degrees.
+constexpr double kCornerCosine = 0.45;
+
+/// Where the second half of a section begins.
+std::size_t middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
   const double half = length_of(mesh, section) / 2;
   double passed = 0;
-  const auto middle = std::find_if(section.begin(), section.end(), [&](HalfedgeHandle h) {
-    passed += edge_length(mesh, h);
-    return passed > half;
-  });
-  if (middle == section.begin() || middle == section.end()) return {};
-  return {HalfEdgeChain(section.begin(), middle), HalfEdgeChain(middle, section.end())};
+  std::size_t i = 0;
+  while (i + 1 < section.size() && passed + edge_length(mesh, section[i]) <= half)
+    passed += edge_length(mesh, section[i++]);
+  return i;
+}
+
+/// Where the section begins that follows the sharpest corner; 0 if there is no corner.
+std::size_t sharpest_corner_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
+  double least = kCornerCosine;
+  std::size_t corner = 0;
+  for (std::size_t i = 1; i < section.size(); ++i) {
+    const double cosine =
+        mesh.calc_edge_vector(section[i - 1]).normalized() | mesh.calc_edge_vector(section[i]).normalized();
+    if (cosine >= least - kSameLength) continue;
+    least = cosine;
+    corner = i;
+  }
+  return corner;
+}
+
+/// Both halves of a section, and what lies before and behind its sharpest corner; none of a single edge.
+std::vector<HalfEdgeChain> halves_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
+  const std::size_t middle = middle_of(mesh, section), corner = sharpest_corner_of(mesh, section);
+  std::vector<HalfEdgeChain> halves;
+  for (const std::size_t begin : {middle, corner == middle ? std::size_t{0} : corner}) {
+    if (begin == 0) continue;
+    const auto at = section.begin() + static_cast<std::ptrdiff_t>(begin);
+    halves.emplace_back(section.begin(), at);
+    halves.emplace_back(at, section.end());
+  }
+  return halves;
 }
 
 /// The longest first.
@@ -97,138 +129,116 @@ std::vector<HalfEdgeChain> sorted_by_length(const HalfEdgeMesh& mesh, std::vecto
   return sorted;
 }
 
-class Merging {
- public:
-  Merging(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact)
-      : state_(std::move(state)),
-        chart_(chart),
-        mirrored_(mirrored),
-        has_other_measure_(exact.options().cloth.has_value() || has_eases(exact.surface().given())),
-        exact_(exact) {}
-
-  /// report: called with the share of the candidates that were tried.
-  const CutState& run(double most_strain, const std::function<void(double)>& report) {
-    most_strain_ = most_strain;
-    report_ = report;
-    while (open_one(false) || open_one(true)) continue;
-    return state_;
-  }
-
- private:
-  /// What comes of opening a section.
-  struct Trial {
-    double strain = kCannotLieFlat;  // that is needed at least
-    CutState after;                  // valid if the strain is allowed
-  };
-
-  struct Rejected {
-    FlatPieces beside;
-    double strain;  // that is needed at least
-  };
-
-  /// Whether one more section, or half of one, could go. Several are evaluated at a time; the first that may go is
-  /// taken.
-  bool open_one(bool is_half) {
-    const std::vector<CutMask> candidates = list_candidates(is_half);
-    const std::size_t at_once = num_cores();
-    for (std::size_t first = 0; first < candidates.size(); first += at_once) {
-      report_((static_cast<double>(first) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
-      std::vector<Trial> tried(std::min(at_once, candidates.size() - first));
-      run_in_threads(
-          tried.size(), num_cores(),
-          [&](std::size_t i) {
-            const OnOneCore on_one_core;
-            tried[i] = without(candidates[first + i]);
-          },
-          [&] { exact_.stop().may_go_on(); });
-      for (std::size_t i = 0; i < tried.size(); ++i) {
-        if (tried[i].strain <= most_strain_) {
-          state_ = std::move(tried[i].after);
-          return true;
-        }
-        rejected_[candidates[first + i]] = {beside(candidates[first + i]), tried[i].strain};
-      }
-    }
-    return false;
-  }
-
-  /// Each its own mirror image. Those that need more strain beside the same pieces are left out.
-  std::vector<CutMask> list_candidates(bool are_halves) const {
-    std::vector<HalfEdgeChain> sections;
-    for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {
-      if (are_halves) {
-        for (HalfEdgeChain& half : halves_of(chart_.mesh, whole)) sections.push_back(std::move(half));
-      } else {
-        sections.push_back(std::move(whole));
-      }
-    }
-    std::vector<CutMask> candidates;
-    for (const HalfEdgeChain& section : sorted_by_length(chart_.mesh, std::move(sections))) {
-      CutMask mask = mirrored_.with_image(cut_along(chart_.mesh, section));
-      for (std::size_t e = 0; e < mask.size(); ++e) mask[e] = mask[e] != 0 && state_.cut[e] != 0;
-      const auto known = rejected_.find(mask);
-      const bool is_rejected = known != rejected_.end() && known->second.strain > most_strain_;
-      if (is_rejected && known->second.beside == beside(mask)) continue;
-      if (std::find(candidates.begin(), candidates.end(), mask) == candidates.end())
-        candidates.push_back(std::move(mask));
-    }
-    return candidates;
-  }
-
-  std::vector<VertexPair> edges_of(const CutMask& mask) const {
-    std::vector<VertexPair> edges;
-    for (const EdgeHandle e : chart_.mesh.edges()) {
-      if (mask[e.idx()] != 0) edges.push_back(source_edge(chart_, chart_.mesh.halfedge_handle(e, 0)));
-    }
-    return edges;
-  }
-
-  FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(mask)); }
-
-  /// Looks at what the new pieces need when no length is held before they are evaluated exactly.
-  Trial without(const CutMask& mask) const {
-    const std::vector<VertexPair> edges = edges_of(mask);
-    Trial trial{0, {state_.cut, {}}};
-    for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges)) {
-      const double least = least_strain(chart, exact_.stop());
-      if (least == kCannotLieFlat || !has_other_measure_) trial.strain = std::max(trial.strain, least);
-      if (trial.strain > most_strain_) return trial;
-    }
-    CutState& after = trial.after;
-    for (std::size_t e = 0; e < mask.size(); ++e) after.cut[e] = after.cut[e] != 0 && mask[e] == 0;
-    after.pieces = exact_.with_cut(state_.pieces, {}, edges);
-    trial.strain = 0;
-    for (const std::shared_ptr<const FlatPiece>& piece : after.pieces) {
-      if (std::find(state_.pieces.begin(), state_.pieces.end(), piece) != state_.pieces.end()) continue;
-      trial.strain = std::max(trial.strain, piece->error ? kCannotLieFlat : piece->strain);
-    }
-    return trial;
-  }
-
-  CutState state_;
-  const Chart& chart_;
-  const MirroredCuts& mirrored_;
-  double most_strain_ = 0;
-  const bool has_other_measure_;  // strain is that of threads, or beyond eases: free maps say nothing of it
-  std::function<void(double)> report_;
-  const ExactEvaluation& exact_;
-  std::map<CutMask, Rejected> rejected_;
-};
-
 }  // namespace
 
-std::vector<CutState> merge_sections(CutState state, const Chart& chart, const MirroredCuts& mirrored,
-                                     const std::vector<double>& most_strains, const ExactEvaluation& exact,
-                                     const std::function<void(double)>& report) {
-  const ExactEvaluation quick(exact.surface(), without_long_runs(exact.options()), exact.stop());
-  Merging merging(std::move(state), chart, mirrored, quick);
-  std::vector<CutState> merged;
-  const double count = static_cast<double>(most_strains.size());
-  for (const double most_strain : most_strains) {
-    const double before = static_cast<double>(merged.size()) / count;
-    merged.push_back(merging.run(most_strain, [&](double share) { report(before + share / count); }));
+SectionMerger::SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored,
+                             const ExactEvaluation& exact)
+    : state_(std::move(state)),
+      chart_(chart),
+      mirrored_(mirrored),
+      has_other_measure_(exact.options().cloth.has_value() || has_eases(exact.surface().given())),
+      exact_(exact),
+      quick_(exact.surface(), without_long_runs(exact.options()), exact.stop()) {}
+
+void SectionMerger::run(double most_strain, const std::function<void(double)>& report) {
+  most_strain_ = most_strain;
+  report_ = report;
+  while (open_one(false) || open_one(true)) continue;
+}
+
+/// Whether one more section, or half of one, could go. Several are evaluated at a time; the first that may go is taken
+/// if it may also go after long runs.
+bool SectionMerger::open_one(bool is_half) {
+  const std::vector<CutMask> candidates = list_candidates(is_half);
+  const std::size_t at_once = num_cores();
+  for (std::size_t first = 0; first < candidates.size(); first += at_once) {
+    report_((static_cast<double>(first) / static_cast<double>(candidates.size()) + (is_half ? 1 : 0)) / 2);
+    std::vector<Trial> tried(std::min(at_once, candidates.size() - first));
+    run_in_threads(
+        tried.size(), num_cores(),
+        [&](std::size_t i) {
+          const OnOneCore on_one_core;
+          tried[i] = try_without(candidates[first + i]);
+        },
+        [&] { exact_.stop().may_go_on(); });
+    for (std::size_t i = 0; i < tried.size(); ++i) {
+      const CutMask& mask = candidates[first + i];
+      const FlatPieces pieces = beside(mask);
+      const double allowed = allowed_beside(pieces);
+      if (tried[i].strain <= allowed) tried[i] = without(mask, exact_);
+      if (tried[i].strain <= allowed) {
+        state_ = std::move(tried[i].after);
+        return true;
+      }
+      rejected_[mask] = {pieces, tried[i].strain};
+    }
   }
-  return merged;
+  return false;
+}
+
+/// Each its own mirror image. Those that need more strain beside the same pieces are left out.
+std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) const {
+  std::vector<HalfEdgeChain> sections;
+  for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {
+    if (are_halves) {
+      for (HalfEdgeChain& half : halves_of(chart_.mesh, whole)) sections.push_back(std::move(half));
+    } else {
+      sections.push_back(std::move(whole));
+    }
+  }
+  std::vector<CutMask> candidates;
+  for (const HalfEdgeChain& section : sorted_by_length(chart_.mesh, std::move(sections))) {
+    CutMask mask = mirrored_.with_image(cut_along(chart_.mesh, section));
+    for (std::size_t e = 0; e < mask.size(); ++e) mask[e] = mask[e] != 0 && state_.cut[e] != 0;
+    const auto known = rejected_.find(mask);
+    if (known != rejected_.end() && known->second.beside == beside(mask) &&
+        known->second.strain > allowed_beside(known->second.beside))
+      continue;
+    if (std::find(candidates.begin(), candidates.end(), mask) == candidates.end())
+      candidates.push_back(std::move(mask));
+  }
+  return candidates;
+}
+
+std::vector<VertexPair> SectionMerger::edges_of(const CutMask& mask) const {
+  std::vector<VertexPair> edges;
+  for (const EdgeHandle e : chart_.mesh.edges()) {
+    if (mask[e.idx()] != 0) edges.push_back(source_edge(chart_, chart_.mesh.halfedge_handle(e, 0)));
+  }
+  return edges;
+}
+
+/// The strain that may be left where there are these pieces now.
+double SectionMerger::allowed_beside(const FlatPieces& pieces) const {
+  return std::max({kFlatStrain, most_strain_, most_strain(pieces)});
+}
+
+/// Of free maps, up to the first piece that needs more than is allowed.
+double SectionMerger::least_strain_without(const CutMask& mask, double allowed) const {
+  double needed = 0;
+  for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(mask))) {
+    const double least = least_strain(chart, exact_.stop());
+    if (least == kCannotLieFlat || !has_other_measure_) needed = std::max(needed, least);
+    if (needed > allowed) break;
+  }
+  return needed;
+}
+
+SectionMerger::Trial SectionMerger::without(const CutMask& mask, const ExactEvaluation& exact) const {
+  Trial trial{0, {state_.cut, exact.with_cut(state_.pieces, {}, edges_of(mask))}};
+  CutState& after = trial.after;
+  for (std::size_t e = 0; e < mask.size(); ++e) after.cut[e] = after.cut[e] != 0 && mask[e] == 0;
+  for (const std::shared_ptr<const FlatPiece>& piece : after.pieces) {
+    if (std::find(state_.pieces.begin(), state_.pieces.end(), piece) != state_.pieces.end()) continue;
+    trial.strain = std::max(trial.strain, piece->error ? kCannotLieFlat : piece->strain);
+  }
+  return trial;
+}
+
+/// Looks at what the new pieces need when no length is held before they are flattened.
+SectionMerger::Trial SectionMerger::try_without(const CutMask& mask) const {
+  const double allowed = allowed_beside(beside(mask)), least = least_strain_without(mask, allowed);
+  return least > allowed ? Trial{least, {}} : without(mask, quick_);
 }
 
 }  // namespace wirewarp

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "cuts/feasibility/cut_mask.h"
@@ -17,13 +18,52 @@ struct CutState {
   FlatPieces pieces;
 };
 
-/// The move "merge": takes sections of seams out of a cut, the longest first, and halves of sections if no whole one
-/// may go, until none is left that may. A section goes with its mirror image, after an exact evaluation of the pieces
-/// beside it: they have to lie flat, with this strain at most. Every state on the way is a cut under which all lies
-/// flat. One state for each of the strains, which rise: each goes on from the one before. report: called with the share
-/// of the work that is done. Throws Stopped.
-std::vector<CutState> merge_sections(CutState state, const Chart& chart, const MirroredCuts& mirrored,
-                                     const std::vector<double>& most_strains, const ExactEvaluation& exact,
-                                     const std::function<void(double)>& report);
+/// The move "merge": takes sections of seams out of a cut, the longest first, until none is left that may go. If no
+/// whole one may, it tries halves, and what lies before or behind the sharpest corner. A section goes with its mirror
+/// image, after an exact evaluation of the pieces beside it: what they become must have a flat shape, and no more
+/// strain than is allowed or than one of them had.
+class SectionMerger {
+ public:
+  /// chart, mirrored and exact are kept by reference. state: a cut of the chart.
+  SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact);
+
+  /// Goes on from the state. report: called with the share of the candidates that were tried. Throws Stopped; then the
+  /// state is the last one that was accepted.
+  void run(double most_strain, const std::function<void(double)>& report);
+
+  /// With the figures of exact, as all states on the way.
+  const CutState& state() const { return state_; }
+
+ private:
+  /// What comes of opening a section.
+  struct Trial {
+    double strain;   // that is needed at least
+    CutState after;  // valid if the strain is allowed
+  };
+
+  struct Rejected {
+    FlatPieces beside;
+    double strain;  // that is needed at least
+  };
+
+  bool open_one(bool is_half);
+  std::vector<CutMask> list_candidates(bool are_halves) const;
+  std::vector<VertexPair> edges_of(const CutMask& mask) const;
+  FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(mask)); }
+  double allowed_beside(const FlatPieces& pieces) const;
+  double least_strain_without(const CutMask& mask, double allowed) const;
+  Trial without(const CutMask& mask, const ExactEvaluation& exact) const;
+  Trial try_without(const CutMask& mask) const;
+
+  CutState state_;
+  const Chart& chart_;
+  const MirroredCuts& mirrored_;
+  const bool has_other_measure_;  // strain is that of threads, or beyond eases: free maps say nothing of it
+  const ExactEvaluation& exact_;
+  const ExactEvaluation quick_;  // without long runs
+  double most_strain_ = 0;
+  std::function<void(double)> report_;
+  std::map<CutMask, Rejected> rejected_;
+};
 
 }  // namespace wirewarp

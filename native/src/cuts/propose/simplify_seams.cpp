@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Leaves out seams that a user or another tool has made.
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/arguments.h"
+#include "base/sentence.h"
+#include "cuts/propose/canonical_order.h"
+#include "cuts/propose/cut_chains.h"
+#include "cuts/propose/cut_progress.h"
+#include "cuts/propose/line_evaluation.h"
+#include "cuts/propose/merge_sections.h"
+#include "cuts/propose/mirror_image.h"
+#include "surface/charts/cut_into_charts.h"
+#include "surface/mesh/edge_table.h"
+
+namespace wirewarp {
+namespace {
+
+/// Share of the progress after which the seams of the input are flattened.
+constexpr double kFlattened = 0.1;
+
+VertexPair sorted(const VertexPair& ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
+
+/// A part of the model between the seams that have to remain, in canonical order.
+struct Part {
+  Part(const Chart& given, const VertexPairs& seams, const StopToken& stop)
+      : chart(in_canonical_order(given, stop)),
+        mirrored(chart, mirror_image(chart, stop)),
+        cut(PartMap(chart).mask_of(as_list(seams))) {}
+
+  std::vector<VertexPair> edges() const {
+    std::vector<VertexPair> edges;
+    for (const HalfEdgeChain& section : sections_of(chart.mesh, cut)) {
+      for (const HalfedgeHandle h : section) edges.push_back(source_ends(chart, h));
+    }
+    return edges;
+  }
+
+  const Chart chart;
+  const MirroredCuts mirrored;
+  CutMask cut;  // the seams that remain of those that may be left out
+};
+
+class SeamSimplifier {
+ public:
+  SeamSimplifier(const SurfaceToCut& surface, double strain, const ExactEvaluation& exact, CutProgress& progress)
+      : input_(surface.middle()),
+        edges_(input_.faces, static_cast<int>(input_.vertices.rows())),
+        strain_(strain),
+        exact_(exact),
+        progress_(progress) {}
+
+  /// Throws Stopped before there is anything to return.
+  SeamProposal find() {
+    progress_.enter(0, kFlattened);
+    pieces_ = exact_.uncut();
+    const std::vector<VertexPair> seams = list_seams();
+    SeamProposal proposal;
+    const PieceFigures before = figures_of(pieces_);
+    proposal.length_before = length_of(seams);
+    proposal.num_pieces_before = before.num_pieces;
+    proposal.energy_before = before.energy;
+    proposal.strain_before = before.strain;
+    try {
+      merge();
+    } catch (const Stopped&) {
+      proposal.was_stopped = true;
+    }
+    const PieceFigures after = figures_of(pieces_);
+    proposal.num_pieces = after.num_pieces;
+    proposal.energy = after.energy;
+    proposal.strain = after.strain;
+    for (const Part& part : parts_) {
+      for (const VertexPair& ends : part.edges()) proposal.edges.push_back(ends);
+    }
+    std::set<VertexPair> listed;
+    for (const VertexPair& ends : proposal.edges) listed.insert(sorted(ends));
+    for (const VertexPair& ends : seams) {
+      if (listed.count(sorted(ends)) != 0) continue;
+      (opened_.count(sorted(ends)) != 0 ? proposal.opened : proposal.edges).push_back(ends);
+    }
+    proposal.length = length_of(proposal.edges);
+    return proposal;
+  }
+
+ private:
+  /// The edges that are seams, each once. Notes those that have to remain.
+  std::vector<VertexPair> list_seams() {
+    std::set<VertexPair> eased, known;
+    for (const Ease& ease : input_.eases) {
+      for (const VertexPair& ends : as_list(ease.half_edges)) eased.insert(sorted(ends));
+    }
+    std::vector<VertexPair> seams;
+    for (const VertexPair& ends : as_list(input_.seams)) {
+      const int sides = edges_.num_sides(edges_.find(ends[0], ends[1]));
+      if (sides < 2 || !known.insert(sorted(ends)).second) continue;
+      seams.push_back(ends);
+      if (sides > 2 || eased.count(sorted(ends)) != 0) kept_.push_back(ends);
+    }
+    return seams;
+  }
+
+  double length_of(const std::vector<VertexPair>& edges) const {
+    double length = 0;
+    for (const auto& [from, to] : edges) length += (input_.vertices.row(from) - input_.vertices.row(to)).norm();
+    return length;
+  }
+
+  /// Throws Stopped; what has been left out by then stays so.
+  void merge() {
+    FlattenInput undivided = input_;
+    undivided.seams = as_pairs(kept_);
+    double total = 0, done = 0;
+    for (const Chart& chart : cut_into_charts(undivided, edges_, exact_.stop()).charts) {
+      if (chart.mesh.n_faces() > 0) parts_.emplace_back(chart, input_.seams, exact_.stop());
+    }
+    for (const Part& part : parts_) total += length_of_cut(part.chart.mesh, part.cut);
+    for (Part& part : parts_) {
+      const double length = length_of_cut(part.chart.mesh, part.cut);
+      merge(part, [&](double share) {
+        const double reached = kFlattened + (1 - kFlattened) * (done + share * length) / total;
+        progress_.enter(reached, reached);
+      });
+      done += length;
+    }
+  }
+
+  void merge(Part& part, const std::function<void(double)>& report) {
+    const std::vector<VertexPair> before = part.edges();
+    SectionMerger merger({part.cut, pieces_}, part.chart, part.mirrored, exact_);
+    const auto take_over = [&] {
+      part.cut = merger.state().cut;
+      pieces_ = merger.state().pieces;
+      for (const VertexPair& ends : before) opened_.insert(sorted(ends));
+      for (const VertexPair& ends : part.edges()) opened_.erase(sorted(ends));
+    };
+    try {
+      merger.run(strain_, report);
+    } catch (const Stopped&) {
+      take_over();
+      throw;
+    }
+    take_over();
+  }
+
+  const FlattenInput& input_;
+  const EdgeTable edges_;
+  const double strain_;
+  const ExactEvaluation& exact_;
+  CutProgress& progress_;
+  FlatPieces pieces_;
+  std::vector<VertexPair> kept_;
+  std::deque<Part> parts_;
+  std::set<VertexPair> opened_;
+};
+
+}  // namespace
+
+SeamProposal simplify_seams(const FlattenInput& input, const Options& options, double strain,
+                            const Progress& progress) {
+  if (!(strain >= 0)) throw wrong_option("strain", shortest(strain), "be 0 or more");
+  CutProgress cut_progress(progress);
+  const SurfaceToCut to_cut(input, options);
+  try {
+    const ExactEvaluation exact(to_cut, options, cut_progress.token());
+    SeamProposal proposal = SeamSimplifier(to_cut, strain, exact, cut_progress).find();
+    proposal.paths = paths_along(input.faces, proposal.edges);
+    return proposal;
+  } catch (const Stopped&) {
+    throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
+  }
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Seams that a model can do without: those that remain do what is claimed, and are the same however the input is given.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+
+#include "base/planar.h"
+#include "disguise.h"
+#include "most_strain.h"
+#include "test_meshes.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp::test_simplify_seams {
+namespace {
+
+constexpr int kAround = 16, kRows = 4;
+constexpr double kHeight = 4;
+
+FlattenInput tube_with_seams(const std::vector<int>& lines) {
+  FlattenInput tube = test::cylinder_tube(kAround, kRows, 1, kHeight);
+  for (const int line : lines) test::add_seam(tube, test::tube_line(kAround, kRows, line));
+  return tube;
+}
+
+/// A cube of side 1 with n by n squares on each side, and seams along its twelve edges.
+FlattenInput cube(int n) {
+  std::map<std::array<int, 3>, int> vertices;
+  std::vector<Eigen::RowVector3i> faces;
+  const auto vertex = [&](const std::array<int, 3>& place) {
+    return vertices.emplace(place, static_cast<int>(vertices.size())).first->second;
+  };
+  for (const std::size_t axis : {0, 1, 2}) {
+    for (const int side : {0, n}) {
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+          const auto at = [&](int u, int v) {
+            std::array<int, 3> place{};
+            place[axis] = side;
+            place[(axis + 1) % 3] = side == 0 ? v : u;
+            place[(axis + 2) % 3] = side == 0 ? u : v;
+            return vertex(place);
+          };
+          faces.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+          faces.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+        }
+      }
+    }
+  }
+  FlattenInput input;
+  input.vertices.resize(static_cast<Eigen::Index>(vertices.size()), 3);
+  for (const auto& [place, v] : vertices) {
+    for (int k = 0; k < 3; ++k) input.vertices(v, k) = static_cast<double>(place[static_cast<std::size_t>(k)]) / n;
+  }
+  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) input.faces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  const auto is_on_rim = [&](int v) {
+    return (input.vertices.row(v).array() == 0 || input.vertices.row(v).array() == 1).count() >= 2;
+  };
+  std::vector<VertexPair> seams;
+  for (const Eigen::RowVector3i& face : faces) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = face[k], b = face[(k + 1) % 3];
+      const Eigen::RowVector3d along = input.vertices.row(b) - input.vertices.row(a);
+      if (a < b && is_on_rim(a) && is_on_rim(b) && (along.array() != 0).count() == 1) seams.push_back({a, b});
+    }
+  }
+  return test::with_seams(input, seams);
+}
+
+/// Eight gores between the poles, each cut in three across.
+FlattenInput sphere() {
+  const int gores = 8, n = 2, rings = 9;
+  FlattenInput input = test::sphere_of_gores(gores, n, rings);
+  std::vector<VertexPair> across;
+  for (Eigen::Index f = 0; f < input.faces.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const int a = input.faces(f, k), b = input.faces(f, (k + 1) % 3);
+      const double z = input.vertices(a, 2);
+      const bool is_level = std::abs(z - input.vertices(b, 2)) < 1e-9;
+      if (a < b && is_level && std::abs(std::abs(z) - std::cos(3 * kPi / rings)) < 1e-9) across.push_back({a, b});
+    }
+  }
+  return test::with_seams(input, across);
+}
+
+std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
+  std::set<VertexPair> pairs;
+  for (const VertexPair& edge : edges) pairs.insert({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])});
+  return pairs;
+}
+
+std::vector<VertexPair> as_list(const VertexPairs& rows) {
+  std::vector<VertexPair> list;
+  for (const auto& row : rows.rowwise()) list.push_back({row[0], row[1]});
+  return list;
+}
+
+FlattenInput with_only(FlattenInput input, const std::vector<VertexPair>& seams) {
+  input.seams.resize(0, 2);
+  return test::with_seams(std::move(input), seams);
+}
+
+/// The figures are those of fresh runs, and the seams of the input are divided into those that remain and the others.
+void expect_what_is_claimed(const FlattenInput& input, const SeamProposal& fewer) {
+  const std::set<VertexPair> given = undirected(as_list(input.seams)), kept = undirected(fewer.edges),
+                             opened = undirected(fewer.opened);
+  EXPECT_EQ(fewer.edges.size(), kept.size());
+  EXPECT_EQ(kept.size() + opened.size(), given.size());
+  EXPECT_TRUE(std::includes(given.begin(), given.end(), kept.begin(), kept.end()));
+  EXPECT_TRUE(std::includes(given.begin(), given.end(), opened.begin(), opened.end()));
+  const auto expect_figures = [](const FlattenInput& flat, double energy, double strain, double length,
+                                 int num_pieces) {
+    const FlattenResult result = flatten(flat);
+    double needed = 0, area = 0, along = 0;
+    for (const Piece& piece : result.pieces) {
+      ASSERT_FALSE(piece.error) << piece.error->what();
+      needed += piece.metrics.arap_energy * piece.metrics.area_3d;
+      area += piece.metrics.area_3d;
+    }
+    for (const VertexPair& edge : undirected(as_list(flat.seams))) {
+      along += (flat.vertices.row(edge[0]) - flat.vertices.row(edge[1])).norm();
+    }
+    EXPECT_NEAR(energy, needed / area, 1e-6 * (needed / area) + 1e-15);
+    EXPECT_NEAR(strain, test::most_strain(flat, result), 1e-6);
+    EXPECT_NEAR(length, along, 1e-12 * along);
+    EXPECT_EQ(num_pieces, static_cast<int>(result.pieces.size()));
+  };
+  expect_figures(input, fewer.energy_before, fewer.strain_before, fewer.length_before, fewer.num_pieces_before);
+  expect_figures(with_only(input, fewer.edges), fewer.energy, fewer.strain, fewer.length, fewer.num_pieces);
+  std::size_t along_paths = 0;
+  for (const SurfacePath& path : fewer.paths) along_paths += path.faces.size() - 1;
+  EXPECT_EQ(along_paths, fewer.edges.size());
+}
+
+TEST(SimplifySeams, LeaveOneOfThreeSeamsOfATube) {
+  const FlattenInput tube = tube_with_seams({0, 5, 9});
+  const SeamProposal fewer = simplify_seams(tube, {}, 0);
+  EXPECT_EQ(fewer.num_pieces_before, 3);
+  EXPECT_EQ(fewer.num_pieces, 1);
+  EXPECT_NEAR(fewer.length_before, 3 * kHeight, 1e-12);
+  EXPECT_NEAR(fewer.length, kHeight, 1e-12);
+  EXPECT_FALSE(fewer.was_stopped);
+  expect_what_is_claimed(tube, fewer);
+}
+
+TEST(SimplifySeams, UnfoldABoxToANet) {
+  // A net is six sides joined by a spanning tree of five edges: one piece.
+  FlattenInput box = cube(2);
+  ASSERT_EQ(box.seams.rows(), 12 * 2);
+  box.vertices.col(0) += 0.3 * box.vertices.col(1) + 0.1 * box.vertices.col(2);  // has no mirror image
+  box.vertices.col(1) += 0.2 * box.vertices.col(2);
+  const SeamProposal fewer = simplify_seams(box, {}, 1e-4);
+  EXPECT_EQ(fewer.num_pieces_before, 6);
+  EXPECT_EQ(fewer.num_pieces, 1);
+  EXPECT_LE(fewer.strain, 1e-4);
+  expect_what_is_claimed(box, fewer);
+}
+
+TEST(SimplifySeams, OfACubeRemainInMirroredPairs) {
+  // In k pieces, the six sides are joined along 6 - k of the twelve edges.
+  const FlattenInput input = cube(2);
+  const SeamProposal fewer = simplify_seams(input, {}, 0);
+  EXPECT_LE(fewer.num_pieces, 2);
+  EXPECT_NEAR(fewer.length, 6 + fewer.num_pieces, 1e-12);
+  expect_what_is_claimed(input, fewer);
+}
+
+TEST(SimplifySeams, MergeTheGoresOfABallUpToTheStrain) {
+  const FlattenInput input = sphere();
+  double length = std::numeric_limits<double>::infinity();
+  for (const double strain : {0.05, 0.15, 0.3}) {
+    const SeamProposal fewer = simplify_seams(input, {}, strain);
+    EXPECT_EQ(fewer.num_pieces_before, 24);
+    EXPECT_LT(fewer.length, length);
+    EXPECT_LE(fewer.strain, strain);
+    expect_what_is_claimed(input, fewer);
+    length = fewer.length;
+  }
+  EXPECT_LT(length, simplify_seams(input, {}, 0.05).length_before / 2);
+}
+
+TEST(SimplifySeams, AreAllNeededByATubeThatIsCutOnce) {
+  const FlattenInput tube = tube_with_seams({3});
+  const SeamProposal fewer = simplify_seams(tube, {}, 0.5);
+  EXPECT_TRUE(fewer.opened.empty());
+  EXPECT_EQ(fewer.num_pieces, 1);
+  EXPECT_EQ(fewer.length, fewer.length_before);
+  expect_what_is_claimed(tube, fewer);
+}
+
+/// Beside a ball in halves, which need far more strain, a tube with three seams.
+FlattenInput tube_and_halves() {
+  FlattenInput both = tube_with_seams({0, 5, 9});
+  const FlattenInput ball = test::sphere_of_gores(2, 6, 8);
+  const auto count = static_cast<int>(both.vertices.rows());
+  both.vertices.conservativeResize(count + ball.vertices.rows(), 3);
+  both.vertices.bottomRows(ball.vertices.rows()) = ball.vertices.rowwise() + Eigen::RowVector3d(5, 0, 0);
+  both.faces.conservativeResize(both.faces.rows() + ball.faces.rows(), 3);
+  both.faces.bottomRows(ball.faces.rows()) = ball.faces.array() + count;
+  both.seams.conservativeResize(both.seams.rows() + ball.seams.rows(), 2);
+  both.seams.bottomRows(ball.seams.rows()) = ball.seams.array() + count;
+  return both;
+}
+
+TEST(SimplifySeams, AreMeasuredPartByPart) {
+  const FlattenInput input = tube_and_halves();
+  const SeamProposal fewer = simplify_seams(input, {}, 0.01);
+  EXPECT_GT(fewer.strain_before, 0.1);
+  EXPECT_LE(fewer.strain, fewer.strain_before);
+  const FlattenResult result = flatten(with_only(input, fewer.edges));
+  const auto is_of_tube = [](const Piece& piece) { return piece.source_face.front() < 2 * kAround * kRows; };
+  EXPECT_EQ(std::count_if(result.pieces.begin(), result.pieces.end(), is_of_tube), 1);
+  expect_what_is_claimed(input, fewer);
+}
+
+TEST(SimplifySeams, NeverMakeTheWorstPieceWorse) {
+  const int n = 8;
+  FlattenInput bump = test::make_grid(n, n, [](double s, double t) {
+    const double x = 2 * s - 1, y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, 0.5 * std::exp(-3 * (x * x + y * y)));
+  });
+  test::add_seam(bump, test::grid_column(n, n, n / 2));
+  const SeamProposal fewer = simplify_seams(bump, {}, 0);
+  EXPECT_EQ(fewer.num_pieces, 2);
+  EXPECT_LE(fewer.strain, fewer.strain_before);
+  EXPECT_EQ(simplify_seams(bump, {}, 1).num_pieces, 1);
+}
+
+TEST(SimplifySeams, KeepASeamWithAnEaseOnOneSide) {
+  FlattenInput tube = tube_with_seams({0, 5, 9});
+  Ease ease{VertexPairs(kRows, 2), 0.02};
+  const std::vector<int> line = test::tube_line(kAround, kRows, 5);
+  for (int i = 0; i < kRows; ++i) ease.half_edges.row(i) << line[static_cast<std::size_t>(i)], line[i + 1U];
+  tube.eases.push_back(ease);
+  const SeamProposal fewer = simplify_seams(tube, {}, 0.05);
+  EXPECT_EQ(undirected(fewer.edges), undirected(as_list(ease.half_edges)));
+}
+
+TEST(SimplifySeams, KeepASeamOfThreeSides) {
+  FlattenInput book = test::book(3, 4);
+  const SeamProposal fewer = simplify_seams(book, {}, 0.5);
+  EXPECT_EQ(undirected(fewer.edges), undirected(as_list(book.seams)));
+  EXPECT_EQ(fewer.num_pieces, 3);
+}
+
+TEST(SimplifySeams, HaveNoFiguresIfAPieceHasNoFlatShape) {
+  const FlattenInput tube = tube_with_seams({});
+  const SeamProposal fewer = simplify_seams(tube, {}, 0.5);
+  EXPECT_TRUE(fewer.edges.empty());
+  EXPECT_EQ(fewer.strain, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(fewer.energy_before, std::numeric_limits<double>::infinity());
+}
+
+TEST(SimplifySeams, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
+  FlattenInput input = sphere();
+  input.vertices.col(0) *= 1.1;
+  input.vertices.col(1) *= 0.9;
+  input.vertices.col(2) += 0.2 * input.vertices.col(0).cwiseAbs2();
+  FlattenInput other = test::disguised(input);
+  other.seams.resize(0, 2);
+  other = test::with_seams(other, test::disguised(input, as_list(input.seams)));
+  const SeamProposal here = simplify_seams(input, {}, 0.2), there = simplify_seams(other, {}, 0.2);
+  EXPECT_FALSE(here.opened.empty());
+  EXPECT_EQ(undirected(test::disguised(input, here.edges)), undirected(there.edges));
+  EXPECT_NEAR(here.strain, there.strain, 1e-5 * here.strain);
+}
+
+TEST(SimplifySeams, ReportProgressThatNeverFalls) {
+  std::vector<double> reported;
+  simplify_seams(sphere(), {}, 0.15, [&](const std::string& stage, double fraction) {
+    EXPECT_EQ(stage, "cuts");
+    reported.push_back(fraction);
+    return true;
+  });
+  EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+  EXPECT_LE(reported.back(), 1);
+  EXPECT_GT(reported.back(), 0.5);
+}
+
+TEST(SimplifySeams, EndWithWhatWasReachedWhenStopped) {
+  const FlattenInput input = sphere();
+  for (const double last : {0.11, 0.5}) {
+    const SeamProposal fewer =
+        simplify_seams(input, {}, 0.15, [&](const std::string&, double fraction) { return fraction < last; });
+    EXPECT_TRUE(fewer.was_stopped);
+    EXPECT_LE(fewer.strain, std::max(0.15, fewer.strain_before));
+    expect_what_is_claimed(input, fewer);
+  }
+  try {
+    simplify_seams(input, {}, 0.15, [](const std::string&, double) { return false; });
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, ErrorCode::cancelled);
+  }
+}
+
+TEST(SimplifySeams, RefuseAStrainBelowZero) {
+  try {
+    simplify_seams(tube_with_seams({0, 5}), {}, -0.1);
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const FlattenError& error) {
+    EXPECT_EQ(error.code, ErrorCode::invalid_option);
+  }
+}
+
+}  // namespace
+}  // namespace wirewarp::test_simplify_seams
