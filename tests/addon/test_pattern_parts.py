@@ -46,6 +46,7 @@ def test_pieces_have_names_outlines_and_wires_of_the_model(addon, source, mirror
     parts = parts_of(addon, source, mirror=mirror)
     assert {piece.name for piece in parts.pieces} == {"Top Left", "Top Right"}
     assert (parts.title, parts.seam_names, parts.failed, parts.units) == ("Bump", ["Seam 1"], [], "metric")
+    assert parts.measures == [("Waist", pytest.approx(lengths_on(source, WIRE).sum(), rel=1e-6))]  # the rigid one
     model = read(source.data.vertices, "co", np.float32, 3)
     for piece in parts.pieces:
         kinds = {wire.kind: wire for wire in piece.wires}
