@@ -48,7 +48,9 @@ def load(addon_version: str) -> None:
                 importlib.import_module(f"{found.__name__}.{part}")
     except Exception as error:  # a damaged library, or one for another numpy, may raise anything
         traceback.print_exc()
-        raise LibraryError(loading_problem(error, folder_of("wirewarp", places))) from error
+        spec = PathFinder.find_spec("wirewarp", places)  # which runs no code of the library
+        folder = Path(spec.submodule_search_locations[0]) if spec and spec.submodule_search_locations else None
+        raise LibraryError(loading_problem(error, folder)) from error
     if library_version != addon_version:
         found_one = f"The add-on is WireWarp {addon_version} but the library found is {library_version}."
         raise LibraryError(f"{found_one} {_AGAIN}")
@@ -73,15 +75,6 @@ else:
             raise AttributeError(name)
         package = library()
         return getattr(package if hasattr(package, name) else package.report, name)
-
-
-def folder_of(package: str, places: list[str] | None = None) -> Path | None:
-    """Return the folder from which the package would be imported, without running its code; None if there is none.
-
-    places: folders to search, instead of Python's.
-    """
-    spec = PathFinder.find_spec(package, places)
-    return Path(spec.submodule_search_locations[0]) if spec and spec.submodule_search_locations else None
 
 
 def loading_problem(error: Exception, folder: Path | None) -> str:

@@ -169,10 +169,8 @@ def _around(edge: bmesh.types.BMEdge) -> list[tuple[int, int, int]]:
 def _leads_out(surface: BVHTree, face: bmesh.types.BMFace, side: int) -> bool:
     """Return whether a ray from the middle of the face on this side meets no face."""
     toward = side * face.normal
-    begin = (
-        face.calc_center_median() + toward * 1e-4 * face.calc_perimeter()
-    )  # so that the ray does not hit its own face
-    return surface.ray_cast(begin, toward)[0] is None
+    above = toward * 1e-4 * face.calc_perimeter()  # so that the ray does not hit its own face
+    return surface.ray_cast(face.calc_center_median() + above, toward)[0] is None
 
 
 def _delete_faces(edit: bmesh.types.BMesh, _close: float, found: Found) -> None:

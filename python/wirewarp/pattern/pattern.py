@@ -171,9 +171,6 @@ class Pattern(PatternData):
         lined = [outlined(own) for own in laid]
         return cls("", drawn_once(lined, copies_of(laid, lined, pairs, on_fold)), UnitSystem(units))
 
-    def _with_cards(self) -> "Pattern":
-        return in_one_go(self._adding_cards())
-
     def _adding_cards(self) -> Steps["Pattern"]:
         """Number the pieces again and add texts, in steps."""
         count = len(self.pieces)
@@ -195,7 +192,7 @@ class Pattern(PatternData):
             if len(counts) != 2 or any(type(count) is not int or count < 0 for count in counts) or not any(counts):
                 raise problem(f"The quantity of piece {number} is {counts!r}: give two whole numbers, not both 0.")
         pieces = [replace(piece, quantity=quantities.get(piece.number, piece.quantity)) for piece in self.pieces]
-        return replace(self, pieces=pieces)._with_cards()
+        return in_one_go(replace(self, pieces=pieces)._adding_cards())
 
     def nested(
         self,
