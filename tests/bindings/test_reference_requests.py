@@ -45,3 +45,13 @@ def test_the_order_of_faces_does_not_matter(seed: int) -> None:
     shuffled = np.random.default_rng(seed).permutation(faces)
     (piece,) = wirewarp.flatten(vertices, shuffled, wires=wires).pieces
     assert piece.error is None
+
+
+@pytest.mark.parametrize("name", ["dead_end_trousers", "dead_end_shirt", "dead_end_dress"])
+def test_proposed_seams_lead_to_an_answer(name: str) -> None:
+    vertices, faces, wires = request_of(name)
+    seams: list[tuple[int, int]] = []
+    for _ in range(4):
+        errors = [piece.error for piece in wirewarp.flatten(vertices, faces, seams=seams, wires=wires).pieces]
+        seams += [seam for error in errors if error for seam in error.proposed_seams]
+    assert not any(errors)

@@ -29,6 +29,10 @@ FlattenInput disguised(const FlattenInput& input) {
     const auto face = input.faces.row(num_faces - 1 - f);
     result.faces.row(f) << place_of(input, face[1]), place_of(input, face[0]), place_of(input, face[2]);
   }
+  for (int& v : result.seams.reshaped()) v = place_of(input, v);
+  for (Wire& wire : result.wires) {
+    for (int& v : wire.vertices) v = place_of(input, v);
+  }
   return result;
 }
 

@@ -8,8 +8,9 @@
 
 namespace wirewarp::test {
 
-/// The same surface turned, mirrored and with its vertices and faces in another order. Their count must be no multiple
-/// of 7.
+/// The same surface turned, mirrored and with its vertices, faces and corners in another order: face f is the last but
+/// f of the input, and its corners 0, 1 and 2 are those numbered 1, 0 and 2 there. The number of vertices must not be a
+/// multiple of 7.
 FlattenInput disguised(const FlattenInput& input);
 
 /// Edges of the surface as they are numbered there.

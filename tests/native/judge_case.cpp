@@ -23,8 +23,8 @@ Sentences demands(const JudgeCase& judged) {
   return broken_expectations(judged.input, judged.options, judged.result, std::nullopt);
 }
 
-void expect_told(Sentences (*judge)(const JudgeCase&), JudgeCase judged, const Spoil& spoil,
-                 const std::string& sentence) {
+void expect_told(Sentences (*judge)(const JudgeCase&), const std::string& sentence, JudgeCase judged,
+                 const Spoil& spoil) {
   EXPECT_EQ(judge(judged), Sentences{}) << "before it is spoiled";
   spoil(judged);
   const Sentences told = judge(judged);
@@ -65,32 +65,38 @@ JudgeCase two_sheets() {
   return flattened(input, options);
 }
 
-void expect_broken(JudgeCase good, const Spoil& spoil, const std::string& sentence) {
-  expect_told(promises, std::move(good), spoil, sentence);
+void expect_broken(const std::string& sentence, JudgeCase good, const Spoil& spoil) {
+  expect_told(promises, sentence, std::move(good), spoil);
 }
 
-void expect_demanded(JudgeCase good, const Spoil& spoil, const std::string& sentence) {
-  expect_told(demands, std::move(good), spoil, sentence);
+void expect_demanded(const std::string& sentence, JudgeCase good, const Spoil& spoil) {
+  expect_told(demands, sentence, std::move(good), spoil);
 }
 
-void move_vertex(JudgeCase& spoiled, int number, int source_vertex, const Eigen::RowVector2d& by) {
-  Piece& piece = spoiled.result.pieces.at(number);
-  const auto found = std::find(piece.source_vertex.begin(), piece.source_vertex.end(), source_vertex);
-  ASSERT_NE(found, piece.source_vertex.end());
-  piece.vertices.row(found - piece.source_vertex.begin()) += by;
-  write_corners(spoiled, piece);
+Spoil moved_vertex(int number, int source_vertex, double right, double up) {
+  return [=](JudgeCase& spoiled) {
+    Piece& piece = spoiled.result.pieces.at(number);
+    const auto found = std::find(piece.source_vertex.begin(), piece.source_vertex.end(), source_vertex);
+    ASSERT_NE(found, piece.source_vertex.end());
+    piece.vertices.row(found - piece.source_vertex.begin()) += Eigen::RowVector2d(right, up);
+    write_corners(spoiled, piece);
+  };
 }
 
-void move_piece(JudgeCase& spoiled, int number, const Eigen::RowVector2d& by) {
-  Piece& piece = spoiled.result.pieces.at(number);
-  piece.vertices.rowwise() += by;
-  write_corners(spoiled, piece);
+Spoil moved(int number, double right, double up) {
+  return [=](JudgeCase& spoiled) {
+    Piece& piece = spoiled.result.pieces.at(number);
+    piece.vertices.rowwise() += Eigen::RowVector2d(right, up);
+    write_corners(spoiled, piece);
+  };
 }
 
-void turn_piece(JudgeCase& spoiled, int number, double angle) {
-  Piece& piece = spoiled.result.pieces.at(number);
-  piece.vertices = (piece.vertices * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose()).eval();
-  write_corners(spoiled, piece);
+Spoil turned(int number, double angle) {
+  return [=](JudgeCase& spoiled) {
+    Piece& piece = spoiled.result.pieces.at(number);
+    piece.vertices = (piece.vertices * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose()).eval();
+    write_corners(spoiled, piece);
+  };
 }
 
 void fail(JudgeCase& sheets, ErrorCode code) {

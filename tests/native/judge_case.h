@@ -26,15 +26,15 @@ using Spoil = std::function<void(JudgeCase&)>;
 
 /// broken_guarantees() finds nothing in the good case, and says the sentence, or a longer one with it, once it is
 /// spoiled.
-void expect_broken(JudgeCase good, const Spoil& spoil, const std::string& sentence);
+void expect_broken(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
 /// The same of broken_expectations(); the input was given no error.
-void expect_demanded(JudgeCase good, const Spoil& spoil, const std::string& sentence);
+void expect_demanded(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
-// Spoils the piece of this number, in its own coordinates and the corners alike.
-void move_vertex(JudgeCase& spoiled, int number, int source_vertex, const Eigen::RowVector2d& by);
-void move_piece(JudgeCase& spoiled, int number, const Eigen::RowVector2d& by);
-void turn_piece(JudgeCase& spoiled, int number, double angle);
+// Spoil the piece of this number, in its own coordinates and the corners alike.
+Spoil moved_vertex(int number, int source_vertex, double right, double up);
+Spoil moved(int number, double right, double up);
+Spoil turned(int number, double angle);
 
 /// Gives piece 0 of the two sheets an error with a layout that names a vertex of it.
 void fail(JudgeCase& sheets, ErrorCode code);

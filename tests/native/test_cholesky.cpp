@@ -4,6 +4,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -18,6 +19,7 @@
 #include "dense_algebra.h"
 #include "numerics/cholesky/eliminate_fronts.h"
 #include "numerics/cholesky/multifrontal_cholesky.h"
+#include "numerics/cholesky/vertex_separator.h"
 
 namespace wirewarp::test_cholesky {
 namespace {
@@ -67,31 +69,10 @@ TEST(MultifrontalCholesky, SolvesAsEigenDoes) {
   }
 }
 
-TEST(MultifrontalCholesky, ColumnsAreSolvedEachByItself) {
-  const CholeskyProblem problem = mesh_problem(30, 2);
-  const Eigen::MatrixXd b = random_matrix(problem.lower.rows(), 6, 3);
-  const Eigen::MatrixXd x = solve(problem, b);
-  for (Eigen::Index c = 0; c < b.cols(); ++c) {
-    EXPECT_LT((solve(problem, b.col(c)) - x.col(c)).norm(), 1e-11 * x.col(c).norm());
-  }
-}
-
 TEST(MultifrontalCholesky, EmptyMatrix) {
   const SparseMatrix empty(0, 0);
   MultifrontalCholesky cholesky(empty, {}, 2);
   EXPECT_TRUE(cholesky.factorize(empty));
-}
-
-TEST(MultifrontalCholesky, NewValuesReplaceTheOldFactor) {
-  const CholeskyProblem problem = mesh_problem(20, 2);
-  const SparseMatrix other = random_positive_definite(20 * 20, problem.edges, 2, 99);
-  MultifrontalCholesky cholesky = analyze(problem);
-  Eigen::MatrixXd b = random_matrix(other.rows(), 1, 4);
-  ASSERT_TRUE(cholesky.factorize(other));
-  ASSERT_TRUE(cholesky.factorize(problem.lower));
-  Eigen::MatrixXd x = b;
-  cholesky.solve_in_place(x);
-  EXPECT_EQ(x, solve(problem, b));
 }
 
 TEST(MultifrontalCholesky, ThreadsGiveTheSameToTheLastBit) {
@@ -101,31 +82,6 @@ TEST(MultifrontalCholesky, ThreadsGiveTheSameToTheLastBit) {
     const Eigen::MatrixXd expected = solve(problem, b, false);
     EXPECT_EQ(solve(problem, b, true), expected);
   }
-}
-
-TEST(MultifrontalCholesky, RenumberingTheVerticesRenumbersTheSolution) {
-  const CholeskyProblem problem = mesh_problem(25, 2);
-  const int n = static_cast<int>(problem.positions.rows());
-  std::vector<int> number(static_cast<std::size_t>(n));
-  std::iota(number.begin(), number.end(), 0);
-  std::shuffle(number.begin(), number.end(), std::mt19937(8));
-  CholeskyProblem renumbered = problem;
-  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(2 * n);
-  for (int v = 0; v < n; ++v) {
-    const int w = number[static_cast<std::size_t>(v)];
-    renumbered.positions.row(w) = problem.positions.row(v);
-    permutation.indices().segment<2>(2 * v) << 2 * w, 2 * w + 1;
-  }
-  for (auto& [a, b] : renumbered.edges) {
-    a = number[static_cast<std::size_t>(a)];
-    b = number[static_cast<std::size_t>(b)];
-  }
-  SparseMatrix permuted(2 * n, 2 * n);
-  permuted.selfadjointView<Eigen::Lower>() = problem.lower.selfadjointView<Eigen::Lower>().twistedBy(permutation);
-  renumbered.lower = permuted;
-  const Eigen::MatrixXd b = random_matrix(2 * n, 1, 6);
-  const Eigen::MatrixXd x = solve(problem, b);
-  EXPECT_LT((solve(renumbered, permutation * b) - permutation * x).norm(), 1e-11 * x.norm());
 }
 
 /// A − c eᵢeᵢᵀ is positive definite for c < 1 / (A⁻¹)ᵢᵢ alone.
@@ -144,20 +100,6 @@ TEST(MultifrontalCholesky, FindsASingleNegativePivotWhereverItIs) {
       EXPECT_FALSE(cholesky.factorize(problem.lower)) << i;
       problem.lower.coeffRef(i, i) = diagonal;
     }
-  }
-}
-
-TEST(MultifrontalCholesky, IsPositiveDefiniteUpToTheSmallestEigenvalue) {
-  for (CholeskyProblem& problem : cholesky_problems()) {
-    if (problem.lower.rows() > 300) continue;  // for the sake of the dense eigenvalues
-    SCOPED_TRACE(problem.name);
-    const double smallest = test::eigenvalues(full(problem.lower))[0];
-    MultifrontalCholesky cholesky(problem.lower, problem.tree(), problem.unknowns_per_vertex, true);
-    const Eigen::VectorXd diagonal = problem.lower.diagonal();
-    problem.lower.diagonal().array() -= smallest * (1 - 1e-6);
-    EXPECT_TRUE(cholesky.factorize(problem.lower));
-    problem.lower.diagonal() = diagonal.array() - smallest * (1 + 1e-6);
-    EXPECT_FALSE(cholesky.factorize(problem.lower));
   }
 }
 
@@ -302,6 +244,57 @@ TEST(MultifrontalCholesky, RefusesWhatDoesNotFit) {
   Eigen::MatrixXd b(24, 1);
   EXPECT_THROW(cholesky.solve_in_place(b), std::invalid_argument);
 }
+
+std::size_t index_of(int i) { return static_cast<std::size_t>(i); }
+
+/// A row of a square of n by n vertices separates it, though the median by the jittered coordinates is no straight
+/// line.
+TEST(NestedDissection, SeparatorOfASquareIsAboutARowOfIt) {
+  for (const int n : {20, 50, 100}) {
+    const DissectionTree tree = mesh_problem(n, 1).tree();
+    EXPECT_EQ(tree.nodes.back().parent, -1);
+    EXPECT_LE(tree.nodes.back().vertices.size(), index_of(n + n / 10)) << n;
+    const auto halves = std::count_if(tree.nodes.begin(), tree.nodes.end(), [&](const DissectionTree::Node& node) {
+      return node.parent == static_cast<int>(tree.nodes.size()) - 1;
+    });
+    EXPECT_EQ(halves, 2);
+  }
+}
+
+TEST(NestedDissection, ChoosesTheShortWayAcross) {
+  // A strip of 4 by 100 vertices along a diagonal: neither x nor y alone cuts it across.
+  GraphEdges edges;
+  Positions2 positions(400, 2);
+  for (int i = 0; i < 100; ++i) {
+    for (int j = 0; j < 4; ++j) {
+      positions.row(4 * i + j) << i - j, i + j;
+      if (j < 3) edges.push_back({4 * i + j, 4 * i + j + 1});
+      if (i < 99) edges.push_back({4 * i + j, 4 * i + j + 4});
+    }
+  }
+  const DissectionTree tree = nested_dissection(graph_of(400, edges), positions);
+  EXPECT_EQ(tree.nodes.back().vertices.size(), 4u);
+}
+
+TEST(NestedDissection, PiecesShareNoSeparator) {
+  // Two rows of vertices, each joined along itself only, one upon the other.
+  GraphEdges edges;
+  Positions2 positions(80, 2);
+  for (int i = 0; i < 80; ++i) {
+    positions.row(i) << i % 40, 0;
+    if (i % 40 != 0) edges.push_back({i - 1, i});
+  }
+  const DissectionTree tree = nested_dissection(graph_of(80, edges), positions);
+  const auto roots = std::count_if(tree.nodes.begin(), tree.nodes.end(),
+                                   [](const DissectionTree::Node& node) { return node.parent == -1; });
+  EXPECT_EQ(roots, 2);
+  for (const DissectionTree::Node& node : tree.nodes) {
+    if (node.parent != -1) continue;
+    EXPECT_EQ(node.vertices.size(), 1u);
+  }
+}
+
+TEST(NestedDissection, EmptyGraph) { EXPECT_TRUE(nested_dissection({{0}, {}}, Positions2(0, 2)).nodes.empty()); }
 
 }  // namespace
 }  // namespace wirewarp::test_cholesky

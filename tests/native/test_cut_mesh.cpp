@@ -192,11 +192,7 @@ TEST(CutMesh, ALineAcrossASquareIsStraightAndAsLongAsItIs) {
 }
 
 TEST(CutMesh, CrossingLinesShareAVertexWhereTheyCross) {
-  FlattenInput triangle;
-  triangle.vertices.resize(3, 3);
-  triangle.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
-  triangle.faces.resize(1, 3);
-  triangle.faces << 0, 1, 2;
+  const FlattenInput triangle = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
   const SurfacePath first = path_of({0, 0}, {{0.5, 0.5, 0}, {0, 0, 1}}),
                     second = path_of({0, 0}, {{0.5, 0, 0.5}, {0, 1, 0}});
   const CutMesh cut = cut_mesh(triangle.vertices, triangle.faces, {first, second});
@@ -264,34 +260,6 @@ TEST(CutMesh, ScribblesKeepTheSurface) {
         EXPECT_LT(nearest, reach);
       }
     }
-  }
-}
-
-TEST(CutMesh, APathOfTheCutPointsMovesNoMore) {
-  std::mt19937 random(3);
-  const FlattenInput mesh = test::quarter_sphere(4);
-  for (int i = 0; i < 50; ++i) {
-    const CutMesh cut = cut_mesh(mesh.vertices, mesh.faces, {line_in_random_plane(mesh, random)});
-    // The same points, as corners of the faces of the input.
-    std::map<int, std::pair<int, std::array<double, 3>>> point_of;
-    for (Eigen::Index f = 0; f < cut.faces.rows(); ++f) {
-      for (int k = 0; k < 3; ++k) {
-        std::array<double, 3> shares{};
-        for (int j = 0; j < 3; ++j) shares[j] = cut.sources.corner_weights(f, 3 * k + j);
-        point_of[cut.faces(f, k)] = {cut.sources.faces[f], shares};
-      }
-    }
-    std::vector<SurfacePath> paths;
-    for (const VertexPair& edge : cut.edges) {
-      paths.push_back(path_of({point_of[edge[0]].first, point_of[edge[1]].first},
-                              {point_of[edge[0]].second, point_of[edge[1]].second}));
-    }
-    const CutMesh again = cut_mesh(mesh.vertices, mesh.faces, paths);
-    ASSERT_EQ(again.vertices.rows(), cut.vertices.rows());
-    for (Eigen::Index v = 0; v < cut.vertices.rows(); ++v) {
-      EXPECT_LT((again.vertices.rowwise() - cut.vertices.row(v)).rowwise().norm().minCoeff(), 1e-14);
-    }
-    EXPECT_EQ(again.edges.size(), cut.edges.size());
   }
 }
 

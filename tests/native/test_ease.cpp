@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "eased_sheets.h"
+#include "error_of.h"
 #include "test_meshes.h"
 #include "wirewarp/flatten.h"
 
@@ -21,12 +22,7 @@ using test::sheet_and_saddle;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 ErrorCode code_thrown_by(const FlattenInput& input) {
-  try {
-    flatten(input);
-  } catch (const FlattenError& error) {
-    return error.code;
-  }
-  return Code::cancelled;
+  return test::error_of([&] { flatten(input); }).code;
 }
 
 /// A grid of wires that are all shorter holds the most area where its squares stay squares.

@@ -5,8 +5,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 
 #include "base/planar.h"
+#include "base/sentence.h"
+#include "newton/solve/chart_errors.h"
+#include "surface/charts/isoperimetric.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_failed_pieces {
@@ -43,38 +48,24 @@ void expect_no_figures(const FlattenInput& input, const Piece& piece) {
 
 TEST(FailedPieces, ABadChartSparesTheOthers) {
   const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_seam(input, test::grid_column(n, n, 3));
-  const int doubled = 0;
-  input.faces.conservativeResize(input.faces.rows() + 1, 3);
-  input.faces.row(input.faces.rows() - 1) = input.faces.row(doubled);
-  const FlattenResult result = flatten(input);
-  ASSERT_EQ(result.pieces.size(), 2u);
-  ASSERT_TRUE(result.pieces[0].error.has_value());
-  EXPECT_FALSE(result.pieces[0].error->has_layout);
-  expect_no_figures(input, result.pieces[0]);
-  EXPECT_FALSE(result.pieces[1].error.has_value());
-  for (int f = 0; f < input.faces.rows(); ++f) {
-    const auto& good = result.pieces[1].source_face;
-    const bool is_good = std::find(good.begin(), good.end(), f) != good.end();
-    EXPECT_EQ(result.corner_uv.row(f).allFinite(), is_good);
-  }
-  ASSERT_EQ(result.seams.size(), 1u);
-  EXPECT_EQ(result.seams[0].pieces, (std::vector<int>{0, 1}));
-  EXPECT_TRUE(std::isnan(result.seams[0].mismatch));
-}
-
-TEST(FailedPieces, SidesOfASeamStandInTheOrderOfPiecesWhicheverFails) {
-  const int n = 6;
   for (const std::size_t bad : {0u, 1u}) {
     FlattenInput input = test::flat_rectangle(n, n, 1, 1);
     test::add_seam(input, test::grid_column(n, n, 3));
     input.faces.conservativeResize(input.faces.rows() + 1, 3);
     input.faces.row(input.faces.rows() - 1) = input.faces.row(bad == 0 ? 0 : 2 * n - 1);
     const FlattenResult result = flatten(input);
-    EXPECT_TRUE(result.pieces[bad].error.has_value());
+    ASSERT_EQ(result.pieces.size(), 2u);
+    ASSERT_TRUE(result.pieces[bad].error.has_value());
+    EXPECT_FALSE(result.pieces[bad].error->has_layout);
+    expect_no_figures(input, result.pieces[bad]);
     EXPECT_FALSE(result.pieces[1 - bad].error.has_value());
-    EXPECT_EQ(result.seams.at(0).pieces, (std::vector<int>{0, 1}));
+    const std::vector<int>& good = result.pieces[1 - bad].source_face;
+    for (int f = 0; f < input.faces.rows(); ++f) {
+      EXPECT_EQ(result.corner_uv.row(f).allFinite(), std::count(good.begin(), good.end(), f) > 0);
+    }
+    ASSERT_EQ(result.seams.size(), 1u);
+    EXPECT_EQ(result.seams[0].pieces, (std::vector<int>{0, 1})) << "in the order of pieces";
+    EXPECT_TRUE(std::isnan(result.seams[0].mismatch));
     EXPECT_TRUE(std::isnan(result.seams[0].length_2d[bad]));
     EXPECT_NEAR(result.seams[0].length_2d[1 - bad], 1, 1e-9);
   }
@@ -110,10 +101,55 @@ TEST(FailedPieces, SayWhatWasTriedAndNoFiguresOfAShape) {
   }
 }
 
-TEST(FailedPieces, AChartOfTheWrongTopologyHasNoFiguresEither) {
-  FlattenInput ball = test::sphere_of_gores(2, 4, 4);
-  ball.seams.resize(0, 2);
-  expect_no_figures(ball, flatten(ball).pieces[0]);
+// Outlines too short to hold their surface in the plane: the bound, and what is said of them.
+
+TEST(Isoperimetric, TheLeastShapeErrorIsThatOfUniformShrinking) {
+  // All singular values s: E / area = 2 (1 - s)^2, the share is s^2.
+  for (const double s : {0.5, 0.6, 0.9, 1.0}) EXPECT_NEAR(least_shape_error(s * s), 2 * (1 - s) * (1 - s), 1e-15);
+  // Below, one singular value is 1 - s, the other s: E / area = s^2 + (1 - s)^2, the share s (1 - s).
+  for (const double s : {0.1, 0.3, 0.5}) {
+    EXPECT_NEAR(least_shape_error(s * (1 - s)), s * s + (1 - s) * (1 - s), 1e-15);
+  }
+  EXPECT_EQ(least_shape_error(3), 0);
+}
+
+TEST(Isoperimetric, TheLeastShapeErrorIsConvex) {  // so that triangles of different shares cannot have less
+  const double step = 1. / 64;
+  for (double share = step; share < 1.5; share += step) {
+    const double chord = (least_shape_error(share - step) + least_shape_error(share + step)) / 2;
+    EXPECT_LE(least_shape_error(share), chord + 1e-15) << share;
+  }
+}
+
+TEST(InfeasibleOutline, NamesTheSeamThatItProposes) {
+  const Chart chart = test::chart_of(test::cylinder_tube(16, 8, 1, 4));
+  const FlattenError error = infeasible_outline(chart, Options{}, {{0, 16}}, false);
+  EXPECT_EQ(error.elements.proposed_seams, (std::vector<VertexPair>{{0, 16}}));
+  EXPECT_NE(std::string(error.what()).find("mark a seam, such as along edge 0-16."), std::string::npos) << error.what();
+}
+
+TEST(ShortOutline, OfManyOpeningsNamesTheLongest) {
+  const int nx = 24, ny = 24;
+  FlattenInput input = test::cylinder_tube(nx, ny, 1, 6);
+  int face = 0;
+  input = test::keep_faces(input, [&](const Eigen::Vector3d&) { return face++ % 146 != 75; });
+  const FlattenResult result = flatten(input);
+  ASSERT_TRUE(result.pieces.at(0).error);
+  EXPECT_EQ(result.pieces[0].error->code, ErrorCode::boundary_too_short);
+  const std::string message = result.pieces[0].error->what();
+  EXPECT_NE(message.find(" and 5 more, can enclose"), std::string::npos) << message;
+  EXPECT_EQ(result.pieces[0].error->elements.vertices.size(), 10U);  // 2 ends and 8 holes
+}
+
+TEST(ShortOutline, TellsTheLengthThatItsEaseLeavesIt) {
+  FlattenInput input = test::cylinder_tube(16, 4, 1, 6);
+  test::add_wire(input, test::tube_ring(16, 0));
+  input.wires[0].ease = 0.25;
+  const std::optional<FlattenError> error = flatten(input).pieces.at(0).error;
+  ASSERT_TRUE(error);
+  const double around = 16 * 2 * std::sin(kPi / 16);
+  const std::string told = "its outlines, " + rounded(1.25 * around) + " units long at vertex ";
+  EXPECT_NE(std::string(error->what()).find(told), std::string::npos) << error->what();
 }
 
 }  // namespace

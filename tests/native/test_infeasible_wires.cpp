@@ -14,7 +14,6 @@
 #include "newton/refine_chart.h"
 #include "newton/relax_lengths.h"
 #include "newton/solve/chart_errors.h"
-#include "reference_cases.h"
 #include "surface/mesh/edge_table.h"
 #include "surface/mesh/geometry.h"
 #include "test_meshes.h"
@@ -120,13 +119,6 @@ TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
   }
 }
 
-TEST(InfeasibleWires, ARealNetThatHasAShapeIsNotRefused) {
-  const std::optional<FlattenInput> input = test::reference_request("false_infeasible");
-  if (!input) GTEST_SKIP() << "the requests are not at hand";
-  const Piece piece = flatten(*input).pieces.at(0);
-  EXPECT_FALSE(piece.error) << piece.error->what();
-}
-
 TEST(InfeasibleWires, OneLineTooManyIsMended) {
   // Rows and columns shear like a fishing net, along one diagonal too. Two more do not let them.
   const int n = 8;
@@ -163,55 +155,6 @@ TEST(InfeasibleWires, NetsThatCanBeKeptAreNotRefused) {
     const Piece piece = flatten(input).pieces.at(0);
     EXPECT_TRUE(has_exact_lengths(piece)) << i << ": " << piece.error->what();
   }
-}
-
-/// The largest strain of an edge of the outline.
-double outline_strain(const Chart& chart, const WireNetwork& network, const Positions2& uv) {
-  double largest = 0;
-  for (const WireEdge& edge : network.edges) {
-    const double length = planar_length(chart.mesh, chart.mesh.halfedge_handle(edge.edge, 0), uv);
-    if (edge.is_boundary) largest = std::max(largest, std::abs(length / edge.length - 1));
-  }
-  return largest;
-}
-
-TEST(RelaxedLengths, NobodyPaysWhereLengthsCanBeKept) {
-  FlattenInput input = test::saddle(8, 0.4);
-  add_lines(input, 8, 0);
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
-  Problem problem(chart, 0.1);
-  const HeldNetwork& network = problem.network();
-  Budget relax_budget(kMaxRelaxFactorizations);
-  RelaxedShape loose = relax_lengths(problem, problem.free_map({}), {relax_budget});
-  EXPECT_LT(loose.tolerance_violation.maxCoeff(), 1e-4);  // the last smoothing
-  EXPECT_LT(loose.strain_rms.maxCoeff(), 1e-4);
-  EXPECT_LT(outline_strain(chart, network, loose.uv), 1e-4);
-  const Positions2 untouched = loose.uv;
-  Budget budget(kMaxProjectFactorizations);
-  const StopToken stop([](const char*) { return false; });
-  EXPECT_THROW(project_to_lengths(problem, loose.uv, {budget, stop}), Stopped);
-  EXPECT_EQ((loose.uv - untouched).norm(), 0);
-  EXPECT_TRUE(project_to_lengths(problem, loose.uv, {budget}));
-  for (const WireEdge& edge : network.edges) {
-    const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
-    EXPECT_NEAR(planar_length(chart.mesh, h, loose.uv), edge.length, 1e-11 * edge.length);
-  }
-}
-
-TEST(RelaxedLengths, ToleranceOfSingleEdgesIsFreeOfCharge) {
-  // Wires of one edge that may change by a half: nobody pays but the fair shape.
-  FlattenInput input = test::saddle(6, 0.4);
-  const Positions2 free = free_boundary_arap(test::charts_of(input).charts.at(0), 30).uv;
-  add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
-  for (Wire& wire : input.wires) wire.tolerance = 0.5;
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
-  const Problem problem(chart, 0.1);
-  Budget budget(kMaxRelaxFactorizations);
-  const RelaxedShape loose = relax_lengths(problem, free, {budget});
-  EXPECT_EQ(loose.tolerance_violation.maxCoeff(), 0);
-  EXPECT_LT(outline_strain(chart, problem.network(), loose.uv), 1e-4);  // the last smoothing
 }
 
 TEST(RelaxedLengths, StopsWhenAsked) {

@@ -58,20 +58,6 @@ FlattenInput domed_plate_with_two_holes() {
   return input;
 }
 
-TEST(InnerProblem, EndsAtAClosedStationaryPoint) {
-  for (const NodeWeight weight : {NodeWeight::length, NodeWeight::uniform}) {
-    const Charts charts = test::charts_of(test::quarter_sphere(12));
-    const WireNetwork network = build_wire_network(charts.charts[0]);
-    InnerProblem inner(network, weight);
-    const InnerSolution solution = inner.solve(rest_lengths(network), Inner::minimum);
-    EXPECT_TRUE(solution.is_feasible);
-    EXPECT_TRUE(solution.is_minimum);
-    EXPECT_LT(solution.closure_residual, 1e-12);
-    EXPECT_LT(solution.projected_gradient, 1e-10);
-    EXPECT_LE(solution.num_solves, 16) << "symmetry holds the wires straight until they are bent";
-  }
-}
-
 TEST(InnerProblem, EndsAtMinimaNotAtSaddles) {
   // Patches of the sphere with wires on their axes of symmetry: stationary points abound. At the end the Hessian of the
   // Lagrangian must be positive definite along the closed loops.
@@ -85,8 +71,8 @@ TEST(InnerProblem, EndsAtMinimaNotAtSaddles) {
       });
       test::add_wire(input, test::grid_column(n, 2 * n, n / 2));
       test::add_wire(input, test::grid_row(n, n));
-      const Charts charts = test::charts_of(input);
-      const WireNetwork network = build_wire_network(charts.charts[0]);
+      const Chart chart = test::chart_of(input);
+      const WireNetwork network = build_wire_network(chart);
       const Eigen::VectorXd lengths = rest_lengths(network);
       for (const NodeWeight weight : {NodeWeight::length, NodeWeight::uniform}) {
         InnerProblem inner(network, weight);
@@ -102,21 +88,6 @@ TEST(InnerProblem, EndsAtMinimaNotAtSaddles) {
   }
 }
 
-TEST(InnerProblem, TakesFewFactorizationsOnOrdinaryPieces) {
-  for (const double bend : {0.1, 0.3, 0.5}) {
-    FlattenInput input = test::saddle(16, bend);
-    test::add_wire(input, test::grid_row(16, 5));
-    test::add_wire(input, test::grid_column(16, 16, 9));
-    const Charts charts = test::charts_of(input);
-    const WireNetwork network = build_wire_network(charts.charts[0]);
-    InnerProblem inner(network, NodeWeight::length);
-    const InnerSolution solution = inner.solve(rest_lengths(network), Inner::minimum);
-    EXPECT_TRUE(solution.is_minimum);
-    EXPECT_GE(solution.num_solves, 2);
-    EXPECT_LE(solution.num_solves, 16);
-  }
-}
-
 TEST(InnerProblem, TubesReachTheirMinimum) {
   // Closing them turns edges by more than the linearized gap can tell.
   FlattenInput narrow = test::cylinder_tube(28, 4, 1, 0.2);
@@ -126,8 +97,8 @@ TEST(InnerProblem, TubesReachTheirMinimum) {
   test::add_wire(band, test::tube_line(24, 6, 0));
   test::add_wire(band, test::tube_line(24, 6, 9));
   for (const FlattenInput& input : {narrow, band}) {
-    const Charts charts = test::charts_of(input);
-    const WireNetwork network = build_wire_network(charts.charts[0]);
+    const Chart chart = test::chart_of(input);
+    const WireNetwork network = build_wire_network(chart);
     InnerProblem inner(network, NodeWeight::length);
     const InnerSolution solution = inner.solve(rest_lengths(network), Inner::minimum);
     EXPECT_TRUE(solution.is_minimum);
@@ -153,28 +124,9 @@ TEST(InnerProblem, LeavesASaddleThatIsSymmetricInManyWays) {
   EXPECT_LE(solution.num_solves, 50);
 }
 
-TEST(InnerProblem, FollowsAMinimumThereAndBack) {
-  const Charts charts = test::charts_of(test::quarter_sphere(12));
-  const WireNetwork network = build_wire_network(charts.charts[0]);
-  const Eigen::VectorXd lengths = rest_lengths(network);
-  Eigen::VectorXd others = lengths;
-  for (Eigen::Index e = 0; e < lengths.size(); ++e) {
-    if (network.edges[static_cast<std::size_t>(e)].part == 0) others[e] *= 0.97;
-  }
-  InnerProblem inner(network, NodeWeight::length);
-  const InnerSolution start = inner.solve(lengths, Inner::minimum);
-  const InnerSolution there = inner.follow(start, others);
-  const InnerSolution back = inner.follow(there, lengths);
-  EXPECT_TRUE(there.is_minimum);
-  EXPECT_LT(angle_variation(network, there), angle_variation(network, start)) << "a shorter wire need not bend as much";
-  const Eigen::VectorXd turn = back.psi - start.psi;  // of the whole piece
-  EXPECT_LT(turn.maxCoeff() - turn.minCoeff(), 1e-8);
-  EXPECT_LT(back.num_solves, start.num_solves);
-}
-
 TEST(InnerProblem, TheMinimumIsBelowTheFirstFeasiblePoint) {
-  const Charts charts = test::charts_of(test::quarter_sphere(12));
-  const WireNetwork network = build_wire_network(charts.charts[0]);
+  const Chart chart = test::chart_of(test::quarter_sphere(12));
+  const WireNetwork network = build_wire_network(chart);
   const Eigen::VectorXd lengths = rest_lengths(network);
   InnerProblem inner(network, NodeWeight::length);
   const InnerSolution feasible = inner.solve(lengths, Inner::least_norm);
@@ -184,20 +136,9 @@ TEST(InnerProblem, TheMinimumIsBelowTheFirstFeasiblePoint) {
   EXPECT_LT(angle_variation(network, minimum), angle_variation(network, feasible) * (1 - 1e-6));
 }
 
-TEST(InnerProblem, AFlatNetworkIsLeftAsItIs) {
-  FlattenInput input = test::flat_rectangle(6, 6, 1, 2);
-  test::add_wire(input, test::grid_row(6, 2));
-  const Charts charts = test::charts_of(input);
-  const WireNetwork network = build_wire_network(charts.charts[0]);
-  InnerProblem inner(network, NodeWeight::length);
-  const InnerSolution solution = inner.solve(rest_lengths(network), Inner::minimum);
-  EXPECT_TRUE(solution.is_minimum);
-  EXPECT_LT(angle_variation(network, solution), 1e-24);
-}
-
 TEST(InnerProblem, HolesCloseByTheirOwnRowsAndNotWithoutThem) {
-  const Charts charts = test::charts_of(domed_plate_with_two_holes());
-  const WireNetwork network = build_wire_network(charts.charts[0]);
+  const Chart chart = test::chart_of(domed_plate_with_two_holes());
+  const WireNetwork network = build_wire_network(chart);
   ASSERT_EQ(network.holes.size(), 2u);
   const Eigen::VectorXd lengths = rest_lengths(network);
   InnerProblem with_rows(network, NodeWeight::length);
@@ -214,13 +155,8 @@ TEST(InnerProblem, HolesCloseByTheirOwnRowsAndNotWithoutThem) {
 
 TEST(InnerProblem, ReportsThatLengthsCannotBeKept) {
   // One edge of a triangle longer than the other two together.
-  FlattenInput input;
-  input.vertices.resize(3, 3);
-  input.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
-  input.faces.resize(1, 3);
-  input.faces << 0, 1, 2;
-  const Charts charts = test::charts_of(input);
-  const WireNetwork network = build_wire_network(charts.charts[0]);
+  const Chart chart = test::chart_of(test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+  const WireNetwork network = build_wire_network(chart);
   InnerProblem inner(network, NodeWeight::length);
   Eigen::VectorXd lengths = rest_lengths(network);
   lengths[1] = 5;

@@ -132,34 +132,9 @@ TEST(Lengths, SeamSidesAndTheirMismatch) {
   }
 }
 
-TEST(Lengths, DartHasBothItsSidesInOnePiece) {
-  FlattenInput input = test::flat_rectangle(4, 4, 4, 4);
-  std::vector<int> dart = test::grid_column(4, 4, 2);
-  dart.resize(3);
-  test::add_seam(input, dart);
-  const Charts charts = charts_of(input);
-  const std::vector<Piece> pieces = {measured_piece(input, charts.charts[0], planar_positions(charts.charts[0]))};
-  const std::vector<SeamReport> seams = measure_seams(input, charts, pieces);
-  ASSERT_EQ(seams.size(), 1u);
-  EXPECT_EQ(seams[0].pieces, (std::vector<int>{0, 0}));
-  EXPECT_NEAR(seams[0].length_2d[0], 2, 1e-14);
-  EXPECT_NEAR(seams[0].length_2d[1], 2, 1e-14);
-}
-
-TEST(Lengths, SeamOfThreeFacesHasThreeSides) {
-  const FlattenInput input = test::book(3, 2);
-  const Charts charts = charts_of(input);
-  ASSERT_EQ(charts.charts.size(), 3u);
-  const std::vector<SeamReport> seams = measure_seams(input, charts, std::vector<Piece>(3));
-  ASSERT_EQ(seams.size(), 1u);
-  EXPECT_EQ(seams[0].pieces.size(), 3u);
-  EXPECT_NEAR(seams[0].length_3d, 1, 1e-14);
-}
-
 TEST(Lengths, OutlineOfAnAnnulusIsTwoClosedChains) {
-  const Charts charts = charts_of(test::flat_annulus(12, 1, 1, 2));
-  const std::vector<BoundaryReport> reports =
-      measure_boundaries(charts.charts[0], planar_positions(charts.charts[0]), {});
+  const Chart chart = test::chart_of(test::flat_annulus(12, 1, 1, 2));
+  const std::vector<BoundaryReport> reports = measure_boundaries(chart, planar_positions(chart), {});
   ASSERT_EQ(reports.size(), 2u);
   for (const BoundaryReport& report : reports) {
     EXPECT_EQ(report.vertices.size(), 13u);
@@ -176,10 +151,10 @@ TEST(Lengths, FittedVariationStaysWithinTheTolerance) {
        {std::pair(0.0, 0.0), std::pair(0.05, 0.05), std::pair(0.2, 0.1), std::pair(kInfinity, 0.1)}) {
     FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
     test::add_wire(input, test::grid_row(4, 2), tolerance);
-    const Charts charts = charts_of(input);
-    Positions2 uv = planar_positions(charts.charts[0]);
+    const Chart chart = test::chart_of(input);
+    Positions2 uv = planar_positions(chart);
     uv.col(0) *= 1.1;
-    const std::vector<double> variation = fit_variation(charts.charts[0], uv);
+    const std::vector<double> variation = fit_variation(chart, uv);
     ASSERT_EQ(variation.size(), 1u);
     EXPECT_NEAR(variation[0], expected, 1e-14);
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "test_meshes.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
+#include <random>
 
 #include "base/planar.h"
 #include "surface/charts/cut_into_charts.h"
@@ -48,6 +50,27 @@ Eigen::Vector3d on_sphere(double longitude, double latitude) {
 
 FlattenInput make_grid(int nx, int ny, const Surface& surface) { return make_mesh(nx, ny, nx + 1, surface); }
 
+FlattenInput jittered_grid(int n, double jitter, const Surface& surface) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> move(-jitter / n, jitter / n);
+  int vertex = 0;
+  return make_grid(n, n, [&](double s, double t) {
+    const int i = vertex % (n + 1), j = vertex / (n + 1);
+    ++vertex;
+    const double ds = move(random), dt = move(random);
+    return surface(i == 0 || i == n ? s : s + ds, j == 0 || j == n ? t : t + dt);
+  });
+}
+
+FlattenInput mesh_of(const std::vector<std::array<double, 3>>& points, const std::vector<std::array<int, 3>>& faces) {
+  FlattenInput input;
+  input.vertices.resize(static_cast<Eigen::Index>(points.size()), 3);
+  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (int v = 0; v < input.vertices.rows(); ++v) input.vertices.row(v) << points[v][0], points[v][1], points[v][2];
+  for (int f = 0; f < input.faces.rows(); ++f) input.faces.row(f) << faces[f][0], faces[f][1], faces[f][2];
+  return input;
+}
+
 void alternate_diagonals(FlattenInput& grid, int nx) {
   for (int f = 0; f < grid.faces.rows(); f += 2) {
     const int quad = f / 2;
@@ -75,6 +98,16 @@ std::vector<int> grid_column(int nx, int ny, int i) {
   return chain;
 }
 
+std::vector<int> grid_square(int nx, int i, int j, int k) {
+  std::vector<int> chain;
+  const auto add = [&](int x, int y) { chain.push_back(i + x + (nx + 1) * (j + y)); };
+  for (int x = -k; x < k; ++x) add(x, -k);
+  for (int y = -k; y < k; ++y) add(k, y);
+  for (int x = k; x > -k; --x) add(x, k);
+  for (int y = k; y >= -k; --y) add(-k, y);
+  return chain;
+}
+
 std::vector<int> tube_ring(int nx, int j) {
   std::vector<int> chain;
   for (int i = 0; i <= nx; ++i) chain.push_back(i % nx + nx * j);
@@ -98,6 +131,13 @@ void add_seam(FlattenInput& input, const std::vector<int>& chain) {
 
 void add_wire(FlattenInput& input, const std::vector<int>& chain, double tolerance, const std::string& name) {
   input.wires.push_back({chain, tolerance, name});
+}
+
+void add_net(FlattenInput& grid, int n, const std::vector<int>& lines, double tolerance) {
+  for (const int line : lines) {
+    add_wire(grid, grid_row(n, line), tolerance);
+    add_wire(grid, grid_column(n, n, line), tolerance);
+  }
 }
 
 FlattenInput keep_faces(const FlattenInput& input, const std::function<bool(const Eigen::Vector3d&)>& keep) {
@@ -230,6 +270,23 @@ FlattenInput sphere_of_gores(int gores, int n, int rings) {
   return input;
 }
 
+FlattenInput closed_sphere(int around, int rings) {
+  FlattenInput sphere = sphere_of_gores(1, around, rings);
+  sphere.seams.resize(0, 2);
+  return sphere;
+}
+
+FlattenInput closed_torus(int around, int across) {
+  FlattenInput torus = make_tube(around, across, [](double s, double t) {
+    const double radius = 2 + std::cos(2 * kPi * t);
+    return Eigen::Vector3d(radius * std::cos(2 * kPi * s), radius * std::sin(2 * kPi * s), std::sin(2 * kPi * t));
+  });
+  const int count = around * across;
+  torus.faces = torus.faces.unaryExpr([=](int v) { return v % count; }).eval();
+  torus.vertices.conservativeResize(count, 3);
+  return torus;
+}
+
 FlattenInput book(int num_flaps, int n) {
   FlattenInput input;
   const int flap_vertices = n * (n + 1);  // without those on the spine
@@ -259,6 +316,14 @@ FlattenInput book(int num_flaps, int n) {
   return input;
 }
 
+double misfit(Positions2 a, Positions2 b) {
+  a.rowwise() -= a.colwise().mean().eval();
+  b.rowwise() -= b.colwise().mean().eval();
+  const double c = (a.array() * b.array()).sum();
+  const double s = (a.col(0).array() * b.col(1).array() - a.col(1).array() * b.col(0).array()).sum();
+  return (a * Eigen::Rotation2Dd(std::atan2(s, c)).toRotationMatrix().transpose() - b).rowwise().norm().maxCoeff();
+}
+
 Positions2 planar_positions(const Chart& chart) {
   Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
   for (const VertexHandle v : chart.mesh.vertices()) {
@@ -271,5 +336,7 @@ Charts charts_of(const FlattenInput& input) {
   const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
   return cut_into_charts(input, edges);
 }
+
+Chart chart_of(const FlattenInput& input) { return charts_of(input).charts.at(0); }
 
 }  // namespace wirewarp::test

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <random>
 
 #include "base/planar.h"
 #include "result/metrics.h"
+#include "surface/network/wire_network.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_metrics {
@@ -17,24 +22,14 @@ Metrics measure(const Chart& chart, const Positions2& uv) {
   return measure_metrics(chart, build_wire_network(chart), uv);
 }
 
-/// Positions on the unrolled cylinder patch made by test::cylinder_patch.
-Positions2 unrolled(const Chart& chart, double radius) {
-  Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
-  for (const VertexHandle v : chart.mesh.vertices()) {
-    const HalfEdgeMesh::Point& p = chart.mesh.point(v);
-    uv.row(v.idx()) << radius * std::atan2(p[1], p[0]), p[2];
-  }
-  return uv;
-}
-
 TEST(Metrics, StretchedSheetByArithmetic) {
   const int n = 4;
   FlattenInput input = test::flat_rectangle(n, n, 2, 2);
   test::add_wire(input, test::grid_row(n, 2));
-  const Charts charts = charts_of(input);
-  Positions2 uv = planar_positions(charts.charts[0]);
+  const Chart chart = test::chart_of(input);
+  Positions2 uv = planar_positions(chart);
   uv.col(0) *= 1.1;
-  const Metrics metrics = measure(charts.charts[0], uv);
+  const Metrics metrics = measure(chart, uv);
 
   EXPECT_NEAR(metrics.area_3d, 4, 1e-14);
   EXPECT_NEAR(metrics.area_2d, 4 * 1.1, 1e-14);
@@ -57,34 +52,19 @@ TEST(Metrics, StretchedSheetByArithmetic) {
   }
 }
 
-TEST(Metrics, UnrolledCylinderIsIsometricUpToItsFacets) {
-  // Every quad between two generators is flat; unrolled by its chord it keeps its shape.
-  const int n = 12;
-  const double angle = 2.0;
-  const Charts charts = charts_of(test::cylinder_patch(n, 3, 1.5, angle, 1));
-  Positions2 uv = unrolled(charts.charts[0], 1.5);
-  uv.col(0) *= std::sin(angle / n / 2) / (angle / n / 2);
-  const Metrics metrics = measure(charts.charts[0], uv);
-  EXPECT_LT(metrics.arap_energy, 1e-26);
-  EXPECT_NEAR(metrics.face_aspect_ratio.maxCoeff(), 1, 1e-13);
-  EXPECT_LT(metrics.edge_length_variation.maxCoeff(), 1e-13);
-  EXPECT_LT(metrics.angle_deviation_max, 1e-12);
-}
-
 TEST(Metrics, ShearTurnsTheFourCornersOnly) {
   const int n = 5;
-  const Charts charts = charts_of(test::flat_rectangle(n, n, 1, 1));
-  Positions2 uv = planar_positions(charts.charts[0]);
+  const Chart chart = test::chart_of(test::flat_rectangle(n, n, 1, 1));
+  Positions2 uv = planar_positions(chart);
   uv.col(0) += uv.col(1) * std::tan(0.2);
-  const Metrics metrics = measure(charts.charts[0], uv);
+  const Metrics metrics = measure(chart, uv);
   EXPECT_NEAR(metrics.angle_deviation_max, 0.2, 1e-13);
   EXPECT_NEAR(metrics.angle_deviation_rms, std::sqrt(4 * 0.2 * 0.2 / (4 * n)), 1e-13);
 }
 
 TEST(Metrics, AnglesBeyondAHalfTurnAreNotWrapped) {
   // The nodes at the outline of a hole span 3π/2 at its corners.
-  const Charts charts = charts_of(test::flat_plate_with_two_holes(4));
-  const Chart& chart = charts.charts[0];
+  const Chart chart = test::chart_of(test::flat_plate_with_two_holes(4));
   const WireNetwork network = build_wire_network(chart);
   const Positions2 uv = planar_positions(chart);
   int reflex = 0;
@@ -98,10 +78,10 @@ TEST(Metrics, AnglesBeyondAHalfTurnAreNotWrapped) {
 TEST(Metrics, TailsHaveNoAngle) {
   FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
   test::add_wire(input, {12, 13});  // inside, meets nothing
-  const Charts charts = charts_of(input);
-  Positions2 uv = planar_positions(charts.charts[0]);
+  const Chart chart = test::chart_of(input);
+  Positions2 uv = planar_positions(chart);
   uv.row(12) += Eigen::RowVector2d(0.01, 0.02);
-  EXPECT_NEAR(measure(charts.charts[0], uv).angle_deviation_max, 0, 1e-14);
+  EXPECT_NEAR(measure(chart, uv).angle_deviation_max, 0, 1e-14);
 }
 
 TEST(Metrics, FacesAreThoseOfTheInput) {
@@ -122,24 +102,91 @@ TEST(Metrics, FacesAreThoseOfTheInput) {
   EXPECT_TRUE(metrics.overlapping_faces.empty()) << "the mirror image lies flat, face by face";
 }
 
-TEST(Metrics, SameAfterARigidMotionAndInAnyUnit) {
-  const Charts charts = charts_of(test::quarter_sphere(6));
-  const Chart& chart = charts.charts[0];
-  const Positions2 uv = planar_positions(chart);
-  const Metrics reference = measure(chart, uv);
+using Planar = std::array<Eigen::Vector2d, 3>;
 
-  FlattenInput scaled = test::quarter_sphere(6);
-  scaled.vertices *= 1000;
-  const Charts scaled_charts = charts_of(scaled);
-  Eigen::Matrix2d turn;
-  turn << 0.6, 0.8, -0.8, 0.6;
-  const Positions2 moved = (1000 * uv * turn).rowwise() + Eigen::RowVector2d(300, -2000);
-  const Metrics metrics = measure(scaled_charts.charts[0], moved);
+/// Of one triangle: p put into space by a rigid motion, mapped to u.
+Metrics measure(const Planar& p, const Planar& u) {
+  const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()) *
+                                    Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX()))
+                                       .toRotationMatrix();
+  FlattenInput input = test::mesh_of({{}, {}, {}}, {{0, 1, 2}});
+  Positions2 uv(3, 2);
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::Vector2d& corner = p[static_cast<std::size_t>(i)];
+    input.vertices.row(i) = rotation * Eigen::Vector3d(corner.x(), corner.y(), 0) + Eigen::Vector3d(3, -1, 2);
+    uv.row(i) = u[static_cast<std::size_t>(i)];
+  }
+  const Chart chart = test::chart_of(input);
+  return measure_metrics(chart, build_wire_network(chart), uv);
+}
 
-  EXPECT_NEAR(metrics.arap_energy, reference.arap_energy, 1e-11);
-  EXPECT_NEAR(metrics.area_3d, 1e6 * reference.area_3d, 1e-6);
-  EXPECT_NEAR(metrics.angle_deviation_rms, reference.angle_deviation_rms, 1e-11);
-  EXPECT_TRUE(metrics.edge_length_variation.isApprox(reference.edge_length_variation, 1e-10));
+Planar transformed(const Planar& p, const Eigen::Matrix2d& map) { return {map * p[0], map * p[1], map * p[2]}; }
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Eq. (6) as it is written: over the edges, with the cotangent of the angle opposite and the best rotation.
+double literal_arap(const Planar& p, const Planar& u) {
+  std::array<double, 3> cotangents;
+  double cosine = 0;
+  double sine = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    cotangents[i] = (p[i] - p[k]).dot(p[j] - p[k]) / cross(p[i] - p[k], p[j] - p[k]);
+    cosine += cotangents[i] * (p[i] - p[j]).dot(u[i] - u[j]);
+    sine += cotangents[i] * cross(p[i] - p[j], u[i] - u[j]);
+  }
+  const Eigen::Matrix2d rotation = Eigen::Rotation2Dd(std::atan2(sine, cosine)).toRotationMatrix();
+  double energy = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    energy += 0.5 * cotangents[i] * ((u[i] - u[j]) - rotation * (p[i] - p[j])).squaredNorm();
+  }
+  return energy;
+}
+
+const Planar kTriangle = {Eigen::Vector2d(0, 0), Eigen::Vector2d(2, 0), Eigen::Vector2d(0.5, 1)};  // area 1
+
+TEST(Arap, EqualsTheCotangentFormulaOfThePaper) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 200; ++trial) {
+    Planar p;
+    Planar u;
+    for (std::size_t i = 0; i < 3; ++i) {
+      p[i] = {normal(random), normal(random)};
+      u[i] = {normal(random), normal(random)};
+    }
+    if (cross(p[1] - p[0], p[2] - p[0]) < 0) std::swap(p[1], p[2]);
+    if (cross(p[1] - p[0], p[2] - p[0]) < 0.05) continue;
+    const double expected = literal_arap(p, u);
+    EXPECT_NEAR(measure(p, u).face_arap[0], expected, 1e-11 * (1 + expected));
+  }
+}
+
+TEST(Arap, FiguresOfKnownMaps) {
+  struct Known {
+    Eigen::Matrix2d map;
+    double aspect_ratio, area, energy;
+  };
+  const auto turn = [](double angle) { return Eigen::Rotation2Dd(angle).toRotationMatrix(); };
+  const auto stretch = [](double x, double y) -> Eigen::Matrix2d { return Eigen::Vector2d(x, y).asDiagonal(); };
+  const std::vector<Known> all{{turn(0.7) * stretch(1.25, 0.8) * turn(2), 1.25, 1.25 * 0.8, 0.25 * 0.25 + 0.2 * 0.2},
+                               {turn(-2.5), 1, 1, 0},
+                               {stretch(4, 4), 4, 4 * 4, 2 * 3 * 3},
+                               {stretch(0.25, 0.25), 4, 0.25 * 0.25, 2 * 0.75 * 0.75},
+                               {stretch(-1, 1), 1, -1, (1 - 1) * (1 - 1) + (-1 - 1) * (-1 - 1)}};
+  for (const Known& known : all) {
+    const Metrics t = measure(kTriangle, transformed(kTriangle, known.map));
+    EXPECT_NEAR(t.face_aspect_ratio[0], known.aspect_ratio, 1e-13);
+    EXPECT_NEAR(t.area_3d, 1, 1e-14);
+    EXPECT_NEAR(t.area_2d, known.area, 1e-13);
+    EXPECT_NEAR(t.face_arap[0], known.energy, 1e-13);
+  }
+  const Metrics collapsed = measure(kTriangle, transformed(kTriangle, stretch(0, 0)));
+  EXPECT_EQ(collapsed.face_aspect_ratio[0], std::numeric_limits<double>::infinity());
+  EXPECT_EQ(collapsed.area_2d, 0);
+  EXPECT_NEAR(collapsed.face_arap[0], 2, 1e-14);  // (0-1)² twice
 }
 
 }  // namespace

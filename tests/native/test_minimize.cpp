@@ -18,7 +18,6 @@
 #include "energy/tutte_embedding.h"
 #include "newton/minimize.h"
 #include "newton/refine_chart.h"
-#include "reference_cases.h"
 #include "surface/mesh/geometry.h"
 #include "test_meshes.h"
 #include "warp/outer/choose_variation.h"
@@ -96,10 +95,7 @@ FlattenInput dome_with_wires(double tolerance) {
     const double x = 2 * s - 1, y = 2 * t - 1;
     return Eigen::Vector3d(x, y, -0.4 * (x * x + y * y) - 0.15 * x * y * y);
   });
-  for (const int i : {3, 6, 9}) {
-    test::add_wire(input, test::grid_row(n, i), tolerance);
-    test::add_wire(input, test::grid_column(n, n, i), tolerance);
-  }
+  test::add_net(input, n, {3, 6, 9}, tolerance);
   return input;
 }
 
@@ -113,13 +109,7 @@ FlattenInput gore_with_wires(double tolerance) {
 FlattenInput saddle_with_a_floating_ring(double tolerance) {
   const int n = 12;
   FlattenInput input = test::saddle(n, 0.3);
-  const auto vertex = [](int i, int j) { return i + (n + 1) * j; };
-  std::vector<int> ring;
-  for (int k = 4; k < 8; ++k) ring.push_back(vertex(k, 4));
-  for (int k = 4; k < 8; ++k) ring.push_back(vertex(8, k));
-  for (int k = 8; k > 4; --k) ring.push_back(vertex(k, 8));
-  for (int k = 8; k >= 4; --k) ring.push_back(vertex(4, k));
-  test::add_wire(input, ring, tolerance);
+  test::add_wire(input, test::grid_square(n, 6, 6, 2), tolerance);
   return input;
 }
 
@@ -127,22 +117,9 @@ std::vector<FlattenInput> own_panels(double tolerance) {
   return {dome_with_wires(tolerance), gore_with_wires(tolerance), saddle_with_a_floating_ring(tolerance)};
 }
 
-std::vector<FlattenInput> wetsuit_panels(double tolerance) {
-  return test::reference_panels({"wetsuit_front_bodice", "wetsuit_seat", "wetsuit_back"}, tolerance);
-}
-
-class RefinePanels : public testing::TestWithParam<std::vector<FlattenInput> (*)(double tolerance)> {
-  void SetUp() override {
-    if (GetParam()(0).empty()) GTEST_SKIP() << "the reference panels are not at hand";
-  }
-};
-
-INSTANTIATE_TEST_SUITE_P(Own, RefinePanels, testing::Values(own_panels));
-INSTANTIATE_TEST_SUITE_P(Reference, RefinePanels, testing::Values(wetsuit_panels));
-
-TEST_P(RefinePanels, EveryStartLeadsToTheSameMinimum) {
+TEST(Minimize, EveryStartLeadsToTheSameMinimum) {
   for (const double tolerance : {0.0, 0.05}) {
-    for (const FlattenInput& input : GetParam()(tolerance)) {
+    for (const FlattenInput& input : own_panels(tolerance)) {
       const Case panel(input);
       const double little = 0.002 * panel.shortest_edge();
       const Positions2 free = free_boundary_arap(panel.chart, 30).uv,
@@ -205,50 +182,6 @@ TEST(Minimize, NothingNearIsBetter) {
       EXPECT_GE(near.objective, least.objective * (1 - 1e-9));
     }
   }
-}
-
-/// A square with a ridge along its middle row, whose wire is longer than the way across: it has to go to one side.
-FlattenInput ridge(int n, double height) {
-  FlattenInput input = test::make_grid(n, n, [&](double s, double t) {
-    return Eigen::Vector3d(s, t, height * std::sin(kPi * s) * std::exp(-25 * (t - 0.5) * (t - 0.5)));
-  });
-  test::alternate_diagonals(input, n);
-  test::add_wire(input, test::grid_row(n, n / 2));
-  return input;
-}
-
-/// The flat shape of the surface turned over, by the symmetry of the ridge.
-Positions2 mirror_image(const Positions2& uv, const Chart& chart, int n) {
-  std::vector<int> row_of(chart.source_vertex.size());
-  for (std::size_t v = 0; v < row_of.size(); ++v) row_of[chart.source_vertex[v]] = static_cast<int>(v);
-  Positions2 image(uv.rows(), 2);
-  for (int v = 0; v < uv.rows(); ++v) {
-    const int source = chart.source_vertex[v], i = source % (n + 1), j = source / (n + 1);
-    image.row(v) = uv.row(row_of[i + (n + 1) * (n - j)]) * Eigen::Vector2d(1, -1).asDiagonal();
-  }
-  return image;
-}
-
-double misfit(Positions2 a, Positions2 b) {
-  a.rowwise() -= a.colwise().mean().eval();
-  b.rowwise() -= b.colwise().mean().eval();
-  const double c = (a.array() * b.array()).sum();
-  const double s = (a.col(0).array() * b.col(1).array() - a.col(1).array() * b.col(0).array()).sum();
-  return (a * Eigen::Rotation2Dd(std::atan2(s, c)).toRotationMatrix().transpose() - b).rowwise().norm().maxCoeff();
-}
-
-TEST(Minimize, LeavesASymmetricSaddle) {
-  const int n = 12;
-  Case panel(ridge(n, 0.3));
-  panel.fairness = 0.03;  // for larger ones the wire rather stays straight
-  const Positions2 start = panel.warped();
-  ASSERT_LT(misfit(start, mirror_image(start, panel.chart, n)), 1e-9);
-  const Solution found = panel.refine(start);
-  EXPECT_TRUE(found.is_exact() && found.is_converged());
-  EXPECT_LE(found.factorizations, 20);
-  EXPECT_GT(misfit(found.shape.uv, mirror_image(found.shape.uv, panel.chart, n)), 0.01);
-  const Solution again = panel.refine(jittered(found.shape.uv, 1e-3, 1));
-  EXPECT_NEAR(again.objective, found.objective, kSameMinimum * found.objective);
 }
 
 /// Distances between points along the outline of the quarter sphere, the same points whatever n, in one of the four
@@ -351,22 +284,10 @@ TEST(Minimize, CancelledAtAnyMomentItIsExactOrSaysSo) {
   }
 }
 
-TEST(Minimize, ElasticPartsKeepZeroWhereNothingIsDistorted) {
-  FlattenInput cylinder = test::cylinder_patch(12, 6, 1, 3, 2);
-  test::add_wire(cylinder, test::grid_row(12, 2), 0.05);
-  test::add_wire(cylinder, test::grid_column(12, 6, 5));
-  test::add_wire(cylinder, test::grid_column(12, 6, 8), kFree);
-  const Case panel(cylinder);
-  const Solution found = panel.refine();
-  EXPECT_TRUE(found.is_exact() && found.is_converged());
-  EXPECT_LT(found.objective, 1e-20);
-  EXPECT_LT(found.shape.variation.cwiseAbs().maxCoeff(), 1e-9);
-}
-
 /// Where the paper's method leads to the same lengths, f of its shape is never less.
-TEST_P(RefinePanels, AreNeverAboveTheWarpOfTheSameLengths) {
+TEST(Minimize, AreNeverAboveTheWarpOfTheSameLengths) {
   for (const double tolerance : {0.0, 0.05}) {
-    std::vector<FlattenInput> inputs = GetParam()(tolerance);
+    std::vector<FlattenInput> inputs = own_panels(tolerance);
     inputs.push_back(with_tolerance(test::quarter_sphere(12), tolerance));
     for (const FlattenInput& input : inputs) {
       const Case panel(input);

@@ -99,21 +99,6 @@ TEST_F(NewtonSystemOnASaddle, TheJacobianEqualsDifferences) {
   }
 }
 
-TEST_F(NewtonSystemOnASaddle, FreeWiresAreNotHeldAndElasticOnesByTheirPart) {
-  const int n = 6, outline = 4 * n;
-  EXPECT_EQ(constraints.size(), outline + 3 * n);
-  ASSERT_EQ(constraints.num_elastic(), 2);
-  const Eigen::VectorXd h = Eigen::Vector2d(0.02, -0.03);
-  const Eigen::VectorXd stretched = constraints.residual(uv, Eigen::Vector2d::Zero()) - constraints.residual(uv, h);
-  int elastic = 0;
-  for (int e = 0; e < constraints.size(); ++e) {
-    const LengthConstraints::Edge& edge = constraints.edges()[static_cast<std::size_t>(e)];
-    EXPECT_NEAR(stretched[e], edge.elastic < 0 ? 0 : h[edge.elastic] * edge.length, 1e-15);
-    elastic += edge.elastic < 0 ? 0 : 1;
-  }
-  EXPECT_EQ(elastic, 2 * n);
-}
-
 TEST_F(NewtonSystemOnASaddle, SolvesTheSystemOfTheNewtonStep) {
   const Eigen::VectorXd multipliers = 0.01 * random_vector(constraints.size(), 5);
   ASSERT_TRUE(system.factorize(uv, multipliers, convex));
@@ -169,28 +154,6 @@ TEST_F(NewtonSystemOnASaddle, AFactorExistsExactlyWhereTheHessianIsPositiveUnder
   EXPECT_GT(negative, 5);
 }
 
-/// A straight wire in a flat sheet, pressed along: it buckles under enough of it, whatever its symmetry says.
-TEST(NewtonSystem, AWireUnderCompressionIsASaddle) {
-  const int n = 8;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_wire(input, test::grid_row(n, n / 2));
-  const Charts charts = test::charts_of(input);
-  const Chart& chart = charts.charts.at(0);
-  const HeldNetwork network = build_held_network(chart);
-  const LengthConstraints constraints(chart, network);
-  FairShapeError objective(chart, network, 0.01);
-  const Positions2 uv = test::planar_positions(chart);
-  NewtonSystem system(chart, objective, constraints, uv);
-  Eigen::VectorXd wire = Eigen::VectorXd::Zero(constraints.size());
-  for (std::size_t e = 0; e < network.edges.size(); ++e) wire[static_cast<int>(e)] = network.edges[e].part >= 0 ? 1 : 0;
-  const Convexity exact{Curvature::exact, true}, convex{Curvature::convex, false};
-  EXPECT_TRUE(system.factorize(uv, 0 * wire, exact)) << "without distortion the shape is the minimum";
-  EXPECT_TRUE(system.factorize(uv, 100 * wire, exact)) << "a pulled wire is stiff";
-  EXPECT_FALSE(system.factorize(uv, -100 * wire, exact));
-  EXPECT_TRUE(system.factorize(uv, -100 * wire, convex));
-  EXPECT_EQ(system.num_factorizations(), 4);
-}
-
 TEST_F(NewtonSystemOnASaddle, TheHessianByVariationIsThatOfTheDenseSystem) {
   const Eigen::VectorXd multipliers = 0.01 * random_vector(constraints.size(), 5);
   ASSERT_TRUE(system.factorize(uv, multipliers, convex));
@@ -216,11 +179,6 @@ TEST_F(NewtonSystemOnASaddle, TheStiffnessByVariationIsThatOfTheDenseSystem) {
   const Eigen::MatrixXd expected =
       constraints.elastic_lengths().transpose() * stretched - test::product(pulled.transpose(), test::solve(a, pulled));
   EXPECT_LT((system.stiffness_by_variation() - expected).norm(), 1e-9 * expected.norm());
-}
-
-TEST(MakePositive, LeavesWhatIsPositive) {
-  const Eigen::MatrixXd positive = (Eigen::Matrix2d() << 2, 1, 1, 3).finished();
-  EXPECT_EQ(make_positive(positive), positive);
 }
 
 TEST(MakePositive, LeavesWhatIsPositiveButNearlySingular) {

@@ -44,8 +44,7 @@ class OutlineOfANotch : public testing::Test {
     return uv;
   }
 
-  const Charts charts = test::charts_of(plate());
-  const Chart& chart = charts.charts.at(0);
+  const Chart chart = test::chart_of(plate());
   const Positions2 wide = test::planar_positions(chart);
   const Positions2 narrow = closed_to(kGap);
   const OutlineBarrier barrier{chart, narrow};

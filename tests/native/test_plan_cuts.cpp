@@ -8,6 +8,7 @@
 #include <string>
 
 #include "disguise.h"
+#include "error_of.h"
 #include "most_strain.h"
 #include "test_meshes.h"
 #include "wirewarp/propose.h"
@@ -123,14 +124,9 @@ TEST(PlanCuts, OfOnePieceAreInItsParts) {
 }
 
 std::string refusal(const CutTarget& target) {
-  try {
-    plan_darts(hills(4), {}, target);
-  } catch (const FlattenError& error) {
-    EXPECT_EQ(error.code, ErrorCode::invalid_option);
-    return error.what();
-  }
-  ADD_FAILURE() << "nothing was thrown";
-  return "";
+  const FlattenError error = test::error_of([&] { plan_darts(hills(4), {}, target); });
+  EXPECT_EQ(error.code, ErrorCode::invalid_option);
+  return error.what();
 }
 
 TEST(PlanCuts, RefuseLimitsOutOfRange) {
@@ -163,16 +159,14 @@ TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {
   // How often this thread is asked depends on how much of the work the other ones take.
   for (const double last : {fractions.front(), second_round}) {
     bool has_ended = false;
-    try {
+    const auto plan = [&] {
       plan_darts(hills(4), {}, target, [&](const std::string&, double fraction) {
         EXPECT_FALSE(has_ended);
         has_ended = fraction >= last;
         return !has_ended;
       });
-      ADD_FAILURE() << "nothing was thrown";
-    } catch (const FlattenError& error) {
-      EXPECT_EQ(error.code, ErrorCode::cancelled);
-    }
+    };
+    EXPECT_EQ(test::error_of(plan).code, ErrorCode::cancelled);
   }
 }
 

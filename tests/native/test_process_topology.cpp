@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <random>
 #include <set>
 
@@ -17,18 +18,6 @@ namespace {
 using test::process;
 using test::Processed;
 using test::stretch_of_flattening;
-
-/// The input with a square ring of edges around (i, j), of half-width k, as a wire.
-void add_ring(FlattenInput& input, int nx, int i, int j, int k) {
-  const auto vertex = [&](int x, int y) { return x + (nx + 1) * y; };
-  std::vector<int> chain;
-  for (int x = -k; x < k; ++x) chain.push_back(vertex(i + x, j - k));
-  for (int y = -k; y < k; ++y) chain.push_back(vertex(i + k, j + y));
-  for (int x = k; x > -k; --x) chain.push_back(vertex(i + x, j + k));
-  for (int y = k; y > -k; --y) chain.push_back(vertex(i - k, j + y));
-  chain.push_back(chain.front());
-  test::add_wire(input, chain);
-}
 
 /// Vertices of row j from column `first` to column `last`.
 std::vector<int> row_part(int nx, int j, int first, int last) {
@@ -57,59 +46,83 @@ TEST(ProcessTopology, AWireEndingInsideGoesStraightOn) {
   EXPECT_EQ(p.refined.mesh.to_vertex_handle(p.refined.wire_parts[1].half_edges.back()), VertexHandle(8 * 9 + 6));
 }
 
-TEST(ProcessTopology, ATailOneEdgeFromTheBoundary) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_wire(input, row_part(n, 3, 0, n - 1));
-  const Processed p = process(input);
-  ASSERT_EQ(p.num_helpers(), 1u);
-  EXPECT_EQ(p.refined.wire_parts[1].half_edges.size(), 1u);
+FlattenInput with_wires(FlattenInput input, const std::vector<std::vector<int>>& chains) {
+  for (const std::vector<int>& chain : chains) test::add_wire(input, chain);
+  return input;
 }
 
-TEST(ProcessTopology, AWireWithBothEndsInside) {
-  const int n = 8;
-  FlattenInput input = test::saddle(n, 0.4);
-  test::add_wire(input, row_part(n, 3, 3, 5));
-  const Processed p = process(input);
-  EXPECT_EQ(p.num_helpers(), 2u);
+FlattenInput with_seam(FlattenInput input, const std::vector<int>& chain) {
+  test::add_seam(input, chain);
+  return input;
 }
 
-TEST(ProcessTopology, ASingleEdgeAsAWire) {
-  FlattenInput input = test::saddle(8, 0.4);
-  test::add_wire(input, {4 + 9 * 4, 5 + 9 * 4});
-  EXPECT_EQ(process(input).num_helpers(), 2u);
+struct Network {
+  const char* name;
+  FlattenInput input;
+  std::size_t num_helpers;
+};
+
+/// For the names of tests in a report.
+void PrintTo(const Network& network, std::ostream* out) { *out << network.name; }
+
+class HelperWires : public testing::TestWithParam<Network> {};
+
+TEST_P(HelperWires, AreAsFewAsTheNetworkNeeds) {
+  EXPECT_EQ(process(GetParam().input).num_helpers(), GetParam().num_helpers);
 }
 
-TEST(ProcessTopology, SeveralFloatingWires) {
-  const int n = 12;
-  FlattenInput input = test::saddle(n, 0.3);
-  test::add_wire(input, row_part(n, 3, 3, 6));
-  test::add_wire(input, row_part(n, 6, 5, 9));
-  test::add_wire(input, row_part(n, 9, 2, 4));
-  std::vector<int> column = test::grid_column(n, n, 10);
-  test::add_wire(input, {column.begin() + 4, column.begin() + 9});
-  process(input);
+int at(int nx, int i, int j) { return i + (nx + 1) * j; }
+
+/// A wire from the left side inwards, around a hook and back towards itself.
+std::vector<int> hook() {
+  std::vector<int> chain = row_part(12, 4, 0, 7);
+  for (const int v :
+       {at(12, 7, 5), at(12, 7, 6), at(12, 7, 7), at(12, 6, 7), at(12, 5, 7), at(12, 4, 7), at(12, 4, 6)}) {
+    chain.push_back(v);
+  }
+  return chain;
 }
 
-TEST(ProcessTopology, ATailPointingAlongAnExistingWire) {
-  const int n = 10;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_wire(input, row_part(n, 5, 0, 4));
-  test::add_wire(input, row_part(n, 5, 6, 8));
-  const Processed p = process(input);
-  // One helper closes the gap for both, one leads the second wire on to the boundary.
-  EXPECT_EQ(p.num_helpers(), 2u);
-  EXPECT_EQ(p.refined.wire_parts[2].half_edges.size(), 2u);
+std::vector<int> half_of_a_ring() {
+  const std::vector<int> ring = test::tube_ring(16, 3);
+  return {ring.begin(), ring.begin() + 9};
 }
 
-TEST(ProcessTopology, ATailWhosePathGoesRoundATube) {
-  const int nx = 16;
-  FlattenInput input = test::cylinder_tube(nx, 6, 1, 2);
-  const std::vector<int> ring = test::tube_ring(nx, 3);
-  test::add_wire(input, {ring.begin(), ring.begin() + 9});
-  const Processed p = process(input);  // closes into a ring, then four to each end of the tube
-  EXPECT_EQ(p.num_helpers(), 1u + 4 + 4);
-}
+INSTANTIATE_TEST_SUITE_P(
+    ProcessTopology, HelperWires,
+    testing::Values(
+        Network{"tail_one_edge_from_the_outline", with_wires(test::flat_rectangle(6, 6, 1, 1), {row_part(6, 3, 0, 5)}),
+                1},
+        Network{"both_ends_inside", with_wires(test::saddle(8, 0.4), {row_part(8, 3, 3, 5)}), 2},
+        Network{"one_edge", with_wires(test::saddle(8, 0.4), {row_part(8, 4, 4, 5)}), 2},
+        // One helper closes the gap for both, one leads the second wire on to the outline.
+        Network{"tail_along_a_wire",
+                with_wires(test::flat_rectangle(10, 10, 1, 1), {row_part(10, 5, 0, 4), row_part(10, 5, 6, 8)}), 2},
+        // It closes into a ring, then four to each end of the tube.
+        Network{"tail_around_a_tube", with_wires(test::cylinder_tube(16, 6, 1, 2), {half_of_a_ring()}), 1 + 4 + 4},
+        // The hook closed, and three more besides the stem.
+        Network{"tail_to_its_own_wire", with_wires(test::saddle(12, 0.2), {hook()}), 1 + 3},
+        Network{"two_loops", test::cylinder_tube(12, 3, 1, 1), 4},
+        Network{"two_loops_on_a_sphere", test::sphere_band(18, 6, 0.8), 4},
+        Network{"loops_one_triangle_apart", test::flat_annulus(12, 1, 1, 1.2), 4},
+        Network{"loops_of_three_vertices", test::cylinder_tube(3, 1, 1, 1), 3},
+        Network{"hole_with_one_wire", with_wires(test::flat_annulus(24, 6, 1, 2), {test::tube_line(24, 6, 5)}), 3},
+        Network{"ring", with_wires(test::saddle(10, 0.3), {test::grid_square(10, 5, 5, 2)}), 4},
+        Network{"ring_in_a_ring",
+                with_wires(test::saddle(16, 0.3), {test::grid_square(16, 8, 8, 2), test::grid_square(16, 8, 8, 5)}), 8},
+        Network{"ring_around_one_triangle",
+                with_wires(test::flat_rectangle(6, 6, 1, 1), {{at(6, 3, 3), at(6, 4, 3), at(6, 4, 4), at(6, 3, 3)}}),
+                3},
+        Network{"wire_in_a_ring",
+                with_wires(test::saddle(16, 0.3), {test::grid_square(16, 8, 8, 5), row_part(16, 8, 7, 9)}), 2 + 4},
+        Network{"slit", with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 3, 7)), 4},
+        // Two vertices, one path from each.
+        Network{"slit_of_one_edge", with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 3, 4)), 2},
+        Network{
+            "tail_towards_a_dart",
+            with_wires(with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 7, 10)), {row_part(10, 5, 0, 4)}),
+            1}),
+    [](const testing::TestParamInfo<Network>& test) { return std::string(test.param.name); });
 
 TEST(ProcessTopology, ATailWhoseGeodesicSpiralsTakesTheShortestWayOut) {
   const int nx = 16;
@@ -128,18 +141,6 @@ TEST(ProcessTopology, ATailWhoseGeodesicSpiralsTakesTheShortestWayOut) {
   }
 }
 
-TEST(ProcessTopology, ATailWhosePathHitsItsOwnWire) {
-  const int n = 12;
-  FlattenInput input = test::saddle(n, 0.2);
-  const auto vertex = [&](int i, int j) { return i + (n + 1) * j; };
-  // From the left side inwards, round a hook and back towards itself.
-  test::add_wire(input, {vertex(0, 4), vertex(1, 4), vertex(2, 4), vertex(3, 4), vertex(4, 4), vertex(5, 4),
-                         vertex(6, 4), vertex(7, 4), vertex(7, 5), vertex(7, 6), vertex(7, 7), vertex(6, 7),
-                         vertex(5, 7), vertex(4, 7), vertex(4, 6)});
-  const Processed p = process(input);
-  EXPECT_EQ(p.num_helpers(), 1u + 3) << "the hook closed, and three more besides the stem";
-}
-
 TEST(ProcessTopology, AChartWithoutWiresAndTwoLoops) {
   const Processed p = process(test::flat_annulus(24, 5, 1, 2));
   EXPECT_EQ(p.num_helpers(), 4u);
@@ -149,13 +150,6 @@ TEST(ProcessTopology, AChartWithoutWiresAndTwoLoops) {
     starts.insert(p.refined.mesh.from_vertex_handle(part.half_edges.front()).idx() % 6);
   }
   EXPECT_EQ(starts.size(), 1u);
-  EXPECT_EQ(process(test::cylinder_tube(12, 3, 1, 1)).num_helpers(), 4u);
-  EXPECT_EQ(process(test::sphere_band(18, 6, 0.8)).num_helpers(), 4u);
-}
-
-TEST(ProcessTopology, LoopsOneTriangleApart) {
-  EXPECT_EQ(process(test::flat_annulus(12, 1, 1, 1.2)).num_helpers(), 4u);
-  EXPECT_EQ(process(test::cylinder_tube(3, 1, 1, 1)).num_helpers(), 3u) << "a loop of three vertices";
 }
 
 TEST(ProcessTopology, AChartWithThreeHoles) {
@@ -176,68 +170,10 @@ TEST(ProcessTopology, AChartWithThreeHoles) {
   }
 }
 
-TEST(ProcessTopology, AHoleThatOneWireJoinsGetsThreeMore) {
-  FlattenInput input = test::flat_annulus(24, 6, 1, 2);
-  test::add_wire(input, test::tube_line(24, 6, 5));
-  EXPECT_EQ(process(input).num_helpers(), 3u);
-}
-
-TEST(ProcessTopology, AClosedRingWire) {
-  const int n = 10;
-  FlattenInput input = test::saddle(n, 0.3);
-  add_ring(input, n, 5, 5, 2);
-  EXPECT_EQ(process(input).num_helpers(), 4u);
-}
-
-TEST(ProcessTopology, ARingInsideARing) {
-  const int n = 16;
-  FlattenInput input = test::saddle(n, 0.3);
-  add_ring(input, n, 8, 8, 2);
-  add_ring(input, n, 8, 8, 5);
-  EXPECT_EQ(process(input).num_helpers(), 8u);
-}
-
-TEST(ProcessTopology, ARingAroundOneTriangle) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  const auto vertex = [&](int i, int j) { return i + (n + 1) * j; };
-  test::add_wire(input, {vertex(3, 3), vertex(4, 3), vertex(4, 4), vertex(3, 3)});
-  EXPECT_EQ(process(input).num_helpers(), 3u);
-}
-
-TEST(ProcessTopology, AFloatingWireInsideARing) {
-  const int n = 16;
-  FlattenInput input = test::saddle(n, 0.3);
-  add_ring(input, n, 8, 8, 5);
-  test::add_wire(input, row_part(n, 8, 7, 9));
-  const Processed p = process(input);
-  EXPECT_EQ(p.num_helpers(), 2u + 4);
-}
-
-TEST(ProcessTopology, ASlitInside) {
-  const int n = 10;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_seam(input, row_part(n, 5, 3, 7));
-  EXPECT_EQ(process(input).num_helpers(), 4u);
-  FlattenInput short_slit = test::flat_rectangle(n, n, 1, 1);
-  test::add_seam(short_slit, row_part(n, 5, 3, 4));
-  EXPECT_EQ(process(short_slit).num_helpers(), 2u) << "two vertices, one path from each";
-}
-
-TEST(ProcessTopology, ATailTowardsADart) {
-  const int n = 10;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_seam(input, row_part(n, 5, 7, n));
-  test::add_wire(input, row_part(n, 5, 0, 4));
-  const Processed p = process(input);
-  ASSERT_EQ(p.num_helpers(), 1u);
-  EXPECT_EQ(p.refined.wire_parts[1].half_edges.size(), 3u) << "to the tip of the dart";
-}
-
 TEST(ProcessTopology, WhatIsFlatFlattensToItself) {
   FlattenInput floating = test::flat_rectangle(12, 12, 1, 1);
   test::add_wire(floating, row_part(12, 5, 3, 7));
-  add_ring(floating, 12, 8, 9, 1);
+  test::add_wire(floating, test::grid_square(12, 8, 9, 1));
   EXPECT_LT(stretch_of_flattening(process(floating).refined), 1e-8);
   EXPECT_LT(stretch_of_flattening(process(test::flat_annulus(24, 5, 1, 2)).refined), 1e-8);
   EXPECT_LT(stretch_of_flattening(process(test::flat_plate_with_two_holes(8)).refined), 1e-8);
@@ -248,7 +184,7 @@ TEST(ProcessTopology, DoesNotDependOnScale) {
   for (const double scale : {std::ldexp(1, -20), 1.0, std::ldexp(1, 20)}) {  // the same rounding
     FlattenInput input = test::saddle(12, 0.3);
     input.vertices *= scale;
-    add_ring(input, 12, 5, 6, 2);
+    test::add_wire(input, test::grid_square(12, 5, 6, 2));
     test::add_wire(input, row_part(12, 3, 3, 6));
     num_vertices.push_back(process(input).refined.mesh.n_vertices());
   }
@@ -274,24 +210,12 @@ std::vector<int> random_chain(const Chart& chart, std::set<int>& used, std::mt19
 }
 
 TEST(ProcessTopology, WanderingWiresOnAnySurface) {
+  const std::vector<FlattenInput> surfaces{test::saddle(9, 0.5), test::sphere_band(14, 7, 0.9),
+                                           test::flat_plate_with_two_holes(4), test::flat_annulus(16, 4, 1, 2)};
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
-    FlattenInput input;
-    switch (seed % 4) {
-      case 0:
-        input = test::saddle(9, 0.5);
-        break;
-      case 1:
-        input = test::sphere_band(14, 7, 0.9);
-        break;
-      case 2:
-        input = test::flat_plate_with_two_holes(4);
-        break;
-      default:
-        input = test::flat_annulus(16, 4, 1, 2);
-        break;
-    }
+    FlattenInput input = surfaces[seed % surfaces.size()];
     const Chart chart = test::charts_of(input).charts[0];
     std::set<int> used;
     const std::size_t num_wires = 1 + random() % 6;

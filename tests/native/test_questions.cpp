@@ -106,13 +106,13 @@ TEST(Questions, AreAskedWhileWiresAreExtended) {
     const int v = 3 + 6 * (i % 6) + n * (3 + 7 * (i / 6));
     test::add_wire(input, {v, v + n});
   }
-  const Charts charts = test::charts_of(input);
+  const Chart chart = test::chart_of(input);
   Asked asked;
-  EXPECT_TRUE(process_topology(charts.charts.at(0), asked.stop));
+  EXPECT_TRUE(process_topology(chart, asked.stop));
   EXPECT_GE(asked.times, num_wires * n * n / static_cast<int>(WorkMeter::work_per_question));
   Asked refused;
   refused.limit = 2;
-  EXPECT_THROW(process_topology(charts.charts.at(0), refused.stop), Stopped);
+  EXPECT_THROW(process_topology(chart, refused.stop), Stopped);
   EXPECT_EQ(refused.times, 2);
 }
 

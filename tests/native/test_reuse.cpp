@@ -64,7 +64,7 @@ TEST(SolutionKey, KnowsWhatTheShapeDependsOnAndNothingElse) {
 
 TEST(SolutionKey, TellsOptionsApartThatDifferInAnyOfTheirNumbers) {
   const FlattenInput input = two_domes();
-  const Charts charts = test::charts_of(input);
+  const Chart chart = test::chart_of(input);
   const std::vector<std::function<void(Options&)>> changes = {
       [](Options& o) { o.fairness = 0.1; },
       [](Options& o) { o.max_factorizations = 50; },
@@ -87,7 +87,7 @@ TEST(SolutionKey, TellsOptionsApartThatDifferInAnyOfTheirNumbers) {
     for (std::size_t i = 0; i < changes.size(); ++i) {
       if ((made >> i & 1U) != 0) changes[i](options);
     }
-    keys.insert(solution_key({&charts.charts.at(0)}, options));
+    keys.insert(solution_key({&chart}, options));
   }
   EXPECT_EQ(keys.size(), std::size_t{1} << changes.size());
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "error_of.h"
 #include "test_meshes.h"
 #include "wirewarp/straighten.h"
 
@@ -50,12 +51,7 @@ bool passes(const std::vector<LinePoint>& line, int v) {
 }
 
 std::string message_of(const FlattenInput& input, const std::vector<int>& path) {
-  try {
-    straighten_path(input, path);
-  } catch (const FlattenError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { straighten_path(input, path); }).what();
 }
 
 TEST(StraightenPath, BecomesTheLineBetweenItsEndsInAPlane) {

@@ -61,20 +61,6 @@ TEST(WireNetwork, CrossingWiresMakeFourPatchesAndFourNodesWhereTheyCross) {
   EXPECT_EQ(most, 4u);
 }
 
-TEST(WireNetwork, AnglesOfAFlatPieceAreItsPlanarAngles) {
-  const int n = 6;
-  FlattenInput input = test::flat_rectangle(n, n, 1, 1);
-  test::add_wire(input, test::grid_row(n, 3));
-  const Network p(input);
-  for (const WirePatch& patch : p.network.patches) {
-    double turning = 0;
-    for (const WirePatch::Step& step : patch.loops[0]) {
-      turning += kPi - p.network.nodes[static_cast<std::size_t>(step.node)].surface_angle;
-    }
-    EXPECT_NEAR(turning, 2 * kPi, 1e-12);
-  }
-}
-
 TEST(WireNetwork, GaussBonnet) {
   // Turning of the outline and angle deficits inside add up to 2 pi on any disk.
   const Network p(test::quarter_sphere(8));
@@ -150,19 +136,6 @@ TEST(WireLines, TwoWiresEndToEndAreOneUnlessAThirdMeetsThem) {
   test::add_wire(input, column);
   const Network met(input);
   EXPECT_EQ(find_lines(met.chart, met.network).corners.size(), 3u * 2u + 3u);
-}
-
-TEST(WireLines, AClosedWireHasNoEnd) {
-  FlattenInput input = test::flat_rectangle(6, 6, 1, 1);
-  const auto vertex = [](int i, int j) { return 7 * j + i; };
-  test::add_wire(input, {vertex(2, 2), vertex(3, 2), vertex(4, 2), vertex(4, 3), vertex(4, 4), vertex(3, 4),
-                         vertex(2, 4), vertex(2, 3), vertex(2, 2)});
-  test::add_wire(input, {vertex(1, 2), vertex(2, 2), vertex(2, 1)});  // touches it where its list begins
-  const Network network(input);
-  const WireLines lines = find_lines(network.chart, network.network);
-  EXPECT_EQ(lines.corners.size(), 2u);
-  EXPECT_EQ(bends_past_corners(lines), 2u);
-  EXPECT_EQ(lines.bends.size(), 24u + 2u * 8u + 2u);
 }
 
 }  // namespace

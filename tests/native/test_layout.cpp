@@ -1,21 +1,112 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands upright in a packed piece: the wire of the grain, the longest straight stretch of outline, up in space.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <random>
 
+#include "result/pack_boxes.h"
+#include "result/pack_pieces.h"
 #include "surface/orientation/rising_direction.h"
 #include "surface/orientation/straightest_outline.h"
 #include "surface/orientation/upright_direction.h"
 #include "test_meshes.h"
 
-namespace wirewarp::test_orientation {
+namespace wirewarp::test_layout {
 namespace {
 
 using test::charts_of;
 using test::planar_positions;
+
+Positions2 turned(const Positions2& uv, double angle) {
+  return uv * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose();
+}
+
+/// The layout of the only chart, packed alone.
+Positions2 pack_one(const Charts& charts, const Positions2& uv, bool mirror = false) {
+  Options options;
+  options.mirror = mirror;
+  return pack_pieces(charts.charts, {uv}, options).at(0);
+}
+
+TEST(PackBoxes, NoTwoOverlapAndTheGapIsKept) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> side(0.1, 3);
+  for (const int count : {1, 2, 3, 10, 60}) {
+    for (const double gap : {0.0, 0.2}) {
+      Positions2 sizes(count, 2);
+      for (double& x : sizes.reshaped()) x = side(random);
+      const Positions2 corners = pack_boxes(sizes, gap);
+      EXPECT_EQ(corners.minCoeff(), 0);
+      for (int a = 0; a < count; ++a) {
+        for (int b = 0; b < a; ++b) {
+          double apart = -1;
+          for (int k = 0; k < 2; ++k) {
+            apart = std::max(
+                {apart, corners(a, k) - corners(b, k) - sizes(b, k), corners(b, k) - corners(a, k) - sizes(a, k)});
+          }
+          EXPECT_GE(apart, gap == 0 ? -1e-14 : gap - 1e-5) << a << " and " << b << " of " << count;
+        }
+      }
+      // Near-square: the square around all is not much larger than the boxes, where there are enough to choose from.
+      const double extent = (corners + sizes).maxCoeff();
+      const double area = ((sizes.array() + gap).col(0) * (sizes.array() + gap).col(1)).sum();
+      if (count >= 10) {
+        EXPECT_LT(extent * extent, 1.6 * area) << count;
+      }
+    }
+  }
+}
+
+TEST(PackBoxes, FourSquaresMakeASquare) {
+  const Positions2 corners = pack_boxes(Positions2::Ones(4, 2), 0.5);
+  EXPECT_NEAR((corners.array() + 1).maxCoeff(), 2.5, 1e-14);
+}
+
+TEST(PackBoxes, RoundingChoosesNothing) {
+  Positions2 sizes(6, 2);
+  sizes << 1, 2, 1, 2, 1, 2, 2, 1, 2, 1, 2, 1;
+  const Positions2 corners = pack_boxes(sizes, 0.1);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> noise(-1e-14, 1e-14);
+  for (double& x : sizes.reshaped()) x += noise(random);
+  EXPECT_LT((pack_boxes(sizes, 0.1) - corners).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(PackPieces, FirstWireStandsUprightWhateverTheLayoutsTurn) {
+  FlattenInput input = test::flat_rectangle(6, 4, 3, 2);
+  test::add_wire(input, test::grid_row(6, 2));  // from left to right
+  const Charts charts = charts_of(input);
+  const Positions2 uv = planar_positions(charts.charts[0]);
+  for (const double angle : {0.0, 1.0, 2.5, -1.5}) {
+    const Positions2 packed = pack_one(charts, turned(uv, angle));
+    // x becomes y, and y becomes -x, from the right edge of a piece 2 wide.
+    EXPECT_LT((packed.col(1) - uv.col(0)).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_LT((packed.col(0) - (2 - uv.col(1).array()).matrix()).cwiseAbs().maxCoeff(), 1e-14);
+  }
+}
+
+TEST(PackPieces, MirroredPieceIsTheMirrorImage) {
+  FlattenInput input = test::flat_rectangle(6, 4, 3, 2);
+  test::add_wire(input, test::grid_column(6, 4, 3));  // upwards
+  const Charts charts = charts_of(input);
+  const Positions2 uv = planar_positions(charts.charts[0]);
+  const Positions2 packed = pack_one(charts, turned(uv, 0.5), true);
+  EXPECT_LT((packed.col(0) - (3 - uv.col(0).array()).matrix()).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((packed.col(1) - uv.col(1)).cwiseAbs().maxCoeff(), 1e-14);
+}
+
+TEST(PackPieces, AClosedOutlineStandsOnTheShortSideOfItsSmallestBox) {
+  const Charts charts = charts_of(test::flat_rectangle(8, 2, 4, 1));
+  const Positions2 packed = pack_one(charts, planar_positions(charts.charts[0]));
+  EXPECT_NEAR(packed.col(0).maxCoeff(), 1, 1e-14);
+  EXPECT_NEAR(packed.col(1).maxCoeff(), 4, 1e-14);
+  const Positions2 again = pack_one(charts, turned(planar_positions(charts.charts[0]), 2));
+  EXPECT_LT((again - packed).cwiseAbs().maxCoeff(), 1e-13) << "rounding chose the end that points up";
+}
+
+// What stands upright in a packed piece: the wire of the grain, the longest straight stretch of outline, up in space.
 
 Options by(Orientation orientation) {
   Options options;
@@ -27,18 +118,6 @@ Options grain(int wire) {
   Options options;
   options.grain = wire;
   return options;
-}
-
-TEST(Grain, TheChosenWireStandsUpright) {
-  FlattenInput input = test::flat_rectangle(6, 4, 3, 2);
-  test::add_wire(input, test::grid_row(6, 1));
-  test::add_wire(input, test::grid_column(6, 4, 2));
-  const Charts charts = charts_of(input);
-  const Chart& chart = charts.charts[0];
-  const Positions2 uv = planar_positions(chart);
-  EXPECT_EQ(upright_direction(chart, uv, grain(-1)).normalized(), Eigen::Vector2d(1, 0));
-  EXPECT_EQ(upright_direction(chart, uv, grain(0)).normalized(), Eigen::Vector2d(1, 0));
-  EXPECT_EQ(upright_direction(chart, uv, grain(1)).normalized(), Eigen::Vector2d(0, 1));
 }
 
 TEST(Grain, APieceThatItDoesNotRunThroughTakesItsFirstWire) {
@@ -78,40 +157,9 @@ TEST(StraightestOutline, IsTheLongestSideThatHardlyTurns) {
   }
 }
 
-TEST(StraightestOutline, AlsoRoundAHoleAndWhateverTheWires) {
-  FlattenInput input = test::flat_plate_with_two_holes(4);
-  test::add_wire(input, {test::nearest_vertex(input, {1.5, 0, 0}), test::nearest_vertex(input, {1.5, 0.25, 0})});
-  const Charts charts = charts_of(input);
-  const Chart& chart = charts.charts[0];
-  const Positions2 uv = planar_positions(chart);
-  const Eigen::Vector2d along = upright_direction(chart, uv, by(Orientation::boundary));
-  EXPECT_NEAR(std::abs(along.x()), 3, 1e-12);
-  EXPECT_NEAR(along.y(), 0, 1e-12);
-}
-
-TEST(RisingDirection, UpInSpaceIsUpInThePiece) {
-  FlattenInput input = test::cylinder_patch(12, 6, 1, 3, 2);
-  test::add_wire(input, test::grid_row(12, 2));  // level: by wire it would lie on its side
-  Options options = by(Orientation::up);
-  for (const double sign : {1.0, -1.0}) {
-    for (const bool is_mirrored : {false, true}) {
-      options.up = {0, 0, 1e-200 * sign};
-      options.mirror = is_mirrored;
-      const FlattenResult result = flatten(input, options);
-      const Piece& piece = result.pieces.at(0);
-      for (int v = 0; v < piece.vertices.rows(); ++v) {
-        const double z = input.vertices(piece.source_vertex[static_cast<std::size_t>(v)], 2);
-        const double height = sign > 0 ? z - input.vertices.col(2).minCoeff() : input.vertices.col(2).maxCoeff() - z;
-        EXPECT_NEAR(piece.vertices(v, 1), height, 1e-9);
-      }
-    }
-  }
-}
-
 TEST(RisingDirection, IsTheMeanOfTheTrianglesGradients) {
   const FlattenInput input = test::saddle(6, 0.4);
-  const Charts charts = charts_of(input);
-  const Chart& chart = charts.charts[0];
+  const Chart chart = test::chart_of(input);
   Positions2 uv = planar_positions(chart);
   uv.col(0).array() += 0.2 * uv.col(1).array().square();
   const Eigen::Vector3d up = Eigen::Vector3d(1, 2, 3).normalized();
@@ -152,13 +200,13 @@ TEST(UprightPair, OfVerticesAtOneHeightDoesNotDependOnTheNumbering) {
   renumbered.vertices = sheet.vertices.colwise().reverse().eval();
   renumbered.faces = (last - sheet.faces.array()).matrix();
   for (const FlattenInput& input : {sheet, renumbered}) {
-    const Charts charts = charts_of(input);
-    const Positions2 uv = planar_positions(charts.charts[0]);
-    const VertexPair pair = upright_pair(charts.charts[0], uv, by(Orientation::up));
+    const Chart chart = test::chart_of(input);
+    const Positions2 uv = planar_positions(chart);
+    const VertexPair pair = upright_pair(chart, uv, by(Orientation::up));
     EXPECT_EQ(uv.row(pair[0]), Eigen::RowVector2d(0, 0));
     EXPECT_EQ(uv.row(pair[1]), Eigen::RowVector2d(0, 3));
   }
 }
 
 }  // namespace
-}  // namespace wirewarp::test_orientation
+}  // namespace wirewarp::test_layout

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Refusals: the error that a call throws, and words of its sentence.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "wirewarp/error.h"
+
+namespace wirewarp::test {
+
+/// The FlattenError that a call throws. A failure of the test if it throws none.
+template <typename Call>
+FlattenError error_of(const Call& call) {
+  try {
+    call();
+  } catch (const FlattenError& error) {
+    return error;
+  }
+  ADD_FAILURE() << "nothing was thrown";
+  return FlattenError(ErrorCode::cancelled, "nothing was thrown");
+}
+
+inline void expect_words(const FlattenError& error, const std::string& words) {
+  EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+}
+
+}  // namespace wirewarp::test

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts that are proposed for one piece of several: their figures include what the other pieces bring about.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+#include <string>
+
+#include "base/planar.h"
+#include "base/work_meter.h"
+#include "cuts/propose/canonical_order.h"
+#include "cuts/propose/smooth_paths.h"
+#include "disguise.h"
+#include "test_meshes.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp::test_cut_search {
+namespace {
+
+/// Pieces that are not cut count, too: elastic seams and a stretched cloth make their lengths depend on one another.
+struct Neighbors {
+  const char* name;
+  FlattenInput input;
+  Options options;
+};
+
+/// For the names of tests in a report.
+void PrintTo(const Neighbors& test, std::ostream* out) { *out << test.name; }
+
+/// A hill of three pieces side by side, a wire across all of them, and one side of a seam longer than its mate.
+FlattenInput three_pieces(int n) {
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double x = 2 * s - 1, y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, 0.5 * std::exp(-3 * ((x - 0.2) * (x - 0.2) + 2 * (y + 0.1) * (y + 0.1))));
+  });
+  test::alternate_diagonals(input, n);
+  for (const int column : {n / 4, 3 * n / 4}) test::add_seam(input, test::grid_column(n, n, column));
+  test::add_wire(input, test::grid_row(n, n / 2), 0.02);
+  input.eases.push_back({(VertexPairs(1, 2) << n / 4, n / 4 + n + 1).finished(), 0.05});
+  return input;
+}
+
+Neighbors with_elastic_seam(int n) {
+  Neighbors test{"elastic_seam", three_pieces(n), {}};
+  test::add_wire(test.input, test::grid_column(n, n, n / 4), 0.03);
+  return test;
+}
+
+Neighbors with_stretched_cloth(int n) {
+  Neighbors test{"stretched_cloth", three_pieces(n), {}};
+  test.options.cloth.emplace();
+  test.options.cloth->stretch = {0.1, 0.05};
+  test.options.grain = 0;
+  return test;
+}
+
+Neighbors with_thick_material(int n) {
+  Neighbors test{"thick_material", three_pieces(n), {}};
+  test.options.thickness = 0.05;
+  test.options.surface = Surface::inside;
+  return test;
+}
+
+class CutsBesideNeighbors : public testing::TestWithParam<Neighbors> {};
+
+TEST_P(CutsBesideNeighbors, HaveTheFiguresOfAFreshRunOfTheWholeModel) {
+  const auto& [name, input, options] = GetParam();
+  CutOptions cut_options;
+  cut_options.count = 2;
+  cut_options.piece = 1;
+  const std::vector<int> own = flatten(input, options).pieces[1].source_face;
+  for (const auto& propose : {propose_darts, propose_seams}) {
+    for (const DartProposal& cut : propose(input, options, cut_options, {})) {
+      double energy = 0, area = 0;
+      for (const Piece& piece : flatten(test::with_seams(input, cut.edges), options).pieces) {
+        if (std::count(own.begin(), own.end(), piece.source_face[0]) == 0) continue;
+        EXPECT_FALSE(piece.error);
+        energy += (options.cloth ? piece.metrics.cloth_energy : piece.metrics.arap_energy) * piece.metrics.area_3d;
+        area += piece.metrics.area_3d;
+      }
+      EXPECT_NEAR(cut.energy, energy / area, 1e-6 * cut.energy_before);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, CutsBesideNeighbors,
+                         testing::Values(with_elastic_seam(8), with_stretched_cloth(8), with_thick_material(8)),
+                         [](const testing::TestParamInfo<Neighbors>& test) { return std::string(test.param.name); });
+
+// The order of a chart's vertices that does not depend on how the input numbers them.
+
+/// A regular polygon around its center: wherever a walk around it begins, it looks the same.
+FlattenInput regular_polygon(int corners) {
+  FlattenInput input;
+  input.vertices.setZero(corners + 1, 3);
+  input.faces.resize(corners, 3);
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * kPi * i / corners;
+    input.vertices.row(i) << std::cos(angle), std::sin(angle), 0;
+    input.faces.row(i) << i, (i + 1) % corners, corners;
+  }
+  return input;
+}
+
+TEST(CanonicalOrder, OfARegularOutlineTakesWorkInProportionToItAndCanBeStopped) {
+  const int corners = 60'000;
+  const Chart chart = test::chart_of(regular_polygon(corners));
+  int asked = 0;
+  in_canonical_order(chart, StopToken([&](const char*) { return ++asked > 0; }));
+  EXPECT_GE(asked, 2 * corners / static_cast<int>(WorkMeter::work_per_question));
+  EXPECT_LE(asked, 8 * corners / static_cast<int>(WorkMeter::work_per_question));
+  EXPECT_THROW(in_canonical_order(chart, StopToken([](const char*) { return false; })), Stopped);
+}
+
+// Ways of cuts along edges.
+
+constexpr int kN = 14;  // edges a side
+constexpr int kMiddle = 6;
+
+bool is_inside(int i, int j) { return i > 0 && j > 0 && i < kN && j < kN; }
+
+/// A way from the left and one from below, and all that is up and to the right of where they would meet.
+bool is_open(int i, int j) {
+  if (!is_inside(i, j)) return false;
+  return (i >= kMiddle && j >= kMiddle) || (j == kMiddle && i < kMiddle) || (i == kMiddle && j < kMiddle);
+}
+
+/// At the crossing, and at the ends of both ways next to it, the edges of the grid alone.
+bool is_diagonal_of_the_crossing(int i, int j, int other_i, int other_j) {
+  const auto is_near = [](int a, int b) { return a + b <= 2 * kMiddle && a <= kMiddle && b <= kMiddle; };
+  return i != other_i && j != other_j && (is_near(i, j) || is_near(other_i, other_j));
+}
+
+TEST(SmoothPaths, AWayThatWouldCrossItselfIsNone) {
+  FlattenInput input = test::flat_rectangle(kN, kN, kN, kN);
+  test::alternate_diagonals(input, kN);
+  const Chart chart = test::chart_of(input);
+  const auto column = [&](VertexHandle v) { return chart.source_vertex[v.idx()] % (kN + 1); };
+  const auto row = [&](VertexHandle v) { return chart.source_vertex[v.idx()] / (kN + 1); };
+  const auto at = [&](int i, int j) {
+    const auto found = std::find(chart.source_vertex.begin(), chart.source_vertex.end(), i + (kN + 1) * j);
+    return VertexHandle(static_cast<int>(found - chart.source_vertex.begin()));
+  };
+  Forbidden forbidden{std::vector<char>(chart.mesh.n_vertices(), 0), std::vector<char>(chart.mesh.n_edges(), 0)};
+  for (const VertexHandle v : chart.mesh.vertices()) forbidden.vertices[v.idx()] = is_open(column(v), row(v)) ? 0 : 1;
+  for (const EdgeHandle e : chart.mesh.edges()) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(e, 0);
+    const VertexHandle a = chart.mesh.from_vertex_handle(h), b = chart.mesh.to_vertex_handle(h);
+    forbidden.edges[e.idx()] = is_diagonal_of_the_crossing(column(a), row(a), column(b), row(b)) ? 1 : 0;
+  }
+  const SmoothPathFinder finder(chart, forbidden);
+  const SmoothPaths paths = finder.paths_from(at(1, kMiddle));
+  EXPECT_TRUE(paths.arrival[at(kMiddle, 1).idx()].is_valid()) << "straight on, round a loop, and down the other way";
+  EXPECT_TRUE(finder.path_to(paths, at(kMiddle, 1)).empty());
+  EXPECT_EQ(finder.path_to(paths, at(kMiddle + 3, kMiddle)).size(), kMiddle + 2U);
+}
+
+}  // namespace
+}  // namespace wirewarp::test_cut_search
