@@ -45,8 +45,8 @@ EXAMPLES: list[Example] = [
     ("no_proposal", {"reason": "too_long", "length": 0.4, "limit": 0.15}, {}, {}),
     ("no_proposal", {"reason": "no_set"}, {}, {}),
     ("no_proposal", {"reason": "too_strained"}, {}, {}),
-    ("no_proposal", {"reason": "no_gain", "kind": "dart", "strain": 0.149, "has_wires": True}, {}, {}),
-    ("no_proposal", {"reason": "no_gain", "kind": "seam", "strain": 0.149, "has_wires": True}, {}, {}),
+    ("no_proposal", {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [0]}, {}, {}),
+    ("no_proposal", {"reason": "no_gain", "kind": "seam", "strain": 0.149, "wires": [0]}, {}, {}),
     ("no_proposal", {"reason": "no_room", "kind": "dart"}, {}, {}),
 ]
 

@@ -73,6 +73,20 @@ TEST(ProposeCuts, SmoothDartsHaveTheFiguresOfTheMeshCutAlongThem) {
   }
 }
 
+TEST(ProposeCuts, TheFirstOfSmoothDartsIsNoWorseThanThoseAlongEdges) {
+  for (const FlattenInput& input : {hill(8), two_hills(8)}) {
+    CutOptions cut_options = few();
+    const double along_edges = figure_of(propose_darts(input, {}, cut_options).front());
+    cut_options.is_smooth = true;
+    const std::vector<DartProposal> proposals = propose_darts(input, {}, cut_options);
+    EXPECT_LE(figure_of(proposals.front()), along_edges * (1 + 1e-9));
+    for (std::size_t i = 0; i < proposals.size(); ++i) {
+      if (proposals[i].twin) EXPECT_EQ(proposals[*proposals[i].twin].twin, static_cast<int>(i));
+      EXPECT_LT(figure_of(proposals[i]), proposals[i].strain_before);
+    }
+  }
+}
+
 TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
   const FlattenInput input = hill(8);
   for (const auto& propose : {propose_darts, propose_seams}) {

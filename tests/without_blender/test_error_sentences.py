@@ -115,10 +115,10 @@ def test_broken_guarantees_are_told_together(said):
             "no room for a dart: no line along edges",
         ),
         (
-            {"reason": "no_gain", "kind": "dart", "strain": 0.149, "has_wires": True},
-            "No dart lowers the stretch of 14.9% that the piece needs. Divide it by a seam, or give its wires more",
+            {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [BUST]},
+            'No dart helps the piece, which needs 14.9% of stretch: loosen wire "Bust" or divide it by a seam.',
         ),
-        ({"reason": "no_gain", "kind": "seam", "strain": 0.149, "has_wires": False}, "where it curves most."),
+        ({"reason": "no_gain", "kind": "seam", "strain": 0.149, "wires": []}, "stretch: move one of its seams to"),
         ({"reason": "too_strained"}, "by over 100%"),
         ({"reason": "no_set", "is_restricted": True}, "Mark a first seam."),
         ({"reason": "unfolded"}, "is unfolded without distortion."),

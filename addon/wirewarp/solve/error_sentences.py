@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Words the library's errors for Blender's users: with faces, display units, wire names and Blender's commands.
 
-Elements are counted, because a button selects them. The caller puts the name of the piece in front.
+Elements are counted, because a button selects them. Reports put the name of the piece in front.
 """
 
 import math
@@ -24,6 +24,7 @@ class ErrorFacts:
     overlapping: int
     wires: list[str]  # names of all wires, in the library's order
     lengths: LengthText
+    piece: str = "the piece"  # or its name in quotes
 
     def __getitem__(self, name: str) -> Any:  # noqa: ANN401
         return self.error.arguments[name]
@@ -195,10 +196,10 @@ def _no_proposal(facts: ErrorFacts) -> str:
         case "too_strained":
             return "Every set of seams that was found leaves a piece that stretches by over 100%. Mark a first seam."
         case "no_gain":
-            kind, strain = facts["kind"], percent(facts["strain"])
-            remedy = "Divide it by a seam" if kind == "dart" else "Move one of its seams to where it curves most"
-            wires = ", or give its wires more tolerance" if facts["has_wires"] else ""
-            return f"No {kind} lowers the stretch of {strain} that the piece needs. {remedy}{wires}."
+            kind, wires = facts["kind"], facts["wires"]
+            loosen = f"loosen {facts.wire_text(wires)} or " if wires else ""
+            cut = "divide it by a seam" if kind == "dart" else "move one of its seams to where it curves most"
+            return f"No {kind} helps {facts.piece}, which needs {percent(facts['strain'])} of stretch: {loosen}{cut}."
     leads = "from its outline to a point inside" if facts["kind"] == "dart" else "across it"
     return (
         f"The piece has no room for a {facts['kind']}: no line along edges leads {leads} without meeting a wire or the "

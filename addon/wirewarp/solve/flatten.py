@@ -218,13 +218,15 @@ def issue_of_piece(piece: Piece, index: int, arrays: MeshArrays) -> Issue:
     return replace(issue, piece=index, faces=sorted({*issue.faces, *flipped, *overlapping}))
 
 
-def issue_of_error(error: FlattenError, arrays: MeshArrays, flipped: int = 0, overlapping: int = 0) -> Issue:
+def issue_of_error(
+    error: FlattenError, arrays: MeshArrays, flipped: int = 0, overlapping: int = 0, piece: str = "the piece"
+) -> Issue:
     """Return the library's error in the add-on's words. flipped, overlapping: counts of such faces in its piece."""
     faces = polygons_of(arrays, error.faces)
     names = [wire.name for wire in arrays.wires]
     return Issue(
         code=str(error.code),
-        sentence=error_sentence(ErrorFacts(error, len(faces), flipped, overlapping, names, arrays.lengths)),
+        sentence=error_sentence(ErrorFacts(error, len(faces), flipped, overlapping, names, arrays.lengths, piece)),
         vertices=[int(vertex) for vertex in error.vertices],
         edges=[(int(a), int(b)) for a, b in error.edges],
         faces=faces,

@@ -43,19 +43,19 @@ struct CutOptions {
                                  // none: 0.005, for cut sets 0.05
   double longest = std::numeric_limits<double>::infinity();  // length of a cut or set, on the surface, scene units; > 0
   VertexPairs no_seam = VertexPairs(0, 2);                   // (k, 2) edges along which no cut may run
-  bool is_smooth = false;  // darts are smooth lines across triangles instead of chains of edges; not for seams
+  bool is_smooth = false;  // darts may be smooth lines across triangles, too; not for seams
 };
 
 /// Returns darts that lower the energy and the strain of a piece by at least 2%, to a strain below 1. They are sorted
 /// by the strain that they leave in the model, then by the strain that they remove from their piece. For a dart that
 /// helps only together with its mirror image, strain_with_twin is below the strain before. Darts lead from the outline
 /// to a point inside, along smooth chains of edges, and do not cross wires. With is_smooth, they are smooth lines
-/// across triangles without corners, and straight unless a bend gains clearly more. cut_mesh() turns them into edges,
-/// and the figures are those of flatten() with these edges as seams. The strain around the tip of a smooth dart counts
-/// if it is more than that of the piece. All lengths stay exact. The result does not depend on how the input is turned,
-/// mirrored or numbered, except for the order of equal darts. Throws the errors of flatten(), the error of the
-/// requested piece if it has no flat shape, no_proposal if a piece is flat already, has no room or gains nothing, and
-/// cancelled.
+/// across triangles without corners, straight unless a bend gains clearly more, and the best one along edges if it
+/// leaves less strain than all of them. cut_mesh() turns lines into edges, and the figures are those of flatten()
+/// with these edges as seams. Around the tip of a smooth dart, the mean strain is at most 3% or that of the piece
+/// without it. All lengths stay exact. The result does not depend on how the input is turned, mirrored or numbered,
+/// except for the order of equal darts. Throws the errors of flatten(), the error of the requested piece if it has no
+/// flat shape, no_proposal if a piece is flat already, has no room or gains nothing, and cancelled.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 

@@ -150,8 +150,10 @@ constexpr Entry kEntries[] = {
       "reason: \"unfolded\", \"strain\", \"too_long\", \"no_room\", \"no_gain\" or \"no_set\"; strain: of the piece, "
       "and limit: the accepted strain (reason \"strain\"); length: of the seams, and limit: the longest allowed "
       "(reason "
-      "\"too_long\"); kind: \"dart\" or \"seam\" (reasons \"no_room\", \"no_gain\"); is_restricted: whether some "
-      "edges must have no seam (reasons \"no_room\", \"no_set\")"}},
+      "\"too_long\"); kind: \"dart\" or \"seam\" (reasons \"no_room\", \"no_gain\"); wires: indices of the rigid and "
+      "elastic wires inside the piece (reason \"no_gain\"); is_restricted: whether some edges must have no seam "
+      "(reasons "
+      "\"no_room\", \"no_set\")"}},
 };
 
 #undef WIREWARP_NAMED_WIRES

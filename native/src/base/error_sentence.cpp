@@ -286,7 +286,7 @@ std::string no_proposal(const Parts& parts) {
     return piece + " gains nothing from a " + kind + ": none that was tried lowers the stretch of " +
            percent(parts.real("strain")) + " that it needs. " +
            (kind == "dart" ? "Divide it by a seam" : "Move one of its seams to where it curves most") +
-           (parts.is("has_wires") ? ", or give its wires more tolerance." : ".");
+           (parts.get<std::vector<int>>("wires").empty() ? "." : ", or give its wires more tolerance.");
   }
   if (reason == "too_strained") {
     return piece + " needs fabric that stretches by over 100% with every set of seams that was found: mark a first " +

@@ -62,6 +62,39 @@ bool is_second_of_pair(const std::vector<DartProposal>& proposals, std::size_t i
   return proposals[i].twin && *proposals[i].twin < static_cast<int>(i);
 }
 
+double strain_left(const DartProposal& dart) { return dart.strain_with_twin.value_or(dart.strain); }
+
+/// Smooth darts, and the best one along edges if it leaves less strain than all of them.
+std::vector<DartProposal> with_best_along_edges(std::vector<DartProposal> smooth,
+                                                const std::vector<DartProposal>& along_edges) {
+  const auto leaves_less = [](const DartProposal& a, const DartProposal& b) { return strain_left(a) < strain_left(b); };
+  const auto best = std::min_element(along_edges.begin(), along_edges.end(), leaves_less);
+  if (best == along_edges.end()) return smooth;
+  const auto best_smooth = std::min_element(smooth.begin(), smooth.end(), leaves_less);
+  if (best_smooth != smooth.end() && !leaves_less(*best, *best_smooth)) return smooth;
+  const int place = static_cast<int>(smooth.size());
+  smooth.push_back(*best);
+  if (best->twin) {
+    smooth.push_back(along_edges[*best->twin]);
+    smooth[place].twin = place + 1;
+    smooth[place + 1].twin = place;
+  }
+  return smooth;
+}
+
+std::vector<DartProposal> search_piece(const FlatPieces& pieces, int piece, CutKind kind, const CutOptions& cut_options,
+                                       const ExactEvaluation& exact) {
+  const auto index = static_cast<std::size_t>(piece);
+  const PieceSearch search(pieces, index, kind, Effort::thorough, cut_options, exact);
+  if (!cut_options.is_smooth || kind != CutKind::dart) return search.search();
+  search.check_strain();
+  const std::vector<HalfEdgeChain> chains = search.candidates();
+  std::vector<DartProposal> darts =
+      with_best_along_edges(smooth_darts(search, chains, pieces, index, cut_options, exact), search.best_of(chains));
+  if (darts.empty()) throw none_helps(pieces[index]->chart, kind, pieces[index]->strain);
+  return darts;
+}
+
 /// Searches the pieces, the one with most strain first, until the rest have less to gain than what is found.
 std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, const CutOptions& cut_options,
                                         const ExactEvaluation& exact) {
@@ -81,14 +114,10 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
     if (pieces[c]->error || num_better >= cut_options.count) break;
     try {
       const int first = static_cast<int>(proposals.size());
-      PieceSearch search(pieces, static_cast<std::size_t>(c), kind, Effort::thorough, cut_options, exact);
-      const bool is_smooth = cut_options.is_smooth && kind == CutKind::dart;
-      for (DartProposal& proposal : is_smooth
-                                        ? smooth_darts(search, pieces, static_cast<std::size_t>(c), cut_options, exact)
-                                        : search.search()) {
+      for (DartProposal& proposal : search_piece(pieces, c, kind, cut_options, exact)) {
         proposal.piece = c;
         if (proposal.twin) *proposal.twin += first;
-        gains.push_back(gain_of(pieces, c, proposal.strain_with_twin.value_or(proposal.strain)));
+        gains.push_back(gain_of(pieces, c, strain_left(proposal)));
         proposals.push_back(std::move(proposal));
       }
     } catch (const FlattenError& error) {

@@ -45,13 +45,16 @@ std::vector<int> tips_of(const CutMesh& cut) {
   for (const VertexPair& edge : cut.edges) {
     for (const int v : edge) ++count[v];
   }
-  std::vector<int> tips;
+  std::vector<int> tips, ends;
   for (std::size_t i = 0; i < cut.edges.size(); ++i) {
-    const bool is_last = i + 1 == cut.edges.size() || cut.sources.edge_paths[i + 1] != cut.sources.edge_paths[i];
-    if (is_last) tips.push_back(cut.edges[i][1]);
+    const std::vector<int>& paths = cut.sources.edge_paths;
+    if (i == 0 || paths[i - 1] != paths[i]) ends.push_back(cut.edges[i][0]);
+    if (i + 1 < cut.edges.size() && paths[i + 1] == paths[i]) continue;
+    tips.push_back(cut.edges[i][1]);
+    ends.push_back(tips.back());
   }
   const bool do_meet = std::any_of(count.begin(), count.end(), [](const auto& each) { return each.second > 2; }) ||
-                       std::any_of(tips.begin(), tips.end(), [&](int tip) { return count[tip] > 1; });
+                       std::any_of(ends.begin(), ends.end(), [&](int end) { return count[end] > 1; });
   return do_meet ? std::vector<int>{} : tips;
 }
 

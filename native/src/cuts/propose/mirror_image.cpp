@@ -137,4 +137,20 @@ HalfEdgeChain mirrored(const Chart& chart, const std::vector<VertexHandle>& imag
   return result;
 }
 
+MeshPath mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const MeshPath& path) {
+  MeshPath result;
+  for (const PathPoint& point : path) {
+    if (point.is_vertex()) {
+      result.push_back(PathPoint::at_vertex(image[point.vertex.idx()]));
+      continue;
+    }
+    // The mirror image of the face that the path leaves is on the other side of the edge.
+    const HalfedgeHandle h = chart.mesh.find_halfedge(image[chart.mesh.to_vertex_handle(point.half_edge).idx()],
+                                                      image[chart.mesh.from_vertex_handle(point.half_edge).idx()]);
+    if (!h.is_valid()) return {};
+    result.push_back(PathPoint::on_edge(h, 1 - point.t));
+  }
+  return result;
+}
+
 }  // namespace wirewarp

@@ -10,7 +10,6 @@
 #include "base/in_threads.h"
 #include "cuts/propose/canonical_order.h"
 #include "cuts/propose/coarse_copy.h"
-#include "cuts/propose/mirror_image.h"
 #include "cuts/propose/rank_cuts.h"
 #include "newton/newton_constants.h"
 #include "surface/mesh/geometry.h"
@@ -142,8 +141,14 @@ bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const 
 }  // namespace
 
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain) {
-  return no_proposal(
-      chart, {{"reason", "no_gain"}, {"kind", name_of(kind)}, {"strain", strain}, {"has_wires", has_wires(chart)}});
+  std::set<int> wires;  // that hold the piece
+  for (const WirePart& part : chart.wire_parts) {
+    if (part.kind == WireKind::rigid || part.kind == WireKind::elastic) wires.insert(part.wire_index);
+  }
+  return no_proposal(chart, {{"reason", "no_gain"},
+                             {"kind", name_of(kind)},
+                             {"strain", strain},
+                             {"wires", std::vector<int>(wires.begin(), wires.end())}});
 }
 
 PieceSearch::PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort,
@@ -243,8 +248,7 @@ bool PieceSearch::is_worth_sewing(const PieceFigures& after) const {
 }
 
 /// Those that help by themselves or with their mirror images, the best first, none beside another.
-std::vector<PieceSearch::Helpful> PieceSearch::find_helpful() const {
-  const std::vector<HalfEdgeChain> chains = candidates();
+std::vector<PieceSearch::Helpful> PieceSearch::find_helpful(const std::vector<HalfEdgeChain>& chains) const {
   const std::vector<std::optional<PieceFigures>> alone = evaluate(chains);
   std::vector<HalfEdgeChain> images(chains.size()), pairs(chains.size());
   for (std::size_t i = 0; i < chains.size() && effort_ == Effort::thorough; ++i) {
@@ -296,9 +300,8 @@ void PieceSearch::check_strain() const {
   if (before_.strain <= may_stay) throw flat_enough(input_chart_, before_.strain, may_stay);
 }
 
-std::vector<DartProposal> PieceSearch::search() {
-  check_strain();
-  const std::vector<Helpful> best = find_helpful();
+std::vector<DartProposal> PieceSearch::best_of(const std::vector<HalfEdgeChain>& chains) const {
+  const std::vector<Helpful> best = find_helpful(chains);
   std::vector<HalfEdgeChain> images;
   for (const Helpful& cut : best) images.push_back(cut.image);
   const std::vector<std::optional<PieceFigures>> of_images = evaluate(images);
@@ -318,6 +321,12 @@ std::vector<DartProposal> PieceSearch::search() {
       proposals[k].strain_with_twin = cut.with_image->strain;
     }
   }
+  return proposals;
+}
+
+std::vector<DartProposal> PieceSearch::search() const {
+  check_strain();
+  std::vector<DartProposal> proposals = best_of(candidates());
   if (proposals.empty()) throw none_helps(input_chart_, kind_, before_.strain);
   return proposals;
 }

@@ -6,6 +6,7 @@
 
 #include "cuts/propose/cut_candidates.h"
 #include "cuts/propose/flat_pieces.h"
+#include "cuts/propose/mirror_image.h"
 #include "wirewarp/propose.h"
 
 namespace wirewarp {
@@ -27,7 +28,10 @@ class PieceSearch {
               const ExactEvaluation& exact);
 
   /// The best first; without piece. Throws no_proposal.
-  std::vector<DartProposal> search();
+  std::vector<DartProposal> search() const;
+
+  /// The best of some chains first; without piece. Empty if none helps.
+  std::vector<DartProposal> best_of(const std::vector<HalfEdgeChain>& chains) const;
 
   /// Throws no_proposal if the piece is flat enough.
   void check_strain() const;
@@ -37,6 +41,9 @@ class PieceSearch {
 
   /// The mirror image; empty if there is none but the chain itself, or if it would cut a wire or a forbidden line.
   HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
+
+  /// The mirror image of a path along or beside a chain that has one; empty if the edges it crosses have none.
+  MeshPath image_of(const MeshPath& path) const { return mirrored(chart_, image_, path); }
 
   /// Whether both ends are near those of the other.
   bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
@@ -65,7 +72,7 @@ class PieceSearch {
   std::vector<HalfEdgeChain> best_chains() const;
   std::vector<HalfEdgeChain> without_mirror_images(const std::vector<HalfEdgeChain>& chains) const;
   std::vector<std::optional<PieceFigures>> evaluate(const std::vector<HalfEdgeChain>& chains) const;
-  std::vector<Helpful> find_helpful() const;
+  std::vector<Helpful> find_helpful(const std::vector<HalfEdgeChain>& chains) const;
   DartProposal proposal_of(const HalfEdgeChain& chain, const PieceFigures& after) const;
   std::vector<VertexPair> edges_of(const HalfEdgeChain& chain) const;
   CutEnds ends_of(const HalfEdgeChain& chain) const {

@@ -2,6 +2,7 @@
 #include "cuts/propose/smooth_darts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -17,8 +18,9 @@
 namespace wirewarp {
 namespace {
 
-/// No dart has an elbow (radians): a geodesic has none but where it is pressed against a wire or the outline.
-constexpr double kElbow = kPi / 6;
+/// No dart has an elbow (radians): a geodesic has none but where it is pressed against a wire or the outline. One of 30
+/// degrees catches the eye on the flat piece.
+constexpr double kElbow = kPi / 12;
 
 /// A line that is longer than the straight one by less than this part has no bend that one sees: with 2% it is a tenth
 /// of its length aside in the middle. One with bends, which is harder to sew, has to lower the strain by a part more.
@@ -35,6 +37,13 @@ constexpr std::size_t kMoved = 3;
 /// A move that lowers the strain by less than this part is not followed by another.
 constexpr double kLeastMove = 0.01;
 
+/// Around a tip, fabric may be strained as much as anywhere in the piece without the dart, or by this, which every
+/// fabric takes.
+constexpr double kAnyFabric = 0.03;
+
+/// How a line follows a chain with the same ends.
+enum class Course { straight, bent };
+
 struct SmoothLine {
   HalfEdgeChain chain;  // a way along edges with the same ends
   MeshPath line;
@@ -43,11 +52,11 @@ struct SmoothLine {
 
 struct SmoothDart {
   SmoothLine line;
+  Course course;
   std::optional<SmoothLine> image;  // its mirror image, if both can be cut
   LineFigures found;                // of both; without an image, of the dart alone
 
-  /// What counts.
-  double strain() const { return std::max(found.figures.strain, found.tip_strain); }
+  double strain() const { return found.figures.strain; }
 };
 
 class SmoothDartSearch {
@@ -67,16 +76,26 @@ class SmoothDartSearch {
     }
   }
 
-  std::vector<DartProposal> search();
+  std::vector<DartProposal> search(const std::vector<HalfEdgeChain>& chains);
 
  private:
-  std::optional<SmoothLine> line_along(const HalfEdgeChain& chain, Nearness nearness) const;
-  std::optional<SmoothDart> dart_along(SmoothLine line, Nearness nearness) const;
-  std::optional<SmoothDart> best_dart_along(const HalfEdgeChain& chain) const;
-  std::vector<SmoothDart> evaluate(const std::vector<HalfEdgeChain>& chains);
+  /// A line is known by its ends and course.
+  struct Way {
+    HalfEdgeChain chain;
+    Course course;
+  };
+  using WayKey = std::pair<CutEnds, Course>;
+
+  std::optional<SmoothLine> line_along(const Way& way) const;
+  std::optional<SmoothLine> image_of(const SmoothLine& line) const;
+  bool touches_lines(const MeshPath& path) const;
+  std::optional<SmoothDart> dart_along(const Way& way) const;
+  std::vector<SmoothDart> evaluate(const std::vector<Way>& ways);
+  std::vector<SmoothDart> best_courses(const std::vector<HalfEdgeChain>& chains);
   SmoothDart move_ends(SmoothDart dart);
-  std::vector<HalfEdgeChain> moved(const SmoothDart& dart, double step) const;
-  void propose(const SmoothDart& dart, std::vector<DartProposal>& proposals) const;
+  std::vector<Way> moved(const SmoothDart& dart, double step) const;
+  std::vector<SmoothDart> without_neighbors(std::vector<SmoothDart> darts) const;
+  void propose(const std::vector<SmoothDart>& darts, std::vector<DartProposal>& proposals) const;
   bool is_worth_sewing(const LineFigures& found) const;
   DartProposal proposal_of(const SmoothLine& line, const LineFigures& found) const;
 
@@ -88,86 +107,110 @@ class SmoothDartSearch {
   const LineEvaluation evaluation_;
   const SmoothPathFinder finder_;
   WireMask lines_;
-  std::map<CutEnds, std::optional<SmoothDart>> evaluated_;
+  std::map<WayKey, std::optional<SmoothDart>> evaluated_;
 };
 
-/// A smooth line with the ends of a chain; none if it has an elbow, touches a wire or the outline, or is too long.
-std::optional<SmoothLine> SmoothDartSearch::line_along(const HalfEdgeChain& chain, Nearness nearness) const {
+/// A smooth line with the ends of a chain; none if it has an elbow, touches a wire or the outline, or is too long, or
+/// if a bent one does not differ from the straight one.
+std::optional<SmoothLine> SmoothDartSearch::line_along(const Way& way) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
-  std::vector<VertexHandle> way{mesh.from_vertex_handle(chain.front())};
-  for (const HalfedgeHandle h : chain) way.push_back(mesh.to_vertex_handle(h));
-  SmoothLine smooth{chain, smooth_line(mesh, lines_, way, nearness), {}};
-  const bool touches = std::any_of(smooth.line.begin() + 1, smooth.line.end(), [&](const PathPoint& point) {
-    return point.is_vertex() && lines_.has(point.vertex);
-  });
-  if (touches || path_length(mesh, smooth.line) > cut_options_.longest || sharpest_turn(mesh, smooth.line) > kElbow) {
-    return std::nullopt;
-  }
+  std::vector<VertexHandle> vertices{mesh.from_vertex_handle(way.chain.front())};
+  for (const HalfedgeHandle h : way.chain) vertices.push_back(mesh.to_vertex_handle(h));
+  const auto line = [&](Nearness nearness) { return smooth_line(mesh, lines_, vertices, nearness); };
+  SmoothLine smooth{way.chain, line(way.course == Course::bent ? Nearness::touching : Nearness::anywhere), {}};
+  const double length = path_length(mesh, smooth.line);
+  if (way.course == Course::bent && length <= (1 + kBend) * path_length(mesh, line(Nearness::anywhere))) return {};
+  if (touches_lines(smooth.line) || length > cut_options_.longest || sharpest_turn(mesh, smooth.line) > kElbow)
+    return {};
   smooth.path = on_input(exact_.surface().given(), chart_, smooth.line);
   return smooth;
 }
 
+/// After its start.
+bool SmoothDartSearch::touches_lines(const MeshPath& path) const {
+  return std::any_of(path.begin() + 1, path.end(), [&](const PathPoint& point) {
+    return point.is_vertex() ? lines_.has(point.vertex) : lines_.has(chart_.mesh.edge_handle(point.half_edge));
+  });
+}
+
+/// A geodesic beside the mirrored chain may pass a hill on the other side, so the line itself is mirrored.
+std::optional<SmoothLine> SmoothDartSearch::image_of(const SmoothLine& line) const {
+  SmoothLine image{search_.image_of(line.chain), {}, {}};
+  if (image.chain.empty()) return {};
+  image.line = search_.image_of(line.line);
+  if (image.line.empty() || touches_lines(image.line)) return {};
+  image.path = on_input(exact_.surface().given(), chart_, image.line);
+  return image;
+}
+
 /// With its mirror image, unless both would meet and so cut the piece otherwise than each alone.
-std::optional<SmoothDart> SmoothDartSearch::dart_along(SmoothLine line, Nearness nearness) const {
-  SmoothDart dart{std::move(line), {}, {}};
-  const HalfEdgeChain image = search_.image_of(dart.line.chain);
-  if (!image.empty()) dart.image = line_along(image, nearness);
+std::optional<SmoothDart> SmoothDartSearch::dart_along(const Way& way) const {
+  std::optional<SmoothLine> line = line_along(way);
+  if (!line) return {};
+  SmoothDart dart{std::move(*line), way.course, {}, {}};
+  dart.image = image_of(dart.line);
   std::optional<LineFigures> found;
   if (dart.image) {
     found = evaluation_.figures_along({dart.line.path, dart.image->path});
     if (!found) dart.image.reset();
   }
   if (!found) found = evaluation_.figures_along({dart.line.path});
-  if (!found) return std::nullopt;
+  if (!found) return {};
   dart.found = std::move(*found);
   return dart;
 }
 
-/// Straight, unless a line beside the chain, which follows its bends, gains clearly more.
-std::optional<SmoothDart> SmoothDartSearch::best_dart_along(const HalfEdgeChain& chain) const {
-  std::optional<SmoothLine> straight = line_along(chain, Nearness::anywhere);
-  std::optional<SmoothLine> bent = line_along(chain, Nearness::touching);
-  const auto length = [&](const SmoothLine& line) { return path_length(chart_.mesh, line.line); };
-  if (straight && bent && length(*bent) <= (1 + kBend) * length(*straight)) bent.reset();
-  std::optional<SmoothDart> best, other;
-  if (straight) best = dart_along(std::move(*straight), Nearness::anywhere);
-  if (bent) other = dart_along(std::move(*bent), Nearness::touching);
-  const bool is_better = other && (!best || other->strain() <= (1 - kGainOfBends) * best->strain());
-  return is_better ? other : best;
-}
-
 /// Those that have figures, in order, each once.
-std::vector<SmoothDart> SmoothDartSearch::evaluate(const std::vector<HalfEdgeChain>& chains) {
-  const auto ends_of = [&](const HalfEdgeChain& chain) {
-    return CutEnds{chart_.mesh.from_vertex_handle(chain.front()), chart_.mesh.to_vertex_handle(chain.back())};
+std::vector<SmoothDart> SmoothDartSearch::evaluate(const std::vector<Way>& ways) {
+  const auto key_of = [&](const Way& way) {
+    const HalfEdgeMesh& mesh = chart_.mesh;
+    return WayKey{{mesh.from_vertex_handle(way.chain.front()), mesh.to_vertex_handle(way.chain.back())}, way.course};
   };
-  std::vector<const HalfEdgeChain*> fresh;
-  std::vector<CutEnds> wanted;
-  for (const HalfEdgeChain& chain : chains) {
-    const CutEnds ends = ends_of(chain);
-    if (std::find(wanted.begin(), wanted.end(), ends) != wanted.end()) continue;
-    wanted.push_back(ends);
-    if (evaluated_.count(ends) == 0) fresh.push_back(&chain);
+  std::vector<const Way*> fresh;
+  std::vector<WayKey> wanted;
+  for (const Way& way : ways) {
+    const WayKey key = key_of(way);
+    if (std::find(wanted.begin(), wanted.end(), key) != wanted.end()) continue;
+    wanted.push_back(key);
+    if (evaluated_.count(key) == 0) fresh.push_back(&way);
   }
   std::vector<std::optional<SmoothDart>> darts(fresh.size());
   run_in_threads(
       fresh.size(), num_cores(),
       [&](std::size_t i) {
         const OnOneCore on_one_core;
-        darts[i] = best_dart_along(*fresh[i]);
+        darts[i] = dart_along(*fresh[i]);
       },
       [&] { exact_.stop().may_go_on(); });
-  for (std::size_t i = 0; i < fresh.size(); ++i) evaluated_.emplace(ends_of(*fresh[i]), std::move(darts[i]));
+  for (std::size_t i = 0; i < fresh.size(); ++i) evaluated_.emplace(key_of(*fresh[i]), std::move(darts[i]));
   std::vector<SmoothDart> found;
-  for (const CutEnds& ends : wanted) {
-    const std::optional<SmoothDart>& dart = evaluated_.at(ends);
+  for (const WayKey& key : wanted) {
+    const std::optional<SmoothDart>& dart = evaluated_.at(key);
     if (dart) found.push_back(*dart);
   }
   return found;
 }
 
+/// Straight darts, and those that follow the bends of chains if they gain clearly more than straight ones.
+std::vector<SmoothDart> SmoothDartSearch::best_courses(const std::vector<HalfEdgeChain>& chains) {
+  std::vector<Way> ways;
+  for (const HalfEdgeChain& chain : chains) {
+    for (const Course course : {Course::straight, Course::bent}) ways.push_back({chain, course});
+  }
+  std::vector<SmoothDart> best;
+  for (SmoothDart& dart : evaluate(ways)) {
+    const bool is_other = dart.course == Course::bent && !best.empty() && best.back().line.chain == dart.line.chain;
+    if (!is_other) {
+      best.push_back(std::move(dart));
+    } else if (dart.strain() <= (1 - kGainOfBends) * best.back().strain()) {
+      best.back() = std::move(dart);
+    }
+  }
+  return best;
+}
+
 /// Ways whose start or tip lies about a step away: along the outline, and on, back and to both sides.
-std::vector<HalfEdgeChain> SmoothDartSearch::moved(const SmoothDart& dart, double step) const {
+std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dart, double step) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
   const VertexHandle start = dart.line.line.front().vertex, tip = dart.line.line.back().vertex;
   const HalfEdgeMesh::Point at = mesh.point(tip), from = mesh.point(start);
@@ -192,13 +235,13 @@ std::vector<HalfEdgeChain> SmoothDartSearch::moved(const SmoothDart& dart, doubl
                                          mesh.point(mesh.from_vertex_handle(mesh.prev_halfedge_handle(out))) - from}) {
     ends.insert({nearest(from + way.normalized() * (step * size_), true), tip});
   }
-  std::vector<HalfEdgeChain> chains;
+  std::vector<Way> ways;
   for (const CutEnds& each : ends) {
     if (!each.start.is_valid() || !each.end.is_valid() || each == CutEnds{start, tip}) continue;
     HalfEdgeChain chain = chain_of(finder_, each);
-    if (!chain.empty()) chains.push_back(std::move(chain));
+    if (!chain.empty()) ways.push_back({std::move(chain), dart.course});
   }
-  return chains;
+  return ways;
 }
 
 /// To the best neighbor as long as that is clearly better, by shorter and shorter steps.
@@ -218,9 +261,7 @@ SmoothDart SmoothDartSearch::move_ends(SmoothDart dart) {
 }
 
 bool SmoothDartSearch::is_worth_sewing(const LineFigures& found) const {
-  PieceFigures figures = found.figures;
-  figures.strain = std::max(figures.strain, found.tip_strain);
-  return search_.is_worth_sewing(figures);
+  return search_.is_worth_sewing(found.figures) && found.tip_strain <= std::max(search_.before().strain, kAnyFabric);
 }
 
 DartProposal SmoothDartSearch::proposal_of(const SmoothLine& line, const LineFigures& found) const {
@@ -236,64 +277,80 @@ DartProposal SmoothDartSearch::proposal_of(const SmoothLine& line, const LineFig
   return proposal;
 }
 
-/// Adds a dart and its mirror image if they are worth it: together, or each alone where two are no better.
-void SmoothDartSearch::propose(const SmoothDart& dart, std::vector<DartProposal>& proposals) const {
-  if (!dart.image) {
-    if (is_worth_sewing(dart.found)) proposals.push_back(proposal_of(dart.line, dart.found));
-    return;
-  }
-  const std::optional<LineFigures> alone = evaluation_.figures_along({dart.line.path});
-  const std::optional<LineFigures> image = evaluation_.figures_along({dart.image->path});
-  if (!alone || !image) return;
-  const bool helps_alone = is_worth_sewing(*alone);
-  const bool are_better = is_worth_sewing(dart.found) &&
-                          (!helps_alone || (dart.found.figures.energy <= (1 - kLeastMove) * alone->figures.energy &&
-                                            dart.found.figures.strain <= alone->figures.strain));
-  if (!helps_alone && !are_better) return;
-  const int place = static_cast<int>(proposals.size());
-  proposals.push_back(proposal_of(dart.line, *alone));
-  proposals.push_back(proposal_of(*dart.image, *image));
-  for (const int k : {place, place + 1}) {
-    proposals[k].twin = 2 * place + 1 - k;
-    if (!are_better) continue;
-    proposals[k].energy_with_twin = dart.found.figures.energy;
-    proposals[k].strain_with_twin = dart.found.figures.strain;
+/// Adds darts and their mirror images if they are worth it: together, or each alone where two are no better.
+void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector<DartProposal>& proposals) const {
+  std::vector<std::array<std::optional<LineFigures>, 2>> each(darts.size());
+  run_in_threads(
+      2 * darts.size(), num_cores(),
+      [&](std::size_t i) {
+        const SmoothDart& dart = darts[i / 2];
+        if (!dart.image) return;
+        const OnOneCore on_one_core;
+        each[i / 2][i % 2] = evaluation_.figures_along({i % 2 == 0 ? dart.line.path : dart.image->path});
+      },
+      [&] { exact_.stop().may_go_on(); });
+  for (std::size_t i = 0; i < darts.size(); ++i) {
+    const SmoothDart& dart = darts[i];
+    const auto& [alone, image] = each[i];
+    if (!dart.image) {
+      if (is_worth_sewing(dart.found)) proposals.push_back(proposal_of(dart.line, dart.found));
+      continue;
+    }
+    if (!alone || !image) continue;
+    const bool helps_alone = is_worth_sewing(*alone);
+    const bool are_better = is_worth_sewing(dart.found) &&
+                            (!helps_alone || (dart.found.figures.energy <= (1 - kLeastMove) * alone->figures.energy &&
+                                              dart.found.figures.strain <= alone->figures.strain));
+    if (!helps_alone && !are_better) continue;
+    const int place = static_cast<int>(proposals.size());
+    proposals.push_back(proposal_of(dart.line, *alone));
+    proposals.push_back(proposal_of(*dart.image, *image));
+    for (const int k : {place, place + 1}) {
+      proposals[k].twin = 2 * place + 1 - k;
+      if (!are_better) continue;
+      proposals[k].energy_with_twin = dart.found.figures.energy;
+      proposals[k].strain_with_twin = dart.found.figures.strain;
+    }
   }
 }
 
-std::vector<DartProposal> SmoothDartSearch::search() {
-  std::vector<SmoothDart> darts = evaluate(search_.candidates());
-  const auto sort = [&] {
-    std::stable_sort(darts.begin(), darts.end(),
-                     [](const SmoothDart& a, const SmoothDart& b) { return a.strain() < b.strain(); });
-  };
-  sort();
+/// The best first, none beside a better one or its mirror image.
+std::vector<SmoothDart> SmoothDartSearch::without_neighbors(std::vector<SmoothDart> darts) const {
+  std::stable_sort(darts.begin(), darts.end(),
+                   [](const SmoothDart& a, const SmoothDart& b) { return a.strain() < b.strain(); });
+  std::vector<SmoothDart> best;
+  for (SmoothDart& dart : darts) {
+    const bool is_known = std::any_of(best.begin(), best.end(), [&](const SmoothDart& better) {
+      return search_.is_beside(better.line.chain, dart.line.chain) ||
+             (better.image && search_.is_beside(better.image->chain, dart.line.chain));
+    });
+    if (!is_known) best.push_back(std::move(dart));
+  }
+  return best;
+}
+
+std::vector<DartProposal> SmoothDartSearch::search(const std::vector<HalfEdgeChain>& chains) {
+  std::vector<SmoothDart> darts = best_courses(chains);
+  std::stable_sort(darts.begin(), darts.end(),
+                   [](const SmoothDart& a, const SmoothDart& b) { return a.strain() < b.strain(); });
   for (std::size_t i = 0; i < std::min(kMoved, darts.size()); ++i) {
     if (darts[i].strain() <= (1 - kLeastMove) * search_.before().strain) darts[i] = move_ends(std::move(darts[i]));
   }
-  sort();
-  std::vector<const SmoothDart*> best;
-  std::vector<DartProposal> proposals;
-  for (const SmoothDart& dart : darts) {
-    const bool is_known = std::any_of(best.begin(), best.end(), [&](const SmoothDart* better) {
-      return search_.is_beside(better->line.chain, dart.line.chain) ||
-             (better->image && search_.is_beside(better->image->chain, dart.line.chain));
-    });
-    if (is_known || static_cast<int>(best.size()) == cut_options_.count) continue;
-    const std::size_t before = proposals.size();
-    propose(dart, proposals);
-    if (proposals.size() > before) best.push_back(&dart);
+  darts = without_neighbors(std::move(darts));
+  if (darts.size() > static_cast<std::size_t>(cut_options_.count)) {
+    darts.erase(darts.begin() + cut_options_.count, darts.end());
   }
-  if (proposals.empty()) throw none_helps(search_.input_chart(), CutKind::dart, search_.before().strain);
+  std::vector<DartProposal> proposals;
+  propose(darts, proposals);
   return proposals;
 }
 
 }  // namespace
 
-std::vector<DartProposal> smooth_darts(const PieceSearch& search, const FlatPieces& pieces, std::size_t piece,
-                                       const CutOptions& cut_options, const ExactEvaluation& exact) {
-  search.check_strain();
-  return SmoothDartSearch(search, pieces, piece, cut_options, exact).search();
+std::vector<DartProposal> smooth_darts(const PieceSearch& search, const std::vector<HalfEdgeChain>& chains,
+                                       const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
+                                       const ExactEvaluation& exact) {
+  return SmoothDartSearch(search, pieces, piece, cut_options, exact).search(chains);
 }
 
 }  // namespace wirewarp
