@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Smooth lines cut into the mesh, for suggestions and the user's seams; surface, marks and maps do not change."""
+"""Smooth Seam: lines cut into the mesh in place of the user's seams; surface, marks and maps do not change."""
 
 import bpy
 import numpy as np
 import pytest
-from suggesting import SUGGEST, are_mirrored, found, pairs
+from suggesting import pairs
 from surfaces import bump, edge_vertices, flat_of, grid, mark, mark_seam, on_line, read, round_bump, select_edges
 from test_proposals import seams_of
-from test_suggestions import two_hills
 
 pytestmark = pytest.mark.api
 
@@ -156,38 +155,6 @@ def mark_allowance_and_smooth(source):
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
-@pytest.mark.parametrize(("kind", "faces"), [("DARTS", "quads"), ("SEAMS", "triangles")])
-def test_a_suggestion_is_cut_smoothly_and_flattened(addon, kind, faces):
-    source = grid("Bump", bump, size=6, faces=faces)
-    SUGGEST[kind]()
-    cut = found(addon, source).cuts[0]
-    area, before = surface(source), places(source)
-    assert bpy.ops.object.wirewarp_mend(what="SMOOTH") == {"FINISHED"}
-    assert surface(source) == pytest.approx(area, rel=1e-5)
-    assert np.array_equal(places(source)[: len(before)], before)
-    ends = seam_places(source)
-    assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum() <= sum(cut.lengths) * (1 + 1e-6)
-    assert ends_of(seams_of(source)) == ends_of(cut.edges)
-    pieces = addon.state.reports.last_report(source).pieces
-    assert all(piece.ok for piece in pieces) and flat_of(source)
-    assert len(pieces) == (1 if kind == "DARTS" else 1 + len(cut.lengths))
-
-
-def ends_of(edges):
-    """Return the vertices at which lines of edges end."""
-    vertices, counts = np.unique(np.array(list(edges)), return_counts=True)
-    return set(vertices[counts != 2].tolist())
-
-
-def test_both_of_two_mirror_images_are_cut(addon):
-    source = two_hills()
-    SUGGEST["DARTS"]()
-    twins = next(index for index, cut in enumerate(found(addon, source).cuts) if len(cut.lengths) == 2)
-    bpy.ops.object.wirewarp_choose_suggestion(index=twins)
-    bpy.ops.object.wirewarp_mend(what="SMOOTH")
-    assert are_mirrored(source, seams_of(source))
-
-
 def test_what_cannot_be_smoothed_is_told_and_left(addon):
     source = grid("Bump", bump)
     with pytest.raises(RuntimeError, match="Nothing to smooth: select edges of a seam first"):
@@ -212,15 +179,15 @@ def test_where_a_second_line_fails_the_first_is_not_cut_either(addon, monkeypatc
     mark_seam(source, on_line(1, 0.75))
     before = edge_vertices(source.data), seams_of(source), places(source)
     run, calls = addon.suggest.smooth, []
-    cut_line = run.cut_line
+    cut_lines = run.cut_lines
 
     def cut_once(*arguments):
         if calls:
             raise addon.issues.object_error("no_room", "No.")
         calls.append(arguments)
-        return cut_line(*arguments)
+        return cut_lines(*arguments)
 
-    monkeypatch.setattr(run, "cut_line", cut_once)
+    monkeypatch.setattr(run, "cut_lines", cut_once)
     with pytest.raises(RuntimeError, match="No"):
         smooth(source)
     bpy.ops.object.mode_set(mode="OBJECT")

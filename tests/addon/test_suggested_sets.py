@@ -53,11 +53,12 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     assert needed(addon, source) <= chosen.strain * 1.05
 
 
-@pytest.mark.parametrize("take", ["SUGGESTION", "SMOOTH"])
-def test_a_cut_of_what_modifiers_make_applies_them_when_it_is_marked(addon, take):
+@pytest.mark.parametrize("lines", ["SMOOTH", "EDGES"])
+def test_a_cut_of_what_modifiers_make_applies_them_when_it_is_marked(addon, lines):
     source = grid("Bump", bump, size=4)
     source.modifiers.new("Finer", "SUBSURF").levels = 1
-    bpy.context.scene.wirewarp.use_modifiers = True
+    settings = bpy.context.scene.wirewarp
+    settings.use_modifiers, settings.dart_lines = True, lines
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     before = addon.state.reports.last_report(source).pieces[0].needed
     assert SUGGEST["DARTS"]() == {"FINISHED"}
@@ -65,12 +66,13 @@ def test_a_cut_of_what_modifiers_make_applies_them_when_it_is_marked(addon, take
     cut = found(addon, source).cuts[0]
     depsgraph = bpy.context.evaluated_depsgraph_get()
     for target in (source, flat_of(source)):  # drawn on both
-        assert len(addon.overlay.failures.suggested_lines(target, depsgraph)) == 2 * len(cut.edges)
-    assert bpy.ops.object.wirewarp_mend(what=take) == {"FINISHED"}
-    assert not source.modifiers and not bpy.context.scene.wirewarp.use_modifiers
-    if take == "SUGGESTION":
+        assert len(addon.overlay.failures.suggested_lines(target, depsgraph)) == 2 * len(cut.segments.polygons)
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    assert not source.modifiers and not settings.use_modifiers
+    if lines == "EDGES":
         assert pairs(seams_of(source)) == pairs(cut.edges)
-    assert addon.state.reports.last_report(source).pieces[0].needed < before
+    assert addon.state.reports.last_report(source).pieces[0].needed == pytest.approx(cut.strain, abs=1e-6)
+    assert cut.strain < before
 
 
 def test_faces_split_apart_need_no_cut_and_modifiers_that_cannot_be_applied_are_named():

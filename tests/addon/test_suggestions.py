@@ -43,6 +43,7 @@ def two_hills(size=8):
 @pytest.mark.parametrize("faces", ["triangles", "quads"])
 def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     source = grid("Bump", bump, size=6, faces=faces)
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"
     assert SUGGEST[kind]() == {"FINISHED"}
     suggestions = found(addon, source)
     assert (suggestions.kind, suggestions.chosen, suggestions.target) == (kind, 0, None)
@@ -63,6 +64,7 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
 
 def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon):
     source = two_hills()
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"
     SUGGEST["DARTS"]()
     cuts = found(addon, source).cuts
     twins = [cut for cut in cuts if len(cut.lengths) == 2]
@@ -102,6 +104,7 @@ def test_the_list_is_of_the_chosen_piece_and_goes_when_the_model_changes(addon, 
 def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, monkeypatch):
     source = grid("Bump", bump, size=6)
     bpy.ops.object.wirewarp_flatten()
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"
     SUGGEST["DARTS"]()
     first, second, *_ = found(addon, source).cuts
     monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)  # otherwise, quick changes are seen late

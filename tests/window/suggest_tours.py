@@ -47,7 +47,7 @@ def take_and_undo(source: bpy.types.Object, picture: str) -> drive.Tour:
     yield lambda: seam_count() == len(edges)
 
 
-def a_smooth_line_is_cut_and_undone_with_one_click_each() -> drive.Tour:
+def a_smooth_dart_is_cut_and_undone_with_one_click_each() -> drive.Tour:
     source = grid("Bump", bump, size=12)
     remember()
     yield from flatten()
@@ -55,7 +55,9 @@ def a_smooth_line_is_cut_and_undone_with_one_click_each() -> drive.Tour:
     yield from suggest()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_suggestions)
     yield from drive.ticks(10)
-    yield from drive.click_button("bpy.ops.object.wirewarp_mend(what='SMOOTH'")
+    assert not current(source).cuts[0].edges
+    drive.screenshot("smooth_suggestion")
+    yield from drive.click_button("bpy.ops.object.wirewarp_mend(")
     yield lambda: len(source.data.vertices) > 13 * 13 and not window_run.is_running()
     drive.screenshot("smooth")
     cut = contents(source)
@@ -66,6 +68,7 @@ def a_smooth_line_is_cut_and_undone_with_one_click_each() -> drive.Tour:
 
 
 def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"
     yield from take_and_undo(grid("Bump", bump, size=16), "suggestions")
 
 

@@ -38,10 +38,8 @@ def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
 
 def test_the_chosen_set_is_of_the_fewest_pieces_that_the_fabric_can_do(addon):
     suggest = addon.solve.suggest
-    sets = [
-        suggest.Cut([], [], 0, [1.0], strain, math.inf, pieces) for pieces, strain in ((9, 0.04), (3, 0.3), (5, 0.1))
-    ]
-    sets.append(suggest.Cut([], [], 0, [1.0], 0.2, math.inf, 6))  # more pieces than the third, and more stretch
+    figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2)  # the last: more pieces than the third, and more stretch
+    sets = [suggest.Cut([], [], [], None, 0, [1.0], strain, math.inf, pieces) for pieces, strain in figures]
     sets = suggest.from_few_pieces(sets)
     assert [each.num_pieces for each in sets] == [3, 5, 9]
     assert [suggest.set_for(sets, limit) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
@@ -52,6 +50,7 @@ def test_twins_without_common_figures_are_one_row(addon):
         edges = np.array([[0, 1]])
         return SimpleNamespace(
             edges=edges,
+            paths=[],
             piece=0,
             length=1.0,
             num_pieces=1,
@@ -63,7 +62,14 @@ def test_twins_without_common_figures_are_one_row(addon):
 
     apart = [proposal(0.3, 1, None), proposal(0.3, 0, None)]
     together = [proposal(0.4, 3, 0.2), proposal(0.4, 2, 0.2)]
-    cuts = addon.solve.suggest._with_mirror_images([*apart, *together], set())
+    triangle = np.array([[0, 1, 2]])
+    arrays = SimpleNamespace(
+        vertices=np.eye(3),
+        edges=np.array([[0, 1], [0, 2], [1, 2]]),
+        triangles=triangle,
+        triangle_polygons=np.array([0]),
+    )
+    cuts = addon.solve.suggest._with_mirror_images([*apart, *together], arrays)
     assert [(cut.strain, len(cut.lengths)) for cut in cuts] == [(0.3, 1), (0.2, 2)]
 
 

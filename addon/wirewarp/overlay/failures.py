@@ -7,10 +7,11 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import find_values, has_attributes
-from ..blender.mesh import corner_edges, edge_vertices, faces_of_corners, next_loops, vertex_places
+from ..blender.mesh import corner_edges, corner_vertices, edge_vertices, faces_of_corners, next_loops, vertex_places
 from ..core import CLOSED_CODE, Issue
 from ..names import SOURCE_FACE, SOURCE_VERTEX
 from ..solve.chains import edge_keys
+from ..solve.cut_faces import Segments, places_on
 from ..state.changes import has_changed
 from ..state.owners import model_of, model_or_self
 from ..state.reports import pieces_report
@@ -102,7 +103,6 @@ def _named(pairs: np.ndarray, edges: list) -> np.ndarray:
     return np.isin(edge_keys(pairs, count), edge_keys(wanted, count))
 
 
-SIDES = [0, 1, 1, 2, 2, 0]  # barycentric, because a cut may run across faces
 NO_LINES = np.zeros((0, 3), dtype=np.float32)
 
 
@@ -117,39 +117,38 @@ def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
 
 def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
     """Return (2k,3) on a model or flat pieces in Object Mode; none if nothing is chosen."""
-    pairs = _pairs(target)
-    if not pairs:
+    segments = _segments(target)
+    if segments is None:
         return NO_LINES
     with shown_mesh(target, depsgraph) as mesh:
-        triangles, source = gather_triangles(mesh), np.arange(len(mesh.vertices))
+        places, faces, vertices = vertex_places(mesh), faces_of_corners(mesh), corner_vertices(mesh)
+        sources = vertices
         if model_or_self(target) != target:
-            if not has_attributes(mesh, SOURCE_VERTEX):
+            if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
                 return NO_LINES
-            source = find_values(mesh, SOURCE_VERTEX)
-    sides = np.unique(np.sort(triangles.vertices[:, SIDES].reshape(-1, 2), axis=1), axis=0)
-    return triangles.positions[sides[_named(source[sides], pairs)].ravel()]
+            faces, sources = find_values(mesh, SOURCE_FACE)[faces], find_values(mesh, SOURCE_VERTEX)[vertices]
+    return places_on(segments, faces, sources, places[vertices])
 
 
 def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
     """Return (2k,3) in the map of the pieces, for an object in Object Mode."""
-    pairs = _pairs(model)
-    if not pairs or is_modified(model):  # a piece without a map
+    segments = _segments(model)
+    if segments is None or is_modified(model):  # a piece without a map
         return NO_LINES
-    triangles = gather_triangles(model.data)
-    is_cut = _named(triangles.vertices[:, SIDES].reshape(-1, 2), pairs)
-    return uv_places(model.data)[triangles.corners[:, SIDES].reshape(-1, 2)[is_cut].ravel()]
+    mesh = model.data
+    return places_on(segments, faces_of_corners(mesh), corner_vertices(mesh), uv_places(mesh))
 
 
-def _pairs(target: bpy.types.Object) -> list[tuple[int, int]]:
-    """Return vertex pairs of the model; none if they are not visible, such as those of a mesh that modifiers shape."""
+def _segments(target: bpy.types.Object) -> Segments | None:
+    """Return those of the chosen cut; None if they are not visible, as on a mesh that modifiers shape."""
     source = model_or_self(target)
     found = current_suggestions(source)
     if found is None:
-        return []
+        return None
     if source == target:
         is_seen = is_modified(source) == found.with_modifiers
     else:
         report = pieces_report(source)
         is_same = report is not None and report.with_modifiers == found.with_modifiers
         is_seen = is_same and not has_changed(source, report.model_state)
-    return found.cuts[found.chosen].edges if is_seen else []
+    return found.cuts[found.chosen].segments if is_seen else None

@@ -11,7 +11,6 @@ from ..core import percent_text
 from ..flatten.operators import FlattenSteps
 from ..flatten.read import active_target, check_sources
 from ..issues import object_error
-from ..marks.ease import mark_seams
 from ..marks.mark import seams_from_uv
 from ..properties import take_settings
 from ..state.memory import read_anew
@@ -19,7 +18,7 @@ from ..state.owners import check_not_edited, model_or_self
 from ..state.read_model import apply_modifiers, outline_change, subdivide
 from ..state.reports import last_report
 from ..state.suggestions import current_suggestions, suggestions_of
-from ..suggest.smooth import cut_across_faces, cut_smooth_lines
+from ..suggest.smooth import take_lines
 from ..ui import window_run
 from ..ui.editing import OnMesh, reporting_refusals
 from ..ui.settings import draw_settings
@@ -152,7 +151,6 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
         items=[
             *PROPOSALS,
             ("SUGGESTION", "Suggestion", "Mark the cut that is chosen in the list of suggestions as seam"),
-            ("SMOOTH", "Smooth Suggestion", "Cut the chosen suggestion into the faces as a smooth line, as seam"),
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge overlapping vertices of the model"),
             ("NORMALS", "Normals", "Flip faces of the model so that all point to one side"),
@@ -239,26 +237,21 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
         found = suggestions_of(source)
         if found and found.with_modifiers:
             self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
-        return _take_suggestion(source, is_smooth=self.what == "SMOOTH")
+        return _take_suggestion(source)
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
 
 
-def _take_suggestion(source: bpy.types.Object, *, is_smooth: bool) -> int:
+def _take_suggestion(source: bpy.types.Object) -> int:
     """Returns how many edges were marked. Raises ObjectError."""
     found = current_suggestions(source, read_anew)
     if found is None:
         sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'
         raise object_error("no_suggestion", sentence)
-    cut = found.cuts[found.chosen]
     if found.with_modifiers:
         apply_modifiers(source)
-    if is_smooth:
-        return len(cut_smooth_lines(source, cut.edges))
-    if cut.diagonals:
-        cut_across_faces(source.data, cut.diagonals)
-    return mark_seams(source.data, cut.edges)
+    return take_lines(source, found.cuts[found.chosen].paths)
 
 
 CLASSES = (OBJECT_OT_wirewarp_check, OBJECT_OT_wirewarp_show_fault, OBJECT_OT_wirewarp_mend)

@@ -1,24 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cuts that the core library proposes, as edges to mark, and in words. No Blender in here."""
+"""Cuts that the core library proposes, as lines on the mesh, and in words. No Blender in here."""
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
-from ..core import DartProposal, Job, LengthText, counted, percent_text
+from ..core import DartProposal, Job, LengthText, SurfacePath, counted, percent_text, quoted
 from ..issues import ObjectError
 from ..names import NO_SEAM
 from .arrays import MeshArrays
 from .chains import edge_keys
+from .cut_faces import Pairs, Segments, segments_of
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import Steps
 
 PAINTED = f' Nor may a seam run where "{NO_SEAM}" is painted.'
-Pairs = list[tuple[int, int]]  # vertices
 
 
 @dataclass(frozen=True)
@@ -48,8 +48,10 @@ class Cut:
     For a target, it includes all cuts from the first to one of them.
     """
 
-    edges: Pairs
-    diagonals: Pairs  # those of them that are none of the mesh yet, but lie across a face of four corners
+    edges: Pairs  # along which it runs; none if a line crosses faces
+    diagonals: Pairs  # those of them that lie across a face of the mesh
+    paths: list[SurfacePath] = field(compare=False)  # the same as lines, for library.cut_mesh
+    segments: Segments = field(compare=False)  # what is drawn
     piece: int  # as flattening numbers them
     lengths: list[float]  # of each of them on the model, of a set in all, Blender units
     strain: float  # what 99% of the piece (of the worst part) must stretch or ease less than, when cut so
@@ -62,46 +64,52 @@ class Cut:
         return math.isinf(self.strain_before)
 
 
-def suggest_cuts(
-    library: ModuleType,
-    arrays: MeshArrays,
-    choices: FlattenChoices,
-    kind: str,
-    piece: int | None,
-    no_seam: NoSeam,
-    target: Target | None,
-) -> Steps[list[Cut]]:
-    """The best first; with a target each with all before it. kind: DARTS or SEAMS; piece: None for any.
+@dataclass(frozen=True)
+class Wish:
+    """Which cuts to suggest."""
 
-    Sets of first cuts go from few pieces to little stretch.
+    kind: str  # DARTS or SEAMS
+    piece: int | None = None  # None for any
+    target: Target | None = None
+    is_smooth: bool = False  # darts may be lines across faces, without a target
+    names: dict[int, str] = field(default_factory=dict)  # of pieces, by their ids
+
+    def piece_text(self, arrays: MeshArrays, triangles: np.ndarray) -> str:
+        """Return the name of the piece of these triangles in quotes; "the piece" if it is not known."""
+        ids = np.unique(arrays.piece_ids[arrays.triangle_polygons[triangles]])
+        return quoted([self.names[int(ids[0])]]) if len(ids) == 1 and ids[0] in self.names else "the piece"
+
+
+def suggest_cuts(
+    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, wish: Wish, no_seam: NoSeam
+) -> Steps[list[Cut]]:
+    """The best first; with a target each with all before it. Sets of first cuts go from few pieces to little stretch.
 
     Raises ObjectError, also where there is nothing to gain.
     """
     try:
         shared = library_arguments(library, arrays, choices)
         across = diagonals(arrays)
-        barred = np.concatenate([_barred_edges(arrays, no_seam), _barred_diagonals(across, arrays, no_seam)])
-        arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": piece}
-        job = _start(library, kind, target, arguments | {"no_seam": barred})
-        proposals, new = (yield from result_of(job)), {tuple(pair) for pair in across.tolist()}
-        if target is not None:
-            return _steps_of(proposals, new, piece)
-        cuts = _with_mirror_images(proposals, new)
+        barred = np.concatenate([_barred_edges(arrays, no_seam, wish), _barred_diagonals(across, arrays, no_seam)])
+        arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": wish.piece}
+        proposals = yield from result_of(_start(library, wish, arguments | {"no_seam": barred}))
+        if wish.target is not None:
+            return _steps_of(proposals, arrays, wish.piece)
+        cuts = _with_mirror_images(proposals, arrays)
         return from_few_pieces(cuts) if cuts[0].is_first else cuts
     except library.FlattenError as error:
-        issue = issue_of_error(error, arrays)
+        issue = issue_of_error(error, arrays, piece=wish.piece_text(arrays, np.asarray(error.faces, dtype=int)))
         if issue.code == "no_proposal" and (no_seam.faces.any() or no_seam.vertices.any()):
             issue = replace(issue, sentence=issue.sentence + PAINTED)
         raise ObjectError(issue) from error
 
 
-def _start(
-    library: ModuleType, kind: str, target: Target | None, arguments: dict[str, Any]
-) -> "Job[list[DartProposal]]":
-    if target is None:
-        return (library.start_darts if kind == "DARTS" else library.start_seams)(**arguments)
-    limits = {"strain": target.strain, "most": target.most, "total_length": target.length}
-    return library.start_plan(**arguments, **limits, kind="dart" if kind == "DARTS" else "seam", twins=True)
+def _start(library: ModuleType, wish: Wish, arguments: dict[str, Any]) -> "Job[list[DartProposal]]":
+    target, is_dart = wish.target, wish.kind == "DARTS"
+    if target is not None:
+        limits = {"strain": target.strain, "most": target.most, "total_length": target.length}
+        return library.start_plan(**arguments, **limits, kind="dart" if is_dart else "seam", twins=True)
+    return library.start_darts(**arguments, smooth=wish.is_smooth) if is_dart else library.start_seams(**arguments)
 
 
 def diagonals(arrays: MeshArrays) -> np.ndarray:
@@ -111,11 +119,15 @@ def diagonals(arrays: MeshArrays) -> np.ndarray:
     return np.unique(sides[~np.isin(edge_keys(sides, count), edge_keys(arrays.edges, count))], axis=0)
 
 
-def _barred_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
-    """Return edges (k,2) with both ends painted, or all faces: edges around painted faces are allowed."""
+def _barred_edges(arrays: MeshArrays, no_seam: NoSeam, wish: Wish) -> np.ndarray:
+    """Return edges (k,2) with both ends painted, or with painted faces only: a cut may run around painted faces.
+
+    A smooth line may cross no edge of a painted face.
+    """
     counts = np.bincount(arrays.loop_edges, minlength=len(arrays.edges))
     painted = painted_at_edges(arrays, no_seam)
-    return arrays.edges[((counts > 0) & (painted == counts)) | no_seam.vertices[arrays.edges].all(axis=1)]
+    is_barred = painted > 0 if wish.is_smooth else (counts > 0) & (painted == counts)
+    return arrays.edges[is_barred | no_seam.vertices[arrays.edges].all(axis=1)]
 
 
 def painted_at_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
@@ -125,23 +137,22 @@ def painted_at_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
 
 
 def _barred_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
-    """(k,2) of painted faces, and of those with more corners: cut in two they may be filled otherwise than now."""
-    polygons = polygons_across(across, arrays)
-    is_barred = (arrays.polygon_sizes[polygons] > 4) | no_seam.faces[polygons] | no_seam.vertices[across].all(axis=1)
-    return across[is_barred]
+    """(k,2) of painted faces."""
+    is_painted = no_seam.faces[polygons_across(across, arrays)] | no_seam.vertices[across].all(axis=1)
+    return across[is_painted]
 
 
-def _with_mirror_images(proposals: list[DartProposal], across: set[tuple[int, int]]) -> list[Cut]:
+def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> list[Cut]:
     """In the library's order. Mirror images as one cut; one of them, where two are no better than one."""
     cuts = []
     for index, proposal in enumerate(proposals):
         if proposal.twin is not None and proposal.twin < index:
             continue
         if proposal.strain_with_twin is None:
-            cuts.append(_cut([proposal], proposal.strain, proposal.strain_before, across))
+            cuts.append(_cut([proposal], proposal.strain, proposal.strain_before, arrays))
         else:
             both = [proposal, proposals[proposal.twin]]
-            cuts.append(_cut(both, proposal.strain_with_twin, proposal.strain_before, across))
+            cuts.append(_cut(both, proposal.strain_with_twin, proposal.strain_before, arrays))
     return cuts
 
 
@@ -159,20 +170,32 @@ def set_for(sets: Sequence[Cut], limit: float) -> int:
     return next((index for index, each in enumerate(sets) if each.strain <= limit), len(sets) - 1)
 
 
-def _steps_of(plan: list[DartProposal], across: set[tuple[int, int]], piece: int | None) -> list[Cut]:
+def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:
     """Mirror images that are taken together are one step. piece: that was asked for."""
     first = plan[0]
     # Of any piece: another one, which stays as it is, may be strained more than what is cut first.
     before = first.strain_before if piece is not None else max(first.strain_before, first.strain_left)
     ends = [index + 1 for index, each in enumerate(plan) if each.twin is None or each.twin < index]
-    return [_cut(plan[:end], plan[end - 1].strain_left, before, across) for end in ends]
+    return [_cut(plan[:end], plan[end - 1].strain_left, before, arrays) for end in ends]
 
 
-def _cut(proposals: list[DartProposal], strain: float, before: float, across: set[tuple[int, int]]) -> Cut:
-    edges = [(min(pair), max(pair)) for proposal in proposals for pair in proposal.edges.tolist()]
-    new = [edge for edge in edges if edge in across]
-    lengths, num_pieces = [each.length for each in proposals], proposals[0].num_pieces
-    return Cut(edges, new, proposals[0].piece, lengths, strain, before, num_pieces)
+def _cut(proposals: list[DartProposal], strain: float, before: float, arrays: MeshArrays) -> Cut:
+    paths = [path for proposal in proposals for path in proposal.paths]
+    pairs = [proposal.edges for proposal in proposals]
+    edges = np.sort(np.concatenate(pairs), axis=1) if all(len(each) for each in pairs) else np.empty((0, 2), np.int32)
+    count = len(arrays.vertices)
+    new = edges[~np.isin(edge_keys(edges, count), edge_keys(arrays.edges, count))]
+    return Cut(
+        edges=[(a, b) for a, b in edges.tolist()],
+        diagonals=[(a, b) for a, b in new.tolist()],
+        paths=paths,
+        segments=segments_of(paths, arrays),
+        piece=proposals[0].piece,
+        lengths=[each.length for each in proposals],
+        strain=strain,
+        strain_before=before,
+        num_pieces=proposals[0].num_pieces,
+    )
 
 
 WORDS = {"DARTS": ("dart", "darts"), "SEAMS": ("seam", "seams")}

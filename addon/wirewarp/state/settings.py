@@ -290,6 +290,20 @@ SETTINGS = (  # in the order of the panel
 class TargetSettings:
     """Settings of Suggest Darts and Suggest Seams."""
 
+    dart_lines: EnumProperty(
+        name="Dart Lines",
+        description="Where suggested darts run. Seams, and darts up to a target, follow edges of the mesh",
+        items=[
+            (
+                "SMOOTH",
+                "Smooth",
+                "Straight or gently curved lines across faces, which are easier to sew. Marking one adds edges to "
+                "the model; its surface does not change. The best dart along edges is listed if it leaves less stretch",
+            ),
+            ("EDGES", "Along Edges", "Only along edges of the mesh, so that marking a dart adds no vertices"),
+        ],
+        default="SMOOTH",
+    )
     suggest_together: BoolProperty(
         name="Up to a Target",
         description="Suggest cuts to be marked together, one after the other, until the fabric need not stretch more "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested cuts, and smooth lines in place of edges.
+"""Suggested cuts, and lines cut into the mesh.
 
 May import: flatten, marks, ui, state, solve, blender, properties, core, issues, names.
 """

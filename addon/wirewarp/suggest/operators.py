@@ -18,13 +18,13 @@ from ..issues import ObjectError, changed_error, object_error
 from ..properties import mend_settings
 from ..solve.flatten import FlattenChoices, maximum_stretch, used_choices
 from ..solve.steps import CanceledError, Steps
-from ..solve.suggest import Cut, NoSeam, Target, cut_text, found_words, set_for, shortfall, step_text, suggest_cuts
+from ..solve.suggest import Cut, NoSeam, Wish, cut_text, found_words, set_for, shortfall, step_text, suggest_cuts
 from ..state.changes import has_changed
 from ..state.memory import read_anew
 from ..state.owners import model_or_self
 from ..state.read_model import check_modifiers, shaped_by
 from ..state.reports import last_report, pieces_report
-from ..state.settings import choices_of, target_of
+from ..state.settings import FlattenSettings, TargetSettings, choices_of, target_of
 from ..state.suggestions import Suggestions, are_current, choose, drop, keep, read_no_seam
 from ..ui import window_run
 from ..ui.editing import OnMesh, reporting_refusals
@@ -37,9 +37,7 @@ SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models ar
 class Search:
     """A search under way for one model, as it was read."""
 
-    kind: str  # DARTS or SEAMS
-    piece: int | None  # requested piece
-    target: Target | None
+    wish: Wish
     model: Model
     choices: FlattenChoices
     no_seam: NoSeam  # of the model's own mesh
@@ -50,7 +48,7 @@ class Search:
     @property
     def is_of_model(self) -> bool:
         """Cuts that are taken together, of any piece: they may be of several, which they number anew."""
-        return self.target is not None and self.piece is None
+        return self.wish.target is not None and self.wish.piece is None
 
 
 def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str, piece: int | None) -> Search:
@@ -75,15 +73,17 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
         raise changed_error(source.name)
     known = report if is_true else last_report(source)  # of a closed model, which has no flat pieces yet
     is_known = known is not None and (is_true or not has_changed(source, known.model_state))
-    names = {piece.index: piece.name for piece in known.pieces} if is_known else {}
+    pieces = known.pieces if is_known else []
     choices = choices_of(settings, meters_per_blender_unit(context.scene))
     own = no_seam = read_no_seam(source)
     if is_shaped or is_split:
         with evaluated_mesh(source, depsgraph) as mesh:
             no_seam = read_no_seam(source, mesh)
     target, used = target_of(settings), used_choices(choices, model.arrays)
-    steps = suggest_cuts(core.library(), model.arrays, choices, kind, piece, no_seam, target)
-    return Search(kind, piece, target, model, used, own, is_shaped or is_split, steps, names)
+    is_smooth = settings.dart_lines == "SMOOTH" and kind == "DARTS" and target is None
+    wish = Wish(kind, piece, target, is_smooth, {each.piece_id: each.name for each in pieces if each.piece_id})
+    steps = suggest_cuts(core.library(), model.arrays, choices, wish, no_seam)
+    return Search(wish, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
@@ -95,7 +95,7 @@ def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
 
 def _shown_first(search: Search, cuts: list[Cut]) -> int:
     """All cuts for a target; of sets of first cuts that for the fabric; else the best cut."""
-    if search.target:
+    if search.wish.target:
         return len(cuts) - 1
     if not cuts[0].is_first:
         return 0
@@ -109,9 +109,9 @@ def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
     model = search.model
     wire_ids = {wire.chain.wire_id for wire in model.arrays.wires}
     found = Suggestions(
-        search.kind,
+        search.wish.kind,
         cuts,
-        search.target,
+        search.wish.target,
         _names_of(search, cuts),
         search.choices,
         model.arrays.grain_wire,
@@ -174,7 +174,8 @@ class SuggestCuts(OnMesh, WindowSteps):
         """Raises ObjectError if there is nothing to search."""
         check_sources(context, active_target(context))
         source = model_or_self(context.active_object)
-        mend_settings(context.scene.wirewarp)
+        for settings in (FlattenSettings, TargetSettings):
+            mend_settings(context.scene.wirewarp, settings)
         with in_object_mode(context):
             piece = None if self.piece == -1 else self.piece
             self._search: Search = begin_search(context, source, self.kind, piece)

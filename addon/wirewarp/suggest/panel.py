@@ -32,6 +32,10 @@ def draw_suggest(
         return
     for kind in kinds:
         row.operator(f"object.wirewarp_suggest_{kind}").piece = piece
+    if "darts" in kinds:
+        row = layout.row(align=True)
+        row.enabled = not settings.suggest_together
+        row.prop(settings, "dart_lines", expand=True)
     layout.prop(settings, "suggest_together")
     if settings.suggest_together:
         column = layout.column(align=True)
@@ -68,16 +72,17 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         sentence = figures_sentence(shown_source(context), found, context.scene.wirewarp)
         if sentence:
             draw_sentence(context, layout, sentence, "INFO")
-        new = len(found.cuts[found.chosen].diagonals)
-        if new:
-            draw_sentence(context, layout, f"Marking it adds {counted(new, 'edge')} across faces of the model.", "INFO")
+        cut = found.cuts[found.chosen]
+        if not cut.edges:
+            draw_sentence(context, layout, "Marking it adds vertices and edges where it crosses faces.", "INFO")
+        elif cut.diagonals:
+            new = counted(len(cut.diagonals), "edge")
+            draw_sentence(context, layout, f"Marking it adds {new} across faces of the model.", "INFO")
         if found.with_modifiers:
             draw_sentence(context, layout, "Marking it applies the modifiers of the model.", "INFO")
         take = layout.column(align=True)
         take.scale_y = 1.2
         take.operator("object.wirewarp_mend", text="Mark and Flatten", icon="EDGESEL").what = "SUGGESTION"
-        if not found.cuts[found.chosen].is_first:  # which have lines without ends
-            take.operator("object.wirewarp_mend", text="Cut Smoothly and Flatten", icon="MOD_SMOOTH").what = "SMOOTH"
 
 
 def are_shown(context: bpy.types.Context) -> bool:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Smooth lines in place of edges: computed by the core, cut into the mesh; and the button for a seam.
+"""Lines cut into the mesh: those of suggestions, and the button that smooths a seam.
 
 The surface stays, and so do marks, maps and attributes: what is new gets them from what it lies on.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from itertools import pairwise
 
@@ -16,13 +16,15 @@ from .. import core
 from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, read_selected_edges
 from ..blender.objects import check_local
 from ..blender.selection import in_object_mode
-from ..core import Issue, counted
+from ..core import Issue, SurfacePath, counted
 from ..issues import ObjectError, object_error
 from ..marks.ease import clear_seams, edges_with_marks, mark_seams
 from ..names import MARKS
+from ..solve.arrays import MeshArrays
 from ..solve.chains import split_into_chains
-from ..solve.smooth_lines import Point, SmoothLine, smooth_line
-from ..solve.suggest import Pairs
+from ..solve.cut_faces import Division, Pairs, common_sides, divide
+from ..solve.flatten import issue_of_error
+from ..solve.smooth_lines import smooth_line
 from ..state.marked_mesh import marked_mesh
 from ..state.owners import check_not_edited
 from ..state.read_model import object_to_arrays
@@ -30,33 +32,37 @@ from ..state.suggestions import read_no_seam
 from ..ui.editing import OnModel, reporting_refusals
 
 
-def cut_across_faces(mesh: bpy.types.Mesh, pairs: Pairs) -> None:
-    """Adds edges, given as vertex pairs, across faces of four corners."""
-    with _edited(mesh) as edited:
-        vertices = list(edited.verts)
-        for a, b in pairs:
-            first, second = vertices[a], vertices[b]
-            face = next(each for each in first.link_faces if second in each.verts and len(each.verts) == 4)
-            _split(edited, face, first, second)
+def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath]) -> int:
+    """Make edges of the lines, and seams of these. Returns how many edges were no seams before. Raises ObjectError."""
+    arrays = object_to_arrays(source, marked_mesh(source), None)
+    return mark_seams(source.data, _cut(source.data, arrays, paths))
 
 
-def cut_line(mesh: bpy.types.Mesh, line: SmoothLine) -> Pairs:
-    """Makes edges of the line; vertices keep their indices. Returns these edges. Raises ObjectError, with no change."""
+def _cut(mesh: bpy.types.Mesh, arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Pairs:
+    """Return the edges of the lines. Raises ObjectError, with no change."""
+    try:
+        division = divide(core.library(), arrays, paths)
+    except core.FlattenError as error:
+        raise ObjectError(issue_of_error(error, arrays)) from error
+    return cut_lines(mesh, division) if division.polygons else division.lines
+
+
+def cut_lines(mesh: bpy.types.Mesh, division: Division) -> Pairs:
+    """Divide the faces of a mesh. Vertices keep their indices. Returns the edges of the lines."""
     with _edited(mesh) as edited:
-        old_vertices, old_faces = list(edited.verts), list(edited.faces)
-        for polygon, pairs in line.diagonals.items():
-            parts = [old_faces[polygon]]
-            for a, b in pairs:
-                ends = old_vertices[a], old_vertices[b]
-                face = next(each for each in parts if set(ends) <= set(each.verts))
-                parts.append(_split(edited, face, *ends))
-        vertices = [_vertex_at(edited, old_vertices, point) for point in line.points]
-        for first, second in pairwise(vertices):
-            if edited.edges.get((first, second)) is None:
-                face = next(each for each in first.link_faces if second in each.verts)
-                _split(edited, face, first, second)
+        vertices, faces = dict(enumerate(edited.verts)), list(edited.faces)
+        filled = []  # each triangle that fills a divided face, with what lies across it
+        for polygon, triangles in division.polygons.items():
+            parts = [faces[polygon]]
+            _split_along(edited, parts, common_sides([each.corners for each in triangles]), vertices)
+            part_of = {frozenset(part.verts): part for part in parts}
+            filled += [(part_of[frozenset(vertices[v] for v in each.corners)], each.across) for each in triangles]
+        for line in division.edges:
+            _split_edge(edited, line, vertices)
+        for part, across in filled:
+            _split_along(edited, [part], across, vertices)
         edited.verts.index_update()
-        return [(first.index, second.index) for first, second in pairwise(vertices)]
+        return [(vertices[a].index, vertices[b].index) for a, b in division.lines]
 
 
 @contextmanager
@@ -87,31 +93,35 @@ def _edited(mesh: bpy.types.Mesh) -> Iterator[bmesh.types.BMesh]:
     mesh.update()
 
 
-def _split(
-    edited: bmesh.types.BMesh, face: bmesh.types.BMFace, first: bmesh.types.BMVert, second: bmesh.types.BMVert
-) -> bmesh.types.BMFace:
-    """Return the new face."""
-    new, corner = bmesh.utils.face_split(face, first, second)
-    for loop in corner.edge.link_loops:  # they are copies of corners that begin other edges
-        for side in _side_layers(edited):
-            loop[side] = 0.0
-    return new
+def _split_along(
+    edited: bmesh.types.BMesh,
+    parts: list[bmesh.types.BMFace],
+    pairs: Pairs,
+    vertices: dict[int, bmesh.types.BMVert],
+) -> None:
+    """Split a face along new edges, which do not cross. parts: the face; its new parts are added."""
+    for a, b in pairs:
+        first, second = vertices[a], vertices[b]
+        face = next(each for each in parts if {first, second} <= set(each.verts))
+        new, corner = bmesh.utils.face_split(face, first, second)
+        parts.append(new)
+        for loop in corner.edge.link_loops:  # they are copies of corners that begin other edges
+            for side in _side_layers(edited):
+                loop[side] = 0.0
 
 
-def _vertex_at(edited: bmesh.types.BMesh, vertices: list[bmesh.types.BMVert], point: Point) -> bmesh.types.BMVert:
-    """Return the vertex at the point, a new one if there is none."""
-    first, second, share = point
-    if first == second:
-        return vertices[first]
-    edge = edited.edges.get((vertices[first], vertices[second]))
-    if edge is None:
-        sentence = f"The smooth line would cross itself at edge {first}-{second}. Mark it along edges instead."
-        raise object_error("line_crosses_itself", sentence)
-    _, vertex = bmesh.utils.edge_split(edge, vertices[first], share)
-    for loop in vertex.link_loops:  # it begins the second half of what the corner before it began
-        for side in _side_layers(edited):
-            loop[side] = loop.link_loop_prev[side]
-    return vertex
+def _split_edge(
+    edited: bmesh.types.BMesh, line: list[tuple[int, float]], vertices: dict[int, bmesh.types.BMVert]
+) -> None:
+    """Add the vertices along an edge. line: as in Division.edges."""
+    (first, start), (last, _) = line[0], line[-1]
+    for index, share in line[1:-1]:
+        edge = edited.edges.get((vertices[first], vertices[last]))
+        _, vertex = bmesh.utils.edge_split(edge, vertices[first], (share - start) / (1 - start))
+        for loop in vertex.link_loops:  # it begins the second half of what the corner before it began
+            for side in _side_layers(edited):
+                loop[side] = loop.link_loop_prev[side]
+        vertices[index], first, start = vertex, index, share
 
 
 def _side_layers(edited: bmesh.types.BMesh) -> list[bmesh.types.BMLayerItem]:
@@ -136,7 +146,7 @@ def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
             arrays = object_to_arrays(source, marked_mesh(source), None)
             kept = [pair for other in paths[index + 1 :] for pair in pairwise(other)]
             line = smooth_line(core.library(), arrays, path, kept, read_no_seam(source))
-            cut = cut_line(mesh, line)
+            cut = _cut(mesh, arrays, [line])
             mark_seams(mesh, cut)
             seams += cut
     return seams

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lines on the surface of a mesh: where to draw them, and how they divide its faces. No Blender in here."""
+
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from types import ModuleType
+
+import numpy as np
+
+from ..core import CutSources, SurfacePath
+from .arrays import MeshArrays
+from .chains import edge_keys
+
+Pairs = list[tuple[int, int]]  # vertices
+
+
+@dataclass(frozen=True)
+class Segments:
+    """Straight sections of lines, each in one face. A point is a mix of three vertices of that face."""
+
+    polygons: np.ndarray  # (s,) int32
+    vertices: np.ndarray  # (s,3) int32
+    weights: np.ndarray  # (s,2,3) of both ends, with the sum 1
+
+
+@dataclass(frozen=True)
+class DividedTriangle:
+    corners: tuple[int, int, int]
+    across: Pairs  # new edges between its corners and points on its sides
+
+
+@dataclass(frozen=True)
+class Division:
+    """What lines change in a mesh: its surface stays, because faces are divided along the triangles that fill them."""
+
+    polygons: dict[int, list[DividedTriangle]]
+    edges: list[list[tuple[int, float]]]  # points along each divided edge, with their distance from its first end
+    lines: Pairs  # edges of the lines; points that are new have numbers above those of all vertices
+
+
+def segments_of(paths: Iterable[SurfacePath], arrays: MeshArrays) -> Segments:
+    """Return what to draw of lines."""
+    points = [
+        list(zip(arrays.triangles[path.faces].tolist(), path.coordinates.tolist(), strict=True)) for path in paths
+    ]
+    mixes = [[{v: w for v, w in zip(*point, strict=True) if w > 0} for point in line] for line in points]
+    used = np.array([vertex for line in mixes for mix in line for vertex in mix], dtype=np.int64)
+    triangles_at = defaultdict(set)
+    for row in np.flatnonzero(np.isin(arrays.triangles, used).any(axis=1)).tolist():
+        for vertex in arrays.triangles[row].tolist():
+            triangles_at[vertex].add(row)
+    rows, weights = [], []
+    for first, second in (pair for line in mixes for pair in pairwise(line)):
+        row = min(set.intersection(*(triangles_at[vertex] for vertex in {*first, *second})))
+        corners = arrays.triangles[row].tolist()
+        rows.append(row)
+        weights.append([[mix.get(vertex, 0.0) for vertex in corners] for mix in (first, second)])
+    shape = np.array(weights).reshape(-1, 2, 3)
+    return Segments(arrays.triangle_polygons[rows], arrays.triangles[rows], shape)
+
+
+def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """Return the ends (2k,3) of the segments whose faces are there.
+
+    For each corner of a mesh: polygons (l,) its face, vertices (l,) its vertex, as the segments name them, and its
+    place (l,3).
+    """
+    near = np.flatnonzero(np.isin(polygons, segments.polygons))
+    corner_at = dict(
+        zip(zip(polygons[near].tolist(), vertices[near].tolist(), strict=True), near.tolist(), strict=True)
+    )
+    ends = []
+    for polygon, corners, weights in zip(
+        segments.polygons.tolist(), segments.vertices.tolist(), segments.weights, strict=True
+    ):
+        found = [corner_at.get((polygon, vertex)) for vertex in corners]
+        if None not in found:
+            ends.append(weights @ places[found])
+    return np.array(ends, dtype=np.float32).reshape(-1, 3)
+
+
+def divide(library: ModuleType, arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
+    """Return how to make edges of lines. Raises the library's FlattenError."""
+    _, faces, edges, sources = library.cut_mesh(arrays.vertices, arrays.triangles, list(paths))
+    lines = [(int(a), int(b)) for a, b in edges]
+    parts = defaultdict(list)
+    is_divided = np.bincount(sources.faces, minlength=len(arrays.triangles)) > 1
+    for row in np.flatnonzero(is_divided[sources.faces]).tolist():
+        parts[int(sources.faces[row])].append(faces[row].tolist())
+    rows = _triangles_of(np.concatenate([np.flatnonzero(is_divided), _across_faces(edges, arrays)]), arrays)
+    polygons = defaultdict(list)
+    for row in rows.tolist():
+        triangle = DividedTriangle(tuple(arrays.triangles[row].tolist()), common_sides(parts[row]))
+        polygons[int(arrays.triangle_polygons[row])].append(triangle)
+    return Division(dict(polygons), [_along(line.tolist(), sources) for line in sources.divided_edges], lines)
+
+
+def common_sides(triangles: Iterable[Sequence[int]]) -> Pairs:
+    """Return the sides that two triangles have."""
+    sides = Counter((min(a, b), max(a, b)) for triangle in triangles for a, b in pairwise([*triangle, triangle[0]]))
+    return [side for side, count in sides.items() if count == 2]
+
+
+def _triangles_of(rows: np.ndarray, arrays: MeshArrays) -> np.ndarray:
+    """Return all triangles of the polygons of these."""
+    return np.flatnonzero(np.isin(arrays.triangle_polygons, arrays.triangle_polygons[rows]))
+
+
+def _across_faces(edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
+    """Return triangles beside those of the edges (k,2) that lie across faces of the mesh."""
+    count = int(max(edges.max(initial=0), len(arrays.vertices) - 1)) + 1
+    keys = edge_keys(edges, count)
+    across = keys[~np.isin(keys, edge_keys(arrays.edges, count))]
+    sides = edge_keys(arrays.triangles[:, [0, 1, 1, 2, 2, 0]], count)
+    return np.flatnonzero(np.isin(sides, across)) // 3
+
+
+def _along(line: list[int], sources: CutSources) -> list[tuple[int, float]]:
+    shares = (sources.vertex_weights[line] * (sources.vertices[line] == line[-1])).sum(axis=1)
+    return list(zip(line, shares.tolist(), strict=True))

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Suggested darts as smooth lines: what is drawn is what is cut, with the claimed figure, and all else stays."""
+
+import bpy
+import numpy as np
+import pytest
+from everything import draw_panels
+from suggesting import SUGGEST, found
+from surfaces import bump, flat_of, grid, mark, on_line, read, round_bump
+from test_smooth_lines import places, seam_places, surface
+from test_suggestions import two_hills
+
+pytestmark = pytest.mark.api
+
+
+def choose_smooth(addon, source):
+    """Suggests darts and chooses the best that crosses faces."""
+    assert SUGGEST["DARTS"]() == {"FINISHED"}
+    cuts = found(addon, source).cuts
+    index = next(index for index, cut in enumerate(cuts) if not cut.edges)
+    bpy.ops.object.wirewarp_choose_suggestion(index=index)
+    return cuts[index]
+
+
+def drawn_on(addon, target):
+    """The ends of each drawn segment (k,2,3)."""
+    lines = addon.overlay.failures.suggested_lines(target, bpy.context.evaluated_depsgraph_get())
+    return lines.reshape(-1, 2, 3).astype(float)
+
+
+def lengths(ends):
+    return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+
+
+def rounded(ends):
+    return {tuple(sorted(map(tuple, pair))) for pair in (ends.round(5) + 0.0).tolist()}
+
+
+@pytest.mark.parametrize(("faces", "shape"), [("triangles", bump), ("quads", bump), ("ngons", round_bump)])
+def test_the_dart_is_cut_as_drawn_and_has_the_claimed_figure(addon, faces, shape):
+    source = grid("Bump", shape, faces=faces)
+    bpy.ops.object.wirewarp_flatten()
+    cut = choose_smooth(addon, source)
+    assert "Marking it adds vertices and edges" in draw_panels(addon)
+    drawn, on_pieces = drawn_on(addon, source), drawn_on(addon, flat_of(source))
+    assert len(on_pieces) == len(drawn)
+    area, before = surface(source), places(source)
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    assert surface(source) == pytest.approx(area, rel=1e-6)
+    assert len(source.data.vertices) > len(before) and np.array_equal(places(source)[: len(before)], before)
+    assert rounded(seam_places(source)) == rounded(drawn)
+    assert lengths(seam_places(source)).sum() == pytest.approx(sum(cut.lengths), rel=1e-5)
+    (piece,) = addon.state.reports.last_report(source).pieces
+    assert piece.ok and piece.needed == pytest.approx(cut.strain, abs=1e-6)
+    assert found(addon, source) is None
+
+
+def test_mirror_images_are_cut_together(addon):
+    source = two_hills()
+    SUGGEST["DARTS"]()
+    cuts = found(addon, source).cuts
+    index, cut = next((index, cut) for index, cut in enumerate(cuts) if len(cut.lengths) == 2 and not cut.edges)
+    bpy.ops.object.wirewarp_choose_suggestion(index=index)
+    bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    line = seam_places(source).reshape(-1, 3)
+    apart = np.linalg.norm(line[:, None] * (-1, 1, 1) - line[None], axis=2).min(axis=1)
+    assert apart.max() < 1e-5
+    (piece,) = addon.state.reports.last_report(source).pieces
+    assert piece.needed == pytest.approx(cut.strain, abs=1e-6)
+
+
+def test_attributes_and_marks_stay(addon):
+    source = grid("Bump", bump)
+    mesh = source.data
+    mark(source, on_line(0, -0.75))
+    wired = {tuple(sorted(edge.vertices)) for edge, wire in zip(mesh.edges, wires(mesh), strict=True) if wire}
+    layer = mesh.uv_layers.new(name="Mine")
+    corners = places(source)[read(mesh.loops, "vertex_index", np.int32)]
+    layer.data.foreach_set("uv", corners[:, :2].astype(np.float32).ravel())
+    source.vertex_groups.new(name="All").add(range(len(mesh.vertices)), 0.5, "REPLACE")
+    for name in "Red", "Blue":
+        mesh.materials.append(bpy.data.materials.new(name))
+    mesh.polygons.foreach_set("material_index", [face.center.x > 0 for face in mesh.polygons])
+    source.shape_key_add(name="Basis")
+    source.shape_key_add(name="Twice").data.foreach_set("co", (2 * places(source)).astype(np.float32).ravel())
+    choose_smooth(addon, source)
+    bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    now = places(source)[read(mesh.loops, "vertex_index", np.int32)]
+    assert read(mesh.uv_layers["Mine"].data, "uv", np.float32, 2) == pytest.approx(now[:, :2], abs=1e-6)
+    assert all(source.vertex_groups["All"].weight(vertex.index) == 0.5 for vertex in mesh.vertices)
+    assert [face.material_index for face in mesh.polygons] == [face.center.x > 0 for face in mesh.polygons]
+    twice = read(mesh.shape_keys.key_blocks["Twice"].data, "co", np.float32, 3)
+    assert twice == pytest.approx(2 * places(source), abs=1e-6)
+    assert {tuple(sorted(edge.vertices)) for edge, wire in zip(mesh.edges, wires(mesh), strict=True) if wire} == wired
+
+
+def wires(mesh):
+    return read(mesh.attributes["wirewarp_wire"].data, "value", np.int32)
+
+
+def test_painted_faces_are_not_entered(addon):
+    source = grid("Bump", bump)
+    crossed = set(choose_smooth(addon, source).segments.polygons.tolist())
+    painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
+    painted.data.foreach_set("value", [index in crossed for index in range(len(source.data.polygons))])
+    SUGGEST["DARTS"]()
+    for cut in found(addon, source).cuts:
+        assert cut.edges or crossed.isdisjoint(cut.segments.polygons.tolist())
+
+
+def test_along_edges_the_mesh_stays(addon):
+    source = grid("Bump", bump, faces="triangles")
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"
+    SUGGEST["DARTS"]()
+    cuts = found(addon, source).cuts
+    assert all(cut.edges for cut in cuts)
+    bpy.context.scene.wirewarp.dart_lines = "SMOOTH"
+    SUGGEST["DARTS"]()
+    both = found(addon, source).cuts
+    assert both[0].strain <= cuts[0].strain
+    assert [cut.strain for cut in both] == sorted(cut.strain for cut in both)
+
+
+def test_a_piece_that_no_dart_helps_is_told_in_one_sentence(addon, monkeypatch):
+    source = grid("Bump", bump)
+    mark(source, on_line(0, -0.75))
+    bpy.ops.object.wirewarp_flatten()
+    source.wirewarp_pieces[0].name = "Front"
+    library = addon.core.library()
+
+    def fail(faces, **_):
+        why = {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [0]}
+        raise library.FlattenError("no_proposal", "", faces=range(len(faces)), arguments=why)
+
+    monkeypatch.setattr(library, "start_darts", fail)
+    sentence = 'No dart helps "Front", which needs 14.9% of stretch: loosen wire "Wire 1" or divide it by a seam'
+    with pytest.raises(RuntimeError, match=sentence):
+        SUGGEST["DARTS"]()
