@@ -8,6 +8,7 @@
 
 #include "dense_algebra.h"
 #include "energy/fair_shape_error.h"
+#include "energy/vertex_matrix.h"
 #include "test_meshes.h"
 
 namespace wirewarp::test_fair_shape_error {
@@ -255,6 +256,13 @@ TEST_F(BendingOfAFold, ALineIsHeldThroughACrossingAsByItsCornersOnACoarseMesh) {
   EXPECT_NEAR(value(input, 0.1), 0.5 * 4 * std::pow(0.1, 3) * n * squared(gamma), 1e-13);
   const double fairness = 4, corner = std::pow(fairness, 3) * 8 / fairness, line = std::pow(fairness, 3) * n - corner;
   EXPECT_NEAR(value(input, fairness), 0.5 * (4 * corner * squared(gamma) + 2 * line / 2 * squared(2 * gamma)), 1e-10);
+}
+
+TEST(VertexMatrix, AVertexPairedWithItselfHasItsDiagonalBlockOnly) {
+  const VertexMatrix matrix(3, {{0, 0}, {2, 0}, {1, 1}, {0, 0}}), without(3, {{2, 0}});
+  EXPECT_EQ(matrix.lower().nonZeros(), without.lower().nonZeros());
+  // The block of a submatrix is copied column by column, which Eigen does only for rising rows.
+  EXPECT_EQ(Eigen::SparseMatrix<double>(matrix.lower().topLeftCorner(4, 4)).nonZeros(), 6);
 }
 
 }  // namespace
