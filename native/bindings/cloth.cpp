@@ -66,12 +66,15 @@ void bind_cloth(py::module_& module) {
       [](const py::tuple& fields) {
         return make_cloth(fields[0], fields[1], fields[2], fields[3], fields[4], fields[5], fields[6]);
       }));
-  record.def("__eq__", [](const Cloth& cloth, const Cloth& other) {
-    const auto all = [](const Cloth& of) {
-      return std::make_tuple(of.weft, of.warp, of.shear, of.squeeze, of.stretch, of.locking, of.limits);
-    };
-    return all(cloth) == all(other);
-  });
+  record.def(
+      "__eq__",
+      [](const Cloth& cloth, const Cloth& other) {
+        const auto all = [](const Cloth& of) {
+          return std::make_tuple(of.weft, of.warp, of.shear, of.squeeze, of.stretch, of.locking, of.limits);
+        };
+        return all(cloth) == all(other);
+      },
+      py::is_operator());
   record.attr("__hash__") = py::none();
   record.field("weft", &Cloth::weft)
       .field("warp", &Cloth::warp)

@@ -263,6 +263,7 @@ def test_arguments_survive_copying_and_pickling(clone):
         twin = clone(value)
         assert type(twin) is type(value) and twin.to_dict() == value.to_dict()
     assert clone(MADE) == MADE != Cloth()
+    assert MADE not in (None, "woven")
     twin.gap = 0.25
     assert value.gap == CHANGED["gap"]
 

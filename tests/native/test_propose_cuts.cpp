@@ -81,7 +81,9 @@ TEST(ProposeCuts, TheFirstOfSmoothDartsIsNoWorseThanThoseAlongEdges) {
     const std::vector<DartProposal> proposals = propose_darts(input, {}, cut_options);
     EXPECT_LE(figure_of(proposals.front()), along_edges * (1 + 1e-9));
     for (std::size_t i = 0; i < proposals.size(); ++i) {
-      if (proposals[i].twin) EXPECT_EQ(proposals[*proposals[i].twin].twin, static_cast<int>(i));
+      if (proposals[i].twin) {
+        EXPECT_EQ(proposals[*proposals[i].twin].twin, static_cast<int>(i));
+      }
       EXPECT_LT(figure_of(proposals[i]), proposals[i].strain_before);
     }
   }
