@@ -147,7 +147,9 @@ using Files = std::map<std::string, std::string>;  // text by path
 
 /// The quota of a system with these files.
 std::optional<std::size_t> quota_with(const Files& files) {
-  const std::filesystem::path root = testing::TempDir() + "cpu_quota";
+  // Tests run side by side, so each needs a folder of its own.
+  const std::filesystem::path root =
+      testing::TempDir() + "cpu_quota_" + testing::UnitTest::GetInstance()->current_test_info()->name();
   std::filesystem::remove_all(root);
   for (const auto& [path, text] : files) {
     std::filesystem::create_directories((root / path).parent_path());
