@@ -10,6 +10,7 @@
 #include "base/planar.h"
 #include "base/work_meter.h"
 #include "cuts/propose/canonical_order.h"
+#include "cuts/propose/mirror_image.h"
 #include "cuts/propose/smooth_paths.h"
 #include "disguise.h"
 #include "test_meshes.h"
@@ -111,6 +112,46 @@ TEST(CanonicalOrder, OfARegularOutlineTakesWorkInProportionToItAndCanBeStopped) 
   EXPECT_GE(asked, 2 * corners / static_cast<int>(WorkMeter::work_per_question));
   EXPECT_LE(asked, 8 * corners / static_cast<int>(WorkMeter::work_per_question));
   EXPECT_THROW(in_canonical_order(chart, StopToken([](const char*) { return false; })), Stopped);
+}
+
+TEST(MirrorImage, APathAcrossFacesThatAreNotMirroredHasNone) {
+  // A roof whose diagonals all point the same way: its vertices, rows and columns are mirrored, its faces are not.
+  const int n = 8;
+  const auto roof = [](double s, double t) { return Eigen::Vector3d(2 * s - 1, 3 * t, 0.5 - std::abs(s - 0.5)); };
+  FlattenInput grid = test::make_grid(n, n, roof);
+  for (const bool are_alternate : {false, true}) {
+    if (are_alternate) test::alternate_diagonals(grid, n);
+    const Chart chart = test::chart_of(grid);
+    std::vector<VertexHandle> image;
+    for (const VertexHandle v : chart.mesh.vertices()) {
+      const int at = chart.source_vertex[v.idx()], column = at % (n + 1), mirrored_at = at + n - 2 * column;
+      const auto& sources = chart.source_vertex;
+      image.emplace_back(static_cast<int>(std::find(sources.begin(), sources.end(), mirrored_at) - sources.begin()));
+    }
+    // Every way from a corner of a face across the opposite edge to the far corner of the next face.
+    int num_mirrored = 0, num_refused = 0;
+    for (const HalfedgeHandle h : chart.mesh.halfedges()) {
+      if (chart.mesh.is_boundary(chart.mesh.edge_handle(h))) continue;
+      const HalfedgeHandle across = chart.mesh.opposite_halfedge_handle(h);
+      const auto apex = [&](HalfedgeHandle side) {
+        return chart.mesh.to_vertex_handle(chart.mesh.next_halfedge_handle(side));
+      };
+      const MeshPath path{PathPoint::at_vertex(apex(h)), PathPoint::on_edge(h, 0.3),
+                          PathPoint::at_vertex(apex(across))};
+      const MeshPath found = mirrored(chart, image, path);
+      if (found.empty()) {
+        ++num_refused;
+        continue;
+      }
+      ++num_mirrored;
+      ASSERT_EQ(found.size(), 3U);
+      const HalfedgeHandle crossed = found[1].half_edge;
+      EXPECT_EQ(std::minmax(found[0].vertex, found[2].vertex),
+                std::minmax(apex(crossed), apex(chart.mesh.opposite_halfedge_handle(crossed))));
+    }
+    EXPECT_EQ(num_refused > 0, !are_alternate);
+    EXPECT_EQ(num_mirrored > 0, are_alternate);
+  }
 }
 
 // Ways of cuts along edges.

@@ -16,7 +16,7 @@ std::vector<VertexHandle> mirror_image(const Chart& chart, const StopToken& stop
 /// A chain's mirror image. Empty where the edges are not mirrored with their vertices.
 HalfEdgeChain mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const HalfEdgeChain& chain);
 
-/// A path's mirror image. Empty where the edges that it crosses are not mirrored with their vertices.
+/// A path's mirror image. Empty if the edges and faces that it crosses are not mirrored with their vertices.
 MeshPath mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const MeshPath& path);
 
 }  // namespace wirewarp
