@@ -185,6 +185,13 @@ TEST(SimplifySeams, MergeTheGoresOfABallUpToTheStrain) {
   EXPECT_LT(length, simplify_seams(input, {}, 0.05).length_before / 2);
 }
 
+TEST(SimplifySeams, WithoutALimitLeaveAFlatShapeToAll) {
+  const FlattenInput input = sphere();
+  const SeamProposal fewer = simplify_seams(input, {}, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(fewer.opened.empty());
+  expect_what_is_claimed(input, fewer);
+}
+
 TEST(SimplifySeams, AreAllNeededByATubeThatIsCutOnce) {
   const FlattenInput tube = tube_with_seams({3});
   const SeamProposal fewer = simplify_seams(tube, {}, 0.5);
@@ -255,6 +262,33 @@ TEST(SimplifySeams, HaveNoFiguresIfAPieceHasNoFlatShape) {
   EXPECT_TRUE(fewer.edges.empty());
   EXPECT_EQ(fewer.strain, std::numeric_limits<double>::infinity());
   EXPECT_EQ(fewer.energy_before, std::numeric_limits<double>::infinity());
+}
+
+TEST(SimplifySeams, BesideANeighborWithoutAFlatShapeMayGo) {
+  // Four strips side by side, of a stretched cloth, so that neighbors share lengths. The third cannot be flattened.
+  const int n = 8;
+  FlattenInput input = test::make_grid(n, n, [](double s, double t) {
+    const double x = s - 0.625, y = t - 0.5;
+    return Eigen::Vector3d(s, t, s < 0.5 || s > 0.75 ? 0 : 0.3 * std::exp(-40 * (x * x + y * y)));
+  });
+  for (const int column : {2, 4, 6}) test::add_seam(input, test::grid_column(n, n, column));
+  for (int j = 0; j <= n; ++j) test::add_wire(input, {4 + (n + 1) * j, 5 + (n + 1) * j, 6 + (n + 1) * j});
+  for (int j = 0; j < n; ++j) {
+    for (const int i : {4, 5}) test::add_wire(input, {i + (n + 1) * j, i + 1 + (n + 1) * (j + 1)});
+  }
+  test::add_wire(input, test::grid_column(n, n, 5));
+  Options options;
+  options.cloth.emplace();
+  options.cloth->stretch = {0.1, 0.05};
+  options.grain = 0;
+  const FlattenResult before = flatten(input, options);
+  ASSERT_EQ(before.pieces.size(), 4U);
+  for (std::size_t k = 0; k < 4; ++k) ASSERT_EQ(before.pieces[k].error.has_value(), k == 2) << k;
+  const std::set<VertexPair> opened = undirected(simplify_seams(input, options, 0.2).opened);
+  const std::vector<int> column = test::grid_column(n, n, 2);
+  std::set<VertexPair> expected;
+  for (std::size_t i = 1; i < column.size(); ++i) expected.insert({column[i - 1], column[i]});
+  EXPECT_EQ(opened, expected);
 }
 
 TEST(SimplifySeams, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {

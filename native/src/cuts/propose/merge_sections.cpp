@@ -41,6 +41,9 @@ constexpr double kFlatStrain = 1e-6;
 
 constexpr double kCannotLieFlat = std::numeric_limits<double>::infinity();
 
+/// With an infinite limit, pieces still have to lie flat.
+bool is_allowed(double strain, double limit) { return strain < kCannotLieFlat && strain <= limit; }
+
 /// A lower estimate of the strain that a chart needs: that of its free map, divided by kMostFreeStrain. Infinite if too
 /// much of the free map is folded.
 double least_strain(const Chart& chart, const StopToken& stop) {
@@ -61,6 +64,11 @@ double least_strain(const Chart& chart, const StopToken& stop) {
   }
   for (const int f : find_folded_faces(chart.mesh, free->uv)) folded += areas[f];
   return folded > kMostFolded * area ? kCannotLieFlat : widespread(areas, strains) / kMostFreeStrain;
+}
+
+bool is_part_of(const Chart& part, const FlatPieces& pieces) {
+  return std::any_of(pieces.begin(), pieces.end(),
+                     [&](const auto& piece) { return wirewarp::is_part_of(part, piece->chart); });
 }
 
 bool has_eases(const FlattenInput& input) {
@@ -165,8 +173,8 @@ bool SectionMerger::open_one(bool is_half) {
       const CutMask& mask = candidates[first + i];
       const FlatPieces pieces = beside(mask);
       const double allowed = allowed_beside(pieces);
-      if (tried[i].strain <= allowed) tried[i] = without(mask, exact_);
-      if (tried[i].strain <= allowed) {
+      if (is_allowed(tried[i].strain, allowed)) tried[i] = without(mask, exact_);
+      if (is_allowed(tried[i].strain, allowed)) {
         state_ = std::move(tried[i].after);
         return true;
       }
@@ -192,7 +200,7 @@ std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) const {
     for (std::size_t e = 0; e < mask.size(); ++e) mask[e] = mask[e] != 0 && state_.cut[e] != 0;
     const auto known = rejected_.find(mask);
     if (known != rejected_.end() && known->second.beside == beside(mask) &&
-        known->second.strain > allowed_beside(known->second.beside))
+        !is_allowed(known->second.strain, allowed_beside(known->second.beside)))
       continue;
     if (std::find(candidates.begin(), candidates.end(), mask) == candidates.end())
       candidates.push_back(std::move(mask));
@@ -213,13 +221,21 @@ double SectionMerger::allowed_beside(const FlatPieces& pieces) const {
   return std::max({kFlatStrain, most_strain_, most_strain(pieces)});
 }
 
+/// Whether a piece of the state that has this chart has no flat shape.
+bool SectionMerger::had_error(const Chart& chart) const {
+  return std::any_of(state_.pieces.begin(), state_.pieces.end(),
+                     [&](const auto& piece) { return piece->error && is_part_of(chart, piece->chart); });
+}
+
 /// Of free maps, up to the first piece that needs more than is allowed.
 double SectionMerger::least_strain_without(const CutMask& mask, double allowed) const {
   double needed = 0;
+  const FlatPieces joined = beside(mask);
   for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(mask))) {
+    if (!is_part_of(chart, joined) && had_error(chart)) continue;
     const double least = least_strain(chart, exact_.stop());
     if (least == kCannotLieFlat || !has_other_measure_) needed = std::max(needed, least);
-    if (needed > allowed) break;
+    if (!is_allowed(needed, allowed)) break;
   }
   return needed;
 }
@@ -227,9 +243,11 @@ double SectionMerger::least_strain_without(const CutMask& mask, double allowed) 
 SectionMerger::Trial SectionMerger::without(const CutMask& mask, const ExactEvaluation& exact) const {
   Trial trial{0, {state_.cut, exact.with_cut(state_.pieces, {}, edges_of(mask))}};
   CutState& after = trial.after;
+  const FlatPieces joined = beside(mask);
   for (std::size_t e = 0; e < mask.size(); ++e) after.cut[e] = after.cut[e] != 0 && mask[e] == 0;
   for (const std::shared_ptr<const FlatPiece>& piece : after.pieces) {
     if (std::find(state_.pieces.begin(), state_.pieces.end(), piece) != state_.pieces.end()) continue;
+    if (piece->error && !is_part_of(piece->chart, joined) && had_error(piece->chart)) continue;
     trial.strain = std::max(trial.strain, piece->error ? kCannotLieFlat : piece->strain);
   }
   return trial;
@@ -238,7 +256,7 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, const ExactEval
 /// Looks at what the new pieces need when no length is held before they are flattened.
 SectionMerger::Trial SectionMerger::try_without(const CutMask& mask) const {
   const double allowed = allowed_beside(beside(mask)), least = least_strain_without(mask, allowed);
-  return least > allowed ? Trial{least, {}} : without(mask, quick_);
+  return is_allowed(least, allowed) ? without(mask, quick_) : Trial{least, {}};
 }
 
 }  // namespace wirewarp

@@ -21,7 +21,7 @@ struct CutState {
 /// The move "merge": takes sections of seams out of a cut, the longest first, until none is left that may go. If no
 /// whole one may, it tries halves, and what lies before or behind the sharpest corner. A section goes with its mirror
 /// image, after an exact evaluation of the pieces beside it: what they become must have a flat shape, and no more
-/// strain than is allowed or than one of them had.
+/// strain than is allowed or than one of them had. Other pieces that had no flat shape before do not count.
 class SectionMerger {
  public:
   /// chart, mirrored and exact are kept by reference. state: a cut of the chart.
@@ -51,6 +51,7 @@ class SectionMerger {
   std::vector<VertexPair> edges_of(const CutMask& mask) const;
   FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(mask)); }
   double allowed_beside(const FlatPieces& pieces) const;
+  bool had_error(const Chart& chart) const;
   double least_strain_without(const CutMask& mask, double allowed) const;
   Trial without(const CutMask& mask, const ExactEvaluation& exact) const;
   Trial try_without(const CutMask& mask) const;
