@@ -58,6 +58,9 @@ class EaseAmount:
     )
 
 
+OTHER_ROLL = 8  # number stored in files, between those of the library's rolls and of its projector
+
+
 class PatternSettings:
     """Settings of Export and of the preview of pages: shared by the scene's settings and the operator."""
 
@@ -131,8 +134,11 @@ class PatternSettings:
         name="Paper",
         description="Paper that the PDF is printed on",
         items=[
-            *((name.upper().replace("-", "_"), paper.label, "") for name, paper in pattern.PAPERS.items()),
-            ("ROLL", "Roll of another width", ""),
+            *(
+                (name.upper().replace("-", "_"), paper.label, "", number + (number >= OTHER_ROLL))
+                for number, (name, paper) in enumerate(pattern.PAPERS.items())
+            ),
+            ("ROLL", "Roll of another width", "", OTHER_ROLL),
         ],
         default="A4",
         update=_redraw,

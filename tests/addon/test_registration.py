@@ -137,6 +137,14 @@ def test_the_methods_are_those_of_the_library(addon):
     assert fairness.default == pytest.approx(library.Options().fairness)
 
 
+def test_papers_keep_the_numbers_that_files_store():
+    items = bpy.context.scene.wirewarp.bl_rna.properties["paper"].enum_items
+    numbers = {item.value: item.identifier for item in items}
+    names = ("A4", "LETTER", "A4_LETTER", "A3", "TABLOID", "A0", "36IN", "24IN", "ROLL", "PROJECTOR")
+    assert numbers == dict(enumerate(names))
+    assert items[-1].identifier == "ROLL"  # behind all papers of the library
+
+
 def test_what_the_caller_leaves_out_is_taken_from_the_scene(addon):
     settings = bpy.context.scene.wirewarp
     settings.mirror, settings.spacing = True, 0.5
