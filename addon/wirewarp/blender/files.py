@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Checks the files that users and scripts name, and writes them completely or not at all."""
 
+import os
 import re
-import tempfile
 from contextlib import AbstractContextManager
 from pathlib import Path
 
@@ -55,8 +55,11 @@ def check_ending(path: Path, ending: str) -> None:
 def check_room(path: Path) -> None:
     """Raises OSError like check_file, or if the folder accepts no new files."""
     check_file(path)
-    with tempfile.TemporaryFile(dir=path.resolve().parent):
+    # Not tempfile: if Windows denies access, it tries 10,000 names.
+    trial = path.resolve().with_name(f".wirewarp-{os.getpid()}")
+    with trial.open("xb"):
         pass
+    trial.unlink()
 
 
 def replaced_file(path: Path) -> AbstractContextManager[Path]:
