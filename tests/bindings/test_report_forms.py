@@ -160,13 +160,15 @@ def test_a_renamed_wire_renames_no_piece_and_no_object():
     report.issues = [
         Issue("infeasible", 'Wires "Wire 1" and "Wire 2" contradict.', 0, wires=[0, 1]),
         Issue("unreadable", 'The object "Wire 1" has no face.'),
+        Issue("no_proposal", 'No dart helps "Wire 1": loosen wire "Wire 1" or divide it.', wires=[0]),
     ]
-    names = {wire.wire_id: wire.name for wire in report.wires} | {1: "Wire 2", 2: "Hip \\1"}
+    names = {1: "Wire 2", 2: "Hip \\1"}  # other wires keep their names
     rename_wires(report, names)
     assert report.wires[0].name == "Wire 2" and report.wires[1].name == "Hip \\1"
     assert [note_text(report, note) for note in report.notes] == ['"Wire 1" is hidden.', "Wire 1: Canceled."]
     assert issue_text(report, report.issues[0]) == 'Wire 1: Wires "Wire 2" and "Hip \\1" contradict.'
     assert issue_text(report, report.issues[1]) == 'The object "Wire 1" has no face.'
+    assert issue_text(report, report.issues[2]) == 'No dart helps "Wire 1": loosen wire "Wire 2" or divide it.'
     parts = {part.name for piece in report.pieces for part in piece.wires if part.wire == 0}
     assert parts <= {"Wire 2"}
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Names of the entries of a report in panels, sentences and tables."""
 
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from itertools import chain
@@ -70,17 +71,16 @@ def note_text(report: Report, note: Note) -> str:
 
 def rename_wires(report: Report, names: Mapping[int, str]) -> None:
     """Give the wires these names, by their ids in Blender."""
-    renamed = {wire.name: names[wire.wire_id] for wire in report.wires}
+    name_of = {wire.wire: names.get(wire.wire_id, wire.name) for wire in report.wires}
+    renamed = {wire.name: name_of[wire.wire] for wire in report.wires}
     if all(old == new for old, new in renamed.items()):
         return
-    report_name = {wire.wire: wire.name for wire in report.wires}
-    name_of = {wire.wire: names[wire.wire_id] for wire in report.wires}
     for part in chain(report.wires, *(piece.wires for piece in report.pieces)):
         part.name = name_of[part.wire]
     report.issues = [
         replace(
             issue,
-            sentence=_renamed(issue.sentence, {report_name[wire]: name_of[wire] for wire in issue.wires}),
+            sentence=_renamed(issue.sentence, renamed),
             proposed_tolerances=[
                 replace(wire, name=renamed.get(wire.name, wire.name)) for wire in issue.proposed_tolerances
             ],
@@ -90,9 +90,7 @@ def rename_wires(report: Report, names: Mapping[int, str]) -> None:
 
 
 def _renamed(sentence: str, renamed: Mapping[str, str]) -> str:
-    """Replace each quoted name once, also if two wires exchange their names."""
-    for number, old in enumerate(renamed):
-        sentence = sentence.replace(f'"{old}"', f'"\0{number}"')
-    for number, new in enumerate(renamed.values()):
-        sentence = sentence.replace(f'"\0{number}"', f'"{new}"')
-    return sentence
+    """Replace names of wires only where they follow the word, as in 'wires "Hip", "Bust" and "Waist"'."""
+    name = f'"({"|".join(map(re.escape, renamed))})"'
+    named = re.compile(rf"\b[Ww]ires? {name}((, | and ){name})*")
+    return named.sub(lambda found: re.sub(name, lambda old: f'"{renamed[old[1]]}"', found[0]), sentence)
