@@ -92,6 +92,7 @@ def test_layers_are_named_and_the_grid_is_hidden(tmp_path):
     [
         ("a5", "paper is 'a5'"),
         (50, "the width of a roll"),
+        ([210, 297], "the width of a roll, is .210, 297."),
         (float("nan"), "nan"),
         (200, "too large for a roll of 200 mm"),
     ],

@@ -56,9 +56,9 @@ def sheet_name(row: int, column: int) -> str:
 
 def roll_width(paper: str | float) -> float | None:
     """Return millimeters, or None if the paper is not a roll. Raises FlattenError for an unknown paper."""
-    if paper in PAPERS:
-        return None if paper in SHEETS else PAPERS[str(paper)].width
     if isinstance(paper, str):
-        known = ", ".join(PAPERS)
-        raise problem(f"paper is {paper!r}: give one of {known}, or the width of a roll in millimeters.")
+        if paper not in PAPERS:
+            known = ", ".join(PAPERS)
+            raise problem(f"paper is {paper!r}: give one of {known}, or the width of a roll in millimeters.")
+        return None if paper in SHEETS else PAPERS[paper].width
     return checked_length("paper, the width of a roll,", paper, 100.0, LONGEST)
