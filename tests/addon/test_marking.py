@@ -34,6 +34,18 @@ def test_a_line_becomes_one_wire_of_its_kind(kind, tolerance, line):
     assert 0 < wire < 2**31
 
 
+@pytest.mark.parametrize("name", ["mark", "clear", "allowance", "ease"])
+def test_without_selected_edges_edit_mode_stays(name):
+    target = grid("Bump", bump)
+    select_edges(target)
+    edit = bmesh.from_edit_mesh(target.data)
+    try:
+        assert getattr(bpy.ops.mesh, f"wirewarp_{name}")() == {"CANCELLED"}
+    except RuntimeError as error:
+        assert "Nothing to mark" in str(error)
+    assert edit.is_valid
+
+
 @pytest.mark.parametrize("at_once", [True, False])
 def test_crossing_lines_are_two_wires_however_they_are_marked(at_once):
     target = grid("Bump", bump)

@@ -10,6 +10,7 @@ from bpy.props import EnumProperty
 
 from ..blender.mesh import selected_edges
 from ..blender.objects import length_text, meters_per_blender_unit
+from ..blender.selection import hold_whole_file
 from ..core import LengthText, counted, ease_text
 from ..issues import object_error
 from ..properties import EaseAmount, take_settings
@@ -105,6 +106,7 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
         if not changes:
             self.report({"ERROR"}, f"Nothing to {'clear' if self.sides == 'NONE' else 'mark'}: {NOTHING[self.sides]}.")
             return {"CANCELLED"}
+        hold_whole_file()
         if self.sides == "NONE":
             self.report({"INFO"}, f"Ease cleared on {counted(len(changes), 'line')}")
             return {"FINISHED"}

@@ -85,9 +85,10 @@ class MESH_OT_wirewarp_mark(OnModel, WireKind, bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         tolerance = self.chosen_tolerance()
         marked = change_edited(context, lambda target: plan_wires(target, tolerance))
-        wires, lost_eases = map(sum, zip(*marked, strict=True))
+        wires, lost_eases = sum(each.wires for each in marked), sum(each.lost_eases for each in marked)
         if wires == 0:
             raise object_error("nothing", "Nothing to mark: select the edges of the wire first.")
+        hold_whole_file()
         sentence = f"{counted(wires, 'wire')} marked"
         if lost_eases:
             lost = counted(lost_eases, "wire")
@@ -114,6 +115,7 @@ class MESH_OT_wirewarp_clear(OnModel, bpy.types.Operator):
         if not sum(change_edited(context, plan_clear)):
             self.report({"WARNING"}, "No selected edge is a wire")
             return {"CANCELLED"}
+        hold_whole_file()
         return {"FINISHED"}
 
 
@@ -141,9 +143,10 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
         millimeters = 1000 * meters_per_blender_unit(context.scene)
         widths = {"WIDTH": self.width / millimeters, "HEM": self.hem / millimeters, "FOLD": NONE, "DEFAULT": 0.0}
         counts = change_edited(context, lambda target: _plan_allowance(target, widths[self.kind]))
-        count, left_out = map(sum, zip(*counts, strict=True))
+        count, left_out = sum(marked for marked, _ in counts), sum(ignored for _, ignored in counts)
         if count == 0:
             raise object_error("nothing", "Nothing to mark: select edges on a seam or outline first.")
+        hold_whole_file()
         if left_out:
             lie = counted(left_out, "selected edge lies", "selected edges lie")
             self.report(

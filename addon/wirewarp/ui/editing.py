@@ -8,7 +8,7 @@ from typing import TypeVar
 import bpy
 
 from ..blender.objects import check_local
-from ..blender.selection import hold_whole_file, in_object_mode
+from ..blender.selection import in_object_mode
 from ..issues import ObjectError
 from ..state.owners import model_of
 
@@ -69,13 +69,14 @@ def reporting_refusals(execute: Execute) -> Execute:
 def change_edited(context: bpy.types.Context, plan: Callable[[bpy.types.Object], Callable[[], T]]) -> list[T]:
     """Plan for each object in Edit Mode, then write all plans: if one object is refused, none is changed.
 
-    plan() and its results are called in Object Mode. Raises ObjectError.
+    plan() and its results are called in Object Mode, unless no edge is selected: then nothing is planned.
+    Raises ObjectError.
     """
     targets = list(context.objects_in_mode_unique_data)
     for target in targets:
         check_local(target, target.data)
+    if not any(target.data.total_edge_sel for target in targets):
+        return []
     with in_object_mode(context):
         planned = [plan(target) for target in targets]
-        written = [write() for write in planned]
-        hold_whole_file()
-    return written
+        return [write() for write in planned]
