@@ -89,12 +89,19 @@ def test_seams_to_leave_out_are_those_of_python(dome, tmp_path):
     assert told["strain"] == pytest.approx(expected.strain, rel=1e-6)
 
 
-def test_seams_that_are_all_needed_are_nothing_to_propose(tmp_path):
-    vertices, faces = half_cylinder()
-    (tmp_path / "none.json").write_text("[]")
-    trimesh.Trimesh(vertices, faces, process=False).export(tmp_path / "half.ply")
-    (line,) = propose(tmp_path / "half.ply", "--seams", tmp_path / "none.json", "--cut", "fewer", code=1)
-    assert (line["verdict"], line["codes"]) == ("nothing to propose", ["no_proposal"])
+@pytest.mark.parametrize(
+    ("columns", "strain", "problem"),
+    [
+        ([], "5%", "The model has no seams that could be left out."),
+        ([4], "0%", "Every seam is needed for this strain."),
+    ],
+)
+def test_why_no_seam_is_left_out(dome, tmp_path, columns, strain, problem):
+    seams = [[int(v) for v in column_chain(8, 8, column)] for column in columns]
+    (tmp_path / "seams.json").write_text(json.dumps(seams))
+    words = ("--seams", tmp_path / "seams.json", "--cut", "fewer", "--strain", strain)
+    (line,) = propose(dome, *words, code=1)
+    assert (line["verdict"], line["codes"], line["problems"]) == ("nothing to propose", ["no_proposal"], [problem])
 
 
 @pytest.mark.parametrize("words", [(), ("--seams", "uv", "--together", "2"), ("--seams", "uv", "--no-seam", "a.json")])

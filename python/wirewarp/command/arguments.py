@@ -87,10 +87,11 @@ def parsed(words: Sequence[str]) -> Arguments:
     propose = commands.add_parser(
         "propose",
         parents=[_shape_options(), _cut_options(), _running_options()],
-        help="find the darts or seams that reduce the distortion of a piece most",
+        help="find the darts or seams that reduce the distortion of a piece most, or seams to leave out",
         description="Evaluates cuts of models (OBJ, PLY, STL, glTF) by flattening, and prints one line of JSON with "
-        "the best cuts of each model. The exit code is that of the worst model. 0: cuts are proposed. 1: none are. "
-        "2: the model is refused. 3: it was stopped because it crashed or exceeded its limit of time or memory.",
+        "the best cuts of each model. With --cut fewer, the line lists the seams to keep. The exit code is "
+        "that of the worst model. 0: cuts or seams are proposed. 1: none are. 2: the model is refused. 3: it was "
+        "stopped because it crashed or exceeded its limit of time or memory.",
     )
     propose.add_argument("models", nargs="+", metavar="MODEL", type=Path)
     propose.set_defaults(command=propose, jobs=1)
@@ -172,7 +173,7 @@ def _cut_options() -> argparse.ArgumentParser:
         type=_share,
         metavar="5%",
         help="accepted strain: pieces with less in 99%% of their area are ignored (0.5%%; for cut sets and with "
-        "--together 5%%)",
+        "--together 5%%). With --cut fewer: maximum strain of every piece without the seams that are left out",
     )
     options.add_argument(
         "--together", type=_count, metavar="N", help="make up to N cuts one after the other, until --strain is met"

@@ -12,6 +12,7 @@ from .request import BLEND, MILLIMETERS, CutRequest, InputError
 from .verdicts import NOTHING, PROPOSED, Line, unfinished, with_faults_answered
 
 ALL_NEEDED = "Every seam is needed for this strain."
+NO_SEAMS = "The model has no seams that could be left out."
 IN_BLENDER = "In Blender the add-on suggests darts and seams; here models are OBJ, PLY, STL or glTF."
 
 
@@ -57,7 +58,7 @@ def propose_for(request: CutRequest) -> Line:
 def _fewer(proposal: SeamProposal, meters: float) -> Line:
     """Return the line of seams that are left out."""
     if len(proposal.opened) == 0:
-        return unfinished(NOTHING, "no_proposal", ALL_NEEDED)
+        return unfinished(NOTHING, "no_proposal", ALL_NEEDED if len(proposal.edges) else NO_SEAMS)
     described = {
         "lines": _lines_along(proposal.edges.tolist()),
         "length_m": proposal.length * meters,
