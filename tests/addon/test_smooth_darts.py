@@ -133,6 +133,6 @@ def test_a_piece_that_no_dart_helps_is_told_in_one_sentence(addon, monkeypatch):
         raise library.FlattenError("no_proposal", "", faces=range(len(faces)), arguments=why)
 
     monkeypatch.setattr(library, "start_darts", fail)
-    sentence = 'No dart helps "Front", which needs 14.9% of stretch: loosen wire "Wire 1" or divide it by a seam'
+    sentence = 'No dart helps "Front", which needs 14.9% of stretch: loosen wire "Wire 1" or divide the piece by a seam'
     with pytest.raises(RuntimeError, match=sentence):
         SUGGEST["DARTS"]()

@@ -154,7 +154,7 @@ def test_no_cut_runs_where_none_is_wanted(addon, kind):
 def test_a_painted_model_leaves_no_way(data_type):
     paint(grid("Bump", bump, size=6), data_type)
     with pytest.raises(
-        RuntimeError, match='no room for a dart.*Nor may a seam run where "wirewarp_no_seam" is painted'
+        RuntimeError, match='no room for a dart.*Seams are also not allowed where "wirewarp_no_seam" is painted'
     ):
         SUGGEST["DARTS"]()
 

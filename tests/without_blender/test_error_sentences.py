@@ -116,7 +116,11 @@ def test_broken_guarantees_are_told_together(said):
         ),
         (
             {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [BUST]},
-            'No dart helps the piece, which needs 14.9% of stretch: loosen wire "Bust" or divide it by a seam.',
+            'No dart helps the piece, which needs 14.9% of stretch: loosen wire "Bust" or divide the piece by a seam.',
+        ),
+        (
+            {"reason": "no_gain", "kind": "dart", "strain": 0.149, "wires": [0, 1] * 5},
+            'stretch: loosen wires "Hip", "Bust", "Hip", "Bust", "Hip" and 5 more or divide',
         ),
         ({"reason": "no_gain", "kind": "seam", "strain": 0.149, "wires": []}, "stretch: move one of its seams to"),
         ({"reason": "too_strained"}, "by over 100%"),

@@ -9,9 +9,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from ..core import FlattenError, LengthText, counted
+from ..core import FlattenError, LengthText, counted, quoted
 
-MOST_LENGTHS = 5  # nobody reads longer lists
+MOST_LISTED = 5  # nobody reads longer lists
 
 
 @dataclass(frozen=True)
@@ -52,8 +52,14 @@ class ErrorFacts:
 
     def wire_text(self, indices: list[int]) -> str:
         """Return 'wire "Hip"', 'wires "Hip" and "Bust"'."""
-        names = [f'"{self.wires[index]}"' for index in indices]
-        return f"wire {names[0]}" if len(names) == 1 else f"wires {', '.join(names[:-1])} and {names[-1]}"
+        return f"wire{'s' if len(indices) > 1 else ''} {_listed([quoted([self.wires[index]]) for index in indices])}"
+
+
+def _listed(words: list[str]) -> str:
+    """Return "a, b and c"; of more than five, "a, b, c, d, e and 2 more"."""
+    more = len(words) - MOST_LISTED
+    *first, last = [*words[:MOST_LISTED], f"{more} more"] if more > 0 else words
+    return f"{', '.join(first)} and {last}" if first else last
 
 
 def percent(fraction: float) -> str:
@@ -77,8 +83,6 @@ def _inconsistent_orientation(facts: ErrorFacts) -> str:
 def _outline_too_short(facts: ErrorFacts) -> str:
     lengths = [facts.lengths.rough(length) for length in facts["lengths"]]
     count = len(lengths)
-    shown = lengths[:MOST_LENGTHS] + ([f"{count - MOST_LENGTHS} more"] if count > MOST_LENGTHS else [])
-    said = " and ".join([", ".join(shown[:-1]), shown[-1]]) if count > 1 else shown[0]
     if count == 1:
         fault = "The piece cannot be flattened: mark another seam"
     elif count == 2:
@@ -86,7 +90,7 @@ def _outline_too_short(facts: ErrorFacts) -> str:
     else:
         fault = f"The piece cannot be flattened: mark seams between its {count} openings"
     outlines = "outline is" if count == 1 else "outlines are"
-    return f"{fault}{facts.proposed}. Its {outlines} too short to lie around it: {said}."
+    return f"{fault}{facts.proposed}. Its {outlines} too short to lie around it: {_listed(lengths)}."
 
 
 def _infeasible_lengths(facts: ErrorFacts) -> str:
@@ -198,7 +202,7 @@ def _no_proposal(facts: ErrorFacts) -> str:
         case "no_gain":
             kind, wires = facts["kind"], facts["wires"]
             loosen = f"loosen {facts.wire_text(wires)} or " if wires else ""
-            cut = "divide it by a seam" if kind == "dart" else "move one of its seams to where it curves most"
+            cut = "divide the piece by a seam" if kind == "dart" else "move one of its seams to where it curves most"
             return f"No {kind} helps {facts.piece}, which needs {percent(facts['strain'])} of stretch: {loosen}{cut}."
     leads = "from its outline to a point inside" if facts["kind"] == "dart" else "across it"
     return (

@@ -18,7 +18,7 @@ from .cut_faces import Pairs, Segments, segments_of
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import Steps
 
-PAINTED = f' Nor may a seam run where "{NO_SEAM}" is painted.'
+PAINTED = f' Seams are also not allowed where "{NO_SEAM}" is painted.'
 
 
 @dataclass(frozen=True)
@@ -83,9 +83,9 @@ class Wish:
 def suggest_cuts(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, wish: Wish, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """The best first; with a target each with all before it. Sets of first cuts go from few pieces to little stretch.
+    """Return cuts, the best first, or the steps to a target. Sets of first cuts go from few pieces to little stretch.
 
-    Raises ObjectError, also where there is nothing to gain.
+    Raises ObjectError, also if there is nothing to gain.
     """
     try:
         shared = library_arguments(library, arrays, choices)
@@ -113,7 +113,7 @@ def _start(library: ModuleType, wish: Wish, arguments: dict[str, Any]) -> "Job[l
 
 
 def diagonals(arrays: MeshArrays) -> np.ndarray:
-    """(k,2) the sides of triangles that are no edges of the mesh, the lower vertex first."""
+    """Return the sides (k,2) of triangles that are not edges of the mesh, the lower vertex first."""
     count = len(arrays.vertices)
     sides = np.sort(arrays.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     return np.unique(sides[~np.isin(edge_keys(sides, count), edge_keys(arrays.edges, count))], axis=0)
@@ -131,19 +131,19 @@ def _barred_edges(arrays: MeshArrays, no_seam: NoSeam, wish: Wish) -> np.ndarray
 
 
 def painted_at_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
-    """(e,) how many painted faces each edge has."""
+    """Return how many painted faces each edge has, (e,)."""
     face_of_loop = np.repeat(np.arange(len(arrays.polygon_sizes)), arrays.polygon_sizes)
     return np.bincount(arrays.loop_edges[no_seam.faces[face_of_loop]], minlength=len(arrays.edges))
 
 
 def _barred_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
-    """(k,2) of painted faces."""
+    """Return the diagonals (k,2) of painted faces."""
     is_painted = no_seam.faces[polygons_across(across, arrays)] | no_seam.vertices[across].all(axis=1)
     return across[is_painted]
 
 
 def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> list[Cut]:
-    """In the library's order. Mirror images as one cut; one of them, where two are no better than one."""
+    """Return cuts in the library's order. Mirror images are one cut, or one of them if two are no better than one."""
     cuts = []
     for index, proposal in enumerate(proposals):
         if proposal.twin is not None and proposal.twin < index:
@@ -157,7 +157,7 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
 
 
 def from_few_pieces(sets: Sequence[Cut]) -> list[Cut]:
-    """Sets of first cuts in the order of their pieces, without those that stretch as far with more pieces."""
+    """Return sets of first cuts by their number of pieces, without those that stretch as far with more pieces."""
     kept: list[Cut] = []
     for each in sorted(sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
         if not kept or each.strain < kept[-1].strain:
@@ -166,12 +166,12 @@ def from_few_pieces(sets: Sequence[Cut]) -> list[Cut]:
 
 
 def set_for(sets: Sequence[Cut], limit: float) -> int:
-    """Which set of first cuts to show: the fewest pieces within the maximum stretch, else the least stretch."""
+    """Return which set of first cuts to show: the fewest pieces within the maximum stretch, else the least stretch."""
     return next((index for index, each in enumerate(sets) if each.strain <= limit), len(sets) - 1)
 
 
 def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:
-    """Mirror images that are taken together are one step. piece: that was asked for."""
+    """Return the steps of a plan; mirror images are one step. piece: the one to cut; None for any."""
     first = plan[0]
     # Of any piece: another one, which stays as it is, may be strained more than what is cut first.
     before = first.strain_before if piece is not None else max(first.strain_before, first.strain_left)
@@ -202,14 +202,14 @@ WORDS = {"DARTS": ("dart", "darts"), "SEAMS": ("seam", "seams")}
 
 
 def found_words(kind: str, cuts: list[Cut]) -> str:
-    """ "1 dart", "3 seams", "2 sets of seams"."""
+    """Return "1 dart", "3 seams", "2 sets of seams"."""
     if cuts[0].is_first:
         return counted(len(cuts), "set of seams", "sets of seams")
     return counted(sum(len(cut.lengths) for cut in cuts), *WORDS[kind])
 
 
 def taken_words(kind: str, cut: Cut) -> str:
-    """Of cuts that are taken together, "2 darts", "first seams", "first seams and 1 seam"."""
+    """Return the words for cuts that are marked together: "2 darts", "first seams", "first seams and 1 seam"."""
     if not cut.is_first:
         return counted(len(cut.lengths), *WORDS[kind])
     more = len(cut.lengths) - 1
@@ -217,12 +217,12 @@ def taken_words(kind: str, cut: Cut) -> str:
 
 
 def step_text(kind: str, cut: Cut, text: LengthText) -> str:
-    """Of cuts that are taken together, "2 darts: 12 → 5.0%, 270 mm": it fits a button in a narrow sidebar."""
+    """Return "2 darts: 12 → 5.0%, 270 mm" for cuts that are marked together. It fits a button in a narrow sidebar."""
     return f"{taken_words(kind, cut)}: {_shares(cut)}, {text.rough(sum(cut.lengths))}"
 
 
 def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> str:
-    """In the list: a button in a narrow sidebar."""
+    """Return the text of a button in the list, which fits a narrow sidebar."""
     if target is None and cut.is_first:
         return f"{counted(cut.num_pieces, 'piece')}, {_shares(cut)}, {text.rough(cut.lengths[0])}"
     if target is None:
@@ -232,7 +232,7 @@ def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> st
 
 
 def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
-    """Why the target is not reached; empty where it is."""
+    """Return why the target is not reached; empty if it is."""
     last = cuts[-1]
     if last.strain <= target.strain:
         return ""
@@ -246,9 +246,9 @@ def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
 
 
 def cut_text(cut: Cut, text: LengthText) -> str:
-    """ "stretch 12 → 6.0%, 140 mm", of mirror images "2×140 mm".
+    """Return "stretch 12 → 6.0%, 140 mm"; for mirror images "2×140 mm".
 
-    Of first cuts "3 pieces, stretch 6.0%, seams 1.40 m".
+    For first cuts, return "3 pieces, stretch 6.0%, seams 1.40 m".
     """
     if cut.is_first:
         return f"{counted(cut.num_pieces, 'piece')}, stretch {_shares(cut)}, seams {text.rough(cut.lengths[0])}"

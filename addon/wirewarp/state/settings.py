@@ -297,10 +297,9 @@ class TargetSettings:
             (
                 "SMOOTH",
                 "Smooth",
-                "Straight or gently curved lines across faces, which are easier to sew. Marking one adds edges to "
-                "the model; its surface does not change. The best dart along edges is listed if it leaves less stretch",
+                "Straight or gently curved lines across faces. Marking a dart adds vertices and edges",
             ),
-            ("EDGES", "Along Edges", "Only along edges of the mesh, so that marking a dart adds no vertices"),
+            ("EDGES", "Along Edges", "Along edges and diagonals of faces. Marking a dart adds no vertices"),
         ],
         default="SMOOTH",
     )
