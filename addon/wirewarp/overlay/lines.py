@@ -9,7 +9,7 @@ import numpy as np
 from ..core import ease_text, pattern, wire_text
 from ..solve.chains import EdgeMarks, chains_of_marks
 
-ALONG = (0.25, 0.5, 0.75)  # number of edges of a line, nearest to its middle first, that are places for its name
+ALONG = (0.25, 0.5, 0.75)  # places for the name of a line, as shares of its edges
 HEAD = 0.25  # share of half an arrow's length
 _TURNS = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in np.radians(range(0, 90, 15))]
 VIEW_SIZE = 800  # usual width or height of an object in pixels: dashes have the length of their style at this size

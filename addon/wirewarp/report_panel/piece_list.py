@@ -40,7 +40,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row.has_layout:
             figure = columns.row()
             figure.alignment = "RIGHT"
-            figure.label(text=percent_text(row.needed) if row.needed < 1 else ">100%")  # a name that fits the column
+            figure.label(text=percent_text(row.needed) if row.needed < 1 else ">100%")  # it fits the column
             draw_select(line, "PIECE", index)
 
     def filter_items(

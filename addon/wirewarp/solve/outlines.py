@@ -102,7 +102,7 @@ def _inward(vertices: np.ndarray, edges: np.ndarray, piece: np.ndarray) -> np.nd
 
 
 def outline_loops(outline: OutlineEdges, piece: int) -> list[np.ndarray]:
-    """Yield the vertices (k,) of each closed loop of a piece's outline, in order."""
+    """Return a list with the vertices (k,) of each closed loop of a piece's outline, in order."""
     following: dict[int, list[int]] = {}
     for a, b in outline.edges[outline.piece == piece].tolist():
         following.setdefault(a, []).append(b)

@@ -117,7 +117,7 @@ def _faces(mesh: MarkedMesh) -> list[np.ndarray]:
 
 
 def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
-    """Return a digest of seams, wires and eases."""
+    """Return what to hash of seams, wires and eases."""
     seams, rows, eased = (np.flatnonzero(each) for each in (mesh.seams, mesh.marks.wire_ids, mesh.side_eases))
     wires = mesh.marks.take(rows)
     numbers = (each.astype(np.int32) for each in (seams, rows, eased))

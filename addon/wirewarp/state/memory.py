@@ -24,16 +24,14 @@ class ObjectState:
     """Data about one object, mesh or scene."""
 
     name: str  # Blender's name_full at the last call of state_of
-    gathered: dict[str, Any] = field(
-        default_factory=dict
-    )  # data read from its geometry, by the function that reads it; see kept
+    gathered: dict[str, Any] = field(default_factory=dict)  # data read from its geometry, by name; see kept
     drawings: dict[str, Any] = field(default_factory=dict)  # by kind; see state.drawings
     parsed: Any = None  # the stored report as text and parsed; see state.reports
     failure: Any = None  # the report of a run that wrote nothing; see state.reports
     suggestions: Any = None  # see state.suggestions
     solved: Any = None  # the wirewarp.Cache of its solved pieces; see flatten.read
     solved_by_map: Any = None  # the Cache for the trial of its UV seams
-    tried: dict | None = None  # state of the model when Auto was canceled; see flatten.auto_update
+    tried: dict | None = None  # state of the model when Auto last took it; see flatten.auto_update
     is_due: bool = False  # for a scene: Auto has to look for changes; see note_change
     is_undone: bool = False  # for a scene: the last change was an undo
 
