@@ -104,8 +104,10 @@ def test_painted_faces_are_not_entered(addon):
     painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
     painted.data.foreach_set("value", [index in crossed for index in range(len(source.data.polygons))])
     SUGGEST["DARTS"]()
-    for cut in found(addon, source).cuts:
-        assert cut.edges or crossed.isdisjoint(cut.segments.polygons.tolist())
+    smooth = [cut for cut in found(addon, source).cuts if not cut.edges]
+    assert smooth
+    for cut in smooth:
+        assert crossed.isdisjoint(cut.segments.polygons.tolist())
 
 
 def test_along_edges_the_mesh_stays(addon):
@@ -119,6 +121,34 @@ def test_along_edges_the_mesh_stays(addon):
     both = found(addon, source).cuts
     assert both[0].strain <= cuts[0].strain
     assert [cut.strain for cut in both] == sorted(cut.strain for cut in both)
+    before, index = places(source), next(index for index, cut in enumerate(both) if cut.edges)
+    bpy.ops.object.wirewarp_choose_suggestion(index=index)
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    assert np.array_equal(places(source), before)
+
+
+def test_a_dart_along_diagonals_adds_only_their_edges(addon):
+    source = grid("Bump", round_bump, faces="ngons")
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"
+    SUGGEST["DARTS"]()
+    cuts = found(addon, source).cuts
+    index = next(index for index, cut in enumerate(cuts) if cut.diagonals)
+    bpy.ops.object.wirewarp_choose_suggestion(index=index)
+    new, mesh = len(cuts[index].diagonals), source.data
+    assert f"Marking it adds {new} edge" in draw_panels(addon)
+    before = len(mesh.vertices), len(mesh.edges) + new, len(mesh.polygons) + new
+    bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    assert (len(mesh.vertices), len(mesh.edges), len(mesh.polygons)) == before
+
+
+def test_lines_that_cross_in_a_face_are_refused(addon):
+    source = grid("Bump", bump, faces="triangles")
+    line = addon.core.library().SurfacePath
+    paths = [line([0, 0], [(0.5, 0.5, 0), (0, 0, 1)]), line([0, 0], [(0, 0.5, 0.5), (1, 0, 0)])]
+    before = places(source)
+    with pytest.raises(addon.issues.ObjectError, match="would cross itself or another one in face 0. Mark it along"):
+        addon.suggest.smooth.take_lines(source, paths, with_modifiers=False)
+    assert np.array_equal(places(source), before)
 
 
 def test_a_piece_that_no_dart_helps_is_told_in_one_sentence(addon, monkeypatch):

@@ -75,6 +75,23 @@ def test_a_cut_of_what_modifiers_make_applies_them_when_it_is_marked(addon, line
     assert cut.strain < before
 
 
+def test_a_cut_that_is_refused_applies_no_modifiers(addon, monkeypatch):
+    source = grid("Bump", bump, size=4)
+    source.modifiers.new("Finer", "SUBSURF").levels = 1
+    settings = bpy.context.scene.wirewarp
+    settings.use_modifiers = True
+    SUGGEST["DARTS"]()
+    library = addon.core.library()
+
+    def fail(*_):
+        raise library.FlattenError("invalid_option", "The line is refused.")
+
+    monkeypatch.setattr(library, "cut_mesh", fail)
+    with pytest.raises(RuntimeError, match="The line is refused"):
+        bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    assert len(source.modifiers) == 1 and settings.use_modifiers and len(source.data.vertices) == 25
+
+
 def test_faces_split_apart_need_no_cut_and_modifiers_that_cannot_be_applied_are_named():
     source = grid("Bump", bump, size=6)
     source.modifiers.new("Apart", "EDGE_SPLIT").split_angle = 0
@@ -136,8 +153,10 @@ def test_an_attribute_of_another_kind_is_refused(data_type, domain):
 @pytest.mark.parametrize("kind", ["FACES", "GROUP"])
 def test_no_cut_runs_where_none_is_wanted(addon, kind):
     source = grid("Bump", bump, size=6, faces="triangles")
+    bpy.context.scene.wirewarp.dart_lines = "EDGES"
     SUGGEST["DARTS"]()
     cut = found(addon, source).cuts[0].edges
+    assert cut
     mesh = source.data
     if kind == "FACES":
         attribute = mesh.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
@@ -148,6 +167,13 @@ def test_no_cut_runs_where_none_is_wanted(addon, kind):
     SUGGEST["DARTS"]()
     for other in found(addon, source).cuts:
         assert not pairs(cut) & pairs(other.edges)
+
+
+def test_a_painted_closed_model_has_no_first_cuts():
+    source = ball()
+    source.vertex_groups.new(name="wirewarp_no_seam").add(range(len(source.data.vertices)), 1.0, "REPLACE")
+    with pytest.raises(RuntimeError, match='no seams were found.* Seams are also not allowed where "wirewarp_no_seam"'):
+        SUGGEST["SEAMS"]()
 
 
 @pytest.mark.parametrize("data_type", ["INT8", "INT", "FLOAT"])

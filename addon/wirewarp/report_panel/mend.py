@@ -17,7 +17,7 @@ from ..state.memory import read_anew
 from ..state.owners import check_not_edited, model_or_self
 from ..state.read_model import apply_modifiers, outline_change, subdivide
 from ..state.reports import last_report
-from ..state.suggestions import current_suggestions, suggestions_of
+from ..state.suggestions import current_suggestions
 from ..suggest.smooth import take_lines
 from ..ui import window_run
 from ..ui.editing import OnMesh, reporting_refusals
@@ -234,24 +234,17 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             apply_modifiers(source)
             self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
             return 1
-        found = suggestions_of(source)
-        if found and found.with_modifiers:
+        found = current_suggestions(source, read_anew)
+        if found is None:
+            sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'
+            raise object_error("no_suggestion", sentence)
+        marked = take_lines(source, found.cuts[found.chosen].paths, found.with_modifiers)
+        if found.with_modifiers:
             self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
-        return _take_suggestion(source)
+        return marked + found.with_modifiers
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)
-
-
-def _take_suggestion(source: bpy.types.Object) -> int:
-    """Returns how many edges were marked. Raises ObjectError."""
-    found = current_suggestions(source, read_anew)
-    if found is None:
-        sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'
-        raise object_error("no_suggestion", sentence)
-    if found.with_modifiers:
-        apply_modifiers(source)
-    return take_lines(source, found.cuts[found.chosen].paths)
 
 
 CLASSES = (OBJECT_OT_wirewarp_check, OBJECT_OT_wirewarp_show_fault, OBJECT_OT_wirewarp_mend)

@@ -9,9 +9,11 @@ from types import ModuleType
 
 import numpy as np
 
-from ..core import CutSources, SurfacePath
+from ..core import CutSources, Issue, SurfacePath
+from ..issues import ObjectError
 from .arrays import MeshArrays
 from .chains import edge_keys
+from .flatten import polygons_across
 
 Pairs = list[tuple[int, int]]  # vertices
 
@@ -32,10 +34,16 @@ class DividedTriangle:
 
 
 @dataclass(frozen=True)
-class Division:
-    """What lines change in a mesh: its surface stays, because faces are divided along the triangles that fill them."""
+class DividedPolygon:
+    diagonals: Pairs  # new edges between its corners
+    triangles: list[DividedTriangle]  # all that fill it, if lines cross some of them
 
-    polygons: dict[int, list[DividedTriangle]]
+
+@dataclass(frozen=True)
+class Division:
+    """What lines change in a mesh: its surface stays, because faces that lines cross are divided into triangles."""
+
+    polygons: dict[int, DividedPolygon]
     edges: list[list[tuple[int, float]]]  # points along each divided edge, with their distance from its first end
     lines: Pairs  # edges of the lines; points that are new have numbers above those of all vertices
 
@@ -82,19 +90,38 @@ def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, pl
 
 
 def divide(library: ModuleType, arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
-    """Return how to make edges of lines. Raises the library's FlattenError."""
+    """Return how to make edges of lines. Raises the library's FlattenError, and ObjectError if they cross in a face."""
     _, faces, edges, sources = library.cut_mesh(arrays.vertices, arrays.triangles, list(paths))
+    _check_crossings(edges, sources, arrays)
     lines = [(int(a), int(b)) for a, b in edges]
     parts = defaultdict(list)
     is_divided = np.bincount(sources.faces, minlength=len(arrays.triangles)) > 1
     for row in np.flatnonzero(is_divided[sources.faces]).tolist():
         parts[int(sources.faces[row])].append(faces[row].tolist())
-    rows = _triangles_of(np.concatenate([np.flatnonzero(is_divided), _across_faces(edges, arrays)]), arrays)
-    polygons = defaultdict(list)
-    for row in rows.tolist():
+    filled = defaultdict(list)
+    for row in np.flatnonzero(np.isin(arrays.triangle_polygons, arrays.triangle_polygons[is_divided])).tolist():
         triangle = DividedTriangle(tuple(arrays.triangles[row].tolist()), common_sides(parts[row]))
-        polygons[int(arrays.triangle_polygons[row])].append(triangle)
-    return Division(dict(polygons), [_along(line.tolist(), sources) for line in sources.divided_edges], lines)
+        filled[int(arrays.triangle_polygons[row])].append(triangle)
+    across = defaultdict(list)
+    followed = _followed_diagonals(edges, arrays)
+    for polygon, (a, b) in zip(polygons_across(followed, arrays).tolist(), followed.tolist(), strict=True):
+        across[polygon].append((a, b))
+    polygons = {polygon: DividedPolygon(pairs, []) for polygon, pairs in across.items()}
+    for polygon, triangles in filled.items():
+        polygons[polygon] = DividedPolygon(common_sides(each.corners for each in triangles), triangles)
+    return Division(polygons, [_along(line.tolist(), sources) for line in sources.divided_edges], lines)
+
+
+def _check_crossings(edges: np.ndarray, sources: CutSources, arrays: MeshArrays) -> None:
+    """Raises ObjectError if two sections of lines cross inside a triangle, at a vertex that is on no edge."""
+    placed = [np.arange(len(arrays.vertices)), *sources.divided_edges]
+    crossings = np.setdiff1d(edges, np.concatenate(placed))
+    if len(crossings):
+        corners = np.sort(sources.vertices[crossings[0]])
+        row = np.flatnonzero((np.sort(arrays.triangles, axis=1) == corners).all(axis=1))[0]
+        face = int(arrays.triangle_polygons[row])
+        sentence = f"The smooth line would cross itself or another one in face {face}. Mark it along edges instead."
+        raise ObjectError(Issue("line_crosses_itself", sentence, faces=[face]))
 
 
 def common_sides(triangles: Iterable[Sequence[int]]) -> Pairs:
@@ -103,18 +130,11 @@ def common_sides(triangles: Iterable[Sequence[int]]) -> Pairs:
     return [side for side, count in sides.items() if count == 2]
 
 
-def _triangles_of(rows: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """Return all triangles of the polygons of these."""
-    return np.flatnonzero(np.isin(arrays.triangle_polygons, arrays.triangle_polygons[rows]))
-
-
-def _across_faces(edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """Return triangles beside those of the edges (k,2) that lie across faces of the mesh."""
-    count = int(max(edges.max(initial=0), len(arrays.vertices) - 1)) + 1
-    keys = edge_keys(edges, count)
-    across = keys[~np.isin(keys, edge_keys(arrays.edges, count))]
-    sides = edge_keys(arrays.triangles[:, [0, 1, 1, 2, 2, 0]], count)
-    return np.flatnonzero(np.isin(sides, across)) // 3
+def _followed_diagonals(edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
+    """Return those of the edges (k,2) of lines that lie across faces of the mesh, between two of its vertices."""
+    count = len(arrays.vertices)
+    whole = np.unique(np.sort(edges[(edges < count).all(axis=1)], axis=1), axis=0)
+    return whole[~np.isin(edge_keys(whole, count), edge_keys(arrays.edges, count))]
 
 
 def _along(line: list[int], sources: CutSources) -> list[tuple[int, float]]:

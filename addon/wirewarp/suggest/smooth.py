@@ -22,41 +22,50 @@ from ..marks.ease import clear_seams, edges_with_marks, mark_seams
 from ..names import MARKS
 from ..solve.arrays import MeshArrays
 from ..solve.chains import split_into_chains
-from ..solve.cut_faces import Division, Pairs, common_sides, divide
+from ..solve.cut_faces import Division, Pairs, divide
 from ..solve.flatten import issue_of_error
 from ..solve.smooth_lines import smooth_line
 from ..state.marked_mesh import marked_mesh
 from ..state.owners import check_not_edited
-from ..state.read_model import object_to_arrays
+from ..state.read_model import apply_modifiers, object_to_arrays
 from ..state.suggestions import read_no_seam
 from ..ui.editing import OnModel, reporting_refusals
 
 
-def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath]) -> int:
-    """Make edges of the lines, and seams of these. Returns how many edges were no seams before. Raises ObjectError."""
-    arrays = object_to_arrays(source, marked_mesh(source), None)
-    return mark_seams(source.data, _cut(source.data, arrays, paths))
+def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath], with_modifiers: bool) -> int:
+    """Make edges of the lines, and seams of these. Returns how many edges were no seams before.
+
+    with_modifiers: whether the lines are on the mesh that modifiers make; they are applied. Raises ObjectError, with
+    nothing changed.
+    """
+    depsgraph = bpy.context.evaluated_depsgraph_get() if with_modifiers else None
+    division = _divided(object_to_arrays(source, marked_mesh(source), depsgraph), paths)
+    if with_modifiers:
+        apply_modifiers(source)
+    return mark_seams(source.data, cut_lines(source.data, division))
 
 
-def _cut(mesh: bpy.types.Mesh, arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Pairs:
-    """Return the edges of the lines. Raises ObjectError, with no change."""
+def _divided(arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
+    """Raises ObjectError if the lines cannot be cut."""
     try:
-        division = divide(core.library(), arrays, paths)
+        return divide(core.library(), arrays, paths)
     except core.FlattenError as error:
         raise ObjectError(issue_of_error(error, arrays)) from error
-    return cut_lines(mesh, division) if division.polygons else division.lines
 
 
 def cut_lines(mesh: bpy.types.Mesh, division: Division) -> Pairs:
     """Divide the faces of a mesh. Vertices keep their indices. Returns the edges of the lines."""
+    if not division.polygons:
+        return division.lines
     with _edited(mesh) as edited:
         vertices, faces = dict(enumerate(edited.verts)), list(edited.faces)
         filled = []  # each triangle that fills a divided face, with what lies across it
-        for polygon, triangles in division.polygons.items():
+        for polygon, divided in division.polygons.items():
             parts = [faces[polygon]]
-            _split_along(edited, parts, common_sides([each.corners for each in triangles]), vertices)
+            _split_along(edited, parts, divided.diagonals, vertices)
             part_of = {frozenset(part.verts): part for part in parts}
-            filled += [(part_of[frozenset(vertices[v] for v in each.corners)], each.across) for each in triangles]
+            for each in divided.triangles:
+                filled.append((part_of[frozenset(vertices[v] for v in each.corners)], each.across))
         for line in division.edges:
             _split_edge(edited, line, vertices)
         for part, across in filled:
@@ -146,7 +155,7 @@ def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
             arrays = object_to_arrays(source, marked_mesh(source), None)
             kept = [pair for other in paths[index + 1 :] for pair in pairwise(other)]
             line = smooth_line(core.library(), arrays, path, kept, read_no_seam(source))
-            cut = _cut(mesh, arrays, [line])
+            cut = cut_lines(mesh, _divided(arrays, [line]))
             mark_seams(mesh, cut)
             seams += cut
     return seams
