@@ -59,35 +59,37 @@ POINTS = np.eye(3)[:2]  # two, at corners
 
 
 @pytest.mark.parametrize(
-    ("faces", "coordinates", "said"),
+    ("faces", "coordinates", "code", "said"),
     [
-        ([0], [(1, 0, 0)], "The option path is too short: it must have two points or more."),
-        ([0, 1], [(1, 0, 0)], "The option path is a line of 2 faces and 1 coordinates: it must have"),
-        ([0, 0.5], POINTS, "SurfacePath faces must be whole numbers, not float64."),
-        ([[0, 0]], POINTS, "SurfacePath faces has the shape (1, 2): it must be (n,)."),
-        ([0, 0], [(1, 0), (0, 1)], "SurfacePath coordinates has the shape (2, 2): it must be (n, 3)."),
-        ([0, 0], [(1, 0, 0), (0, np.nan, 1)], "The option path is at point 1 at 0, nan, 1: it must"),
-        ([0, 10**12], POINTS, "The option SurfacePath faces is a list with 1000000000000: it"),
+        ([0], [(1, 0, 0)], "invalid_option", "The option path is too short: it must have two points or more."),
+        ([0, 1], [(1, 0, 0)], "invalid_option", "The option path is a line of 2 faces and 1 coordinates: it must have"),
+        ([0, 0.5], POINTS, "invalid_type", "SurfacePath faces must be whole numbers, not float64."),
+        ([[0, 0]], POINTS, "invalid_shape", "SurfacePath faces has the shape (1, 2): it must be (n,)."),
+        ([0, 0], [(1, 0), (0, 1)], "invalid_shape", "SurfacePath coordinates has the shape (2, 2): it must be (n, 3)."),
+        ([0, 0], [(1, 0, 0), (0, np.nan, 1)], "invalid_option", "The option path is at point 1 at 0, nan, 1: it must"),
+        ([0, 10**12], POINTS, "invalid_option", "The option SurfacePath faces is a list with 1000000000000: it"),
     ],
 )
-def test_what_is_no_path_is_refused(faces: object, coordinates: object, said: str) -> None:
+def test_what_is_no_path_is_refused(faces: object, coordinates: object, code: str, said: str) -> None:
     with pytest.raises(wirewarp.FlattenError) as caught:
         wirewarp.SurfacePath(faces, coordinates)
+    assert caught.value.code == code
     assert str(caught.value).startswith(said)
 
 
 @pytest.mark.parametrize(
-    ("paths", "snap", "said"),
+    ("paths", "snap", "code", "said"),
     [
-        ([(0, 1)], 0.05, "paths[0] must be a SurfacePath, not tuple."),
-        (None, 0.05, "paths must be a list of SurfacePath, not NoneType."),
-        ([], "much", "snap must be a number, not str."),
-        ([], 1.0, "The option snap is 1: it must be from 0.0001 to 0.25."),
-        ([wirewarp.SurfacePath([0, 99], POINTS)], 0.05, "The option paths[0] is a line in"),
+        ([(0, 1)], 0.05, "invalid_type", "paths[0] must be a SurfacePath, not tuple."),
+        (None, 0.05, "invalid_type", "paths must be a list of SurfacePath, not NoneType."),
+        ([], "much", "invalid_type", "snap must be a number, not str."),
+        ([], 1.0, "invalid_option", "The option snap is 1: it must be from 0.0001 to 0.25."),
+        ([wirewarp.SurfacePath([0, 99], POINTS)], 0.05, "invalid_option", "The option paths[0] is a line in"),
     ],
 )
-def test_what_cannot_be_cut_is_refused(paths: Lines, snap: float, said: str) -> None:
+def test_what_cannot_be_cut_is_refused(paths: Lines, snap: float, code: str, said: str) -> None:
     vertices, faces = spherical_patch(4, 4)
     with pytest.raises(wirewarp.FlattenError) as caught:
         wirewarp.cut_mesh(vertices, faces, paths, snap=snap)
+    assert caught.value.code == code
     assert str(caught.value).startswith(said)

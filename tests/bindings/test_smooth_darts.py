@@ -76,6 +76,8 @@ def test_the_figures_are_those_of_the_cut_mesh(wires, options):
             assert proposal.length == pytest.approx(np.linalg.norm(np.diff(places, axis=1), axis=2).sum(), rel=1e-12)
         wired = {tuple(sorted(pair)) for wire in wires for pair in pairwise(wire.vertices.tolist())}
         assert wired.isdisjoint(tuple(line[[0, -1]].tolist()) for line in sources.divided_edges)
+        (dart,) = result.seams
+        assert dart.pieces == (0, 0) and dart.mismatch <= 1e-9 * dart.length_3d
         if not len(proposal.edges):
             assert turns(proposal.paths[0]).max(initial=0) < math.radians(30)
 
