@@ -284,6 +284,18 @@ TEST(ProposeCuts, AreNoLongerAndNoMoreThanWished) {
   for (const DartProposal& dart : darts) EXPECT_LE(dart.length, cut_options.longest);
 }
 
+TEST(ProposeCuts, OneSmoothDartOrPairIsReturnedIfOneIsAskedFor) {
+  for (const FlattenInput& input : {hill(8), two_hills(8), bump_in_a_corner(12)}) {
+    CutOptions cut_options;
+    cut_options.is_smooth = true;
+    cut_options.count = 1;
+    const std::vector<DartProposal> darts = propose_darts(input, {}, cut_options);
+    ASSERT_FALSE(darts.empty());
+    EXPECT_EQ(darts.size(), darts.front().twin ? 2U : 1U);
+    for (const DartProposal& dart : darts) EXPECT_LT(figure_of(dart), dart.strain_before);
+  }
+}
+
 TEST(ProposeCuts, LoseLittleAgainstAllDarts) {
   const int n = 8;
   const FlattenInput input = hill(n);

@@ -54,7 +54,8 @@ struct SmoothDart {
   SmoothLine line;
   Course course;
   std::optional<SmoothLine> image;  // its mirror image, if both can be cut
-  LineFigures found;                // of both; without an image, of the dart alone
+  LineFigures found;                // of both; of the dart alone if it has no image, or if a tip puckers with both
+  bool are_both = false;
 
   double strain() const { return found.figures.strain; }
 };
@@ -96,6 +97,8 @@ class SmoothDartSearch {
   std::vector<Way> moved(const SmoothDart& dart, double step) const;
   std::vector<SmoothDart> without_neighbors(std::vector<SmoothDart> darts) const;
   void propose(const std::vector<SmoothDart>& darts, std::vector<DartProposal>& proposals) const;
+  bool puckers(const LineFigures& found) const;
+  bool is_better(const SmoothDart& a, const SmoothDart& b) const;
   bool is_worth_sewing(const LineFigures& found) const;
   DartProposal proposal_of(const SmoothLine& line, const LineFigures& found) const;
 
@@ -153,8 +156,9 @@ std::optional<SmoothDart> SmoothDartSearch::dart_along(const Way& way) const {
   if (dart.image) {
     found = evaluation_.figures_along({dart.line.path, dart.image->path});
     if (!found) dart.image.reset();
+    dart.are_both = found && !puckers(*found);
   }
-  if (!found) found = evaluation_.figures_along({dart.line.path});
+  if (!dart.are_both) found = evaluation_.figures_along({dart.line.path});
   if (!found) return {};
   dart.found = std::move(*found);
   return dart;
@@ -202,7 +206,8 @@ std::vector<SmoothDart> SmoothDartSearch::best_courses(const std::vector<HalfEdg
     const bool is_other = dart.course == Course::bent && !best.empty() && best.back().line.chain == dart.line.chain;
     if (!is_other) {
       best.push_back(std::move(dart));
-    } else if (dart.strain() <= (1 - kGainOfBends) * best.back().strain()) {
+    } else if (is_better(dart, best.back()) &&
+               (puckers(best.back().found) || dart.strain() <= (1 - kGainOfBends) * best.back().strain())) {
       best.back() = std::move(dart);
     }
   }
@@ -248,10 +253,11 @@ std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dar
 SmoothDart SmoothDartSearch::move_ends(SmoothDart dart) {
   for (double step = kFirstMove; step >= kLastMove;) {
     std::vector<SmoothDart> neighbors = evaluate(moved(dart, step));
-    const auto best =
-        std::min_element(neighbors.begin(), neighbors.end(),
-                         [](const SmoothDart& a, const SmoothDart& b) { return a.strain() < b.strain(); });
-    if (best != neighbors.end() && best->strain() <= (1 - kLeastMove) * dart.strain()) {
+    const auto best = std::min_element(neighbors.begin(), neighbors.end(),
+                                       [&](const SmoothDart& a, const SmoothDart& b) { return is_better(a, b); });
+    const bool is_move = best != neighbors.end() && is_better(*best, dart) &&
+                         (puckers(dart.found) || best->strain() <= (1 - kLeastMove) * dart.strain());
+    if (is_move) {
       dart = std::move(*best);
     } else {
       step /= 2;
@@ -260,8 +266,17 @@ SmoothDart SmoothDartSearch::move_ends(SmoothDart dart) {
   return dart;
 }
 
+bool SmoothDartSearch::puckers(const LineFigures& found) const {
+  return found.tip_strain > std::max(search_.before().strain, kAnyFabric);
+}
+
+/// Darts that pucker come last, so that none displaces a good one.
+bool SmoothDartSearch::is_better(const SmoothDart& a, const SmoothDart& b) const {
+  return std::pair(puckers(a.found), a.strain()) < std::pair(puckers(b.found), b.strain());
+}
+
 bool SmoothDartSearch::is_worth_sewing(const LineFigures& found) const {
-  return search_.is_worth_sewing(found.figures) && found.tip_strain <= std::max(search_.before().strain, kAnyFabric);
+  return search_.is_worth_sewing(found.figures) && !puckers(found);
 }
 
 DartProposal SmoothDartSearch::proposal_of(const SmoothLine& line, const LineFigures& found) const {
@@ -296,14 +311,15 @@ void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector
       if (is_worth_sewing(dart.found)) proposals.push_back(proposal_of(dart.line, dart.found));
       continue;
     }
-    if (!alone || !image) continue;
+    if (!alone) continue;
     const bool helps_alone = is_worth_sewing(*alone);
-    const bool are_better = is_worth_sewing(dart.found) &&
+    const bool are_better = image && dart.are_both && is_worth_sewing(dart.found) &&
                             (!helps_alone || (dart.found.figures.energy <= (1 - kLeastMove) * alone->figures.energy &&
                                               dart.found.figures.strain <= alone->figures.strain));
     if (!helps_alone && !are_better) continue;
     const int place = static_cast<int>(proposals.size());
     proposals.push_back(proposal_of(dart.line, *alone));
+    if (!image || !(are_better || is_worth_sewing(*image))) continue;
     proposals.push_back(proposal_of(*dart.image, *image));
     for (const int k : {place, place + 1}) {
       proposals[k].twin = 2 * place + 1 - k;
@@ -317,7 +333,7 @@ void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector
 /// The best first, none beside a better one or its mirror image.
 std::vector<SmoothDart> SmoothDartSearch::without_neighbors(std::vector<SmoothDart> darts) const {
   std::stable_sort(darts.begin(), darts.end(),
-                   [](const SmoothDart& a, const SmoothDart& b) { return a.strain() < b.strain(); });
+                   [&](const SmoothDart& a, const SmoothDart& b) { return is_better(a, b); });
   std::vector<SmoothDart> best;
   for (SmoothDart& dart : darts) {
     const bool is_known = std::any_of(best.begin(), best.end(), [&](const SmoothDart& better) {
@@ -332,16 +348,12 @@ std::vector<SmoothDart> SmoothDartSearch::without_neighbors(std::vector<SmoothDa
 std::vector<DartProposal> SmoothDartSearch::search(const std::vector<HalfEdgeChain>& chains) {
   std::vector<SmoothDart> darts = best_courses(chains);
   std::stable_sort(darts.begin(), darts.end(),
-                   [](const SmoothDart& a, const SmoothDart& b) { return a.strain() < b.strain(); });
+                   [&](const SmoothDart& a, const SmoothDart& b) { return is_better(a, b); });
   for (std::size_t i = 0; i < std::min(kMoved, darts.size()); ++i) {
     if (darts[i].strain() <= (1 - kLeastMove) * search_.before().strain) darts[i] = move_ends(std::move(darts[i]));
   }
-  darts = without_neighbors(std::move(darts));
-  if (darts.size() > static_cast<std::size_t>(cut_options_.count)) {
-    darts.erase(darts.begin() + cut_options_.count, darts.end());
-  }
   std::vector<DartProposal> proposals;
-  propose(darts, proposals);
+  propose(without_neighbors(std::move(darts)), proposals);
   return proposals;
 }
 
