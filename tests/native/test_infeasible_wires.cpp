@@ -157,6 +157,41 @@ TEST(InfeasibleWires, NetsThatCanBeKeptAreNotRefused) {
   }
 }
 
+TEST(RelaxedLengths, NoLengthChangesIfAllCanBeKept) {
+  FlattenInput input = test::saddle(8, 0.4);
+  add_lines(input, 8, 0);
+  const Charts charts = test::charts_of(input);
+  const Chart& chart = charts.charts.at(0);
+  const Problem problem(chart, 0.1);
+  Budget relax_budget(kMaxRelaxFactorizations);
+  RelaxedShape loose = relax_lengths(problem, free_boundary_arap(chart, 30).uv, {relax_budget});
+  EXPECT_LT(loose.tolerance_violation.maxCoeff(), 1e-4);  // the last smoothing
+  EXPECT_LT(loose.strain_rms.maxCoeff(), 1e-4);
+  EXPECT_LT(loose.outline_strain, 1e-4);
+  const Positions2 untouched = loose.uv;
+  Budget budget(kMaxProjectFactorizations);
+  EXPECT_THROW(project_to_lengths(problem, loose.uv, {budget, StopToken([](const char*) { return false; })}), Stopped);
+  EXPECT_EQ((loose.uv - untouched).norm(), 0);
+  EXPECT_TRUE(project_to_lengths(problem, loose.uv, {budget}));
+  for (const WireEdge& edge : problem.network().edges) {
+    const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
+    EXPECT_NEAR(planar_length(chart.mesh, h, loose.uv), edge.length, 1e-11 * edge.length);
+  }
+}
+
+TEST(RelaxedLengths, TolerancesOfSingleEdgesCostNothing) {
+  // Wires of one edge that may change by a half: only the outline is held.
+  FlattenInput input = test::saddle(6, 0.4);
+  const Positions2 free = free_boundary_arap(test::chart_of(input), 30).uv;
+  add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
+  for (Wire& wire : input.wires) wire.tolerance = 0.5;
+  const Charts charts = test::charts_of(input);
+  Budget budget(kMaxRelaxFactorizations);
+  const RelaxedShape loose = relax_lengths({charts.charts.at(0), 0.1}, free, {budget});
+  EXPECT_EQ(loose.tolerance_violation.maxCoeff(), 0);
+  EXPECT_LT(loose.outline_strain, 1e-4);  // the last smoothing
+}
+
 TEST(RelaxedLengths, StopsWhenAsked) {
   const Charts charts = test::charts_of(test::quarter_sphere(4));
   const Chart& chart = charts.charts.at(0);

@@ -77,5 +77,17 @@ TEST(InjectiveShape, LooserIsNeverWorse) {
   }
 }
 
+TEST(InjectiveShape, FactorizationsAreCounted) {
+  const Charts charts = test::charts_of(finger());
+  Problem problem(charts.charts.at(0), Options{}.fairness);
+  const auto spent_of = [&](int most) {
+    Budget budget(most);
+    refine_chart(problem, Options{}, {budget});
+    return budget.spent();
+  };
+  const int whole = spent_of(Options{}.max_factorizations);
+  for (const int most : {whole / 4, whole / 2, whole - 1, whole}) EXPECT_EQ(spent_of(most), most);
+}
+
 }  // namespace
 }  // namespace wirewarp::test_injective_shape

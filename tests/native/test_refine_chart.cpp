@@ -81,6 +81,23 @@ TEST(RefineChart, LengthsThatContradictDoSoWhateverTheLimit) {
   }
 }
 
+TEST(RefineChart, CheapStepsOfTheFreeStartAreLittleProgress) {
+  int num_starts = 0;
+  double before_shape = 0;
+  bool has_begun_shape = false;
+  const FlattenResult result = flatten(test::quarter_sphere(12), {}, [&](const std::string& stage, double fraction) {
+    has_begun_shape = has_begun_shape || stage == "shape";
+    if (stage != "start" || has_begun_shape) return true;
+    ++num_starts;
+    before_shape = fraction;
+    return true;
+  });
+  EXPECT_FALSE(result.pieces.at(0).error);
+  EXPECT_GT(num_starts, 5);
+  EXPECT_GT(before_shape, 0.2);
+  EXPECT_LT(before_shape, 0.3);
+}
+
 /// Surface and wires are symmetric under half a turn, and the least distorted of the symmetric shapes is a saddle: its
 /// way down is against the symmetry that all gradients have.
 TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
@@ -109,6 +126,28 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   const Solution found = minimize(problem, {}, *start, {budget});
   EXPECT_TRUE(found.is_exact() && found.is_converged());
   EXPECT_LT(found.objective, 0.96 * saddle.objective);
+}
+
+/// A larger chart reaches the same minimum over a coarser one.
+TEST(RefineChart, StartsCoarselyFromTheTunedSizeOn) {
+  const int n = 32;  // 2,048 faces
+  FlattenInput input = test::make_grid(
+      n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.3 * std::sin(kPi * s) * std::sin(kPi * t)); });
+  test::add_wire(input, test::grid_row(n, n / 2));
+  const Charts charts = test::charts_of(input);
+  InternalOptions options;
+  options.fairness = 0.3;
+  const auto refined = [&](std::size_t large_chart, Budget& budget) {
+    options.large_chart = large_chart;
+    Problem problem(charts.charts.at(0), options.fairness);
+    return refine_chart(problem, options, {budget});
+  };
+  Budget budget(options.max_factorizations), coarse_budget(options.max_factorizations);
+  const Solution from_scratch = refined(2049, budget), from_coarse = refined(2048, coarse_budget);
+  EXPECT_STREQ(from_scratch.start, "free");
+  EXPECT_STREQ(from_coarse.start, "coarse");
+  EXPECT_GT(coarse_budget.spent(), from_coarse.factorizations) << "factorizations of the coarse chart count";
+  EXPECT_NEAR(from_coarse.objective, from_scratch.objective, 1e-9 * from_scratch.objective);
 }
 
 /// The wires contradict one another, and one of them ends inside: the coarse chart goes through all its starts,
