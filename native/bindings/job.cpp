@@ -112,8 +112,8 @@ std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, 
 constexpr const char* kJobDoc =
     R"(A run of the core in its own thread, while Python continues.
 
-start(), start_darts(), start_seams() and start_plan() return one. A job without references is canceled and waited for,
-also when Python ends.)";
+start(), start_darts(), start_seams(), start_plan() and start_simplify() return one. A job without references is
+canceled and waited for, also when Python ends.)";
 
 constexpr const char* kStartDoc =
     R"(Starts flatten() with these arguments and returns a Job at once.

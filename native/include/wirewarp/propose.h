@@ -52,10 +52,11 @@ struct CutOptions {
 /// to a point inside, along smooth chains of edges, and do not cross wires. With is_smooth, they are smooth lines
 /// across triangles without corners, straight unless a bend gains clearly more, and the best one along edges if it
 /// leaves less strain than all of them. cut_mesh() turns lines into edges, and the figures are those of flatten()
-/// with these edges as seams. Around the tip of a smooth dart, the mean strain is at most 3% or that of the piece
-/// without it. All lengths stay exact. The result does not depend on how the input is turned, mirrored or numbered,
-/// except for the order of equal darts. Throws the errors of flatten(), the error of the requested piece if it has no
-/// flat shape, no_proposal if a piece is flat already, has no room or gains nothing, and cancelled.
+/// with these edges as seams. Around the tip of a smooth dart, made with its mirror image if both are better than one,
+/// the mean strain is at most 3%, or the strain of the piece before if that is larger. All lengths stay exact. The
+/// result does not depend on how the input is turned, mirrored or numbered, except for the order of equal darts. Throws
+/// the errors of flatten(), the error of the requested piece if it has no flat shape, no_proposal if a piece is flat
+/// already, has no room or gains nothing, and cancelled.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 
@@ -111,10 +112,11 @@ struct SeamProposal {
   bool was_stopped = false;        // progress ended the search before every section was tried
 };
 
-/// Returns the seams that remain after sections of seams, or halves of them, were left out one after the other, the
-/// longest first. A section is left out only if flatten() finds a flat shape for what the pieces beside it become, with
-/// no more than the given strain, or than the worst of these pieces has with the input's seams. Strains below 1e-6 are
-/// rounding, and always accepted. Mirrored sections of a symmetric model are left out together.
+/// Returns the seams that remain after sections of seams, or parts of them, were left out one after the other, the
+/// longest first. Sections are divided in the middle and at their sharpest corner. A section is left out only if
+/// flatten() finds a flat shape for what the pieces beside it become, with no more than the given strain, or than the
+/// worst of these pieces has with the input's seams. Strains below 1e-6 are rounding, and always accepted. Mirrored
+/// sections of a symmetric part between seams that remain are left out together.
 ///
 /// Seams with an ease on one side and seams with three sides or more remain. So do all seams of a part of the model
 /// that has no flat shape for other reasons than missing seams, such as a Moebius strip. The result does not depend on

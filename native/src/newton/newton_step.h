@@ -7,9 +7,9 @@
 namespace wirewarp {
 
 /// Moves the start to exact lengths by one Newton step and a retraction. The Hessian is the Laplacian. Near the minimum
-/// it is the exact Hessian, or its convex part if that is not positive; then a second step follows if the first one is
-/// too long, and further steps use the factor at hand as long as they help. Rejected if lengths are not exact at the
-/// end. Throws Stopped.
+/// it is the exact Hessian, or its convex part if that is not positive. Near the minimum, a second step follows if the
+/// first one is too long, and further steps use the factor at hand as long as they help. Rejected if lengths are not
+/// exact at the end. Throws Stopped.
 StepOutcome reach_exact_lengths(NewtonState& state, bool is_near_minimum);
 
 /// Steps from exact lengths to exact lengths, downhill, with the exact Hessian; near the minimum several steps use one

@@ -44,7 +44,7 @@ class Problem {
   const Positions2& free_map(const StopToken& stop);
 
   /// c and f of a stage. layout: one row per chart vertex; says how large the chart is, and which parts of its outline
-  /// are near each other.
+  /// are near each other. It may be empty without a cloth, unless the stage forbids overlaps.
   LengthConstraints constraints(const Stage& stage, const Positions2& layout = {}) const;
   FairShapeError objective(const Stage& stage, const Positions2& layout = {}) const;
 

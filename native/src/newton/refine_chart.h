@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The refined method for one chart: its starts, one after the other, until one has exact lengths. All of them together
-// keep to one budget. How that ended is in the shape's status: nothing is thrown.
+// keep to one budget. The status of the solution says how the search ended: nothing is thrown.
 #pragma once
 
 #include "base/internal_options.h"
@@ -13,8 +13,9 @@ namespace wirewarp {
 
 /// Finds the least distorted shape of a chart. Charts with slits start with these sewn (newton/open_slits.h). If the
 /// shape is flipped or overlaps itself, returns an injective one if options ask for it and one is found
-/// (newton/injective_shape.h). If no start leads to exact lengths, returns the last one that was tried. The token is
-/// polled in the stages "start" and "shape".
+/// (newton/injective_shape.h). If no start leads to exact lengths, returns the last one that was tried. Its status is
+/// cancelled if the caller stopped, infeasible if any start was, and singular otherwise. The token is polled in the
+/// stages "start" and "shape".
 Solution refine_chart(Problem& problem, const InternalOptions& options, const Control& control);
 
 /// The same for a chart, with a budget of options.max_factorizations.

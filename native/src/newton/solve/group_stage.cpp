@@ -56,7 +56,7 @@ class GroupStage {
 
   struct Outcome {
     bool is_solved;               // otherwise the shapes are those from before the stage
-    bool ran_out;                 // the limit of factorizations ended the search
+    bool ran_out;                 // a solver needed more factorizations than the limit allowed
     std::vector<char> is_folded;  // per part, if solved: flipped or overlapping
   };
 
