@@ -24,8 +24,8 @@ inline constexpr bool is_bound =
                        std::is_same<T, Cache>, std::is_same<T, Job>, std::is_same<T, WireReport>,
                        std::is_same<T, HelperWire>, std::is_same<T, BoundaryReport>, std::is_same<T, SeamReport>,
                        std::is_same<T, Metrics>, std::is_same<T, PieceReport>, std::is_same<T, Piece>,
-                       std::is_same<T, FlattenResult>, std::is_same<T, DartProposal>, std::is_same<T, SurfacePath>,
-                       std::is_same<T, CutSources>>;
+                       std::is_same<T, FlattenResult>, std::is_same<T, DartProposal>, std::is_same<T, SeamProposal>,
+                       std::is_same<T, SurfacePath>, std::is_same<T, CutSources>>;
 
 }  // namespace wirewarp::bindings
 
