@@ -92,8 +92,8 @@ constexpr const char* kSimplifyDoc =
 
 Sections of seams, or parts of them, are left out one after the other, the longest first. Each is left out only if
 flatten() finds a flat shape for what the pieces beside it become, with no more than the given strain, or than the worst
-of these pieces has with the given seams. Mirrored sections of a
-symmetric part between seams that remain are left out together.
+of these pieces has with the given seams. Mirrored sections of a symmetric part between seams that remain are left out
+together.
 
 seams: those of a user or of any unwrapping tool, as flatten() takes them.
 strain: accepted strain (DartProposal.strain); 0.05 for 5%.
