@@ -38,7 +38,7 @@ strain: accepted strain: pieces with no more (DartProposal.strain) are ignored; 
 longest: maximum length of a cut on the surface, scene units; None for any length.
 no_seam: (k, 2) vertex pairs, edges along which no cut may run.
 smooth: True for darts that are smooth lines across triangles without corners, straight unless a bend gains clearly
-    more, and for the best one along edges if it leaves less strain than all of them. A smooth dart has no edges:
+    more, and for the best one along edges if it leaves at least 5% less strain. A smooth dart has no edges:
     vertices, faces, edges, sources = cut_mesh(vertices, faces, proposal.paths) makes them, and its figures are those of
     flatten(vertices, faces, seams=[*seams, *edges]). Around its tip, the mean strain is at most 3% or that of the piece
     without the dart.

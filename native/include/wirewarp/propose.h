@@ -51,12 +51,12 @@ struct CutOptions {
 /// helps only together with its mirror image, strain_with_twin is below the strain before. Darts lead from the outline
 /// to a point inside, along smooth chains of edges, and do not cross wires. With is_smooth, they are smooth lines
 /// across triangles without corners, straight unless a bend gains clearly more, and the best one along edges if it
-/// leaves less strain than all of them. cut_mesh() turns lines into edges, and the figures are those of flatten()
-/// with these edges as seams. Around the tip of a smooth dart, made with its mirror image if both are better than one,
-/// the mean strain is at most 3%, or the strain of the piece before if that is larger. All lengths stay exact. The
-/// result does not depend on how the input is turned, mirrored or numbered, except for the order of equal darts. Throws
-/// the errors of flatten(), the error of the requested piece if it has no flat shape, no_proposal if a piece is flat
-/// already, has no room or gains nothing, and cancelled.
+/// leaves at least 5% less strain than all of them. cut_mesh() turns lines into edges, and the figures are those of
+/// flatten() with these edges as seams. Around the tip of a smooth dart, made with its mirror image if both are better
+/// than one, the mean strain is at most 3%, or the strain of the piece before if that is larger. All lengths stay
+/// exact. The result does not depend on how the input is turned, mirrored or numbered, except for the order of equal
+/// darts. Throws the errors of flatten(), the error of the requested piece if it has no flat shape, no_proposal if a
+/// piece is flat already, has no room or gains nothing, and cancelled.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 

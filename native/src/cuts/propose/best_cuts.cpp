@@ -64,14 +64,17 @@ bool is_second_of_pair(const std::vector<DartProposal>& proposals, std::size_t i
 
 double strain_left(const DartProposal& dart) { return dart.strain_with_twin.value_or(dart.strain); }
 
-/// Smooth darts, and the best one along edges if it leaves less strain than all of them.
+/// A dart along edges bends at vertices, which is hard to sew: it must leave less strain by this share.
+constexpr double kWorthElbows = 0.05;
+
+/// Smooth darts, and the best one along edges if it leaves clearly less strain than all of them.
 std::vector<DartProposal> with_best_along_edges(std::vector<DartProposal> smooth,
                                                 const std::vector<DartProposal>& along_edges) {
   const auto leaves_less = [](const DartProposal& a, const DartProposal& b) { return strain_left(a) < strain_left(b); };
   const auto best = std::min_element(along_edges.begin(), along_edges.end(), leaves_less);
   if (best == along_edges.end()) return smooth;
   const auto best_smooth = std::min_element(smooth.begin(), smooth.end(), leaves_less);
-  if (best_smooth != smooth.end() && !leaves_less(*best, *best_smooth)) return smooth;
+  if (best_smooth != smooth.end() && strain_left(*best) > (1 - kWorthElbows) * strain_left(*best_smooth)) return smooth;
   const int place = static_cast<int>(smooth.size());
   smooth.push_back(*best);
   if (best->twin) {
