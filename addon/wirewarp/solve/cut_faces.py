@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lines on the surface of a mesh: where to draw them, and how they divide its faces. No Blender in here."""
+"""Finds the segments to draw for lines on a mesh, and how the lines divide its faces, without Blender."""
 
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Sequence
@@ -44,12 +44,12 @@ class Division:
     """What lines change in a mesh: its surface stays, because faces that lines cross are divided into triangles."""
 
     polygons: dict[int, DividedPolygon]
-    edges: list[list[tuple[int, float]]]  # points along each divided edge, with their distance from its first end
+    edges: list[list[tuple[int, float]]]  # points along each divided edge, with their share of its length
     lines: Pairs  # edges of the lines; points that are new have numbers above those of all vertices
 
 
 def segments_of(paths: Iterable[SurfacePath], arrays: MeshArrays) -> Segments:
-    """Return what to draw of lines."""
+    """Return the segments to draw for these lines."""
     points = [
         list(zip(arrays.triangles[path.faces].tolist(), path.coordinates.tolist(), strict=True)) for path in paths
     ]
@@ -70,7 +70,7 @@ def segments_of(paths: Iterable[SurfacePath], arrays: MeshArrays) -> Segments:
 
 
 def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Return the ends (2k,3) of the segments whose faces are there.
+    """Return the ends (2k,3) of the segments whose faces the mesh has.
 
     For each corner of a mesh: polygons (l,) its face, vertices (l,) its vertex, as the segments name them, and its
     place (l,3).
@@ -138,5 +138,6 @@ def _followed_diagonals(edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
 
 
 def _along(line: list[int], sources: CutSources) -> list[tuple[int, float]]:
+    """Return the points of a divided edge with their distance from its first end, as a share of its length."""
     shares = (sources.vertex_weights[line] * (sources.vertices[line] == line[-1])).sum(axis=1)
     return list(zip(line, shares.tolist(), strict=True))

@@ -3,7 +3,7 @@
 
 To stop the steps, throw CanceledError into them: an optional part then ends with the result so far. To discard them,
 close them; files do not change. The caller always closes them, because the traceback of an error would keep them
-alive. There are no Python threads, which Blender does not allow; the core has its own. No Blender here.
+alive. There are no Python threads, which Blender does not allow; the core has its own. The module does not use Blender.
 """
 
 import time
