@@ -300,6 +300,10 @@ void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector
       [&](std::size_t i) {
         const SmoothDart& dart = darts[i / 2];
         if (!dart.image) return;
+        if (i % 2 == 0 && !dart.are_both) {
+          each[i / 2][0] = dart.found;
+          return;
+        }
         const OnOneCore on_one_core;
         each[i / 2][i % 2] = evaluation_.figures_along({i % 2 == 0 ? dart.line.path : dart.image->path});
       },
