@@ -119,7 +119,8 @@ def test_along_edges_the_mesh_stays(addon):
     bpy.context.scene.wirewarp.dart_lines = "SMOOTH"
     SUGGEST["DARTS"]()
     both = found(addon, source).cuts
-    assert both[0].strain <= cuts[0].strain
+    worth_elbows = 0.05  # a dart with elbows is listed only if it leaves this share of strain less
+    assert both[0].strain <= cuts[0].strain / (1 - worth_elbows)
     assert [cut.strain for cut in both] == sorted(cut.strain for cut in both)
     before, index = places(source), next(index for index, cut in enumerate(both) if cut.edges)
     bpy.ops.object.wirewarp_choose_suggestion(index=index)
