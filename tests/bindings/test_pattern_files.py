@@ -3,6 +3,7 @@
 
 import io
 import re
+import sys
 import xml.etree.ElementTree as ElementTree
 from dataclasses import replace
 from inspect import signature
@@ -233,8 +234,8 @@ def test_a_file_that_came_out_wrong_takes_no_place(tmp_path, monkeypatch, ending
         for stroke in strokes_of(piece):
             yield replace(stroke, points=stroke.points * 1.001)
 
-    for module in ("svg", "pdf", "dxf", "hpgl"):
-        monkeypatch.setattr(f"wirewarp.pattern.formats.{module}.strokes_of", moved)
+    for each in FORMATS.values():
+        monkeypatch.setattr(sys.modules[each.write.__module__], "strokes_of", moved)
     with pytest.raises(RuntimeError, match="is off by"):
         pattern.write(tmp_path / f"hat.{ending}", **({"dialect": "plain"} if ending == "dxf" else {}))
     assert (tmp_path / f"hat.{ending}").read_bytes() == old and len(list(tmp_path.iterdir())) == 1
