@@ -50,6 +50,10 @@ def loose_edges(target):
     return np.array([edge for edge in edges.tolist() if tuple(sorted(edge)) not in of_faces])
 
 
+def evaluated(target):
+    return target.evaluated_get(bpy.context.evaluated_depsgraph_get())
+
+
 def test_sewing_edges_join_what_is_one_on_the_model_and_a_shape_key_folds_it_there(source):
     numbers = read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
     target = sewing_of(source)
@@ -63,10 +67,26 @@ def test_sewing_edges_join_what_is_one_on_the_model_and_a_shape_key_folds_it_the
     assert len(edge_vertices(target.data)) == len(edge_vertices(flat_of(source).data)) + len(joined)
     target.data.shape_keys.key_blocks["On the Model"].value = 1.0  # which folds the pieces onto the model
     bpy.context.view_layer.update()
-    evaluated = target.evaluated_get(bpy.context.evaluated_depsgraph_get())
-    worn = np.array([evaluated.matrix_world @ vertex.co for vertex in evaluated.data.vertices])
+    worn = np.array([target.matrix_world @ vertex.co for vertex in evaluated(target).data.vertices])
     places = np.array([source.matrix_world @ vertex.co for vertex in source.data.vertices])
     assert worn == pytest.approx(places[numbers], abs=1e-5)
+
+
+def test_a_cloth_simulation_sews_the_pieces_together(source):
+    target = sewing_of(source)
+    modifier = target.modifiers.new("Cloth", "CLOTH")
+    modifier.settings.use_sewing_springs = True
+    modifier.settings.effector_weights.gravity = 0.0
+    joined = loose_edges(target)
+
+    def gaps():
+        places = read(evaluated(target).data.vertices, "co", np.float32, 3)
+        return np.linalg.norm(places[joined[:, 0]] - places[joined[:, 1]], axis=1)
+
+    before = gaps()
+    for frame in range(1, 41):
+        bpy.context.scene.frame_set(frame)
+    assert gaps().max() < 0.05 * before.mean()
 
 
 def test_it_is_no_flat_object_and_carries_no_marks(source, addon):
