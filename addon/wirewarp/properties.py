@@ -155,15 +155,15 @@ class PatternSettings:
 def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
     """Copy settings that the caller did not set from the scene. kind: FlattenSettings or PatternSettings.
 
-    Values that this version does not know are skipped: see mend_settings.
+    Values that this version does not know are skipped: see reset_unknown.
     """
-    mend_settings(settings, kind)
+    reset_unknown(settings, kind)
     for name in kind.__annotations__:
         if not operator.properties.is_property_set(name):
             setattr(operator, name, getattr(settings, name))
 
 
-def mend_settings(settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
+def reset_unknown(settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
     """Reset an enum value that this version does not know, from a file of another version, to its default."""
     for name in kind.__annotations__:
         if getattr(settings, name) == "":

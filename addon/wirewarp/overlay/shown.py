@@ -188,7 +188,7 @@ def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.
     settings, millimeters = context.scene.wirewarp, 1000 * meters_per_blender_unit(context.scene)
     cut = _cut_lines(context, source, flat)
     drawn = _cut_lines(context, source, flat, settings.pairs, settings.on_fold)
-    cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain or "ONE_WAY"])  # "": see mend_settings
+    cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain or "ONE_WAY"])  # "": see reset_unknown
     paper = library_paper(settings.paper or "A4", settings.roll_width)
     chosen = PageChoices(paper, settings.arrangement or "IN_ROWS", cloth, stored_text(source, MARKER))
     made_of = Same(cut), Same(drawn), chosen, millimeters

@@ -4,6 +4,6 @@
 May import: suggest, flatten, marks, overlay, ui, state, solve, blender, properties, core, issues.
 """
 
-from . import export_panel, flatten_panel, mend, next_step, operators, panel, piece_list
+from . import export_panel, fix, flatten_panel, next_step, operators, panel, piece_list
 
-MODULES = (operators, mend, next_step, flatten_panel, export_panel, piece_list, panel)
+MODULES = (operators, fix, next_step, flatten_panel, export_panel, piece_list, panel)

@@ -179,12 +179,12 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
 
     @reporting_refusals
     def _begin(self, context: bpy.types.Context) -> set[str]:
-        return self.begin_run(context, [self._mended(context)])
+        return self.begin_run(context, [self._fixed(context)])
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
         """Fix and flatten at once, in a script and for Adjust Last Operation."""
-        self.flatten_now(context, [self._mended(context)])
+        self.flatten_now(context, [self._fixed(context)])
         return {"FINISHED"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
@@ -192,7 +192,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
         result = super().modal(context, event)
         return {"FINISHED"} if result == {"CANCELLED"} else result
 
-    def _mended(self, context: bpy.types.Context) -> bpy.types.Object:
+    def _fixed(self, context: bpy.types.Context) -> bpy.types.Object:
         """Return the model as fixed. Raises ObjectError, with nothing changed."""
         check_sources(context, active_target(context))
         source, settings = model_or_self(context.active_object), context.scene.wirewarp

@@ -15,7 +15,7 @@ from ..core import paragraph, quoted
 from ..flatten.models import Model
 from ..flatten.read import active_target, check_sources, find_source, is_current, read_models
 from ..issues import ObjectError, changed_error, object_error
-from ..properties import mend_settings
+from ..properties import reset_unknown
 from ..solve.flatten import FlattenChoices, maximum_stretch, used_choices
 from ..solve.steps import CanceledError, Steps
 from ..solve.suggest import Cut, NoSeam, Wish, cut_text, found_words, set_for, shortfall, step_text, suggest_cuts
@@ -175,7 +175,7 @@ class SuggestCuts(OnMesh, WindowSteps):
         check_sources(context, active_target(context))
         source = model_or_self(context.active_object)
         for settings in (FlattenSettings, TargetSettings):
-            mend_settings(context.scene.wirewarp, settings)
+            reset_unknown(context.scene.wirewarp, settings)
         with in_object_mode(context):
             piece = None if self.piece == -1 else self.piece
             self._search: Search = begin_search(context, source, self.kind, piece)

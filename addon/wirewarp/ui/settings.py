@@ -78,7 +78,7 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
 
 
 def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
-    """Return the choices; None if a setting has a value that this version does not know: see mend_settings."""
+    """Return the choices; None if a setting has a value that this version does not know: see reset_unknown."""
     if "" in [getattr(settings, setting.name) for setting in SETTINGS]:
         return None
     return choices_of(settings, meters_per_blender_unit(settings.id_data))
