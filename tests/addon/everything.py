@@ -22,6 +22,7 @@ COMMANDS = [  # writing operators come last
     ("object.wirewarp_export", {}),
     ("object.wirewarp_sewing", {}),
     ("object.wirewarp_suggest_seams", {"piece": 0}),
+    ("object.wirewarp_simplify_seams", {}),
     ("object.wirewarp_suggest_darts", {}),
     ("object.wirewarp_choose_suggestion", {"index": 1}),
     ("mesh.wirewarp_take_proposal", {"what": "SEAMS", "issue": 0}),

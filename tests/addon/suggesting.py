@@ -5,6 +5,7 @@ import bpy
 import numpy as np
 from surfaces import read
 
+SIMPLIFY = bpy.ops.object.wirewarp_simplify_seams
 SUGGEST = {"DARTS": bpy.ops.object.wirewarp_suggest_darts, "SEAMS": bpy.ops.object.wirewarp_suggest_seams}
 
 

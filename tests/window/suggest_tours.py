@@ -8,7 +8,7 @@ import bpy
 import drive
 import wirewarp_addon
 from stage import contents, flatten, redo, remember, undo, window_run
-from surfaces import bump, grid, on_line, read, select_edges
+from surfaces import bump, grid, mark_seam, on_line, read, select_edges
 
 current = wirewarp_addon.state.suggestions.current_suggestions
 
@@ -80,6 +80,30 @@ def cuts_towards_an_aim_are_taken_and_undone_with_one_click_each() -> drive.Tour
     settings.suggest_together, settings.aim_stretch, settings.aim_cuts = True, 0.0, 2
     source = grid("Bump", bump, size=12)
     yield from take_and_undo(source, "target")
+
+
+def seams_are_simplified_and_undone_with_one_click_each() -> drive.Tour:
+    source = grid("Bump", bump, size=8)
+    for row in (-0.5, 0.0, 0.5):
+        mark_seam(source, on_line(1, row))
+    remember()
+    yield from flatten()
+    before, count = contents(source), seam_count()
+    with drive.in_view():
+        bpy.ops.object.wirewarp_simplify_seams("INVOKE_DEFAULT", True)
+    yield lambda: not window_run.is_running()
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_suggestions)
+    yield from drive.ticks(10)
+    drive.screenshot("simplify")
+    assert contents(source) == before
+    found = current(source)
+    cleared = found.cuts[found.chosen].cleared
+    yield from drive.click_button("bpy.ops.object.wirewarp_mend(")
+    yield lambda: seam_count() == count - len(cleared) and not window_run.is_running()
+    yield from undo()
+    yield lambda: contents(bpy.data.objects["Bump"]) == before
+    yield from redo()
+    yield lambda: seam_count() == count - len(cleared)
 
 
 def escape_ends_the_search() -> drive.Tour:

@@ -44,7 +44,7 @@ RIM, RIM_ALPHA = 1.5, 0.6  # pixels by which the rim is wider than the line
 # In drawing order: a wire is visible on a seam or a failed area.
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
-    "proposed": LineStyle("Suggested cut", _hex("#890089"), 6.0),
+    "proposed": LineStyle("Suggestion", _hex("#890089"), 6.0),
     "page": LineStyle("Page", _hex("#9c78fc"), 1.5),
     "cut": LineStyle("Cutting line", _hex("#99bb77"), 2.0),
     "ease": LineStyle("Side with ease", _hex("#ff4bb4"), 3.0),

@@ -18,7 +18,7 @@ from ..state.owners import check_not_edited, model_or_self
 from ..state.read_model import apply_modifiers, outline_change, subdivide
 from ..state.reports import last_report
 from ..state.suggestions import current_suggestions
-from ..suggest.smooth import take_lines
+from ..suggest.smooth import take_away, take_lines
 from ..ui import window_run
 from ..ui.editing import OnMesh, reporting_refusals
 from ..ui.settings import draw_settings
@@ -150,7 +150,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
         description="What to do before flattening again",
         items=[
             *PROPOSALS,
-            ("SUGGESTION", "Suggestion", "Mark the cut that is chosen in the list of suggestions as seam"),
+            ("SUGGESTION", "Suggestion", "Mark the suggested cut that is chosen, or clear the seams that are chosen"),
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge overlapping vertices of the model"),
             ("NORMALS", "Normals", "Flip faces of the model so that all point to one side"),
@@ -238,10 +238,14 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
         if found is None:
             sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'
             raise object_error("no_suggestion", sentence)
-        marked = take_lines(source, found.cuts[found.chosen].paths, found.with_modifiers)
+        cut = found.cuts[found.chosen]
+        if cut.cleared:
+            changed = take_away(source, cut.cleared, found.with_modifiers)
+        else:
+            changed = take_lines(source, cut.paths, found.with_modifiers)
         if found.with_modifiers:
             self.use_modifiers = bpy.context.scene.wirewarp.use_modifiers = False
-        return marked + found.with_modifiers
+        return changed + found.with_modifiers
 
     def draw(self, _context: bpy.types.Context) -> None:
         draw_settings(self.layout, self)

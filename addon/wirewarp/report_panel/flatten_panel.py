@@ -137,12 +137,12 @@ def _draw_state(
     if any(line.kind in FABRIC_HELPS for line in verdict.lines):
         layout.menu(VIEW3D_MT_wirewarp_fabrics.__name__, icon=ICON)
     if wants_seams(report):
-        draw_suggest(layout, context.scene.wirewarp, -1, ["seams"])
+        draw_suggest(layout, context.scene.wirewarp, -1, ["seams"], has_seams=False)
     if report.uv_seams and not report.uv_seams.is_good:
         _draw_step(context, layout, uv_step(report.uv_seams))
     piece = piece_to_cut(report, step)
     if piece is not None:
-        draw_suggest(layout, context.scene.wirewarp, piece)
+        draw_suggest(layout, context.scene.wirewarp, piece, has_seams=bool(report.seams))
     if step and is_looked_at:
         _draw_step(context, layout, step)
     if report.issues and not (step and step.operator == CHECK):

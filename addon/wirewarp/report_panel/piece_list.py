@@ -7,7 +7,7 @@ from ..blender.objects import length_text
 from ..core import PieceRow, needs_text, percent_text
 from ..solve.report import ObjectReport
 from ..state.reports import pieces_report
-from ..suggest.panel import draw_suggest
+from ..suggest.panel import draw_simplify, draw_suggest
 from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of
 from ..ui.settings import shown_report, shown_source
 from .flatten_panel import offered_piece
@@ -88,9 +88,12 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if chosen:
             draw_figures(context, self.layout, chosen)
             report = shown_report(context)
-            is_offered = report and offered_piece(context, source, report) == chosen.index  # by the panel of Flatten
-            if chosen.ok and chosen.needed >= WORTH_A_CUT and not is_offered:
-                draw_suggest(self.layout, context.scene.wirewarp, chosen.index)
+            offered = offered_piece(context, source, report) if report else None  # by the panel of Flatten
+            has_seams = bool(report and report.seams)
+            if chosen.ok and chosen.needed >= WORTH_A_CUT and offered != chosen.index:
+                draw_suggest(self.layout, context.scene.wirewarp, chosen.index, has_seams=has_seams)
+            elif has_seams and offered is None:
+                draw_simplify(self.layout)
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True

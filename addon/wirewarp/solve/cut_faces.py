@@ -69,6 +69,15 @@ def segments_of(paths: Iterable[SurfacePath], arrays: MeshArrays) -> Segments:
     return Segments(arrays.triangle_polygons[rows], arrays.triangles[rows], shape)
 
 
+def segments_along(edges: np.ndarray, arrays: MeshArrays) -> Segments:
+    """Return the segments to draw for edges (k,2) of the mesh, one in each face beside an edge."""
+    count = len(arrays.vertices)
+    sides = edge_keys(arrays.triangles[:, [0, 1, 1, 2, 2, 0]], count)
+    rows, corners = np.divmod(np.flatnonzero(np.isin(sides, edge_keys(edges, count))), 3)
+    weights = np.eye(3)[np.column_stack([corners, (corners + 1) % 3])]
+    return Segments(arrays.triangle_polygons[rows], arrays.triangles[rows], weights)
+
+
 def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, places: np.ndarray) -> np.ndarray:
     """Return the ends (2k,3) of the segments whose faces the mesh has.
 

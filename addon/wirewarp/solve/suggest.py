@@ -43,7 +43,7 @@ class Target:
 
 @dataclass(frozen=True)
 class Cut:
-    """A dart, a seam, a mirrored pair of them, or a cut set; and the effect of marking it.
+    """A dart, a seam, a mirrored pair of them, a cut set, or seams to clear; and the effect of marking it.
 
     For a target, it includes all cuts from the first to one of them.
     """
@@ -56,7 +56,8 @@ class Cut:
     lengths: list[float]  # of each of them on the model, of a set in all, Blender units
     strain: float  # what 99% of the piece (of the worst part) must stretch or ease less than, when cut so
     strain_before: float  # infinite before first cuts
-    num_pieces: int  # that the first of them divides the piece into: of a set of first cuts, all of it
+    num_pieces: int  # that the first of them makes of the piece; of first cuts and seams to clear: in all
+    cleared: Pairs = field(default_factory=list)  # seams that go; then nothing is cut
 
     @property
     def is_first(self) -> bool:
@@ -68,7 +69,7 @@ class Cut:
 class Wish:
     """Which cuts to suggest."""
 
-    kind: str  # DARTS or SEAMS
+    kind: str  # DARTS or SEAMS; FEWER for seams to clear
     piece: int | None = None  # None for any
     target: Target | None = None
     is_smooth: bool = False  # darts may be lines across faces, without a target
@@ -202,9 +203,11 @@ WORDS = {"DARTS": ("dart", "darts"), "SEAMS": ("seam", "seams")}
 
 
 def found_words(kind: str, cuts: list[Cut]) -> str:
-    """Return "1 dart", "3 seams", "2 sets of seams"."""
+    """Return "1 dart", "3 seams", "2 sets of seams", "2 sets of fewer seams"."""
     if cuts[0].is_first:
         return counted(len(cuts), "set of seams", "sets of seams")
+    if cuts[0].cleared:
+        return counted(len(cuts), "set of fewer seams", "sets of fewer seams")
     return counted(sum(len(cut.lengths) for cut in cuts), *WORDS[kind])
 
 
@@ -223,6 +226,8 @@ def step_text(kind: str, cut: Cut, text: LengthText) -> str:
 
 def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> str:
     """Return the text of a button in the list, which fits a narrow sidebar."""
+    if cut.cleared:
+        return f"{counted(cut.num_pieces, 'piece')}, {percent_text(cut.strain)}, −{text.rough(cut.lengths[0])}"
     if target is None and cut.is_first:
         return f"{counted(cut.num_pieces, 'piece')}, {_shares(cut)}, {text.rough(cut.lengths[0])}"
     if target is None:
@@ -248,8 +253,11 @@ def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
 def cut_text(cut: Cut, text: LengthText) -> str:
     """Return "stretch 12 → 6.0%, 140 mm"; for mirror images "2×140 mm".
 
-    For first cuts, return "3 pieces, stretch 6.0%, seams 1.40 m".
+    For first cuts, return "3 pieces, stretch 6.0%, seams 1.40 m"; for seams to clear "4 pieces, stretch 5.0 → 9.5%, 270
+    mm of seams less".
     """
+    if cut.cleared:
+        return f"{counted(cut.num_pieces, 'piece')}, stretch {_shares(cut)}, {text.rough(cut.lengths[0])} of seams less"
     if cut.is_first:
         return f"{counted(cut.num_pieces, 'piece')}, stretch {_shares(cut)}, seams {text.rough(cut.lengths[0])}"
     times = f"{len(cut.lengths)}×" if len(cut.lengths) > 1 else ""

@@ -46,7 +46,7 @@ def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = Non
 
 @dataclass(frozen=True)
 class Suggestions:
-    kind: str  # DARTS or SEAMS
+    kind: str  # DARTS, SEAMS or FEWER
     cuts: list[Cut]  # for a target, each includes all earlier ones
     target: Target | None
     names: list[str]  # name of the piece that each cut is in

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggest Darts and Suggest Seams: where to cut a piece, each with what it gains."""
+"""Suggest Darts, Suggest Seams and Simplify Seams: where to cut a model and where not, each with what it gains."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import bpy
 from bpy.props import IntProperty
@@ -16,6 +16,7 @@ from ..flatten.models import Model
 from ..flatten.read import active_target, check_sources, find_source, is_current, read_models
 from ..issues import ObjectError, changed_error, object_error
 from ..properties import reset_unknown
+from ..solve.fewer_seams import fewer_seams, limits_up_to
 from ..solve.flatten import FlattenChoices, maximum_stretch, used_choices
 from ..solve.steps import CanceledError, Steps
 from ..solve.suggest import Cut, NoSeam, Wish, cut_text, found_words, set_for, shortfall, step_text, suggest_cuts
@@ -48,7 +49,7 @@ class Search:
     @property
     def is_of_model(self) -> bool:
         """Cuts that are taken together, of any piece: they may be of several, which they number anew."""
-        return self.wish.target is not None and self.wish.piece is None
+        return self.wish.kind == "FEWER" or (self.wish.target is not None and self.wish.piece is None)
 
 
 def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str, piece: int | None) -> Search:
@@ -82,8 +83,18 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     target, used = target_of(settings), used_choices(choices, model.arrays)
     is_smooth = settings.dart_lines == "SMOOTH" and kind == "DARTS" and target is None
     wish = Wish(kind, piece, target, is_smooth, {each.piece_id: each.name for each in pieces if each.piece_id})
-    steps = suggest_cuts(core.library(), model.arrays, choices, wish, no_seam)
+    if kind == "FEWER":
+        limits = [target.strain] if target else limits_up_to(_most_stretch(used))
+        steps, wish = fewer_seams(core.library(), model.arrays, choices, limits), replace(wish, target=None)
+    else:
+        steps = suggest_cuts(core.library(), model.arrays, choices, wish, no_seam)
     return Search(wish, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
+
+
+def _most_stretch(choices: FlattenChoices) -> float | None:
+    """Return the maximum stretch of the fabric; None if unknown. Pieces are turned so that the larger one counts."""
+    known = [limit for limit in maximum_stretch(choices.cloth) if limit is not None] if choices.cloth else []
+    return max(known, default=None)
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
@@ -94,14 +105,13 @@ def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
 
 
 def _shown_first(search: Search, cuts: list[Cut]) -> int:
-    """All cuts for a target; of sets of first cuts that for the fabric; else the best cut."""
+    """All cuts for a target; of sets that for the fabric; else the best cut."""
     if search.wish.target:
         return len(cuts) - 1
-    if not cuts[0].is_first:
+    if not (cuts[0].is_first or cuts[0].cleared):
         return 0
-    cloth = search.choices.cloth
-    known = [limit for limit in maximum_stretch(cloth) if limit is not None] if cloth else []
-    return set_for(cuts, max(known, default=SOFT))  # pieces are turned so that fabric stretches most where it must
+    most = _most_stretch(search.choices)
+    return set_for(cuts, SOFT if most is None else most)
 
 
 def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
@@ -134,7 +144,7 @@ class SuggestCuts(OnMesh, WindowSteps):
     bl_options = {"REGISTER"}
     modes = WORKING_MODES
     refusal = "Select a mesh, in Object Mode or in Edit Mode"
-    kind = ""  # DARTS or SEAMS
+    kind = ""  # of Wish
 
     piece: IntProperty(
         name="Piece",
@@ -190,7 +200,7 @@ class SuggestCuts(OnMesh, WindowSteps):
         if found.target:
             step = step_text(self.kind, cuts[-1], lengths)
             said = [f"Stretch of {piece} with {step}", shortfall(self.kind, cuts, found.target)]
-        elif cuts[0].is_first:
+        elif cuts[0].is_first or cuts[0].cleared:
             said = [f"{found_words(self.kind, cuts)} suggested", f"Chosen: {cut_text(cuts[found.chosen], lengths)}"]
         else:
             said = [f"{found_words(self.kind, cuts)} suggested; for {piece}: {cut_text(cuts[0], lengths)}"]
@@ -212,6 +222,14 @@ class OBJECT_OT_wirewarp_suggest_seams(SuggestCuts, bpy.types.Operator):
     bl_idname = "object.wirewarp_suggest_seams"
     bl_label = "Suggest Seams"
     kind = "SEAMS"
+
+
+class OBJECT_OT_wirewarp_simplify_seams(SuggestCuts, bpy.types.Operator):
+    """Find the seams that this model can do without, so that it has fewer and larger pieces"""
+
+    bl_idname = "object.wirewarp_simplify_seams"
+    bl_label = "Simplify Seams"
+    kind = "FEWER"
 
 
 class OBJECT_OT_wirewarp_choose_suggestion(OnMesh, bpy.types.Operator):
@@ -245,6 +263,7 @@ class OBJECT_OT_wirewarp_drop_suggestions(OnMesh, bpy.types.Operator):
 CLASSES = (
     OBJECT_OT_wirewarp_suggest_darts,
     OBJECT_OT_wirewarp_suggest_seams,
+    OBJECT_OT_wirewarp_simplify_seams,
     OBJECT_OT_wirewarp_choose_suggestion,
     OBJECT_OT_wirewarp_drop_suggestions,
 )

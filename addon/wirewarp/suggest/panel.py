@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons that suggest darts and seams, and the list of results. The chosen cut is drawn in the views."""
+"""The buttons that suggest darts and seams, and the list of results. The chosen one is drawn in the views."""
 
 from collections.abc import Sequence
 
@@ -7,7 +7,7 @@ import bpy
 
 from ..blender.objects import length_text
 from ..core import counted
-from ..solve.suggest import row_text, shortfall
+from ..solve.suggest import Cut, row_text, shortfall
 from ..state.drawings import Same, kept_drawing
 from ..state.memory import stamp
 from ..state.settings import TargetSettings
@@ -17,14 +17,15 @@ from ..ui.settings import figures_sentence, shown_source
 from ..ui.window_run import SUGGEST
 
 KINDS = ("darts", "seams")
-LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams"}
+LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams", "FEWER": "Fewer Seams"}
 TARGET_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
-FROM_FEW = "Pieces, stretch, length of seams. Above: fewer pieces. Below: less stretch."
+COLUMNS, CLEARED_COLUMNS = "Pieces, stretch, length of seams.", "Pieces, stretch, length of seams that go."
+FROM_FEW = "Above: fewer pieces. Below: less stretch."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
 def draw_suggest(
-    layout: bpy.types.UILayout, settings: TargetSettings, piece: int, kinds: Sequence[str] = KINDS
+    layout: bpy.types.UILayout, settings: TargetSettings, piece: int, kinds: Sequence[str] = KINDS, *, has_seams: bool
 ) -> None:
     """Draw the buttons and the target, or the progress of a search. piece: in the report, -1 for any."""
     row = layout.row(align=True)
@@ -41,6 +42,15 @@ def draw_suggest(
         column = layout.column(align=True)
         for name in TARGET:
             column.prop(settings, name)
+    if has_seams:
+        layout.operator("object.wirewarp_simplify_seams")
+
+
+def draw_simplify(layout: bpy.types.UILayout) -> None:
+    """Draw its button, or the progress of a search, for a piece that needs no cut."""
+    row = layout.row(align=True)
+    if not draw_progress(row, SUGGEST, "object.wirewarp_simplify_seams"):
+        row.operator("object.wirewarp_simplify_seams")
 
 
 class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
@@ -64,8 +74,9 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
                 text = row_text(found.kind, cut, found.target, lengths)
                 button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
                 button.index = index
-        if len(found.cuts) > 1 and found.cuts[0].is_first:
-            draw_sentence(context, layout, FROM_FEW, "INFO")
+        sentence = _explained(found.cuts)
+        if sentence:
+            draw_sentence(context, layout, sentence, "INFO")
         missed = shortfall(found.kind, found.cuts, found.target) if found.target else ""
         if missed:
             draw_sentence(context, layout, missed, "INFO")
@@ -73,7 +84,7 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         if sentence:
             draw_sentence(context, layout, sentence, "INFO")
         cut = found.cuts[found.chosen]
-        if not cut.edges:
+        if cut.paths and not cut.edges:
             draw_sentence(context, layout, "Marking it adds vertices and edges where it crosses faces.", "INFO")
         elif cut.diagonals:
             new = counted(len(cut.diagonals), "edge")
@@ -82,7 +93,17 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, "Marking it applies the modifiers of the model.", "INFO")
         take = layout.column(align=True)
         take.scale_y = 1.2
-        take.operator("object.wirewarp_mend", text="Mark and Flatten", icon="EDGESEL").what = "SUGGESTION"
+        text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
+        take.operator("object.wirewarp_mend", text=text, icon="EDGESEL").what = "SUGGESTION"
+
+
+def _explained(cuts: Sequence[Cut]) -> str:
+    """Return what the rows of sets contain; empty for other cuts."""
+    is_cleared, is_list = bool(cuts[0].cleared), len(cuts) > 1
+    if not (is_cleared or (cuts[0].is_first and is_list)):
+        return ""
+    columns = CLEARED_COLUMNS if is_cleared else COLUMNS
+    return f"{columns} {FROM_FEW}" if is_list else columns
 
 
 def are_shown(context: bpy.types.Context) -> bool:

@@ -45,6 +45,14 @@ def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath], with_modi
     return mark_seams(source.data, cut_lines(source.data, division))
 
 
+def take_away(source: bpy.types.Object, seams: Pairs, with_modifiers: bool) -> int:
+    """Clear these seams. Returns how many. with_modifiers: as in take_lines. Raises ObjectError, with no change."""
+    if with_modifiers:
+        apply_modifiers(source)
+    clear_seams(source.data, seams)
+    return len(seams)
+
+
 def _divided(arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
     """Raises ObjectError if the lines cannot be cut."""
     try:

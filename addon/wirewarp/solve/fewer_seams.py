@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Seams that a model can do without, by the core library, as choices in words. No Blender in here."""
+
+import math
+from collections.abc import Sequence
+from functools import partial
+from types import ModuleType
+
+import numpy as np
+
+from ..core import percent_text
+from ..issues import ObjectError, object_error
+from .arrays import MeshArrays
+from .cut_faces import segments_along
+from .flatten import FlattenChoices, issue_of_error, library_arguments, result_of
+from .steps import Steps, told_as
+from .suggest import Cut
+
+LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric takes the first, plush and knits the last
+
+
+def limits_up_to(most: float | None) -> list[float]:
+    """Return the accepted stretches in ascending order. most: maximum stretch of the fabric; None if unknown."""
+    return list(LIMITS) if most is None else [*(limit for limit in LIMITS if limit < most), most]
+
+
+def fewer_seams(
+    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float]
+) -> Steps[list[Cut]]:
+    """Return seams to clear, from few pieces to little stretch: a row for each limit that needs fewer seams.
+
+    limits: accepted stretches in ascending order. Raises ObjectError, also if every seam is needed.
+    """
+    if len(arrays.seams) == 0:
+        raise object_error("no_seams", "The model has no seams to simplify. Mark seams, or press Suggest Seams.")
+    seams, cleared, length, before = arrays.seams, arrays.seams[:0], 0.0, math.inf
+    found: list[Cut] = []
+    try:
+        arguments = library_arguments(library, arrays, choices)
+        for index, limit in enumerate(limits):
+            arguments |= {"seams": seams, "strain": limit}
+            job = library.start_simplify(arrays.vertices, arrays.triangles, **arguments)
+            fewer = yield from told_as(result_of(job), partial(_of_all, index, len(limits)))
+            if not math.isfinite(fewer.strain):
+                sentence = "A piece has no flat shape. Flatten, and fix the failed pieces before you simplify seams."
+                raise object_error("no_flat_shape", sentence)
+            before = fewer.strain_before if index == 0 else before
+            if len(fewer.opened) == 0:
+                continue
+            seams, cleared = fewer.edges, np.concatenate([cleared, fewer.opened])
+            length += fewer.length_before - fewer.length
+            found.append(_row(arrays, cleared, length, fewer.strain, before, fewer.num_pieces))
+    except library.FlattenError as error:
+        raise ObjectError(issue_of_error(error, arrays)) from error
+    if not found:
+        needed = f"Every seam is needed for a stretch of {percent_text(limits[-1])} or less."
+        raise object_error("no_proposal", f"{needed} Choose a fabric that stretches more, or a larger target.")
+    return found[::-1]
+
+
+def _of_all(done: int, count: int, share: float) -> float:
+    return (done + share) / count
+
+
+def _row(arrays: MeshArrays, cleared: np.ndarray, length: float, strain: float, before: float, num_pieces: int) -> Cut:
+    return Cut(
+        edges=[],
+        diagonals=[],
+        paths=[],
+        segments=segments_along(cleared, arrays),
+        piece=0,
+        lengths=[length],
+        strain=strain,
+        strain_before=before,
+        num_pieces=num_pieces,
+        cleared=[(min(pair), max(pair)) for pair in cleared.tolist()],
+    )

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Simplify Seams: choices with the figures of flattening with fewer seams; they are shown, taken and refused."""
+
+from itertools import pairwise
+
+import bpy
+import numpy as np
+import pytest
+from everything import draw_panels
+from suggesting import SIMPLIFY, found, needed, pairs
+from surfaces import (
+    bump,
+    edge_lengths,
+    edge_vertices,
+    flat_of,
+    grid,
+    half_cylinder,
+    join_cube,
+    mark_seam,
+    on_line,
+    read,
+    tube,
+)
+from test_proposals import seams_of
+from view_context import view_context
+
+
+def strips(shape, rows=(-0.5, 0.0, 0.5), **settings):
+    source = grid("Strips", shape, size=8, **settings)
+    for row in rows:
+        mark_seam(source, on_line(1, row))
+    return source
+
+
+def test_developable_strips_become_one_piece_again(addon, capfd):
+    source = strips(half_cylinder, rows=(-0.5, 0.5))
+    bpy.ops.object.wirewarp_flatten()
+    buttons = []
+    draw_panels(addon, buttons)
+    assert "object.wirewarp_simplify_seams" in buttons and "object.wirewarp_suggest_seams" not in buttons
+    seams = pairs(seams_of(source))
+    assert SIMPLIFY() == {"FINISHED"}
+    (cut,) = found(addon, source).cuts
+    assert pairs(cut.cleared) == seams and cut.num_pieces == 1
+    marked = [(min(edge), max(edge)) in seams for edge in edge_vertices(source.data).tolist()]
+    assert cut.lengths == pytest.approx([edge_lengths(source)[marked].sum()], rel=1e-6)
+    assert "1 set of fewer seams suggested. Chosen: 1 piece, stretch" in capfd.readouterr().out
+    words = draw_panels(addon)
+    assert "Fewer Seams, Strips 1 piece, 0.0%, −" in words
+    assert "length of seams that go." in words and "Above" not in words and "Clear and Flatten" in words
+    places = read(source.data.vertices, "co", np.float32, 3)[np.unique(cut.cleared)]
+    for target in (source, flat_of(source)):  # on the pieces, on both sides of each seam
+        (drawn,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == target)
+        ends = {tuple(end) for end in drawn.failures.lines["proposed"].tolist()}
+        assert len(ends) == (1 if target == source else 2) * len(places)
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    assert len(seams_of(source)) == 0 and len(addon.state.reports.last_report(source).pieces) == 1
+    assert found(addon, source) is None
+
+
+def test_rows_go_from_few_pieces_to_little_stretch_with_the_figures_of_flattening(addon):
+    source = strips(bump, rows=(-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75), faces="triangles")
+    before, seams = needed(addon, source), pairs(seams_of(source))
+    SIMPLIFY()
+    suggestions = found(addon, source)
+    cuts = suggestions.cuts
+    assert len(cuts) > 1 and "Above: fewer pieces. Below: less stretch." in draw_panels(addon)
+    for few, more in pairwise(cuts):
+        assert few.num_pieces <= more.num_pieces and few.strain > more.strain
+        assert pairs(few.cleared) > pairs(more.cleared) and few.lengths[0] > more.lengths[0]
+    assert all(cut.strain_before == pytest.approx(before, rel=1e-5) for cut in cuts)
+    assert suggestions.chosen == 0 and cuts[0].strain <= 0.2  # of plush and knits, because no fabric is chosen
+    bpy.ops.object.wirewarp_choose_suggestion(index=1)
+    bpy.ops.object.wirewarp_mend(what="SUGGESTION")
+    assert pairs(seams_of(source)) == seams - pairs(cuts[1].cleared)
+    assert len(addon.state.reports.last_report(source).pieces) == cuts[1].num_pieces
+    assert needed(addon, source) == pytest.approx(cuts[1].strain, rel=1e-5)  # single precision
+
+
+def test_the_fabric_and_the_target_limit_the_stretch(addon):
+    source = strips(bump, faces="triangles")
+    settings = bpy.context.scene.wirewarp
+    settings.cloth, settings.gives_across, settings.gives_along = "WOVEN", 1, 1
+    SIMPLIFY()
+    (cut,) = found(addon, source).cuts
+    assert cut.num_pieces > 1 and cut.strain <= 0.01
+    limits = addon.solve.fewer_seams.limits_up_to
+    assert limits(None) == [0.05, 0.1, 0.2] and limits(0.1) == [0.05, 0.1] and limits(0.03) == [0.03]
+    settings.suggest_together, settings.aim_stretch = True, 0.0
+    with pytest.raises(RuntimeError, match="Every seam is needed for a stretch of 0.0% or less. Choose a fabric"):
+        SIMPLIFY()
+    settings.aim_stretch = 60.0
+    SIMPLIFY()
+    (cut,) = found(addon, source).cuts
+    assert cut.num_pieces == 1
+
+
+def test_seams_of_what_modifiers_make_are_cleared_after_these_are_applied(addon):
+    source = strips(half_cylinder)
+    source.modifiers.new("Finer", "SUBSURF").levels = 1
+    settings = bpy.context.scene.wirewarp
+    settings.use_modifiers = True
+    SIMPLIFY()
+    assert "applies the modifiers" in draw_panels(addon)
+    (cut,) = (each for each in found(addon, source).cuts if each.num_pieces == 1)
+    assert len(cut.cleared) == 3 * 16
+    assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
+    assert not source.modifiers and not settings.use_modifiers
+    assert len(seams_of(source)) == 0 and len(source.data.vertices) == 17 * 17
+
+
+def no_flat_piece():
+    join_cube(strips(bump))
+
+
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        (lambda: grid("Bump", bump), "has no seams to simplify. Mark seams, or press Suggest Seams."),
+        (lambda: mark_seam(tube(), on_line(0, 0.5)), "Every seam is needed for a stretch of 20% or less."),
+        (no_flat_piece, "A piece has no flat shape. Flatten, and fix the failed pieces before"),
+    ],
+)
+def test_why_there_is_nothing_to_simplify(make, said):
+    make()
+    with pytest.raises(RuntimeError, match=said):
+        SIMPLIFY()
