@@ -53,6 +53,25 @@ def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, ca
     assert needed(addon, source) <= chosen.strain * 1.05
 
 
+def test_sets_with_pieces_narrower_than_two_allowances_come_last(addon):
+    source = ball()
+    SUGGEST["SEAMS"]()
+    cuts = found(addon, source).cuts
+    limit = (min(cut.width for cut in cuts) + max(cut.width for cut in cuts)) / 2
+    assert not any(cut.is_narrow for cut in cuts) and "too narrow" not in draw_panels(addon)
+    bpy.context.scene.unit_settings.scale_length = 0.02 / limit  # no allowance is marked: 10 mm
+    SUGGEST["SEAMS"]()
+    suggestions = found(addon, source)
+    widths = [cut.width for cut in suggestions.cuts]
+    wide = sum(width >= limit for width in widths)
+    assert 0 < wide < len(widths) and all(width >= limit for width in widths[:wide])
+    assert [cut.is_narrow for cut in suggestions.cuts] == [width < limit for width in widths]
+    assert sorted(widths) == pytest.approx(sorted(cut.width for cut in cuts), rel=1e-6) and suggestions.chosen < wide
+    assert "too narrow" not in draw_panels(addon)
+    bpy.ops.object.wirewarp_choose_suggestion(index=wide)
+    assert "less than two allowances. It may be too narrow to sew." in draw_panels(addon)
+
+
 @pytest.mark.parametrize("lines", ["SMOOTH", "EDGES"])
 def test_a_cut_of_what_modifiers_make_applies_them_when_it_is_marked(addon, lines):
     source = grid("Bump", bump, size=4)

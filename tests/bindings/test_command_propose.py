@@ -9,6 +9,7 @@ import pytest
 from surfaces import chain_edges, column_chain, half_cylinder, spherical_patch
 from wirewarp import Options, flatten, plan_cuts, propose_darts, propose_seams, simplify_seams
 from wirewarp.command.model import read_model
+from wirewarp.pattern import piece_width
 
 trimesh = pytest.importorskip("trimesh")
 
@@ -58,6 +59,8 @@ def test_first_cuts_of_a_closed_model_are_lines_of_flatten(tmp_path):
     expected = propose_seams(model.vertices, model.faces, strain=0.25)[0]
     assert np.concatenate([edges(each) for each in first["lines"]]).tolist() == expected.edges.tolist()
     assert first["strain"] <= 0.25 and first["strain_before"] is None and first["energy_before"] is None
+    width = min(map(piece_width, flatten(model.vertices, model.faces, seams=expected.edges).pieces))
+    assert first["narrowest_width_m"] / first["length_m"] == pytest.approx(width / expected.length, rel=1e-6)
     (tmp_path / "seams.json").write_text(json.dumps(first["lines"]))
     words = (tmp_path / "ball.obj", "--out", tmp_path / "out", "--seams", tmp_path / "seams.json", "--format", "svg")
     ((told,), _) = commands.flatten(*words)
@@ -85,6 +88,8 @@ def test_seams_to_leave_out_are_those_of_python(dome, tmp_path):
     assert (line["verdict"], line["cut"]) == ("proposed", "fewer")
     assert [edge for each in told["lines"] for edge in edges(each).tolist()] == expected.edges.tolist()
     assert (told["pieces_before"], told["pieces"]) == (4, expected.num_pieces)
+    width = min(map(piece_width, flatten(model.vertices, model.faces, seams=expected.edges).pieces))
+    assert told["narrowest_width_m"] == pytest.approx(width / 1000, rel=1e-6)
     assert told["length_before_m"] == pytest.approx(expected.length_before / 1000)
     assert told["strain"] == pytest.approx(expected.strain, rel=1e-6)
 

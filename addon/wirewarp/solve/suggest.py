@@ -58,11 +58,18 @@ class Cut:
     strain_before: float  # infinite before first cuts
     num_pieces: int  # that the first of them makes of the piece; of first cuts and seams to clear: in all
     cleared: Pairs = field(default_factory=list)  # seams that go; then nothing is cut
+    width: float | None = None  # of a set: narrowest width of the pieces, Blender units; None until it is measured
+    is_narrow: bool = False  # this leaves no room for two allowances
 
     @property
     def is_first(self) -> bool:
         """Without it the piece has no flat shape."""
         return math.isinf(self.strain_before)
+
+    @property
+    def is_set(self) -> bool:
+        """Return whether it is a choice of seams for the whole piece or model, of which rows list several."""
+        return bool(self.cleared) or (self.is_first and len(self.lengths) == 1)
 
 
 @dataclass(frozen=True)
@@ -167,8 +174,12 @@ def from_few_pieces(sets: Sequence[Cut]) -> list[Cut]:
 
 
 def set_for(sets: Sequence[Cut], limit: float) -> int:
-    """Return which set of first cuts to show: the fewest pieces within the maximum stretch, else the least stretch."""
-    return next((index for index, each in enumerate(sets) if each.strain <= limit), len(sets) - 1)
+    """Return which set to show: the fewest pieces within the maximum stretch, else the least stretch.
+
+    One with narrow pieces is shown if there is no other.
+    """
+    wide = [index for index, each in enumerate(sets) if not each.is_narrow] or list(range(len(sets)))
+    return next((index for index in wide if sets[index].strain <= limit), wide[-1])
 
 
 def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:
@@ -226,10 +237,11 @@ def step_text(kind: str, cut: Cut, text: LengthText) -> str:
 
 def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> str:
     """Return the text of a button in the list, which fits a narrow sidebar."""
+    width = "" if cut.width is None else f", {text.rough(cut.width)}"
     if cut.cleared:
-        return f"{counted(cut.num_pieces, 'piece')}, {percent_text(cut.strain)}, −{text.rough(cut.lengths[0])}"
+        return f"{counted(cut.num_pieces, 'piece')}, {percent_text(cut.strain)}, −{text.rough(cut.lengths[0])}{width}"
     if target is None and cut.is_first:
-        return f"{counted(cut.num_pieces, 'piece')}, {_shares(cut)}, {text.rough(cut.lengths[0])}"
+        return f"{counted(cut.num_pieces, 'piece')}, {_shares(cut)}, {text.rough(cut.lengths[0])}{width}"
     if target is None:
         return cut_text(cut, text)
     step = step_text(kind, cut, text)

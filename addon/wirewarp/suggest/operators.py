@@ -20,6 +20,7 @@ from ..solve.fewer_seams import fewer_seams, limits_up_to
 from ..solve.flatten import FlattenChoices, maximum_stretch, used_choices
 from ..solve.steps import CanceledError, Steps
 from ..solve.suggest import Cut, NoSeam, Wish, cut_text, found_words, set_for, shortfall, step_text, suggest_cuts
+from ..solve.widths import with_widths
 from ..state.changes import has_changed
 from ..state.memory import read_anew
 from ..state.owners import model_or_self
@@ -31,6 +32,7 @@ from ..ui import window_run
 from ..ui.editing import OnMesh, reporting_refusals
 from ..ui.window_run import WindowSteps, fault_sentence
 
+ALLOWANCE = 0.01  # meters, where none is marked: the default of Export Pattern
 SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models are sewn
 
 
@@ -88,6 +90,9 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
         steps, wish = fewer_seams(core.library(), model.arrays, choices, limits), replace(wish, target=None)
     else:
         steps = suggest_cuts(core.library(), model.arrays, choices, wish, no_seam)
+    if wish.target is None:
+        allowance = model.arrays.allowance or ALLOWANCE / meters_per_blender_unit(context.scene)
+        steps = with_widths(steps, core.library(), model.arrays, choices, allowance)
     return Search(wish, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
 
 
@@ -108,7 +113,7 @@ def _shown_first(search: Search, cuts: list[Cut]) -> int:
     """All cuts for a target; of sets that for the fabric; else the best cut."""
     if search.wish.target:
         return len(cuts) - 1
-    if not (cuts[0].is_first or cuts[0].cleared):
+    if not cuts[0].is_set:
         return 0
     most = _most_stretch(search.choices)
     return set_for(cuts, SOFT if most is None else most)
@@ -200,7 +205,7 @@ class SuggestCuts(OnMesh, WindowSteps):
         if found.target:
             step = step_text(self.kind, cuts[-1], lengths)
             said = [f"Stretch of {piece} with {step}", shortfall(self.kind, cuts, found.target)]
-        elif cuts[0].is_first or cuts[0].cleared:
+        elif cuts[0].is_set:
             said = [f"{found_words(self.kind, cuts)} suggested", f"Chosen: {cut_text(cuts[found.chosen], lengths)}"]
         else:
             said = [f"{found_words(self.kind, cuts)} suggested; for {piece}: {cut_text(cuts[0], lengths)}"]

@@ -19,8 +19,9 @@ from ..ui.window_run import SUGGEST
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams", "FEWER": "Fewer Seams"}
 TARGET_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
-COLUMNS, CLEARED_COLUMNS = "Pieces, stretch, length of seams.", "Pieces, stretch, length of seams that go."
+COLUMNS = "Pieces, stretch, length of {}, narrowest width."
 FROM_FEW = "Above: fewer pieces. Below: less stretch."
+NARROW = "A piece is only {} wide in one place, less than two allowances. It may be too narrow to sew."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -72,7 +73,8 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
             for index in (index for index, own in enumerate(found.names) if own == name):
                 cut, is_chosen = found.cuts[index], index <= found.chosen if found.target else index == found.chosen
                 text = row_text(found.kind, cut, found.target, lengths)
-                button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen)
+                icon = "ERROR" if cut.is_narrow else "NONE"
+                button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen, icon=icon)
                 button.index = index
         sentence = _explained(found.cuts)
         if sentence:
@@ -84,6 +86,8 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         if sentence:
             draw_sentence(context, layout, sentence, "INFO")
         cut = found.cuts[found.chosen]
+        if cut.is_narrow:
+            draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
         if cut.paths and not cut.edges:
             draw_sentence(context, layout, "Marking it adds vertices and edges where it crosses faces.", "INFO")
         elif cut.diagonals:
@@ -99,11 +103,10 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
 
 def _explained(cuts: Sequence[Cut]) -> str:
     """Return what the rows of sets contain; empty for other cuts."""
-    is_cleared, is_list = bool(cuts[0].cleared), len(cuts) > 1
-    if not (is_cleared or (cuts[0].is_first and is_list)):
+    if not cuts[0].is_set:
         return ""
-    columns = CLEARED_COLUMNS if is_cleared else COLUMNS
-    return f"{columns} {FROM_FEW}" if is_list else columns
+    columns = COLUMNS.format("seams that go" if cuts[0].cleared else "seams")
+    return f"{columns} {FROM_FEW}" if len(cuts) > 1 else columns
 
 
 def are_shown(context: bpy.types.Context) -> bool:

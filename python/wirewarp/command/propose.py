@@ -4,7 +4,11 @@
 import math
 from typing import Any
 
-from .. import DartProposal, SeamProposal, plan_cuts, propose_darts, propose_seams, simplify_seams
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import DartProposal, SeamProposal, flatten, plan_cuts, propose_darts, propose_seams, simplify_seams
+from ..pattern import piece_width
 from .flatten import material_options
 from .lines import edges_of, lines_of, seams_of
 from .model import read_model
@@ -31,32 +35,50 @@ def propose_for(request: CutRequest) -> Line:
         "eases": lines.eases,
         "options": material_options(request.material, request.unit),
     }
-    if request.strain is not None:
-        mesh["strain"] = request.strain
+    wanted: dict[str, Any] = {} if request.strain is None else {"strain": request.strain}
     if request.kind == "fewer":
-        return _fewer(simplify_seams(**mesh), per_unit / 1000)
-    mesh["no_seam"] = edges_of(request.no_seam)
-    longest = None if request.longest is None else request.longest / per_unit
+        fewer = simplify_seams(**mesh, **wanted)
+        width = _narrowest(mesh, fewer.edges, model.faces) if len(fewer.opened) else math.nan
+        return _fewer(fewer, per_unit / 1000, width)
+    wanted["no_seam"] = edges_of(request.no_seam)
+    wanted["longest"] = None if request.longest is None else request.longest / per_unit
     if request.together:
-        cuts = plan_cuts(**mesh, kind=request.kind, most=request.together, longest=longest)
+        cuts = plan_cuts(**mesh, **wanted, kind=request.kind, most=request.together)
     else:
         propose = propose_darts if request.kind == "dart" else propose_seams
         piece = None if request.piece is None else request.piece - 1
         if request.count is not None:
-            mesh["count"] = request.count
-        cuts = propose(**mesh, piece=piece, longest=longest)
+            wanted["count"] = request.count
+        cuts = propose(**mesh, **wanted, piece=piece)
     return {
         "verdict": PROPOSED,
         "cut": request.kind,
         "together": request.together is not None,
-        "proposals": [_proposal(cut, per_unit / 1000, request.together is None) for cut in cuts],
+        "proposals": [
+            _proposal(cut, per_unit / 1000, request.together is None) | _width_of_set(mesh, cut, per_unit / 1000)
+            for cut in cuts
+        ],
         "problems": [],
         "codes": [],
     }
 
 
-def _fewer(proposal: SeamProposal, meters: float) -> Line:
-    """Return the line of seams that are left out."""
+def _width_of_set(mesh: dict[str, Any], cut: DartProposal, meters: float) -> dict[str, Any]:
+    """Return the narrowest width of the pieces that a cut set makes, by its key; nothing for another cut."""
+    if math.isfinite(cut.strain_before):
+        return {}
+    seams = np.concatenate([np.reshape(mesh["seams"], (-1, 2)), cut.edges])
+    return {"narrowest_width_m": _narrowest(mesh, seams, np.unique(cut.edges)) * meters}
+
+
+def _narrowest(mesh: dict[str, Any], seams: np.ndarray, near: ArrayLike) -> float:
+    """Return the narrowest width of the flat pieces that have some of these vertices, in units of the model."""
+    pieces = [piece for piece in flatten(**mesh | {"seams": seams}).pieces if not piece.error]
+    return min(piece_width(piece) for piece in pieces if np.isin(piece.source_vertex, near).any())
+
+
+def _fewer(proposal: SeamProposal, meters: float, width: float) -> Line:
+    """Return the line of seams that are left out. width: the narrowest of all pieces, in units of the model."""
     if len(proposal.opened) == 0:
         return unfinished(NOTHING, "no_proposal", ALL_NEEDED if len(proposal.edges) else NO_SEAMS)
     described = {
@@ -69,6 +91,7 @@ def _fewer(proposal: SeamProposal, meters: float) -> Line:
         "energy_before": _if_finite(proposal.energy_before),
         "strain": _if_finite(proposal.strain),
         "strain_before": _if_finite(proposal.strain_before),
+        "narrowest_width_m": width * meters,
     }
     return {
         "verdict": PROPOSED,

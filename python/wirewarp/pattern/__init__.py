@@ -13,6 +13,7 @@ from .make.outline import Chain, FlatPiece, FlatWire
 from .make.seams import longer_text
 from .marker import Marker, Placement
 from .model import Line, PatternPiece, Point, Text
+from .narrow import narrowest_width, piece_width
 from .options import PatternOptions
 from .pattern import Pattern
 from .pattern_data import PatternData, SewingStep, Written
@@ -45,5 +46,7 @@ __all__ = [
     "Written",
     "add_font_folder",
     "longer_text",
+    "narrowest_width",
+    "piece_width",
     "roll_width",
 ]

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The narrowest width of flat pieces, which decides whether they can be sewn with an allowance."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pyclipper
+
+from .geometry import RESOLUTION, signed_area
+
+if TYPE_CHECKING:
+    from .._wirewarp import Piece
+
+SCRAP = 0.1  # of the area: smaller parts may be lost
+MOST = 0.5  # of the area, that the remaining part covers: a disk does not reach corners
+STEPS, HALVINGS = 24, 10  # of the search: a waist nearly as wide as what is behind it is found within a step
+ARC, ROUGH_ARC = 1e-3, 0.03  # of the radius: how far round corners may be from the arc, of widths and of areas
+
+Polygon = list[list[int]]
+
+
+def narrowest_width(outlines: Sequence[np.ndarray]) -> float:
+    """Return the diameter of the largest disk that can move through a shape, given by its outlines (k,2).
+
+    This is twice the largest inward offset up to which the shape stays in one part, so that disks of this radius in it
+    cover at least half of the area. Parts of which disks cover less than a tenth of the area do not count. The outer
+    outline runs counterclockwise, and holes run clockwise. Lengths may have any unit.
+    """
+    points = np.concatenate(outlines)
+    low = points.min(axis=0)
+    step = 4 * float((points.max(axis=0) - low).max()) / RESOLUTION  # offsets stay within Clipper's fast integers
+    area = sum(signed_area(outline) for outline in outlines) / step**2
+    if area <= 0:
+        return 0.0
+    paths = [np.rint((outline - low) / step).astype(np.int64).tolist() for outline in outlines]
+    largest = float(np.sqrt(area / np.pi))  # the radius of a disk with this area
+    whole, broken = 0.0, largest
+    for number in range(1, STEPS + 1):
+        radius = largest * number / STEPS
+        if not _is_whole(paths, radius, area):
+            broken = radius
+            break
+        whole = radius
+    for _ in range(HALVINGS):
+        radius = (whole + broken) / 2
+        if _is_whole(paths, radius, area):
+            whole = radius
+        else:
+            broken = radius
+    return 2 * whole * step
+
+
+def _is_whole(paths: Sequence[Polygon], radius: float, area: float) -> bool:
+    """Return whether disks of this radius cover one part, and what counts of the shape."""
+    left = _parts(_offset(paths, -radius, ARC))
+    if len(left) == 1 and _area(left[0]) >= MOST * area:
+        return True
+    parts = [_area(_offset(part, radius, ROUGH_ARC)) for part in left]
+    kept = [part for part in parts if part >= SCRAP * area]
+    return len(kept) == 1 and kept[0] >= MOST * area
+
+
+def _offset(paths: Sequence[Polygon], distance: float, arc: float) -> list[Polygon]:
+    if not paths:
+        return []
+    offset = pyclipper.PyclipperOffset(2.0, arc * abs(distance))
+    offset.AddPaths(paths, pyclipper.JT_ROUND, pyclipper.ET_CLOSEDPOLYGON)
+    moved: list[Polygon] = offset.Execute(distance)
+    return moved
+
+
+def _parts(paths: list[Polygon]) -> list[list[Polygon]]:
+    """Return each outer outline with its holes."""
+    outer = [path for path in paths if pyclipper.Orientation(path)]
+    parts = [[path] for path in outer]
+    for hole in (path for path in paths if not pyclipper.Orientation(path)):
+        around = [part for part in parts if pyclipper.PointInPolygon(hole[0], part[0])]
+        min(around, key=lambda part: _area(part[:1])).append(hole)
+    return parts
+
+
+def _area(paths: Sequence[Polygon]) -> float:
+    return sum(pyclipper.Area(path) for path in paths)
+
+
+def piece_width(piece: "Piece") -> float:
+    """Return the narrowest width of a piece with a flat shape, in scene units: see narrowest_width()."""
+    return narrowest_width(_outlines(piece))
+
+
+def _outlines(piece: "Piece") -> list[np.ndarray]:
+    sides = np.concatenate([piece.faces[:, [0, 1]], piece.faces[:, [1, 2]], piece.faces[:, [2, 0]]]).astype(np.int64)
+    count = len(piece.vertices)
+    is_outline = ~np.isin(sides @ [count, 1], sides @ [1, count])
+    following = dict(sides[is_outline].tolist())
+    loops = []
+    while following:
+        first, at = following.popitem()
+        loop = [first]
+        while at != first:
+            loop.append(at)
+            at = following.pop(at)
+        loops.append(piece.vertices[loop])
+    return loops

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The narrowest width of shapes that have one in closed form."""
+
+import numpy as np
+import pytest
+from surfaces import chain_edges, column_chain, half_cylinder
+from wirewarp import flatten
+from wirewarp.pattern import narrowest_width, piece_width
+
+NEAR = 1e-3  # of the width, to which it is searched
+
+
+def circle(radius, center=(0.0, 0.0), first=0.0, last=2 * np.pi, count=256):
+    angles = np.linspace(first, last, count, endpoint=last - first < 2 * np.pi)
+    return np.array(center) + radius * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def dumbbell(first, second, waist):
+    """Return two disks of these radii, 4 apart, with a bar between them."""
+    left, right = np.arcsin(waist / 2 / first), np.arcsin(waist / 2 / second)
+    return np.concatenate(
+        [circle(first, (-2, 0), left, 2 * np.pi - left), circle(second, (2, 0), right - np.pi, np.pi - right)]
+    )
+
+
+def turned(outline):
+    cos, sin = np.cos(0.7), np.sin(0.7)
+    return 3.0 + outline @ np.array([[cos, sin], [-sin, cos]])
+
+
+@pytest.mark.parametrize(
+    ("outlines", "width"),
+    [
+        ([np.array([[0, 0], [3, 0], [3, 1], [0, 1]])], 1.0),
+        ([circle(2)], 4.0),
+        ([circle(2), circle(1)[::-1]], 1.0),  # a ring
+        ([dumbbell(1, 1, 0.3)], 0.3),
+        ([dumbbell(1, 0.6, 0.3)], 0.3),
+        ([dumbbell(1, 0.2, 0.1)], 2.0),  # the small end is less than a tenth of the area
+    ],
+)
+def test_the_width_is_that_of_the_largest_disk_that_moves_through(outlines, width):
+    assert narrowest_width(outlines) == pytest.approx(width, rel=NEAR)
+    assert narrowest_width([turned(1000 * outline) for outline in outlines]) == pytest.approx(1000 * width, rel=NEAR)
+
+
+def test_an_outline_without_area_has_no_width():
+    assert narrowest_width([np.array([[0.0, 0], [1, 0], [2, 0]])]) == 0
+
+
+def test_a_piece_is_measured_flat():
+    """Strips of a half cylinder of radius 1 that is 1 long, in polygons of eight sides."""
+    vertices, faces = half_cylinder()
+    for piece in flatten(vertices, faces, seams=chain_edges(column_chain(8, 4, 4))).pieces:
+        sides = np.ptp(piece.vertices, axis=0)
+        assert piece_width(piece) == pytest.approx(sides.min(), rel=NEAR)
+
+
+def test_a_hole_leaves_the_width_beside_it():
+    size = 6
+    rows, columns = np.divmod(np.arange((size + 1) ** 2), size + 1)
+    vertices = np.column_stack([columns, rows, 0 * rows]).astype(float)
+    cells = [(x, y) for y in range(size) for x in range(size) if not (2 <= x < 4 and 1 <= y < 5)]
+    corners = [y * (size + 1) + x for x, y in cells]
+    faces = [face for a in corners for face in ((a, a + 1, a + size + 2), (a, a + size + 2, a + size + 1))]
+    used, faces = np.unique(faces, return_inverse=True)
+    (piece,) = flatten(vertices[used], faces.reshape(-1, 3)).pieces
+    assert piece_width(piece) == pytest.approx(1.0, rel=NEAR)
