@@ -53,14 +53,6 @@ def tube(
     return points
 
 
-def round_end(ring: np.ndarray, rows: int, share: float) -> np.ndarray:
-    """Return rings (rows, n, 3) of the hemisphere on a circle (n, 3); the last one has that share of its radius."""
-    center = ring[:-1].mean(axis=0)
-    radius = np.linalg.norm(ring[0] - center)
-    angle = np.linspace(0, np.arccos(share), rows + 1)[1:, None, None]
-    return center + np.cos(angle) * (ring - center) + np.sin(angle) * radius * loop_normal(ring)
-
-
 def loop_normal(loop: np.ndarray) -> np.ndarray:
     """Return the unit normal of a closed loop (n + 1, 3), toward the side from which it is counter-clockwise."""
     normal = np.cross(loop[:-1] - loop.mean(axis=0), loop[1:] - loop.mean(axis=0)).sum(axis=0)
@@ -68,7 +60,7 @@ def loop_normal(loop: np.ndarray) -> np.ndarray:
 
 
 def add_cap(builder: ShapeBuilder, ring: np.ndarray, height: float, flip: bool) -> np.ndarray:
-    """Close a tube's round end of 16 edges (17, 3) with a dome. Return the chain over it from vertex 0 to 8."""
+    """Close a tube's round end of 16 edges (17, 3) with a dome. Return its vertices."""
     center = ring[:-1].mean(axis=0)
     normal = loop_normal(ring) * (-1 if flip else 1)
     halfway = center + 0.55 * (ring[::2] - center) + (1 - 0.55**2) * height * normal
@@ -80,4 +72,4 @@ def add_cap(builder: ShapeBuilder, ring: np.ndarray, height: float, flip: bool) 
         builder.add_face((outer[2 * k + 1], b, a), flip)
         builder.add_face((outer[2 * k + 1], outer[2 * k + 2], b), flip)
         builder.add_face((a, b, middle), flip)
-    return np.array([outer[0], inner[0], middle, inner[4], outer[8]])
+    return np.array([*outer, *inner, middle])

@@ -155,5 +155,5 @@ class ShapeBuilder:
         seams = number[np.array(sorted(self._seams), dtype=np.int64).reshape(-1, 2)]
         wires = [Wire(number[wire.vertices].tolist(), wire.name, wire.tolerance) for wire in self._wires]
         eases = [Ease(number[ease.half_edges], ease.ratio) for ease in self._eases]
-        groups = {part: number[vertices].tolist() for part, vertices in self._groups.items()}
+        groups = {part: number[np.intersect1d(own, used)].tolist() for part, own in self._groups.items()}
         return Shape(name, np.array(self._points)[used], faces, seams, wires, eases, cloth, stretch, fairness, groups)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A plush bear: body and head of six gores each, ears, arms and legs in halves, and soles (Fig. 11)."""
+"""A plush bear of minky: body and head with darts, arms and legs with soles, and ears in halves (Fig. 11)."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 
 from .curves import chord_lengths, cubic_spline, even_parameters
 from .fan import add_sector
-from .limbs import Hole, add_cap, round_end, tube
+from .limbs import Hole, add_cap, tube
 from .shape import Shape, ShapeBuilder
 
 # Radius and height of the body from its bottom to the neck, and of the head from the neck to its top, meters.
@@ -15,7 +15,7 @@ BODY = np.array([
     [0.000, 0.000], [0.042, 0.005], [0.067, 0.028], [0.074, 0.058], [0.067, 0.092], [0.050, 0.118], [0.038, 0.130],
 ])  # fmt: skip
 HEAD = np.array([
-    [0.038, 0.130], [0.054, 0.139], [0.071, 0.161], [0.076, 0.187], [0.068, 0.216], [0.042, 0.237], [0.000, 0.244],
+    [0.038, 0.130], [0.053, 0.139], [0.067, 0.161], [0.072, 0.187], [0.064, 0.216], [0.040, 0.237], [0.000, 0.244],
 ])  # fmt: skip
 DEPTH = 0.94  # front to back over side to side
 SNOUT = np.array([0.0, -0.072, 0.176])
@@ -24,7 +24,8 @@ GORES, FAN_ROWS = 6, 8
 COLUMNS = GORES * FAN_ROWS
 FIRST_LONGITUDE = np.radians(150)  # of column 0; 0 is the front and 90 degrees the left, with the arm's seam
 FRONT, LEFT_LEG, LEFT_ARM, RIGHT_ARM, RIGHT_LEG = 28, 32, 40, 16, 24  # columns
-ARM_CENTER, ARM_AXIS, ARM_RADIUS = np.array([0.120, -0.020, 0.080]), np.array([0.90, -0.32, -0.28]), 0.018
+LEFT_BACK, MIDDLE_BACK, RIGHT_BACK = 0, 4, 8
+ARM_CENTER, ARM_AXIS, ARM_RADIUS = np.array([0.120, -0.020, 0.080]), np.array([0.90, -0.32, -0.28]), 0.020
 LEG_CENTER, LEG_AXIS, LEG_RADIUS = np.array([0.066, -0.118, 0.027]), np.array([0.36, -0.93, 0.02]), 0.027
 EAR_RADIUS, EAR_REACH, EAR_BULGE = 0.026, 0.020, 0.007
 EAR_SPAN = np.radians(176)
@@ -37,58 +38,70 @@ def toy(body_rows: int = 15, head_rows: int = 14, limb_rows: int = 9, ear_rows: 
     legs = [Hole(1, column, 4, 2) for column in (LEFT_LEG, RIGHT_LEG)]
     arms = [Hole(body_rows - 7, column, 4, 2) for column in (LEFT_ARM, RIGHT_ARM)]
     ears = [Hole(head_rows - 7, column, 6, 1) for column in (LEFT_ARM, RIGHT_ARM)]
-    body = _add_trunk(builder, BODY, body_rows, [*legs, *arms], pole_first=True)
-    head = _add_trunk(builder, HEAD, head_rows, ears, pole_first=False)
-    builder.add_seam(body[-1])
+    belly, back = range(5, body_rows - 7), range(1, 5)
+    face, nape = range(head_rows - 6, head_rows - 2), range(head_rows - 2, head_rows)
+    body = _add_trunk(builder, "body", BODY, body_rows, [*legs, *arms], belly, back, pole_first=True)
+    head = _add_trunk(builder, "head", HEAD, head_rows, ears, face, nape, pole_first=False)
+    for chain in (body[-1], body[:, MIDDLE_BACK], head[:, MIDDLE_BACK], head[: head_rows - 5, FRONT]):
+        builder.add_seam(chain)
     builder.add_wire(body[body_rows // 2], "Belly line", TOLERANCE)
     builder.add_wire(head[4], "Head line", TOLERANCE)
     builder.add_wire(body[:, FRONT], "Middle of the belly", TOLERANCE)
-    left_arm = tube(builder.points(arms[0].loop(body)), ARM_CENTER, ARM_AXIS, ARM_RADIUS, 0.045, limb_rows)
-    left_arm = np.concatenate([left_arm, round_end(left_arm[-1], 4, 0.4)])
+    left_arm = tube(builder.points(arms[0].loop(body)), ARM_CENTER, ARM_AXIS, ARM_RADIUS, 0.035, limb_rows)
     left_leg = tube(builder.points(legs[0].loop(body)), LEG_CENTER, LEG_AXIS, LEG_RADIUS, 0.05, limb_rows)
     for mirror, side in ((1, "Left"), (-1, "Right")):
-        arm = builder.add_grid(left_arm * [mirror, 1, 1], flip=mirror < 0)
-        builder.add_seam(add_cap(builder, left_arm[-1] * [mirror, 1, 1], 0.1 * ARM_RADIUS, flip=mirror < 0))
-        leg = builder.add_grid(left_leg * [mirror, 1, 1], flip=mirror < 0)
-        add_cap(builder, left_leg[-1] * [mirror, 1, 1], 0.25 * LEG_RADIUS, flip=mirror < 0)
-        builder.add_seam(leg[-1])
-        for grid, name in ((arm, "arm"), (leg, "leg")):
-            for chain in (grid[0], grid[:, 0], grid[:, grid.shape[1] // 2]):
+        for points, radius, name, end in ((left_arm, ARM_RADIUS, "arm", "paw"), (left_leg, LEG_RADIUS, "leg", "sole")):
+            grid = builder.add_grid(points * [mirror, 1, 1], flip=mirror < 0)
+            cap = add_cap(builder, points[-1] * [mirror, 1, 1], 0.25 * radius, flip=mirror < 0)
+            builder.add_group(grid, f"{side} {name}")
+            builder.add_group(cap, f"{side} {end}")
+            for chain in (grid[0], grid[-1], grid[:, 0]):
                 builder.add_seam(chain)
             builder.add_wire(grid[limb_rows // 2], f"{side} {name} line", TOLERANCE)
-    for mirror in (1, -1):
-        _add_ear(builder, builder.points(ears[0].loop(head)), ear_rows, mirror)
-    return builder.build("Toy", cloth="swim")
+        _add_ear(builder, builder.points(ears[0].loop(head)), ear_rows, mirror, f"{side} ear")
+    return builder.build("Toy", cloth="minky")
 
 
 def _add_trunk(
-    builder: ShapeBuilder, outline: np.ndarray, rows: int, holes: list[Hole], pole_first: bool
+    builder: ShapeBuilder,
+    name: str,
+    outline: np.ndarray,
+    rows: int,
+    holes: list[Hole],
+    front: range,
+    back: range,
+    pole_first: bool,
 ) -> np.ndarray:
-    """Add body or head. Return the grid (rows + 1, COLUMNS + 1) between the fan around its pole and the neck."""
+    """Add body or head. Return the grid (rows + 1, COLUMNS + 1) between the fan around its pole and the neck.
+
+    front, back: rows without seams, which join three gores each. The remaining seams are darts.
+    """
     if not pole_first:
         outline = outline[::-1]
     profile = cubic_spline(chord_lengths(outline), outline)
     share = FAN_ROWS / (FAN_ROWS + rows * 1.12)  # share of the profile's length that the fan covers
     fan_at = even_parameters(profile, 0.0, share, FAN_ROWS)
     grid_at = even_parameters(profile, share, 1.0, rows)
+    fans = []
     for gore in range(GORES):
         begin, end = FIRST_LONGITUDE + 2 * np.pi / GORES * np.array([gore, gore + 1])
         fan = add_sector(
             builder, lambda row, at: _around(profile(fan_at[row]), at), begin, end, FAN_ROWS, flip=pole_first
         )
         builder.add_seam(np.array([row[0] for row in fan]))
+        fans += fan
     longitudes = FIRST_LONGITUDE + np.linspace(0, 2 * np.pi, COLUMNS + 1)
     points = np.array([_around(profile(at), longitudes) for at in (grid_at if pole_first else grid_at[::-1])])
     missing = np.zeros((rows, COLUMNS), dtype=bool)
     for hole in holes:
         hole.cut(missing)
     grid = builder.add_grid(points, holes=missing)
+    builder.add_group(np.concatenate([*fans, *grid]), name)
+    joined = dict.fromkeys((LEFT_LEG, RIGHT_LEG), front) | dict.fromkeys((LEFT_BACK, RIGHT_BACK), back)
     for column in range(0, COLUMNS, FAN_ROWS):
-        through = [hole for hole in holes if hole.column == column]
-        begins = [0, *(hole.row + hole.rows for hole in through)]
-        ends = [*(hole.row for hole in through), rows]
-        for begin, end in zip(begins, ends, strict=True):
-            builder.add_seam(grid[begin : end + 1, column])
+        without_seam = {row for hole in holes if hole.column == column for row in range(hole.row, hole.row + hole.rows)}
+        for row in sorted({*range(rows)} - without_seam - {*joined.get(column, ())}):
+            builder.add_seam(grid[row : row + 2, column])
     return grid
 
 
@@ -101,7 +114,7 @@ def _around(profile_point: np.ndarray, longitudes: np.ndarray) -> np.ndarray:
     return points + SNOUT_RISE * np.exp(-((distance / SNOUT_SIZE) ** 3))[:, None] * [0, -1, -0.15]
 
 
-def _add_ear(builder: ShapeBuilder, left_loop: np.ndarray, rows: int, mirror: int) -> None:
+def _add_ear(builder: ShapeBuilder, left_loop: np.ndarray, rows: int, mirror: int, name: str) -> None:
     """Add two halves between the hole's border and a round edge along which they are sewn together."""
     half = len(left_loop) // 2
     bottom, top = left_loop[0], left_loop[half]
@@ -111,9 +124,12 @@ def _add_ear(builder: ShapeBuilder, left_loop: np.ndarray, rows: int, mirror: in
     angle = across * EAR_SPAN / 2
     rim = (bottom + top) / 2 + EAR_REACH * out + EAR_RADIUS * (np.sin(angle) * along + np.cos(angle) * out)
     t = np.linspace(0, 1, rows + 1)[:, None, None]
+    halves = []
     for front, base in ((1, left_loop[half:][::-1]), (-1, left_loop[: half + 1])):
         bulge = EAR_BULGE * front * np.sin(np.pi * t) * np.cos(across * np.pi / 2) * [0, -1.0, 0]
         points = ((1 - t) * base + t * rim + bulge) * [mirror, 1, 1]
         grid = builder.add_grid(points, flip=front * mirror > 0)
         for chain in (grid[0], grid[-1], grid[:, 0], grid[:, -1]):
             builder.add_seam(chain)
+        halves.append(grid)
+    builder.add_group(np.concatenate(halves), name)

@@ -3,7 +3,7 @@
 
 The pieces were computed without the term against zigzags, whose effect is allowed for. Jersey is left out, because the
 figures do not divide its stiffnesses by the larger one. The samples were computed with that term, and with a bending
-term that differs where lines cross and edges are short.
+term that differs where lines cross and edges are short. The toy had other seams then.
 """
 
 import json
@@ -37,7 +37,7 @@ def test_pieces(name: str, entry: str, tolerance: float, cloth: str):
         assert piece.metrics.cloth_energy == pytest.approx(expected["E_cloth"], rel=0.02)
 
 
-@pytest.mark.parametrize("name", SAMPLES)
+@pytest.mark.parametrize("name", sorted({*SAMPLES} - {"Toy"}))
 def test_samples(name: str):
     expected = json.loads(FIGURES.read_text())["variants of whole samples"][WITH_SMOOTHING].get(name)
     if expected is None:

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic seams, against figures computed independently of this code. Skipped if they are not available."""
+"""Elastic seams, against figures computed independently of this code. Skipped if they are not available.
+
+The toy is left out because it had other seams then.
+"""
 
 import json
 import math
@@ -22,7 +25,8 @@ def entries() -> list:
     if not FIGURES.exists():
         return [pytest.param("", "", id="none", marks=pytest.mark.skip(reason=NO_FIGURES))]
     samples = {name: sample for name, sample in json.loads(FIGURES.read_text()).items() if isinstance(sample, dict)}
-    return [(name, entry) for name, sample in samples.items() for entry in sample if entry.startswith("eps")]
+    own = {name: sample for name, sample in samples.items() if name != "Toy"}
+    return [(name, entry) for name, sample in own.items() for entry in sample if entry.startswith("eps")]
 
 
 @pytest.fixture(scope="module")

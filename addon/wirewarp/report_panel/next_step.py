@@ -21,6 +21,7 @@ SAMPLES = [  # files of that folder, the simplest first
     ("CUSHION", "Cushion", "Six pieces that any fabric can do"),
     ("FITTED_TOP", "Fitted Top", "Four pieces of jersey, with lines that keep their length"),
     ("JEANS", "Jeans", "Seven pieces of woven cotton"),
+    ("TOY", "Bear", "Sixteen pieces of minky, with darts"),
     ("CARNIVAL_MASK", "Carnival Mask", "One piece of leather with two holes"),
 ]
 STEPS = (

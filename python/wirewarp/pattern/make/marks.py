@@ -39,11 +39,14 @@ def marks(
             if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # two, beside each other
                 doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
                 places = [place % sewn.whole for place in doubled] if sides[0].side.is_closed else doubled
-            for which, own in enumerate(sides):
-                index = own.side.piece
-                for order, place in enumerate(place for place in places if 0 <= place < sewn.whole):
-                    point = notch(own, sewn.on(own, place), rays[index], widths[id(own.side)], (number, order))
-                    found[index] += [replace(point, side=which)] if point else []
+            for order, place in enumerate(place for place in places if 0 <= place < sewn.whole):
+                points = [
+                    notch(own, sewn.on(own, place), rays[own.side.piece], widths[id(own.side)], (number, order))
+                    for own in sides
+                ]
+                for which, (own, point) in enumerate(zip(sides, points, strict=True)):
+                    if point and all(points):  # a notch without its partner would be matched to another one
+                        found[own.side.piece].append(replace(point, side=which))
     for piece in laid:
         own_rays = rays[piece.index]
         for outline, loop in zip(piece.outlines, piece.loops, strict=True):

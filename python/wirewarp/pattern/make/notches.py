@@ -60,7 +60,7 @@ def places_along(length: float, taken: Sequence[float], spacing: float) -> list[
         if len(found) and _is_lopsided(np.array([*found, *taken]), length):
             return [float(place) for place in found]
     if not taken or not _is_lopsided(np.array(taken), length):
-        place = (0.4 if not taken else 0.37) * length
+        place = min(0.4 * length, (length - LOPSIDED) / 2) if not taken else 0.37 * length
         return [place] if min((abs(place - other) for other in taken), default=length) > 0.05 * length else []
     return []
 
