@@ -227,19 +227,27 @@ def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
     assert (step.text, step.settings) == ("Show Strained Place", {"what": "HINT", "index": 3})
 
 
-def test_amber_offers_the_fabrics_that_can_and_one_click_flattens_for_it(addon):
+def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
     source = grid("Bump", bump, size=4)
     bpy.ops.object.wirewarp_flatten()
     report = addon.state.reports.last_report(source)
-    offered = addon.report_panel.flatten_panel.fabrics_that_can(report)
+    offered, others = addon.report_panel.flatten_panel.fabrics_to_choose(report)
     needed = report.pieces[0].needed
     limits = {name: min(addon.core.Cloth.preset(name).limits) for name in addon.core.Cloth.presets()}
-    assert 0 < len(offered) < len(limits)
     assert set(offered) == {name for name, limit in limits.items() if limit >= needed}
-    labels = [addon.state.settings.fabric_label(name) for name in offered]
+    assert offered and others and {*offered, *others} == set(limits)
+    labels = [addon.state.settings.fabric_label(name) for name in [*offered, *others]]
     assert all(label in draw_panels(addon) for label in labels)
     bpy.context.scene.wirewarp.gives_along = 2.0  # of another fabric
     assert MEND(what="FABRIC", cloth=offered[0].upper()) == {"FINISHED"}
     assert bpy.context.scene.wirewarp.cloth == offered[0].upper()
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
     assert labels[-1] not in draw_panels(addon)
+
+
+def test_a_fabric_is_offered_if_it_stretches_far_enough_in_each_direction(addon):
+    """Minky stretches 20% across and 5% along the grain, foam 10% in both, felt 5%."""
+    strains = [SimpleNamespace(across=0.1, along=0.01), SimpleNamespace(across=0.02, along=0.04)]
+    report = SimpleNamespace(pieces=[SimpleNamespace(threads=threads) for threads in strains])
+    offered, others = addon.report_panel.flatten_panel.fabrics_to_choose(report)
+    assert {"minky", "foam"} <= set(offered) and "felt" in others

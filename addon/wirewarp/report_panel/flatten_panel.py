@@ -24,35 +24,39 @@ from ..ui.settings import draw_settings, settings_sentence, shown_report, untrue
 from ..ui.window_run import FLATTEN
 from .next_step import CHECK, SHOW, NextStep, draw_first_steps, next_step, piece_to_cut, uv_step, wants_seams
 
-OTHER_SHAPE = 1.5  # in the fitted top, leather must stretch 11% and woven cotton 7.6%
 ICON = "MATCLOTH"
-NONE_CAN = "No fabric in the list surely stretches far enough"
+FAR_ENOUGH = "These stretch far enough for the present pieces"
+TO_TRY = "These may, because each fabric changes the pieces"
 
 
-def fabrics_that_can(report: ObjectReport) -> list[str]:
-    """Return the presets that stretch far enough for all pieces, whatever their grain; the least stretching first.
+def fabrics_to_choose(report: ObjectReport) -> tuple[list[str], list[str]]:
+    """Return the presets that stretch far enough for the present pieces, and the others; the least stretching first.
 
-    Each fabric makes other shapes, so a result for one fabric is only an estimate for others.
+    Only another run shows this for sure, because the pieces of each fabric have other shapes.
     """
-    needed = max((piece.needed * (OTHER_SHAPE if piece.threads else 1) for piece in report.pieces), default=0.0)
-    limits = {name: min(Cloth.preset(name).limits) for name in Cloth.presets()}
-    return sorted((name for name, limit in limits.items() if limit >= needed), key=limits.__getitem__)
+    across = max((piece.threads.across if piece.threads else piece.needed for piece in report.pieces), default=0.0)
+    along = max((piece.threads.along if piece.threads else piece.needed for piece in report.pieces), default=0.0)
+    limits = {name: Cloth.preset(name).limits for name in Cloth.presets()}
+    names = sorted(limits, key=lambda name: min(limits[name]))
+    can = [name for name in names if across <= limits[name][0] and along <= limits[name][1]]
+    return can, [name for name in names if name not in can]
 
 
 class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
-    """Choose a fabric that stretches far enough, and flatten for it"""
+    """Choose another fabric, and flatten for it"""
 
     bl_label = "Choose Fabric"
 
     def draw(self, context: bpy.types.Context) -> None:
         report, layout = shown_report(context), self.layout
         layout.operator_context = "INVOKE_DEFAULT"
-        names = fabrics_that_can(report) if report else []
-        for name in names:
-            button = layout.operator("object.wirewarp_mend", text=fabric_label(name))
-            button.what, button.cloth = "FABRIC", name.upper()
-        if not names:
-            layout.label(text=NONE_CAN, icon="INFO")
+        for heading, names in zip((FAR_ENOUGH, TO_TRY), fabrics_to_choose(report) if report else (), strict=False):
+            if not names:
+                continue
+            layout.label(text=heading)
+            for name in names:
+                button = layout.operator("object.wirewarp_mend", text=fabric_label(name))
+                button.what, button.cloth = "FABRIC", name.upper()
 
 
 DUE = "Auto updates the pieces when you finish the change."
