@@ -18,7 +18,7 @@ def test_an_empty_file_offers_samples_and_the_guide(addon):
 
 
 @pytest.mark.api
-@pytest.mark.parametrize("place", range(4))
+@pytest.mark.parametrize("place", range(5))
 def test_a_sample_is_added_with_its_fabric_and_is_ready_to_cut(addon, place):
     sample, *_ = addon.report_panel.next_step.SAMPLES[place]
     scenes = len(bpy.data.scenes)
