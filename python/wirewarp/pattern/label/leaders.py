@@ -4,7 +4,6 @@
 They need no room of their own: a layout by the cut lines alone, without any text, has the same pages.
 """
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import NamedTuple
@@ -54,8 +53,7 @@ class Beside:
         texts: one line each, which did not fit inside. outward (2,): unit vector of the preferred direction. Returns
         None if no near place is free, because a line far across the piece would look like one of its own lines.
         """
-        for placed, target in self._choices(texts, outward):
-            points = _leader(placed, target)
+        for placed, points in self._choices(texts, outward):
             if self._is_free(placed, points) and self._is_near(placed, points):
                 self._texts.append(placed)
                 self._taken = joined([self._taken, strokes(placed), (points[:-1], points[1:])])
@@ -63,22 +61,24 @@ class Beside:
         return None
 
     def _choices(self, texts: Iterable[Text], outward: np.ndarray) -> Iterator[tuple[Text, np.ndarray]]:
-        """Return places within reach, the best first, and the named point."""
+        """Return texts within reach with their leaders, the best first."""
         for text in texts:
+            centers = self._centers(text.center, outward)
             for angle in ANGLES:
-                for center in self._centers(text.center, outward):
-                    placed = Text(text.lines, center, text.height, angle, text.role, is_beside=True)
-                    points = np.concatenate([*strokes(placed), _leader(placed, text.center)])
-                    if np.all(points >= self._low) and np.all(points <= self._high):
-                        yield placed, text.center
+                placed = Text(text.lines, np.zeros(2), text.height, angle, text.role, is_beside=True)
+                leaders = _leaders(placed, centers, text.center)
+                points = np.concatenate([centers[:, None] + np.concatenate(strokes(placed)), leaders], axis=1)
+                within = np.all((points >= self._low) & (points <= self._high), axis=(1, 2))
+                for row in np.flatnonzero(within):
+                    yield replace(placed, center=centers[row]), leaders[row]
 
-    def _centers(self, target: np.ndarray, outward: np.ndarray) -> Iterator[np.ndarray]:
-        """Return centers, the nearest first."""
+    def _centers(self, target: np.ndarray, outward: np.ndarray) -> np.ndarray:
+        """Return centers (c,2), the nearest first."""
         nearest = max(NEAREST, float(distances_to(target[None], self._outlines)[0]))
-        for distance in np.arange(nearest, FARTHEST, STEP):
-            for turn in np.radians(TURNS):
-                cosine, sine = math.cos(turn), math.sin(turn)
-                yield target + distance * np.array([[cosine, -sine], [sine, cosine]]) @ outward
+        cosines, sines = np.cos(np.radians(TURNS)), np.sin(np.radians(TURNS))
+        ways = np.array([[cosines, -sines], [sines, cosines]]).transpose(2, 0, 1) @ outward
+        around: np.ndarray = target + np.arange(nearest, FARTHEST, STEP)[:, None, None] * ways
+        return around.reshape(-1, 2)
 
     def _is_free(self, text: Text, leader: np.ndarray) -> bool:
         over_line = replace(text, center=(leader[1:].mean(axis=0) + text.center) / 2)
@@ -101,12 +101,13 @@ class Beside:
         return bool(np.all(distances_to(outside, self._outlines) < NEAR))
 
 
-def _leader(text: Text, target: np.ndarray) -> np.ndarray:
-    """Return the line (3,2) from the target to the nearer end of a base line or top line of the letters, and along it.
+def _leaders(text: Text, centers: np.ndarray, target: np.ndarray) -> np.ndarray:
+    """Return for each center (c,2) of the text a line (3,2) that does not cross the letters.
 
-    It therefore does not cross the letters.
+    It leads from the target to the nearer end of a base line or top line of the letters, and along it.
     """
-    along, up = axes(text).T * np.where((target - text.center) @ axes(text) > 0, 1, -1)[:, None]
-    edge = text.center + (text.height / 2 + 2 * CLEAR) * up
-    half = text_width(text.lines[0], text.height) / 2 * along
-    return np.array([target, edge + half, edge - half])
+    sides = np.where((target - centers) @ axes(text) > 0, 1, -1)
+    along, up = (sides[:, [side]] * axes(text)[:, side] for side in (0, 1))
+    edges = centers + (text.height / 2 + 2 * CLEAR) * up
+    halves = text_width(text.lines[0], text.height) / 2 * along
+    return np.stack([np.broadcast_to(target, centers.shape), edges + halves, edges - halves], axis=1)
