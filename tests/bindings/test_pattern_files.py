@@ -242,7 +242,7 @@ def test_a_file_that_came_out_wrong_takes_no_place(tmp_path, monkeypatch, ending
 
 
 @pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
-def test_a_stop_at_any_moment_leaves_the_old_file(tmp_path, monkeypatch, ending):
+def test_a_stop_leaves_the_old_file(tmp_path, monkeypatch, ending):
     monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
     path, pattern = tmp_path / f"hat.{ending}", sample("Hat")
     asked: list[tuple[str, float]] = []
@@ -251,7 +251,7 @@ def test_a_stop_at_any_moment_leaves_the_old_file(tmp_path, monkeypatch, ending)
     begins = [STAGES[stage] for stage, _ in asked]
     assert begins == sorted(begins)
     old = path.read_bytes()
-    for count in range(len(asked)):
+    for count in range(0, len(asked), 1 + len(asked) // 12):
         left = iter([True] * count + [False])
         with pytest.raises(wirewarp.FlattenError, match="Stopped") as stopped:
             pattern.write(path, progress=lambda *_, left=left: next(left))
