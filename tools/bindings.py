@@ -4,11 +4,12 @@
 from pathlib import Path
 
 from tools.blender import NUMPY, PYTEST
-from tools.environment import DEBIAN_VERSION, run
+from tools.environment import CORES, DEBIAN_VERSION, run
 from tools.libraries import PATTERN
 from tools.package import venv_with_core
 
 HYPOTHESIS = "hypothesis==6.170.15"
+XDIST = "pytest-xdist==3.8.0"  # runs tests on all cores: most use one
 READERS = (
     "dxfgrabber==1.0.1",
     "ezdxf==1.4.5",
@@ -23,14 +24,16 @@ MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  
 
 
 def bindings_python(version: str) -> Path:
-    packages = (PYTEST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *OPTIONAL, *MODELS)
+    packages = (PYTEST, XDIST, HYPOTHESIS, NUMPY[version], *PATTERN, *READERS, *OPTIONAL, *MODELS)
     return venv_with_core(f"bindings-{version}", version, *packages)
 
 
 def bindings_tests(version: str, *options: str) -> None:
     """Run all tests in Debian's Python; in others, without those of the core's results. options: of pytest."""
     chosen = [] if version == DEBIAN_VERSION else ["-m", "not core"]
-    run([bindings_python(version), "-m", "pytest", "-q", *chosen, *options, "tests/bindings", "tests/without_blender"])
+    at_once = ("-n", str(CORES), "--dist", "loadfile")  # the tests of a file share results
+    folders = ("tests/bindings", "tests/without_blender")
+    run([bindings_python(version), "-m", "pytest", "-q", *at_once, *chosen, *options, *folders])
 
 
 def search_arguments() -> None:
