@@ -126,12 +126,12 @@ TEST_F(FairShapeErrorOnASaddle, DerivativesOfTheInfiniteBarrierEqualDifferences)
 /// The same sheet of a cloth that locks, its triangles open, stretched and squeezed.
 class FairShapeErrorOfACloth : public FairShapeErrorOnASaddle {
  protected:
-  static ClothOnChart cloth_on_chart() {
-    ClothOnChart cloth;
-    cloth.cloth.weft = 0.3;
-    cloth.cloth.shear = 0.05;
-    cloth.cloth.squeeze = 2;
-    cloth.cloth.locking = 0.1;
+  static Cloth locking_cloth() {
+    Cloth cloth;
+    cloth.weft = 0.3;
+    cloth.shear = 0.05;
+    cloth.squeeze = 2;
+    cloth.locking = 0.1;
     return cloth;
   }
 
@@ -140,7 +140,7 @@ class FairShapeErrorOfACloth : public FairShapeErrorOnASaddle {
     return flat + 0.04 * random_positions(flat.rows(), seed);
   }
 
-  const ClothOnChart cloth = cloth_on_chart();
+  const Cloth cloth = locking_cloth();
   void SetUp() override { objective = FairShapeError(chart, network, 0.2, &cloth, Injectivity::local); }
 };
 

@@ -52,10 +52,10 @@ Eigen::Matrix2d conjugate_product(const HatGradients& g, int i, int j) {
 
 }  // namespace
 
-FairShapeError::FairShapeError(const Chart& chart, const HeldNetwork& network, double fairness,
-                               const ClothOnChart* cloth, Injectivity injectivity, const Positions2& layout)
+FairShapeError::FairShapeError(const Chart& chart, const HeldNetwork& network, double fairness, const Cloth* cloth,
+                               Injectivity injectivity, const Positions2& layout)
     : shape_error_(chart), bending_(chart, network, fairness, area_at_vertices(chart.mesh)), injectivity_(injectivity) {
-  if (cloth) cloth_.emplace(ClothTerms{ClothLaw(cloth->cloth), ShearSmoothing(chart)});
+  if (cloth) cloth_.emplace(ClothTerms{ClothLaw(*cloth), ShearSmoothing(chart)});
   if (injectivity == Injectivity::global) outline_barrier_.emplace(chart, layout);
 }
 

@@ -27,7 +27,6 @@
 
 #include "energy/bending.h"
 #include "energy/cloth_law.h"
-#include "energy/cloth_on_chart.h"
 #include "energy/outline_barrier.h"
 #include "energy/shape_error.h"
 #include "energy/shear_smoothing.h"
@@ -52,7 +51,7 @@ class FairShapeError {
  public:
   /// cloth: null for the shape error of Eq. (4). layout: for Injectivity::global, one row per chart vertex. The Hessian
   /// includes the contacts of the outline in this layout.
-  FairShapeError(const Chart& chart, const HeldNetwork& network, double fairness, const ClothOnChart* cloth = nullptr,
+  FairShapeError(const Chart& chart, const HeldNetwork& network, double fairness, const Cloth* cloth = nullptr,
                  Injectivity injectivity = Injectivity::none, const Positions2& layout = {});
 
   /// Returns f, scene units squared; infinite if the layout is not injective as required. uv: one row per chart vertex.
@@ -65,9 +64,6 @@ class FairShapeError {
 
   /// Returns the number of flipped triangles and triangles with zero area.
   int count_flips(const Positions2& uv) const { return shape_error_.count_flips(uv); }
-
-  /// Whether f is invariant under rotation of the layout, which it is not with a cloth.
-  bool is_free_to_turn() const { return !cloth_; }
 
   /// Returns the largest share of the step d from uv, at most 1, that keeps the layout injective as required.
   double longest_step(const Positions2& uv, const Positions2& d) const;

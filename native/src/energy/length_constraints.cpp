@@ -11,7 +11,7 @@
 
 namespace wirewarp {
 
-LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& network, const ClothOnChart* cloth,
+LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& network, const TargetLengths* targets,
                                      const Positions2& layout)
     : rounding_length_(1e-5 * std::sqrt(surface_area(chart.mesh))) {
   std::vector<double> tolerance;
@@ -28,16 +28,16 @@ LengthConstraints::LengthConstraints(const Chart& chart, const HeldNetwork& netw
   tolerance_ = Eigen::Map<const Eigen::VectorXd>(tolerance.data(), static_cast<Eigen::Index>(tolerance.size()));
   for (const WireEdge& edge : network.edges) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
-    const double flat_ratio = cloth && !cloth->flat_ratio.empty() ? cloth->flat_ratio[edge.edge.idx()] : 1;
-    edges_.push_back({chart.mesh.from_vertex_handle(h).idx(), chart.mesh.to_vertex_handle(h).idx(),
-                      flat_ratio * edge.length, edge.part < 0 ? -1 : elastic_of_part_[edge.part]});
+    const double ratio = targets && !targets->ratio.empty() ? targets->ratio[edge.edge.idx()] : 1;
+    edges_.push_back({chart.mesh.from_vertex_handle(h).idx(), chart.mesh.to_vertex_handle(h).idx(), ratio * edge.length,
+                      edge.part < 0 ? -1 : elastic_of_part_[edge.part]});
   }
-  if (cloth) {
-    for (const GrainRow& grain : cloth->grains) {
+  if (targets) {
+    for (const GrainRow& grain : targets->grains) {
       edges_.push_back({grain.a, grain.b, (layout.row(grain.b) - layout.row(grain.a)).norm(), -1});
       grain_normals_.push_back(grain.normal.transpose());
     }
-    flat_share_ << 1 / (1 + cloth->cloth.stretch[0]), 1 / (1 + cloth->cloth.stretch[1]);
+    flat_share_ = targets->flat_share;
   }
   std::vector<Eigen::Triplet<double>> entries;
   for (int e = 0; e < size(); ++e) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guaranteed lengths as equations: every edge of the boundary and of a rigid or elastic wire has its length. With a
-// cloth, one more equation for each connected part fixes its rotation; these come last.
+// The guaranteed lengths as equations: every edge of the boundary and of a rigid or elastic wire has its length. If the
+// layout is not free to turn, one more equation for each connected part fixes its rotation; these come last.
 //
 //   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 except on elastic parts, whose edges share one h;
 //                                                       h is the solver's g (surface/charts/chart.h), l the
@@ -11,7 +11,7 @@
 //
 //   c_g(u) = m·d        with a fixed m instead of d̂; ∂²c_g/∂d² = 0
 //
-// For a cloth that is worn stretched, u is the layout of the stretched cloth (energy/cloth_on_chart.h), and the flat
+// For a cloth that is worn stretched, u is the layout of the stretched cloth (energy/target_lengths.h), and the flat
 // edge is w = S⁻¹ d:
 //
 //   c_e(u, h) = |w| − (1 + h) l;   ∂c_e/∂d = S⁻¹ ŵ, called d̂ below;   ∂²c_e/∂d² = m mᵀ / |w|³,   m ⊥ d, |m| = |d|
@@ -21,7 +21,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "energy/cloth_on_chart.h"
+#include "energy/target_lengths.h"
 #include "energy/vertex_matrix.h"
 #include "surface/network/wire_network.h"
 
@@ -35,12 +35,15 @@ class LengthConstraints {
     int elastic;    // index into h; -1 if h is 0
   };
 
-  /// cloth: adds its rotation rows; null: none. layout: gives the scale of these rows.
-  LengthConstraints(const Chart& chart, const HeldNetwork& network, const ClothOnChart* cloth = nullptr,
+  /// targets: null: nominal lengths in a layout that is free to turn. layout: gives the scale of rotation rows.
+  LengthConstraints(const Chart& chart, const HeldNetwork& network, const TargetLengths* targets = nullptr,
                     const Positions2& layout = {});
 
   const std::vector<Edge>& edges() const { return edges_; }
   int size() const { return static_cast<int>(edges_.size()); }
+
+  /// Whether no rotation is fixed.
+  bool are_free_to_turn() const { return grain_normals_.empty(); }
 
   /// Whether the constraint has no curvature.
   bool is_linear(int edge) const { return edge >= size() - static_cast<int>(grain_normals_.size()); }

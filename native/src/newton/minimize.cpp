@@ -56,7 +56,7 @@ Solution minimize(const Problem& problem, const Stage& stage, const Shape& start
 
 Solution evaluate(const Problem& problem, const Stage& stage, const Shape& shape) {
   Budget none(0);
-  const NewtonState state(problem, {stage.cloth, Injectivity::none, stage.target}, shape, {none});
+  const NewtonState state(problem, {stage.cloth, stage.lengths, Injectivity::none, stage.target}, shape, {none});
   if (state.length_error() > LengthConstraints::kept) return state.solution(SolutionStatus::infeasible);
   return state.solution(state.is_isometric() ? SolutionStatus::converged : SolutionStatus::stalled);
 }

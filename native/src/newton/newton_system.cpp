@@ -180,7 +180,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   }
   add_elastic_springs(stiffness_share);
   if (convexity.curvature == Curvature::none) return;  // the Laplacian resists rotation, and a pin would dent the shape
-  if (!objective_.is_free_to_turn()) return;
+  if (!constraints_.are_free_to_turn()) return;
   for (const VertexPair& pin : pinned_) {
     const Eigen::Vector2d arm = (uv.row(pin[1]) - uv.row(pin[0])).transpose().normalized();
     const Eigen::Vector2d turn(-arm.y(), arm.x());

@@ -24,7 +24,7 @@ const Positions2& Problem::free_map(const StopToken& stop) {
 }
 
 LengthConstraints Problem::constraints(const Stage& stage, const Positions2& layout) const {
-  return LengthConstraints(chart_, network_, stage.cloth, layout);
+  return LengthConstraints(chart_, network_, stage.lengths, layout);
 }
 
 FairShapeError Problem::objective(const Stage& stage, const Positions2& layout) const {

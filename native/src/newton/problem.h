@@ -7,9 +7,9 @@
 
 #include "base/internal_options.h"
 #include "base/stop_token.h"
-#include "energy/cloth_on_chart.h"
 #include "energy/fair_shape_error.h"
 #include "energy/length_constraints.h"
+#include "energy/target_lengths.h"
 #include "surface/charts/slits.h"
 #include "surface/network/wire_network.h"
 
@@ -17,7 +17,8 @@ namespace wirewarp {
 
 /// What a shape is refined for.
 struct Stage {
-  const ClothOnChart* cloth = nullptr;          // null: f has the shape error of Eq. (4)
+  const Cloth* cloth = nullptr;                 // whose energy f has; null: the shape error of Eq. (4)
+  const TargetLengths* lengths = nullptr;       // null: nominal lengths, and the layout is free to turn
   Injectivity injectivity = Injectivity::none;  // of all iterates, the start included
   Target target = Target::minimum;
 };

@@ -71,7 +71,7 @@ Solution without_flips_and_overlaps(Solution solution, Problem& problem, const S
 }  // namespace
 
 Solution refine_chart(Problem& problem, const InternalOptions& options, const Control& control) {
-  const Stage stage{nullptr, Injectivity::none, options.cloth ? Target::rough : options.target};
+  const Stage stage{nullptr, nullptr, Injectivity::none, options.cloth ? Target::rough : options.target};
   Solution found;
   if (!problem.slits().empty()) found = refine_with_slits(problem, stage, options.large_chart, control);
   if (!found.is_exact()) {

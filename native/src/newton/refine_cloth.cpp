@@ -45,7 +45,7 @@ class ClothRefinement {
   };
 
   std::vector<Turn> best_turns(const Positions2& uv) const;
-  ClothOnChart cloth_held_as(const Positions2& uv) const;
+  TargetLengths held_as(const Positions2& uv) const { return {{hold_direction(pair_, uv)}, {}}; }
   Solution minimize_held(const Shape& start);
   Solution minimize_turning(const Shape& upright);
   double slope_of(const Shape& shape) const;
@@ -61,17 +61,14 @@ class ClothRefinement {
   Injectivity injectivity_ = Injectivity::none;  // of the shape without a cloth
 };
 
-ClothOnChart ClothRefinement::cloth_held_as(const Positions2& uv) const {
-  return {without_stretch(*options_.cloth), {hold_direction(pair_, uv)}, {}};
-}
-
 /// Keeps the direction of the start. If the piece overlaps itself and did not before, minimizes once more with a
 /// barrier against overlaps.
 Solution ClothRefinement::minimize_held(const Shape& start) {
-  const ClothOnChart cloth = cloth_held_as(start.uv);
+  const TargetLengths lengths = held_as(start.uv);
   Solution held;
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
-    held = minimize_with_shut_slits(problem_, {&cloth, injectivity, options_.target}, start, control_);
+    held =
+        minimize_with_shut_slits(problem_, {&*options_.cloth, &lengths, injectivity, options_.target}, start, control_);
     held.injectivity = injectivity_of(chart_, held.shape.uv);
     if (held.injectivity >= injectivity_ || !may_go_on()) break;
   }
@@ -87,8 +84,7 @@ double ClothRefinement::slope_of(const Shape& shape) const {
 
 /// The best few of many directions.
 std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2& uv) const {
-  const ClothOnChart cloth = cloth_held_as(uv);
-  const FairShapeError objective = problem_.objective({&cloth});
+  const FairShapeError objective = problem_.objective({&*options_.cloth});
   const double area = problem_.area(), spacing = kPi / kDirections;
   std::array<double, kDirections> energy;
   for (int k = 0; k < kDirections; ++k) energy[k] = objective.value(turned(uv, k * spacing)) / area;

@@ -15,11 +15,6 @@
 
 namespace wirewarp {
 
-inline Cloth without_stretch(Cloth cloth) {
-  cloth.stretch = {0, 0};
-  return cloth;
-}
-
 /// Holds the direction that two vertices have in a layout.
 inline GrainRow hold_direction(const VertexPair& pair, const Positions2& uv) {
   const Eigen::Vector2d chord = (uv.row(pair[1]) - uv.row(pair[0])).transpose().normalized();

@@ -15,29 +15,29 @@
 namespace wirewarp {
 namespace {
 
-/// The cloths of all charts as that of the combined one.
-std::optional<ClothOnChart> combine_cloths(const CombinedCharts& combined, const std::vector<Chart>& charts,
-                                           const std::vector<ClothOnChart>& cloths) {
-  if (cloths.empty()) return std::nullopt;
-  ClothOnChart all{cloths.front().cloth, {}, {}};
+/// The lengths of all charts as those of the combined one.
+std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, const std::vector<Chart>& charts,
+                                             const std::vector<TargetLengths>& lengths) {
+  if (lengths.empty()) return std::nullopt;
+  TargetLengths all{{}, {}, lengths.front().flat_share};
   for (std::size_t c = 0; c < charts.size(); ++c) {
-    for (GrainRow grain : cloths[c].grains) {
+    for (GrainRow grain : lengths[c].grains) {
       grain.a += combined.first_vertex[c];
       grain.b += combined.first_vertex[c];
       all.grains.push_back(grain);
     }
-    std::vector<double> ratios = cloths[c].flat_ratio;
+    std::vector<double> ratios = lengths[c].ratio;
     ratios.resize(charts[c].mesh.n_edges(), 1);
-    all.flat_ratio.insert(all.flat_ratio.end(), ratios.begin(), ratios.end());
+    all.ratio.insert(all.ratio.end(), ratios.begin(), ratios.end());
   }
   return all;
 }
 
 /// The starts of all charts, each where it is: charts have no entry of the matrix in common.
 Shape combine_starts(const CombinedCharts& combined, const Problem& whole, const std::vector<Problem>& problems,
-                     const std::vector<ClothOnChart>& cloths, const std::vector<Shape>& starts) {
+                     const std::vector<TargetLengths>& lengths, const std::vector<Shape>& starts) {
   std::size_t num_rows = whole.network().edges.size(), next_row = num_rows;
-  for (const ClothOnChart& cloth : cloths) num_rows += cloth.grains.size();
+  for (const TargetLengths& one : lengths) num_rows += one.grains.size();
   Shape all{Positions2(static_cast<Eigen::Index>(combined.chart.mesh.n_vertices()), 2),
             {},
             Eigen::VectorXd::Zero(static_cast<Eigen::Index>(num_rows))};
@@ -53,7 +53,7 @@ Shape combine_starts(const CombinedCharts& combined, const Problem& whole, const
       const int there = whole.network().wire_edge_of_edge[combined.first_edge[c] + own.edges[e].edge.idx()];
       all.multipliers[there] = multiplier(e);
     }
-    for (std::size_t g = 0; g < (cloths.empty() ? 0 : cloths[c].grains.size()); ++g) {
+    for (std::size_t g = 0; g < (lengths.empty() ? 0 : lengths[c].grains.size()); ++g) {
       all.multipliers[static_cast<Eigen::Index>(next_row++)] = multiplier(own.edges.size() + g);
     }
   }
@@ -94,16 +94,16 @@ Solution minimize_near(Problem& problem, const Stage& stage, const Shape& start,
 
 }  // namespace
 
-CoupledSolution refine_coupled(const std::vector<Chart>& charts, double fairness,
-                               const std::vector<ClothOnChart>& cloths, Injectivity injectivity,
-                               const std::vector<Shape>& starts, const Control& control) {
+CoupledSolution refine_coupled(const std::vector<Chart>& charts, double fairness, Stage stage,
+                               const std::vector<TargetLengths>& lengths, const std::vector<Shape>& starts,
+                               const Control& control) {
   const CombinedCharts combined = combine(charts);
   Problem problem(combined.chart, fairness);
   std::vector<Problem> problems;
   for (const Chart& chart : charts) problems.emplace_back(chart, fairness);
-  const std::optional<ClothOnChart> cloth = combine_cloths(combined, charts, cloths);
-  Stage stage{cloth ? &*cloth : nullptr, injectivity};
-  const Shape start = combine_starts(combined, problem, problems, cloths, starts);
+  const std::optional<TargetLengths> all = combine_lengths(combined, charts, lengths);
+  stage.lengths = all ? &*all : nullptr;
+  const Shape start = combine_starts(combined, problem, problems, lengths, starts);
   const Solution whole = minimize_near(problem, stage, start, charts.size() == 1, control);
   CoupledSolution coupled;
   stage.injectivity = Injectivity::none;
@@ -114,7 +114,7 @@ CoupledSolution refine_coupled(const std::vector<Chart>& charts, double fairness
     one.shape = {whole.shape.uv.middleRows(combined.first_vertex[c], starts[c].uv.rows()),
                  whole.shape.variation.segment(combined.first_part[c], num_parts),
                  {}};
-    one.objective = problems[c].objective({cloth ? &cloths[c] : nullptr}).value(one.shape.uv) / problems[c].area();
+    one.objective = problems[c].objective({stage.cloth}).value(one.shape.uv) / problems[c].area();
     coupled.charts.push_back(std::move(one));
   }
   return coupled;

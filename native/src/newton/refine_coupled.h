@@ -22,9 +22,10 @@ struct CoupledSolution {
 
 /// Minimizes from starts near exact lengths; they may be farther from them if no triangle may flip and none is flipped.
 /// Their multipliers: one per edge of the chart's held network, then those of the grain rows; missing ones are 0.
-/// cloths: one per chart, or empty without a cloth. All solutions are exact, or none.
-CoupledSolution refine_coupled(const std::vector<Chart>& charts, double fairness,
-                               const std::vector<ClothOnChart>& cloths, Injectivity injectivity,
-                               const std::vector<Shape>& starts, const Control& control);
+/// lengths: one per chart, or empty if charts are free to turn; those of the stage come from them. All solutions are
+/// exact, or none.
+CoupledSolution refine_coupled(const std::vector<Chart>& charts, double fairness, Stage stage,
+                               const std::vector<TargetLengths>& lengths, const std::vector<Shape>& starts,
+                               const Control& control);
 
 }  // namespace wirewarp

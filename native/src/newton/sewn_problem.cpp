@@ -22,15 +22,15 @@ SewnProblem::SewnProblem(const Problem& open, const Stage& stage, SewnChart sewn
     row_.push_back(sewn_edge);
   }
   num_rows_ = static_cast<int>(network.edges.size());
-  if (!stage.cloth) return;
-  cloth_ = *stage.cloth;
-  if (!cloth_->flat_ratio.empty()) {
-    cloth_->flat_ratio.assign(mesh.n_edges(), 1);
+  if (!stage.lengths) return;
+  lengths_ = *stage.lengths;
+  if (!lengths_->ratio.empty()) {
+    lengths_->ratio.assign(mesh.n_edges(), 1);
     for (std::size_t e = 0; e < open_network.edges.size(); ++e) {
-      cloth_->flat_ratio[network.edges[row_[e]].edge.idx()] = stage.cloth->flat_ratio[open_network.edges[e].edge.idx()];
+      lengths_->ratio[network.edges[row_[e]].edge.idx()] = stage.lengths->ratio[open_network.edges[e].edge.idx()];
     }
   }
-  for (GrainRow& grain : cloth_->grains) {
+  for (GrainRow& grain : lengths_->grains) {
     grain.a = sewn_.vertex[grain.a];
     grain.b = sewn_.vertex[grain.b];
     row_.push_back(num_rows_++);

@@ -14,13 +14,13 @@ namespace wirewarp {
 /// A problem and a stage with some slits sewn, and the way to and from it.
 class SewnProblem {
  public:
-  /// The open problem and the cloth of its stage must outlive this one.
+  /// The open problem and what its stage points to must outlive this one.
   SewnProblem(const Problem& open, const Stage& stage, SewnChart sewn);
   SewnProblem(const SewnProblem&) = delete;  // the problem refers to the chart
   SewnProblem& operator=(const SewnProblem&) = delete;
 
   Problem& problem() { return problem_; }
-  Stage stage() const { return {cloth_ ? &*cloth_ : nullptr, stage_.injectivity, stage_.target}; }
+  Stage stage() const { return {stage_.cloth, lengths_ ? &*lengths_ : nullptr, stage_.injectivity, stage_.target}; }
 
   /// Edges that are sewn together bear the forces of both.
   Shape to_sewn(const Shape& open) const;
@@ -35,7 +35,7 @@ class SewnProblem {
   Stage stage_;  // of the open problem
   SewnChart sewn_;
   Problem problem_;
-  std::optional<ClothOnChart> cloth_;
+  std::optional<TargetLengths> lengths_;
   std::vector<int> row_;  // of the sewn constraints, one per row of the open ones
   int num_rows_;          // of the sewn constraints
 };

@@ -48,7 +48,7 @@ std::optional<Shape> wires_alone(Problem& problem, const Control& control) {
 }
 
 std::optional<Shape> injective_shape(Problem& problem, const Control& control) {
-  return reach_injectively(problem, {nullptr, Injectivity::local}, control);
+  return reach_injectively(problem, {nullptr, nullptr, Injectivity::local}, control);
 }
 
 }  // namespace wirewarp

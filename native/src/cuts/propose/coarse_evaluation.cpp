@@ -45,7 +45,7 @@ Solution refine_from(const Positions2& whole, const Chart& piece, const Internal
                     {},
                     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.network().edges.size()))};
   Budget budget(options.max_factorizations);
-  return minimize(problem, {nullptr, Injectivity::none, options.target}, start, {budget, stop});
+  return minimize(problem, {nullptr, nullptr, Injectivity::none, options.target}, start, {budget, stop});
 }
 
 }  // namespace

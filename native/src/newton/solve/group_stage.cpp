@@ -27,9 +27,8 @@ class GroupStage {
     for (const GroupMember& member : group) {
       before_.push_back(member.solved);
       if (!run.options.cloth) continue;
-      cloths_.push_back({is_stretched ? *run.options.cloth : without_stretch(*run.options.cloth),
-                         {hold_upright(member.chart, member.solved.uv, run.options)},
-                         member.flat_ratio});
+      lengths_.push_back({{hold_upright(member.chart, member.solved.uv, run.options)}, member.flat_ratio});
+      if (is_stretched) lengths_.back().flat_share = flat_share(*run.options.cloth);
     }
   }
 
@@ -111,16 +110,16 @@ class GroupStage {
   /// Returns false if there are no common lengths. Each factorization counts for each of the parts.
   bool take_common_shapes(const std::vector<Part>& parts, Budget& budget) {
     std::vector<Chart> charts;
-    std::vector<ClothOnChart> cloths;
+    std::vector<TargetLengths> lengths;
     std::vector<Shape> starts;
     for (const Part& part : parts) {
       charts.push_back(part.chart);
       starts.push_back({solved(part.member).uv, {}, solved(part.member).multipliers});
-      if (run_.options.cloth) cloths.push_back(cloths_[part.member]);
+      if (run_.options.cloth) lengths.push_back(lengths_[part.member]);
     }
-    const Injectivity injectivity = run_.options.cloth ? Injectivity::local : Injectivity::none;
+    const Stage stage = run_.options.cloth ? Stage{&*run_.options.cloth, nullptr, Injectivity::local} : Stage{};
     const StageTimer timer(solved(parts.front().member).report.seconds, "shape");
-    CoupledSolution found = refine_coupled(charts, run_.options.fairness, cloths, injectivity, starts, {budget, stop_});
+    CoupledSolution found = refine_coupled(charts, run_.options.fairness, stage, lengths, starts, {budget, stop_});
     const bool is_exact = found.charts.front().is_exact();
     for (std::size_t i = 0; i < parts.size(); ++i) {
       SolvedChart& one = solved(parts[i].member);
@@ -157,9 +156,10 @@ class GroupStage {
   /// Starts from the shape before the stage and allows no overlaps on the way.
   std::optional<Solution> refine_without_overlap(std::size_t k, const Chart& fixed, Budget& budget) const {
     if (injectivity_of(fixed, before_[k].uv) != Injectivity::global) return std::nullopt;
-    Solution refined = refine_coupled({fixed}, run_.options.fairness, {cloths_[k]}, Injectivity::global,
-                                      {Shape{before_[k].uv}}, {budget, stop_})
-                           .charts.front();
+    Solution refined =
+        refine_coupled({fixed}, run_.options.fairness, {&*run_.options.cloth, nullptr, Injectivity::global},
+                       {lengths_[k]}, {Shape{before_[k].uv}}, {budget, stop_})
+            .charts.front();
     if (!refined.is_exact() || injectivity_of(fixed, refined.shape.uv) != Injectivity::global) return std::nullopt;
     refined.start = before_[k].report.start.c_str();
     refined.iterations += before_[k].report.outer_iterations;
@@ -252,8 +252,8 @@ class GroupStage {
   const bool is_stretched_;
   const Run& run_;
   const StopToken stop_;
-  std::vector<SolvedChart> before_;   // per member, before the stage
-  std::vector<ClothOnChart> cloths_;  // per member, if there is a cloth
+  std::vector<SolvedChart> before_;     // per member, before the stage
+  std::vector<TargetLengths> lengths_;  // per member, if there is a cloth
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 //
 //   1. Elastic seams: all shapes and the common lengths of these seams (newton/refine_coupled.h).
 //   2. Stretched lengths: the same again for a cloth that is stretched when it is worn (stretched_lengths.h), in the
-//      plane of the stretched cloth (energy/cloth_on_chart.h).
+//      plane of the stretched cloth (energy/target_lengths.h).
 //
 // Each stage starts from the shapes of the one before. It fails if it finds no common lengths, or if a chart is flipped
 // or overlaps itself with them although all charts were good before: good pieces come before less distortion. Then each

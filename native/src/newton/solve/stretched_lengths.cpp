@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/sentence.h"
+#include "energy/target_lengths.h"
 #include "surface/mesh/geometry.h"
 
 namespace wirewarp {
@@ -102,8 +103,6 @@ std::vector<std::vector<std::string>> warn_of_sides(const Charts& charts, const 
 bool is_stretched(const Options& options) {
   return options.cloth && options.cloth->stretch != std::array<double, 2>{0, 0};
 }
-
-Eigen::RowVector2d flat_share(const Cloth& cloth) { return {1 / (1 + cloth.stretch[0]), 1 / (1 + cloth.stretch[1])}; }
 
 StretchedLengths find_stretched_lengths(const Charts& charts, const std::vector<SolvedChart>& solved,
                                         const Cloth& cloth) {

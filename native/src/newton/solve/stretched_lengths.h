@@ -30,7 +30,4 @@ struct StretchedLengths {
 StretchedLengths find_stretched_lengths(const Charts& charts, const std::vector<SolvedChart>& solved,
                                         const Cloth& cloth);
 
-/// The diagonal of S⁻¹, which takes a layout in the plane of the stretched cloth to the flat piece.
-Eigen::RowVector2d flat_share(const Cloth& cloth);
-
 }  // namespace wirewarp
