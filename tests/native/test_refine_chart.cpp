@@ -46,6 +46,18 @@ TEST(RefineChart, AnInjectiveShapeIsOneWhetherOrNotFoldsAreMended) {
   }
 }
 
+/// Its shape is reported as one that stopped short, wherever it is kept.
+TEST(RefineChart, AStartForOthersIsConvergedOnlyWithoutStrain) {
+  InternalOptions options;
+  for (const Target target : {Target::newton_step, Target::rough}) {
+    options.target = target;
+    const Solution saddle = refine_chart(test::charts_of(test::saddle(8, 0.3)).charts.at(0), options);
+    EXPECT_TRUE(saddle.is_exact() && !saddle.is_converged());
+    const Solution sheet = refine_chart(test::charts_of(test::flat_rectangle(2, 2, 1, 1)).charts.at(0), options);
+    EXPECT_TRUE(sheet.is_exact() && sheet.is_converged());
+  }
+}
+
 /// A strongly curved net: one step does not lead from the free shape to exact lengths.
 TEST(RefineChart, ANetFarFromTheFreeShapeStartsFromItsWires) {
   const int n = 12;

@@ -37,7 +37,8 @@ SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
       try_newton = trust_region.was_inside();
     }
   }
-  const bool is_converged = outcome == StepOutcome::converged || state.is_isometric();
+  const bool is_at_minimum = outcome == StepOutcome::converged && state.stage.target == Target::minimum;
+  const bool is_converged = is_at_minimum || state.is_isometric();
   return is_converged ? SolutionStatus::converged : SolutionStatus::stalled;
 }
 
