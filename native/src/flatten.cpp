@@ -12,6 +12,8 @@
 #include "newton/solve/chart_errors.h"
 #include "newton/solve/piece_report.h"
 #include "newton/solve/solve_charts.h"
+#include "newton/solve/stretch_charts.h"
+#include "newton/solve/stretched_lengths.h"
 #include "result/assemble_result.h"
 #include "result/pack_pieces.h"
 #include "surface/charts/cut_into_charts.h"
@@ -33,50 +35,55 @@ const char* name_of(Method method) {
   throw std::logic_error("not a Method");
 }
 
-void pack(const Charts& charts, const Options& options, const StopToken& stop,
-          std::vector<SolvedChart>& solved_charts) {
-  std::vector<Positions2> shapes;
-  for (SolvedChart& solved : solved_charts) shapes.push_back(std::move(solved.uv));
-  shapes = pack_pieces(charts.charts, std::move(shapes), options, stop);
-  for (std::size_t c = 0; c < solved_charts.size(); ++c) solved_charts[c].uv = std::move(shapes[c]);
-}
+/// Seconds of a run, per stage.
+using Seconds = std::map<std::string, double>;
 
-/// Returns the result of a run that was stopped before or after all charts: no piece has a layout.
-FlattenResult cancelled_result(const FlattenInput& input, const EdgeTable& edges) {
-  const Charts charts = list_charts(input, edges, cancelled());
-  return assemble_result(input, charts, std::vector<SolvedChart>(charts.charts.size(), cancelled_chart()), {});
+Charts cut(const Run& run, const EdgeTable& edges, ProgressReport& report, Seconds& seconds) {
+  const StageTimer timer(seconds, "charts");
+  const StopToken stop([&](const char* stage) { return report.go_on(stage, 0); });
+  return cut_into_charts(run.input, edges, stop.in("charts"));
 }
 
 /// Pieces that are flat when the caller cancels are measured if this takes no more calls of a WorkMeter than this: half
 /// a second at most.
 constexpr int kQuestionsAfterCancel = 25;
 
-/// Flattens charts that are cut already. Throws Stopped if the caller cancels while much remains to be measured.
-FlattenResult flatten_cut(Charts charts, const Run& run, ProgressReport& report, Cache* cache,
-                          std::map<std::string, double>& seconds) {
-  CacheSession session(cache, run.input, run.options);
-  std::vector<SolvedChart> solved_charts = solve_charts(charts, run, report, session);
+StopToken while_measuring(ProgressReport& report) {
   const bool was_cancelled = report.is_cancelled();
   if (!was_cancelled) report.go_on("measure", kChartsFlat);
-  int questions_left = was_cancelled ? kQuestionsAfterCancel : 0;
-  const StopToken may_measure(
-      [&](const char* stage) { return was_cancelled ? questions_left-- > 0 : report.go_on(stage, kChartsFlat); });
-  const StopToken stop = may_measure.in("measure");
-  {
-    const StageTimer timer(seconds, "packing");
-    pack(charts, run.options, stop, solved_charts);
-  }
+  const StopToken stop([&report, was_cancelled, left = kQuestionsAfterCancel](const char* stage) mutable {
+    return was_cancelled ? left-- > 0 : report.go_on(stage, kChartsFlat);
+  });
+  return stop.in("measure");
+}
+
+void pack(const Charts& charts, const Options& options, const StopToken& stop, std::vector<SolvedChart>& solved_charts,
+          Seconds& seconds) {
+  const StageTimer timer(seconds, "packing");
+  std::vector<Positions2> shapes;
+  for (SolvedChart& solved : solved_charts) shapes.push_back(std::move(solved.uv));
+  shapes = pack_pieces(charts.charts, std::move(shapes), options, stop);
+  for (std::size_t c = 0; c < solved_charts.size(); ++c) solved_charts[c].uv = std::move(shapes[c]);
+}
+
+/// Flattens charts that are cut already. Throws Stopped if the caller cancels while much remains to be measured.
+FlattenResult flatten_cut(Charts charts, const Run& run, ProgressReport& report, Cache* cache, Seconds& seconds) {
+  CacheSession session(cache, run.input, run.options);
+  std::vector<SolvedChart> solved_charts = solve_charts(charts.charts, run, report, session);
+  session.finish();
+  if (is_stretched(run.options)) stretch_charts(charts, run, report, solved_charts);
+  const StopToken stop = while_measuring(report);
+  pack(charts, run.options, stop, solved_charts, seconds);
   const StageTimer timer(seconds, "measure");
   FlattenResult result = assemble_result(run.input, charts, std::move(solved_charts), run.options, stop);
   result.reused_pieces = session.num_reused();
   return result;
 }
 
-Charts cut_with_progress(const Run& run, const EdgeTable& edges, ProgressReport& report,
-                         std::map<std::string, double>& seconds) {
-  const StageTimer timer(seconds, "charts");
-  const StopToken stop([&](const char* stage) { return report.go_on(stage, 0); });
-  return cut_into_charts(run.input, edges, stop.in("charts"));
+/// Returns the result of a run that was stopped before or after all charts: no piece has a layout.
+FlattenResult cancelled_result(const FlattenInput& input, const EdgeTable& edges) {
+  const Charts charts = list_charts(input, edges, cancelled());
+  return assemble_result(input, charts, std::vector<SolvedChart>(charts.charts.size(), cancelled_chart()), {});
 }
 
 std::vector<VertexPair> propose_seams(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
@@ -118,7 +125,7 @@ FlattenResult flatten_charts(Charts charts, const FlattenInput& input, const Int
                              const StopToken& stop) {
   const Progress progress = [&](const std::string&, double) { return stop.may_go_on(); };
   ProgressReport report(progress);
-  std::map<std::string, double> seconds;
+  Seconds seconds;
   FlattenResult result = flatten_cut(std::move(charts), run_of(input, options), report, nullptr, seconds);
   stop.check();
   return result;
@@ -126,18 +133,17 @@ FlattenResult flatten_charts(Charts charts, const FlattenInput& input, const Int
 
 FlattenResult flatten_with(const FlattenInput& input, const InternalOptions& options, const Progress& progress,
                            Cache* cache) {
-  std::map<std::string, double> seconds;
+  Seconds seconds;
   FlattenResult result;
   {
     const StageTimer total(seconds, "total");
     ProgressReport report(progress);
-
     const EdgeTable edges = check_request(input, options);
     try {
       std::optional<FlattenInput> middle;
       if (options.thickness > 0) middle = move_to_middle(input, options);
       const Run run = run_of(middle ? *middle : input, options);
-      result = flatten_cut(cut_with_progress(run, edges, report, seconds), run, report, cache, seconds);
+      result = flatten_cut(cut(run, edges, report, seconds), run, report, cache, seconds);
     } catch (const Stopped&) {
       result = cancelled_result(input, edges);
     }

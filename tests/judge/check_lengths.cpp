@@ -101,12 +101,18 @@ double ease_of(const Judged& judged, const Side& side) {
   return 0;
 }
 
-/// Returns the sides of an outline edge in good pieces, without their own eases.
+/// Whether all lengths of a piece are guaranteed: it has no error, or one that is reported only if they are exact.
+bool keeps_lengths(const Piece& piece) {
+  return !piece.error || piece.error->code == ErrorCode::flipped_faces ||
+         piece.error->code == ErrorCode::overlapping_faces;
+}
+
+/// Returns the sides of an outline edge in pieces that keep their lengths, without their own eases.
 std::vector<EdgeLengths> uneased_sides(const Judged& judged, const Edge& edge, bool is_stretched) {
   std::vector<EdgeLengths> sides;
   for (const Side& side : judged.sides().at(edge)) {
-    const bool is_good = !judged.result.pieces[judged.piece_of(side.face)].error;
-    if (is_good) sides.push_back(lengths_of(judged, edge, side, ease_of(judged, side), is_stretched));
+    const Piece& piece = judged.result.pieces[judged.piece_of(side.face)];
+    if (keeps_lengths(piece)) sides.push_back(lengths_of(judged, edge, side, ease_of(judged, side), is_stretched));
   }
   return sides;
 }

@@ -27,7 +27,7 @@ GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& o
 /// Turns an exact solution of refine_chart() upright, x along the weft, and refines it for options.cloth unless it is
 /// flipped. Its multipliers then have one for the row, last. Keeps the shape at hand if the caller stops, if the budget
 /// is spent, or if the cloth would flip a triangle or make the piece overlap itself. The cloth's stretch comes later
-/// (group_stage.h).
+/// (newton/solve/stretch_charts.h).
 void refine_cloth(Problem& problem, const InternalOptions& options, const Control& control, Solution& solution);
 
 /// Solves a chart from scratch, also for the cloth if there is one. Returns an injective shape, or none.

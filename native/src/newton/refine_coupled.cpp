@@ -107,7 +107,7 @@ CoupledSolution refine_coupled(const std::vector<Chart>& charts, double fairness
   const Solution whole = minimize_near(problem, stage, start, charts.size() == 1, control);
   CoupledSolution coupled;
   stage.injectivity = Injectivity::none;
-  coupled.projected_gradient = projected_gradient(problem, stage, whole.shape);
+  if (charts.size() > 1) coupled.projected_gradient = projected_gradient(problem, stage, whole.shape);
   for (std::size_t c = 0; c < charts.size(); ++c) {
     Solution one = whole;
     const auto num_parts = static_cast<Eigen::Index>(charts[c].wire_parts.size());

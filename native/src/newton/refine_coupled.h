@@ -7,6 +7,7 @@
 // falls into blocks, one a chart, and only the Schur complement of h, dense and small, couples them.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "newton/control.h"
@@ -16,8 +17,9 @@
 namespace wirewarp {
 
 struct CoupledSolution {
-  std::vector<Solution> charts;   // without multipliers; factorizations: those of the whole group, in each
-  double projected_gradient = 0;  // PieceReport::projected_gradient
+  std::vector<Solution> charts;  // without multipliers; factorizations: those of the whole group, in each
+  double projected_gradient =
+      std::numeric_limits<double>::quiet_NaN();  // PieceReport::projected_gradient; NaN for one chart
 };
 
 /// Minimizes from starts near exact lengths; they may be farther from them if no triangle may flip and none is flipped.

@@ -47,12 +47,14 @@ void report_next_refinement(const Solution& solution, bool was_stopped, PieceRep
 }
 
 void report_fixed_seams(PieceReport& report) {
+  if (report.termination == Termination::cancelled) return;
   report.warnings.push_back(
       "No good shapes were found with other lengths of the elastic seams: they keep their nominal lengths.");
   report.termination = Termination::stalled;
 }
 
 void report_cancelled(PieceReport& report) {
+  if (report.termination == Termination::cancelled) return;
   report.warnings.push_back("Canceled: the lengths are exact, but the shape could be less distorted.");
   report.termination = Termination::cancelled;
 }

@@ -7,17 +7,14 @@
 #include <utility>
 
 #include "base/in_threads.h"
-#include "newton/injective_shape.h"
+#include "newton/refine_cloth.h"
 #include "newton/solve/charts_progress.h"
-#include "newton/solve/group_stage.h"
+#include "newton/solve/free_elastic_seams.h"
 #include "newton/solve/stretched_lengths.h"
 #include "surface/charts/elastic_seams.h"
 
 namespace wirewarp {
 namespace {
-
-/// Progress of a run when charts are flat but for the cloth's stretch, which begins near its end.
-constexpr double kUnstretched = 0.7;
 
 /// The largest first, so that no core waits long for the last.
 std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
@@ -130,7 +127,8 @@ class ChartsSolver {
     if (group.is_known) return;
     std::vector<GroupMember> begun;
     for (const int c : group.charts) {
-      if (solved_[c].uv.rows() > 0) begun.push_back({charts_[c], solved_[c], is_nominal_[c] != 0, {}});
+      if (solved_[c].uv.rows() > 0)
+        begun.push_back({charts_[c], solved_[c], is_nominal_[c] != 0, lengths_of(charts_[c], solved_[c].uv)});
     }
     const auto first = static_cast<std::size_t>(group.charts.front());
     if (!begun.empty()) free_elastic_seams(begun, run_, progress_.stop_token(first));
@@ -141,6 +139,10 @@ class ChartsSolver {
       progress_.finish(static_cast<std::size_t>(c));
     }
     session_.keep(members(group), solved);
+  }
+
+  TargetLengths lengths_of(const Chart& chart, const Positions2& uv) const {
+    return run_.options.cloth ? TargetLengths{{hold_upright(chart, uv, run_.options)}, {}} : TargetLengths{};
   }
 
   std::vector<Chart>& charts_;
@@ -154,44 +156,11 @@ class ChartsSolver {
   std::vector<char> is_nominal_;              // begun with its elastic seams at h = ease
 };
 
-bool has_elastic_boundary(const Chart& chart) {
-  return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic_boundary);
-}
-
-/// solved: upright, without the stretch. Charts without a layout or with flipped triangles stay as they are: they have
-/// an error in any case.
-void stretch_charts(Charts& charts, const Run& run, ProgressReport& report, std::vector<SolvedChart>& solved) {
-  ChartsProgress progress(report, charts.charts, kUnstretched, kChartsFlat);
-  const StretchedLengths lengths = find_stretched_lengths(charts, solved, *run.options.cloth);
-  const std::vector<std::vector<int>> groups = group_by_elastic_seams(charts.charts);
-  progress.run(groups.size(), [&](std::size_t g) {
-    const std::vector<int>& group = groups[g];
-    const bool is_elastic =
-        std::any_of(group.begin(), group.end(), [&](int c) { return has_elastic_boundary(charts.charts[c]); });
-    std::vector<GroupMember> members;
-    for (const int c : group) {
-      Chart& chart = charts.charts[c];
-      const bool has_layout = solved[c].uv.rows() > 0;
-      if (!has_layout || injectivity_of(chart, solved[c].uv) == Injectivity::none) continue;
-      members.push_back({chart, solved[c], is_elastic, lengths.ratios[c]});
-    }
-    const StopToken stop = progress.stop_token(static_cast<std::size_t>(group.front()));
-    if (!members.empty()) stretch_group(members, run, stop);
-    for (const int c : group) progress.finish(static_cast<std::size_t>(c));
-  });
-  for (std::size_t c = 0; c < solved.size(); ++c) {
-    std::vector<std::string>& own = solved[c].report.warnings;
-    own.insert(own.end(), lengths.warnings[c].begin(), lengths.warnings[c].end());
-  }
-}
-
 }  // namespace
 
-std::vector<SolvedChart> solve_charts(Charts& charts, const Run& run, ProgressReport& report, CacheSession& session) {
-  std::vector<SolvedChart> solved = ChartsSolver(charts.charts, run, report, session).solve();
-  session.finish();
-  if (is_stretched(run.options)) stretch_charts(charts, run, report, solved);
-  return solved;
+std::vector<SolvedChart> solve_charts(std::vector<Chart>& charts, const Run& run, ProgressReport& report,
+                                      CacheSession& session) {
+  return ChartsSolver(charts, run, report, session).solve();
 }
 
 }  // namespace wirewarp

@@ -10,11 +10,12 @@
 
 namespace wirewarp {
 
-/// Progress of a run when charts are cut, and when they are flat.
-constexpr double kChartsCut = 0.2, kChartsFlat = 0.9;
+/// Progress of a run when charts are cut, when they are flat but for the cloth's stretch, and when they are flat.
+constexpr double kChartsCut = 0.2, kUnstretched = 0.7, kChartsFlat = 0.9;
 
-/// Solves all charts on all cores: each by itself, then those with common elastic seams together, then all for a cloth
-/// that is stretched (group_stage.h). For such a cloth, the stretched lengths are the targets of charts from then on.
-std::vector<SolvedChart> solve_charts(Charts& charts, const Run& run, ProgressReport& report, CacheSession& session);
+/// Solves all charts on all cores: each by itself, then those with common elastic seams together
+/// (free_elastic_seams.h).
+std::vector<SolvedChart> solve_charts(std::vector<Chart>& charts, const Run& run, ProgressReport& report,
+                                      CacheSession& session);
 
 }  // namespace wirewarp

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/solve/free_elastic_seams.h"
+
+#include <algorithm>
+
+#include "newton/refine_cloth.h"
+#include "newton/solve/piece_report.h"
+#include "surface/charts/elastic_seams.h"
+
+namespace wirewarp {
+namespace {
+
+/// Solves a chart from scratch at h = ease, where it had no shape, for its error.
+void solve_anew(const GroupMember& member, const Run& run, const StopToken& stop) {
+  SolvedChart& solved = member.solved;
+  Budget budget(run.options.max_factorizations);
+  budget.spend(solved.report.factorizations);
+  solved = stop.is_stopped() ? cancelled_chart() : solve_chart_with_fixed_seams(member.chart, run, budget, stop);
+  solved.report.factorizations = budget.spent();
+  if (!solved.error) report_fixed_seams(solved.report);
+}
+
+}  // namespace
+
+void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop) {
+  const StopToken in_shape = stop.in("shape");
+  GroupSolver solver(group, run, in_shape, false, [&](std::size_t, const Chart& fixed, Budget& budget) {
+    return refine_injective(fixed, run.options, {budget, in_shape});
+  });
+  const bool are_nominal = std::all_of(group.begin(), group.end(), [](const auto& one) { return one.is_nominal; });
+  const GroupSolver::Outcome common = solver.solve_together(are_nominal);
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    const GroupMember& member = group[k];
+    if (common.is_solved) {
+      if (common.is_folded[k] != 0) propose_seams_for_layout(member.chart, run, in_shape, member.solved);
+      continue;
+    }
+    if (!member.is_nominal) {
+      solve_anew(member, run, in_shape);
+      continue;
+    }
+    const Chart fixed = with_fixed_seams(member.chart);
+    if (!solver.solve_alone(k, fixed).is_solved && in_shape.is_stopped()) {
+      report_cancelled(member.solved.report);
+      continue;
+    }
+    if (has_folds(fixed, member.solved.uv)) propose_seams_for_layout(fixed, run, in_shape, member.solved);
+    report_fixed_seams(member.solved.report);
+  }
+}
+
+}  // namespace wirewarp

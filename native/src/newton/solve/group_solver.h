@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the stages of a coupled group, which mostly is one chart, have in common: all shapes and the common lengths of
+// its elastic seams at once (newton/refine_coupled.h), from the shapes of the stage before.
+//
+// It fails if it finds no common lengths, or if a chart is flipped or overlaps itself with them although all charts
+// were good before: good pieces come before less distortion. Then stages solve each chart by itself, with its elastic
+// seams fixed at h = ease.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "energy/target_lengths.h"
+#include "newton/solution.h"
+#include "newton/solve/solve_chart.h"
+#include "newton/solved_chart.h"
+
+namespace wirewarp {
+
+/// A chart of a coupled group in a stage.
+struct GroupMember {
+  Chart& chart;
+  SolvedChart& solved;    // its layout from the stage before, upright for a cloth
+  bool is_nominal;        // it has elastic seams, and can be solved with these at h = ease
+  TargetLengths lengths;  // for a cloth
+};
+
+class GroupSolver {
+ public:
+  /// Solves a chart that is flipped or overlaps itself by itself, with its elastic seams fixed at the common lengths.
+  /// The result is injective, or none.
+  using RefineInjective =
+      std::function<std::optional<Solution>(std::size_t member, const Chart& fixed, Budget& budget)>;
+
+  struct Outcome {
+    bool is_solved = false;            // otherwise the shapes are those from before the stage
+    bool ran_out = false;              // a solver needed more factorizations than the limit allowed
+    std::vector<char> is_folded = {};  // per chart, if solved: flipped or overlapping
+  };
+
+  /// renews_limit: each attempt may spend Options::max_factorizations, whatever a chart has spent before.
+  GroupSolver(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop, bool renews_limit,
+              RefineInjective refine_injective);
+
+  /// Finds the common lengths and the shapes. keeps_good: if a chart is folded although none was before, all keep the
+  /// shapes from before.
+  Outcome solve_together(bool keeps_good);
+
+  /// Solves a chart by itself. fixed: with its elastic seams at h = ease.
+  Outcome solve_alone(std::size_t member, const Chart& fixed) { return solve({{member, fixed}}, false); }
+
+  /// The chart before the stage.
+  const SolvedChart& before(std::size_t member) const { return before_[member]; }
+
+ private:
+  /// A chart of the group, perhaps with fixed seams.
+  struct Part {
+    std::size_t member;
+    const Chart& chart;
+  };
+
+  SolvedChart& solved(const Part& part) const { return group_[part.member].solved; }
+  Outcome solve(const std::vector<Part>& parts, bool keeps_good);
+  bool take_common_shapes(const std::vector<Part>& parts, Budget& budget);
+  bool replace_folded(const Part& part, Budget& budget);
+  std::vector<char> find_folded(const std::vector<Part>& parts) const;
+  bool were_good(const std::vector<Part>& parts) const;
+
+  const std::vector<GroupMember>& group_;
+  const Run& run_;
+  const StopToken stop_;
+  const bool renews_limit_;
+  const RefineInjective refine_injective_;
+  std::vector<SolvedChart> before_;
+};
+
+/// Whether a layout is flipped or overlaps itself.
+bool has_folds(const Chart& chart, const Positions2& uv);
+
+}  // namespace wirewarp

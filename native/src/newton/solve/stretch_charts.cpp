@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "newton/solve/stretch_charts.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/attempt.h"
+#include "newton/injective_shape.h"
+#include "newton/refine_cloth.h"
+#include "newton/refine_coupled.h"
+#include "newton/solve/chart_errors.h"
+#include "newton/solve/charts_progress.h"
+#include "newton/solve/group_solver.h"
+#include "newton/solve/piece_report.h"
+#include "newton/solve/solve_charts.h"
+#include "newton/solve/stretched_lengths.h"
+#include "surface/charts/elastic_seams.h"
+#include "surface/network/length_variation.h"
+#include "surface/orientation/upright_direction.h"
+
+namespace wirewarp {
+namespace {
+
+/// A coupled group, or a part of it. Layouts are in the plane of the stretched cloth until they are finished.
+class StretchedGroup {
+ public:
+  StretchedGroup(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop)
+      : group_(group),
+        run_(run),
+        stop_(stop.in("shape")),
+        solver_(group, run, stop_, true, [this](std::size_t k, const Chart& fixed, Budget& budget) {
+          return refine_without_overlap(k, fixed, budget);
+        }) {}
+
+  /// For charts without flipped triangles.
+  void solve() {
+    const bool are_nominal = std::all_of(group_.begin(), group_.end(), [](const auto& one) { return one.is_nominal; });
+    const GroupSolver::Outcome common = solver_.solve_together(are_nominal);
+    for (std::size_t k = 0; k < group_.size(); ++k) {
+      if (common.is_solved) {
+        finish(k, common.is_folded[k] != 0);
+      } else {
+        solve_with_fixed_seams(k, common.ran_out);
+      }
+    }
+  }
+
+  /// For a chart that has an error in any case. fixed: with its elastic seams fixed at the lengths of their other
+  /// sides.
+  void solve_faulty(std::size_t k, const Chart& fixed, bool ran_out) {
+    if (!refine_faulty(k, fixed)) explain(k, ran_out);
+  }
+
+ private:
+  /// Minimizes from a layout, whose rotation it keeps.
+  Solution refine(const Stage& stage, std::size_t k, const Chart& fixed, const Positions2& start,
+                  Budget& budget) const {
+    TargetLengths lengths = group_[k].lengths;
+    lengths.grains = {hold_upright(fixed, start, run_.options)};
+    return refine_coupled({fixed}, run_.options.fairness, stage, {lengths}, {Shape{start}}, {budget, stop_})
+        .charts.front();
+  }
+
+  Stage stage_of_cloth(Injectivity injectivity) const { return {&*run_.options.cloth, nullptr, injectivity}; }
+
+  bool was_good(std::size_t k) const {
+    return injectivity_of(group_[k].chart, solver_.before(k).uv) == Injectivity::global;
+  }
+
+  /// Starts from the shape before the stage and allows no overlaps on the way.
+  std::optional<Solution> refine_without_overlap(std::size_t k, const Chart& fixed, Budget& budget) const {
+    if (!was_good(k)) return std::nullopt;
+    const SolvedChart& before = solver_.before(k);
+    Solution refined = refine(stage_of_cloth(Injectivity::global), k, fixed, before.uv, budget);
+    if (!refined.is_exact() || injectivity_of(fixed, refined.shape.uv) != Injectivity::global) return std::nullopt;
+    refined.start = before.report.start.c_str();
+    refined.iterations += before.report.outer_iterations;
+    return refined;
+  }
+
+  void solve_with_fixed_seams(std::size_t k, bool ran_out) {
+    const Chart fixed = with_fixed_seams(group_[k].chart);
+    GroupSolver::Outcome alone;
+    if (group_[k].is_nominal) alone = solver_.solve_alone(k, fixed);
+    ran_out = ran_out || alone.ran_out;
+    if (alone.is_solved) {
+      finish(k, alone.is_folded.front() != 0);
+      report_fixed_seams(group_[k].solved.report);
+    } else if (was_good(k)) {
+      explain(k, ran_out);
+    } else {
+      solve_faulty(k, fixed, ran_out);
+    }
+  }
+
+  /// Returns a layout with the stretched lengths, in the plane of the stretched cloth.
+  std::optional<Positions2> start_from_scratch(std::size_t k, Chart stretched, Budget& budget) const {
+    set_stretched_lengths(group_[k], stretched);
+    InternalOptions options = run_.options;
+    options.cloth.reset();
+    options.mends_folds = false;
+    Problem problem(stretched, options.fairness);
+    Solution found = refine_chart(problem, options, {budget, stop_});
+    if (!found.is_exact()) return std::nullopt;
+    stand_upright(found.shape.uv, upright_direction(stretched, found.shape.uv, run_.options));
+    return found.shape.uv * group_[k].lengths.flat_share.cwiseInverse().asDiagonal();
+  }
+
+  /// Returns false if no shape has the lengths.
+  bool refine_faulty(std::size_t k, const Chart& fixed) {
+    if (stop_.is_stopped()) return false;
+    SolvedChart& one = group_[k].solved;
+    Budget budget(run_.options.max_factorizations);
+    Solution found = refine({}, k, fixed, solver_.before(k).uv, budget);
+    if (!found.is_exact()) {
+      if (const std::optional<Positions2> start = start_from_scratch(k, fixed, budget)) {
+        found = refine({}, k, fixed, *start, budget);
+      }
+    }
+    if (found.is_exact() && injectivity_of(fixed, found.shape.uv) != Injectivity::none) {
+      Solution of_cloth = refine(stage_of_cloth(Injectivity::local), k, fixed, found.shape.uv, budget);
+      of_cloth.iterations += found.iterations;
+      found.status = SolutionStatus::stalled;
+      if (of_cloth.is_exact()) found = std::move(of_cloth);
+    }
+    found.factorizations = budget.spent();
+    if (!found.is_exact()) {
+      one.report.factorizations += budget.spent();
+      return false;
+    }
+    report_next_refinement(found, stop_.is_stopped(), one.report);
+    one.report.projected_gradient = kNoGradient;
+    one.variation = variations_of(fixed, found.shape.variation);
+    one.uv = std::move(found.shape.uv);
+    finish(k, has_folds(fixed, one.uv));
+    return true;
+  }
+
+  /// Sets what follows from a new shape.
+  void finish(std::size_t k, bool is_folded) {
+    const GroupMember& member = group_[k];
+    set_stretched_lengths(member, member.chart);
+    if (is_folded) propose_seams_for_layout(member.chart, run_, stop_, member.solved);
+    lie_flat(member);
+  }
+
+  /// Replaces the layout by an error. Its proposed seams are evaluated at the stretched lengths; others would not help.
+  void explain(std::size_t k, bool ran_out) const {
+    Chart stretched = group_[k].chart;
+    set_stretched_lengths(group_[k], stretched);
+    std::vector<VertexPair> seams;
+    if (!stop_.is_stopped()) seams = attempt([&] { return propose_seams(stretched, run_, stop_); });
+    SolvedChart& one = group_[k].solved;
+    one.uv.resize(0, 2);
+    one.network.reset();
+    one.proposed_seams.clear();
+    one.report.termination = stop_.is_stopped() ? Termination::cancelled : Termination::failed;
+    one.error = stop_.is_stopped() ? cancelled() : infeasible_stretch(stretched, run_.options, seams, ran_out);
+  }
+
+  static void set_stretched_lengths(const GroupMember& member, Chart& chart) {
+    const std::vector<double>& ratio = member.lengths.ratio;
+    chart.length_ratio.resize(chart.mesh.n_edges(), 1);
+    for (std::size_t e = 0; e < ratio.size(); ++e) chart.length_ratio[e] *= ratio[e];
+  }
+
+  /// Turns the layout in the plane of the stretched cloth into the flat one.
+  static void lie_flat(const GroupMember& member) {
+    const Chart& chart = member.chart;
+    const Eigen::RowVector2d& share = member.lengths.flat_share;
+    SolvedChart& one = member.solved;
+    one.report.objective *= share.prod();  // per flat area
+    one.uv = one.uv * share.asDiagonal();
+    one.network = build_wire_network(chart);
+    const std::vector<double> flat = variations_of(chart, length_variation(chart, one.uv));
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      if (chart.wire_parts[i].kind == WireKind::super_elastic) one.variation[i] = flat[i];
+    }
+  }
+
+  const std::vector<GroupMember>& group_;
+  const Run& run_;
+  const StopToken stop_;
+  GroupSolver solver_;
+};
+
+/// Returns h of each wire part of a chart, on elastic seams that of their sides in other charts.
+std::vector<double> variation_of_mates(const GroupMember& member, const std::vector<GroupMember>& others) {
+  std::vector<double> variation = member.solved.variation;
+  for (const GroupMember& other : others) {
+    if (other.solved.uv.rows() == 0) continue;
+    for (std::size_t i = 0; i < variation.size(); ++i) {
+      const WirePart& own = member.chart.wire_parts[i];
+      for (std::size_t j = 0; j < other.chart.wire_parts.size(); ++j) {
+        const WirePart& mate = other.chart.wire_parts[j];
+        const bool is_same_seam = is_elastic_boundary(own) && is_elastic_boundary(mate) &&
+                                  mate.wire_index == own.wire_index && mate.part == own.part;
+        if (is_same_seam) variation[i] = other.solved.variation[j];
+      }
+    }
+  }
+  return variation;
+}
+
+/// flipped: those that are flipped without the stretch. They have the common lengths that the others find.
+void stretch_group(const std::vector<GroupMember>& others, const std::vector<GroupMember>& flipped, const Run& run,
+                   const StopToken& stop) {
+  if (!others.empty()) StretchedGroup(others, run, stop).solve();
+  for (const GroupMember& member : flipped) {
+    const Chart fixed = with_fixed_seams(member.chart, variation_of_mates(member, others));
+    StretchedGroup({member}, run, stop).solve_faulty(0, fixed, false);
+  }
+}
+
+bool has_elastic_boundary(const Chart& chart) {
+  return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(), is_elastic_boundary);
+}
+
+}  // namespace
+
+void stretch_charts(Charts& charts, const Run& run, ProgressReport& report, std::vector<SolvedChart>& solved) {
+  const Cloth& cloth = *run.options.cloth;
+  ChartsProgress progress(report, charts.charts, kUnstretched, kChartsFlat);
+  const StretchedLengths lengths = find_stretched_lengths(charts, solved, cloth);
+  const std::vector<std::vector<int>> groups = group_by_elastic_seams(charts.charts);
+  progress.run(groups.size(), [&](std::size_t g) {
+    const std::vector<int>& group = groups[g];
+    const bool is_elastic =
+        std::any_of(group.begin(), group.end(), [&](int c) { return has_elastic_boundary(charts.charts[c]); });
+    std::vector<GroupMember> flipped, others;
+    for (const int c : group) {
+      Chart& chart = charts.charts[c];
+      const Positions2& uv = solved[c].uv;
+      if (uv.rows() == 0) continue;
+      const bool is_flipped = injectivity_of(chart, uv) == Injectivity::none;
+      (is_flipped ? flipped : others)
+          .push_back({chart,
+                      solved[c],
+                      is_elastic,
+                      {{hold_upright(chart, uv, run.options)}, lengths.ratios[c], flat_share(cloth)}});
+    }
+    stretch_group(others, flipped, run, progress.stop_token(static_cast<std::size_t>(group.front())));
+    for (const int c : group) progress.finish(static_cast<std::size_t>(c));
+  });
+  for (std::size_t c = 0; c < solved.size(); ++c) {
+    std::vector<std::string>& own = solved[c].report.warnings;
+    own.insert(own.end(), lengths.warnings[c].begin(), lengths.warnings[c].end());
+  }
+}
+
+}  // namespace wirewarp
