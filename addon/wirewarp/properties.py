@@ -72,8 +72,8 @@ class PatternSettings:
         update=_redraw,
     )
     pairs: BoolProperty(
-        name="Mirrored Pairs",
-        description="Draw one piece of each mirrored pair: it is cut as drawn and mirrored",
+        name="Pairs and Copies",
+        description="Draw pieces of one shape once, with the number to cut: mirrored pairs and equal pieces",
         update=_redraw,
     )
     on_fold: BoolProperty(

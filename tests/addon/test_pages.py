@@ -63,7 +63,7 @@ def test_there_are_as_many_as_the_file_has(addon, source, tmp_path, paper, besid
 
 
 @pytest.mark.parametrize("arrangement", ["IN_ROWS", "AS_LAID_OUT"])
-def test_pairs_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path, arrangement):
+def test_copies_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path, arrangement):
     """For a flat square of 200 mm, divided in the middle: half of one half."""
     for pause in ("IDLE_SHARE", "SOON", "REST"):
         monkeypatch.setattr(addon.state.drawings, pause, 0.0)
@@ -80,7 +80,7 @@ def test_pairs_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path, 
         assert size in (pytest.approx([110, 120], abs=0.01), pytest.approx([60, 220], abs=0.01))
     names = [piece.name for piece in source.wirewarp_pieces]
     said = addon.overlay.shown.shown_copies(view_context(), source, flat_of(source))
-    assert said == [f"Cut 1 pair: {names[0]} and {names[1]}", f"On the fold: {names[0]}"]
+    assert said == [f"Cut 2: {names[0]} and {names[1]}", f"On the fold: {names[0]}"]
     bpy.ops.object.wirewarp_export(filepath=str(tmp_path / "a.svg"), pairs=True, on_fold=True)
     root = ElementTree.parse(tmp_path / "a.svg").getroot()
     assert [path.get("data-role") for path in root.iter("{http://www.w3.org/2000/svg}path")].count("cut") == 1

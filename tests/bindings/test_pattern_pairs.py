@@ -44,9 +44,25 @@ def test_a_pair_is_cut_as_drawn_and_mirrored():
     paired = sample("Fitted top", pairs=True)
     assert [piece.quantity for piece in paired.pieces] == [(1, 0), (1, 0), (1, 1)]
     assert "Cut 1 pair (2 pieces, one mirrored)" in paired.pieces[2].texts[0].lines
-    assert paired.pieces[2].mirrored_name == "Piece 4"
+    assert paired.pieces[2].copied_names == ("Piece 4",)
     pairs = paired.with_quantities({3: (2, 2), 1: (5, 1)})
     assert "Cut 2 pairs" in pairs.pieces[2].texts[0].lines and "Cut 5 and 1 mirrored" in pairs.pieces[0].texts[0].lines
+
+
+def test_pieces_of_one_shape_are_cut_several_times():
+    """A piece without symmetry, one beside it, one after half a turn, and a mirrored one."""
+    corners = np.array([(0, 0), (90, 0), (80, 40), (0, 60)])
+    places = [corners, corners + (200, 0), (490, 60) - corners, (corners * (-1, 1) + (700, 0))[::-1]]
+    faces = [tuple(range(4 * place, 4 * place + 4)) for place in range(4)]
+    (piece,) = Pattern.from_result(quads(np.concatenate(places), faces), pairs=True).pieces
+    assert piece.quantity == (3, 1) and piece.copied_names == ("Piece 2", "Piece 3", "Piece 4")
+    lines = piece.texts[0].lines
+    assert "Cut 3 and 1 mirrored" in lines and "Piece 1 and 3 more" in lines
+
+
+def test_the_gores_of_a_ball_are_one_piece():
+    (gore,) = sample("Ball of six gores", pairs=True).pieces
+    assert gore.quantity == (6, 0) and "Cut 6" in gore.texts[0].lines
 
 
 def test_pieces_cut_mirrored_alone_say_so():
@@ -78,7 +94,7 @@ def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
     checked = 0
     for opened_piece, placement in laid:
         own = drawn.pieces[placement.piece - 1]
-        original = whole.pieces[names.index(own.mirrored_name if placement.mirrored else own.name)]
+        original = whole.pieces[names.index(own.copied_names[0] if placement.mirrored else own.name)]
         # Pieces may be rotated by half a turn.
         turned = [opened_piece.placed(Motion(np.zeros(2), angle)) for angle in (0.0, 180.0)]
         moved = [each.moved(original.bounds[0] - each.bounds[0]) for each in turned]
@@ -106,8 +122,8 @@ def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
     assert checked > 10
 
 
-def test_a_mirror_keeps_the_grain():
-    """Two equal squares are a pair, or a square is cut on the fold, only if the grain of the copy is right."""
+def test_a_copy_keeps_the_grain():
+    """Two equal rectangles are copies, or a rectangle is cut on the fold, only if the grain of the copy is right."""
     points = [(0, 0), (90, 0), (90, 120), (0, 120), (200, 0), (290, 0), (290, 120), (200, 120)]
     result = quads(points, [(0, 1, 2, 3), (4, 5, 6, 7)])
     pieces = [flat_piece(piece, "Front", 1000.0) for piece in result.pieces]
@@ -119,8 +135,9 @@ def test_a_mirror_keeps_the_grain():
 
     up, down, across, bias, other_bias = (0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (1.0, 1.0), (1.0, -1.0)
     assert len(drawn(up, up, pairs=True)) == len(drawn(up, down, pairs=True)) == 1
-    assert len(drawn(bias, other_bias, pairs=True)) == 1
-    assert len(drawn(up, across, pairs=True)) == len(drawn(bias, bias, pairs=True)) == 2
+    (copies,), (pair,) = drawn(bias, bias, pairs=True), drawn(bias, other_bias, pairs=True)
+    assert (copies.quantity, pair.quantity) == ((2, 0), (1, 1))
+    assert len(drawn(up, across, pairs=True)) == len(drawn(up, bias, pairs=True)) == 2
     assert [piece.on_fold for piece in drawn(across, bias, on_fold=True)] == [True, False]
 
 
@@ -130,7 +147,7 @@ def test_every_seam_is_named_on_paper(name):
     drawn = sample(name, pairs=True, on_fold=True)
     for piece in drawn.pieces:
         numbers = set(" ".join(line.name for line in piece.of_role("sew")).replace("/", " ").split()) - {"Seam"}
-        own = {piece.name, piece.mirrored_name}
+        own = {piece.name, *piece.copied_names}
         assert numbers == {walk.name.split()[1] for walk in drawn.walks if own & set(walk.pieces)}
 
 

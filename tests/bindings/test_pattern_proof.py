@@ -21,13 +21,13 @@ def test_the_proof_names_every_piece_and_both_sides_of_every_seam(tmp_path, pape
     assert [walk.lengths[0] for walk in pattern.walks] == pytest.approx([1000 * s.length_2d[0] for s in result.seams])
 
 
-def test_the_proof_states_how_far_mirror_images_are_off(tmp_path):
+def test_the_proof_states_how_far_copies_are_off(tmp_path):
     pattern = sample("Cushion", pairs=True, on_fold=True)
     text = proof_words(pattern, tmp_path / "a.pdf")
-    borders = [piece for piece in pattern.pieces if piece.mirrored_name and piece.on_fold]
-    assert len(borders) == 2 and all(0.001 < piece.deviation < 0.1 for piece in borders)
+    borders = [piece for piece in pattern.pieces if piece.copied_names and piece.on_fold]
+    assert [piece.quantity for piece in borders] == [(4, 0)] and all(0.001 < piece.deviation < 0.1 for piece in borders)
     for piece in borders:
-        assert f"Its mirror image differs by up to {piece.deviation:.3f} mm" in text
+        assert f"A copy differs by up to {piece.deviation:.3f} mm" in text
 
 
 def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):

@@ -50,10 +50,16 @@ def crossing_sentence(made: pattern.Pattern) -> str:
 
 
 def copies_sentences(made: pattern.Pattern) -> list[str]:
-    """Return sentences on pieces that are drawn once for their mirror images."""
-    pairs = [f"{piece.name} and {piece.mirrored_name}" for piece in made.pieces if piece.mirrored_name]
+    """Return sentences on pieces that are drawn once for all their copies, and on halves."""
+    drawn: dict[str, list[str]] = {}
+    for piece in made.pieces:
+        if piece.copied_names:
+            hidden = len(piece.copied_names) - SHOWN_NAMES
+            *others, last = piece.copied_names[:SHOWN_NAMES] + ((f"{hidden} more",) if hidden > 0 else ())
+            drawn.setdefault(piece.quantity_text, []).append(f"{', '.join([piece.name, *others])} and {last}")
     folds = [piece.name for piece in made.pieces if piece.on_fold]
-    return [f"{what}: {', '.join(names)}" for what, names in (("Cut 1 pair", pairs), ("On the fold", folds)) if names]
+    sentences = [f"{what}: {'; '.join(names)}" for what, names in drawn.items()]
+    return [*sentences, f"On the fold: {', '.join(folds)}"] if folds else sentences
 
 
 def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:

@@ -35,7 +35,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row is None:
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
-        columns = line.split(factor=0.68)
+        columns = line.split(factor=0.76)
         columns.prop(entry, "name", text="", emboss=False, **mark_of(row.ok, row.is_strained))
         if row.has_layout:
             figure = columns.row()

@@ -200,7 +200,7 @@ def _model_options() -> argparse.ArgumentParser:
         "--allowance", default="10mm", type=_length, help="width of seam allowances: 10mm, 1cm, 3/8in (10mm)"
     )
     options.add_argument("--hem", type=_length, help="allowance of edges that are not sewn (as --allowance)")
-    options.add_argument("--pairs", action="store_true", help="draw one piece of each mirrored pair")
+    options.add_argument("--pairs", action="store_true", help="draw pieces of one shape once, also mirrored ones")
     options.add_argument("--on-fold", action="store_true", help="draw half of each symmetric piece, to cut on the fold")
     options.add_argument("--imperial", action="store_true", help="use inches in texts and test squares")
     options.add_argument(

@@ -92,12 +92,20 @@ class PatternPiece:
     material: str = ""
     on_fold: bool = False  # half of it is drawn; the other half lies beyond the fold
     area: float = 0.0  # square millimeters inside the stitching lines, of the whole piece
-    mirrored_name: str = ""  # name of the piece that its mirrored copy replaces
-    deviation: float = 0.0  # millimeters: largest distance of a mirrored copy from the flattened shape
+    copied_names: tuple[str, ...] = ()  # names of the pieces that its other copies replace
+    deviation: float = 0.0  # millimeters: largest distance of a copy from the flattened shape
     allowances: tuple[float, ...] = ()  # different widths outside its stitching lines, in millimeters, without 0
 
     def of_role(self, *roles: str) -> list[Line]:
         return [line for line in self.lines if line.role in roles]
+
+    @property
+    def quantity_text(self) -> str:
+        """Return the quantity in the words of makers."""
+        as_drawn, mirrored = self.quantity
+        if mirrored == as_drawn:
+            return "Cut 1 pair" if as_drawn == 1 else f"Cut {as_drawn} pairs"
+        return "Cut " + " and ".join([str(as_drawn)] * (as_drawn > 0) + [f"{mirrored} mirrored"] * (mirrored > 0))
 
     @property
     def bounds(self) -> tuple[np.ndarray, np.ndarray]:

@@ -19,7 +19,7 @@ class PatternOptions(TypedDict, total=False):
     # (k,3) width on one side of an edge: that of the triangle in which it runs from the first vertex to the second
     side_allowances: npt.ArrayLike | None
     folds: npt.ArrayLike | None  # (k,2) edges that are not sewn, but at which the fabric lies double: not cut
-    pairs: bool  # draw one piece of each mirrored pair, "Cut 1 pair" (False)
+    pairs: bool  # draw pieces of one shape once, "Cut 4", also mirrored ones, "Cut 1 pair" (False)
     on_fold: bool  # draw one half of each symmetric piece, "Cut 1 on the fold" (False)
     measures: Sequence[tuple[str, float]]  # names and finished lengths, for the proof sheet (those of the rigid wires)
     notch_spacing: float  # along seams, 0 for none (100)

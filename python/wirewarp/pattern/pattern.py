@@ -15,7 +15,7 @@ from .formats import writing
 from .formats.pdf import page_sizes
 from .formats.svg import page_size
 from .label.card import with_card, with_card_anew
-from .make.copies import copies_of, drawn_once, mirrored_sides
+from .make.copies import copied_sides, copies_of, drawn_once
 from .make.fold import unfolded
 from .make.marks import marks, walks_of
 from .make.notches import check_spacing
@@ -121,13 +121,13 @@ class Pattern(PatternData):
         check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seam_names, seams)
         system = UnitSystem(units)
         copies = copies_of(laid, [outlined(own) for own in laid], pairs, on_fold)
-        mirrored = mirrored_sides(copies, laid, seams)
-        points = marks(laid, seams, mirrored.groups, notch_spacing)
+        copied = copied_sides(copies, laid, seams)
+        points = marks(laid, seams, copied.groups, notch_spacing)
         joined, notes = joined_by(laid), notes_on_sides(seams, system)
 
         def described(side: Side) -> dict[str, str]:
             """Return the names of all seams for which the side is drawn: "Seam 3 / 5"."""
-            by_seam = {own.seam: own for own in mirrored.copies(side) if own.seam is not None}
+            by_seam = {own.seam: own for own in copied.copies(side) if own.seam is not None}
             first, *others = (seam_names[seam] for seam in by_seam)
             names = [first, *map(short_name, others)]
             partners = [name for seam, own in by_seam.items() for name in joined[seam] if name != laid[own.piece].name]

@@ -16,6 +16,7 @@ from .room import Room
 from .text_place import place_text
 
 TEXT_HEIGHT, LEAST_HEIGHT = 8.0, 2.5  # millimeters; smaller letters cannot be read on fabric
+SHOWN_NAMES = 2  # more names would make the letters too small
 DOWN = np.array([0.0, -1.0])
 
 
@@ -40,7 +41,7 @@ def with_card(
     allowance = units.range_of(piece.allowances)
     includes = "No seam allowance" if allowance == "none" else f"Includes {allowance} allowance"
     place = f"{number} of {count}"
-    name = " / ".join(filter(None, [piece.name, piece.mirrored_name]))
+    name = _name_with_copies(piece)
     lines = (heading, place, name, how_to_cut(piece), piece.material, includes, units.area_text(piece.area))
     drawn = [*(line.points for line in piece.of_role("wire", "grain", "sew")), *sheets.borders]
     outlines = [line.points for line in piece.of_role("cut", "inner_cut")]
@@ -54,6 +55,11 @@ def with_card(
     if led:
         text, leaders = [led[0]], [led[1], *leaders]
     return replace(piece, number=number, lines=[*kept, *leaders], texts=[*text, *names])
+
+
+def _name_with_copies(piece: PatternPiece) -> str:
+    names = [name for name in (piece.name, *piece.copied_names) if name]
+    return " / ".join(names) if len(names) <= SHOWN_NAMES else f"{names[0]} and {len(names) - 1} more"
 
 
 def with_card_anew(
@@ -83,10 +89,7 @@ def _short_cards(texts: list[str], outlines: list[np.ndarray]) -> list[Text]:
 
 
 def how_to_cut(piece: PatternPiece) -> str:
-    """Return the quantity in the words of makers."""
-    as_drawn, mirrored = piece.quantity
+    """Return the quantity, with what a maker must know to cut it."""
     if piece.on_fold:
-        return f"Cut {as_drawn + mirrored} on the fold"  # opened, each piece is its own mirror image
-    if mirrored == as_drawn:
-        return "Cut 1 pair (2 pieces, one mirrored)" if as_drawn == 1 else f"Cut {as_drawn} pairs"
-    return "Cut " + " and ".join([str(as_drawn)] * (as_drawn > 0) + [f"{mirrored} mirrored"] * (mirrored > 0))
+        return f"Cut {sum(piece.quantity)} on the fold"  # opened, each piece is its own mirror image
+    return piece.quantity_text + (" (2 pieces, one mirrored)" if piece.quantity == (1, 1) else "")

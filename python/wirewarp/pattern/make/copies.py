@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Leaves out what a mirror makes: one piece of each mirrored pair, and one half of a symmetric piece.
+"""Leaves out copies: all but one piece of one shape, mirrored or not, and one half of a symmetric piece.
 
-Notches are at the same places on seams that a mirror maps to each other; otherwise, a mirrored copy would not fit.
+Notches are at the same places on seams that a copy maps to each other; otherwise, the copy would not fit.
 """
 
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from ..model import PatternPiece
 from .fold import ALONG, folded
-from .mirror import ALIKE, Mirror, fold_of, mirrors_between
+from .mirror import ALIKE, Congruence, congruences, fold_of
 from .outline import Side
 from .pieces import Laid
 from .seams import SewnSide
@@ -21,41 +21,47 @@ from .seams import SewnSide
 
 @dataclass(frozen=True)
 class Copies:
-    """Mirrored pairs and folds by index of the piece."""
+    """Copies and folds by index of the drawn piece."""
 
-    # of the first piece of a pair: the second, and the mirror that maps it to the first
-    pairs: dict[int, tuple[int, Mirror]]
-    folds: dict[int, tuple[np.ndarray, Mirror]]  # the fold (2,2), and the mirror that maps the piece to itself
+    # the other pieces of its shape, and the map from each of them to the drawn piece
+    others: dict[int, list[tuple[int, Congruence]]]
+    folds: dict[int, tuple[np.ndarray, Congruence]]  # the fold (2,2), and the mirror that maps the piece to itself
 
     @property
     def left_out(self) -> set[int]:
         """Return the pieces that are not drawn."""
-        return {second for second, _ in self.pairs.values()}
+        return {other for others in self.others.values() for other, _ in others}
 
 
 def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool, on_fold: bool) -> Copies:
     """Return the copies.
 
-    pieces: those of laid, with their lines. A piece is in at most one pair, and not folded then.
+    pieces: those of laid, with their lines. pairs: whether pieces of one shape are drawn once.
     """
     found = Copies({}, {})
 
-    def mirrors(first: int, second: int) -> Iterator[Mirror]:
-        """Return the mirrors that keep the grain or reverse it."""
-        for mirror in mirrors_between(pieces[first], pieces[second]):
-            grain = mirror.direction(laid[second].grain)
-            if abs(grain[0] * laid[first].grain[1] - grain[1] * laid[first].grain[0]) < ALONG:
-                yield mirror
+    def maps(first: int, second: int, *, is_mirror: bool) -> list[Congruence]:
+        """Return the maps from the second piece to the first that keep the grain, and then those that reverse it."""
+        kept: list[Congruence] = []
+        reversing: list[Congruence] = []
+        for each in congruences(pieces[first], pieces[second], is_mirror=is_mirror):
+            grain, own = each.direction(laid[second].grain), laid[first].grain
+            if abs(grain[0] * own[1] - grain[1] * own[0]) < ALONG:
+                (kept if grain @ own > 0 else reversing).append(each)
+        return kept + reversing
 
+    left_out: set[int] = set()
     for first, second in combinations(range(len(pieces)), 2) if pairs else ():
-        if first not in found.left_out and second not in found.left_out and first not in found.pairs:
-            mirror = next(mirrors(first, second), None)
-            if mirror:
-                found.pairs[first] = second, mirror
-    for index, piece in enumerate(pieces) if on_fold else ():
-        if piece.on_fold or index in found.left_out:
+        if first in left_out or second in left_out:
             continue
-        folds = ((fold_of(piece, mirror), mirror) for mirror in mirrors(index, index))
+        found_maps = maps(first, second, is_mirror=False) or maps(first, second, is_mirror=True)
+        if found_maps:
+            found.others.setdefault(first, []).append((second, found_maps[0]))
+            left_out.add(second)
+    for index, piece in enumerate(pieces) if on_fold else ():
+        if piece.on_fold or index in left_out:
+            continue
+        folds = ((fold_of(piece, mirror), mirror) for mirror in maps(index, index, is_mirror=True))
         first_fold = next(((fold, mirror) for fold, mirror in folds if fold is not None), None)
         if first_fold:
             found.folds[index] = first_fold
@@ -67,12 +73,12 @@ class SeamGroup:
     """Seams whose notches are at the same places."""
 
     turned: dict[int, bool]  # by seam: whether places count from the other end than those of the first seam
-    is_symmetric: bool = False  # a mirror maps a seam to itself, end for end
+    is_symmetric: bool = False  # a copy maps a seam to itself, end for end
 
 
 @dataclass(frozen=True)
-class MirroredSides:
-    """The sides of seams that mirrors map to each other."""
+class CopiedSides:
+    """The sides of seams that copies map to each other."""
 
     groups: list[SeamGroup]
     images: dict[int, list[Side]] = field(default_factory=dict)  # by the id() of a side: its images
@@ -85,29 +91,30 @@ class MirroredSides:
         return found
 
 
-def mirrored_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]]) -> MirroredSides:
+def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]]) -> CopiedSides:
     forward = {id(own.side): own.is_forward for sides in seams for own in sides}
     # by seam: its images, and whether they run in the other direction
     turns: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     images: dict[int, list[Side]] = defaultdict(list)
-    mirrors = [(first, second, mirror) for first, (second, mirror) in copies.pairs.items()]
-    mirrors += [(index, index, mirror) for index, (_, mirror) in copies.folds.items()]
-    for first, second, mirror in mirrors:
-        for side, image in _matched(laid[first], laid[second], mirror):
+    maps = [(first, second, each) for first, others in copies.others.items() for second, each in others]
+    maps += [(index, index, mirror) for index, (_, mirror) in copies.folds.items()]
+    for first, second, each in maps:
+        for side, image in _matched(laid[first], laid[second], each):
             a, b = side.seam, image.seam
             if a is None or b is None:
                 continue
-            is_turned = forward[id(side)] == forward[id(image)]  # outlines run in the other direction in a mirror
+            # Outlines run in the other direction in a mirror.
+            is_turned = (forward[id(side)] == forward[id(image)]) == each.is_mirror
             turns[a].append((b, is_turned))
             turns[b].append((a, is_turned))
             images[id(side)].append(image)
             images[id(image)].append(side)
-    return MirroredSides(_groups(len(seams), turns), images)
+    return CopiedSides(_groups(len(seams), turns), images)
 
 
-def _matched(first: Laid, second: Laid, mirror: Mirror) -> list[tuple[Side, Side]]:
+def _matched(first: Laid, second: Laid, found: Congruence) -> list[tuple[Side, Side]]:
     """Return the sides of the first piece, and those of the second whose images match them."""
-    images = [(side, mirror.image(side.points[::-1])) for loop in second.loops for side in loop]
+    images = [(side, found.of_outline(side.points)) for loop in second.loops for side in loop]
     return [
         (side, other)
         for side in (side for loop in first.loops for side in loop)
@@ -138,15 +145,19 @@ def _groups(count: int, turns: dict[int, list[tuple[int, bool]]]) -> list[SeamGr
 
 
 def drawn_once(pieces: Sequence[PatternPiece], copies: Copies) -> list[PatternPiece]:
-    """Return the pieces without those that mirrors make. pieces: all of them, each to be cut once as drawn."""
-    drawn = []
+    """Return the pieces without copies of others. pieces: all of them, each to be cut once as drawn."""
+    left_out, drawn = copies.left_out, []
     for index, piece in enumerate(pieces):
-        if index in copies.left_out:
+        if index in left_out:
             continue
-        own = piece
-        if index in copies.pairs:
-            second, mirror = copies.pairs[index]
-            own = replace(own, quantity=(1, 1), mirrored_name=pieces[second].name, deviation=mirror.deviation)
+        others = copies.others.get(index, [])
+        mirrored = sum(each.is_mirror for _, each in others)
+        own = replace(
+            piece,
+            quantity=(1 + len(others) - mirrored, mirrored),
+            copied_names=tuple(pieces[other].name for other, _ in others),
+            deviation=max([piece.deviation, *(each.deviation for _, each in others)]),
+        )
         if index in copies.folds:
             fold, mirror = copies.folds[index]
             own = replace(folded(own, fold), deviation=max(own.deviation, mirror.deviation))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds reflections that map one piece to another, or to itself."""
+"""Finds reflections and rotations that map one piece to another, or to itself."""
 
 import math
 from collections.abc import Iterator
@@ -11,63 +11,76 @@ from ..geometry import distances_to
 from ..model import PatternPiece
 
 LEVEL = 1e-9  # rise of a unit vector: rounding must not decide which half of a piece with a level fold is drawn
-ALIKE = 0.1  # millimeters between a point and its mirror image: less than the width of a printed line
+ALIKE = 0.1  # millimeters between a point and its image: less than the width of a printed line
 IN_PHASE = 1e-3  # share by which a match may be below the best one: pieces may have several axes
 
 
 @dataclass(frozen=True)
-class Mirror:
-    """z -> turn * conj(z) + shift: a reflection, possibly with a shift along its axis; points are complex numbers."""
+class Congruence:
+    """z -> turn * conj(z) + shift, a reflection, possibly with a shift along its axis, or z -> turn * z + shift, a
+    rotation; points are complex numbers.
+    """
 
     turn: complex
     shift: complex
-    deviation: float = 0.0  # millimeters: the largest distance of a mirror image from the flattened shape
+    is_mirror: bool = True
+    deviation: float = 0.0  # millimeters: the largest distance of an image from the flattened shape
 
     @property
     def axis(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return a point (2,) of the axis and its direction (2,)."""
+        """Return a point (2,) of a reflection's axis and its direction (2,)."""
         along = np.sqrt(self.turn)
         point = self.shift / 2
         return np.array([point.real, point.imag]), np.array([along.real, along.imag])
 
     def direction(self, vector: np.ndarray) -> np.ndarray:
         """Return the image of a vector (2,), which is not shifted."""
-        image = self.turn * complex(vector[0], -vector[1])
+        image = self.turn * complex(vector[0], -vector[1] if self.is_mirror else vector[1])
         return np.array([image.real, image.imag])
 
     def image(self, points: np.ndarray) -> np.ndarray:
         """Return the images of points (k,2)."""
-        images = self.turn * np.conj(points @ (1, 1j)) + self.shift
+        numbers = points @ (1, 1j)
+        images = self.turn * (np.conj(numbers) if self.is_mirror else numbers) + self.shift
         return np.column_stack([images.real, images.imag])
 
+    def of_outline(self, points: np.ndarray) -> np.ndarray:
+        """Return the images of points (k,2) along an outline, in the order in which the other outline has them."""
+        return self.image(points[::-1] if self.is_mirror else points)
 
-def mirrors_between(first: PatternPiece, second: PatternPiece) -> Iterator[Mirror]:
-    """Yield the mirrors that map the second piece to the first, those with the most upright axes first.
 
-    The triangles along both outlines must correspond, and wires and allowances must match, too. A seam all around an
-    outline has no natural start, so its notches could differ: pieces with one have no mirror.
+def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -> Iterator[Congruence]:
+    """Yield the reflections or rotations that map the second piece to the first.
+
+    Reflections with the most upright axes and the smallest rotations come first. The triangles along both outlines must
+    correspond, and wires and allowances must match, too. A seam all around an outline has no natural start, so its
+    notches could differ: pieces with one have no copies.
     """
     if any(line.closed and line.seam is not None for line in first.of_role("sew")):
         return
     outlines = [_outline_loops(piece) for piece in (first, second)]
     if not outlines[0] or [len(loop) for loop in outlines[0]] != [len(loop) for loop in outlines[1]]:
         return
-    outer, image = outlines[0][0] @ (1, 1j), np.conj(outlines[1][0][::-1] @ (1, 1j))
+    outer, image = outlines[0][0] @ (1, 1j), outlines[1][0] @ (1, 1j)
+    if is_mirror:
+        image = np.conj(image[::-1])
     steps, turned = np.roll(outer, -1) - outer, np.roll(image, -1) - image
     if abs(np.abs(steps).sum() - np.abs(turned).sum()) > ALIKE:
         return
     # The sum of steps times conjugate steps is largest if they are in phase, and its angle is that of the turn.
     match = np.fft.ifft(np.fft.fft(steps) * np.conj(np.fft.fft(turned)))
     best = np.flatnonzero(np.abs(match) >= (1 - IN_PHASE) * np.abs(match).max(initial=np.finfo(float).tiny))
-    for phase in sorted(best.tolist(), key=lambda phase: round(float(match[phase].real / abs(match[phase])), 6)):
+    sign = 1 if is_mirror else -1  # a reflection in an upright axis has the turn -1
+    for phase in sorted(best.tolist(), key=lambda phase: round(sign * float(match[phase].real / abs(match[phase])), 6)):
         turn = complex(match[phase] / abs(match[phase]))
         shift = complex((outer - turn * np.roll(image, phase)).mean())
-        found = Mirror(turn, shift, float(np.abs(outer - turn * np.roll(image, phase) - shift).max()))
+        deviation = float(np.abs(outer - turn * np.roll(image, phase) - shift).max())
+        found = Congruence(turn, shift, is_mirror, deviation)
         if found.deviation <= ALIKE and _rest_fits(found, outlines, first, second):
             yield found
 
 
-def fold_of(piece: PatternPiece, mirror: Mirror) -> np.ndarray | None:
+def fold_of(piece: PatternPiece, mirror: Congruence) -> np.ndarray | None:
     """Return the upward line (2,2) on which the piece can be folded onto itself; None if the mirror also shifts it."""
     point, along = mirror.axis
     if abs((mirror.shift * np.conj(np.sqrt(mirror.turn))).real) > ALIKE:
@@ -90,14 +103,14 @@ def _outline_loops(piece: PatternPiece) -> list[np.ndarray]:
     return [np.concatenate(loop) for loop in loops]
 
 
-def _rest_fits(mirror: Mirror, outlines: list[list[np.ndarray]], first: PatternPiece, second: PatternPiece) -> bool:
+def _rest_fits(found: Congruence, outlines: list[list[np.ndarray]], first: PatternPiece, second: PatternPiece) -> bool:
     """Return whether holes, allowances and wires match as well as the outer outlines do."""
-    if not _covers(outlines[0][1:], [mirror.image(loop) for loop in outlines[1][1:]]):
+    if not _covers(outlines[0][1:], [found.image(loop) for loop in outlines[1][1:]]):
         return False
     kinds = {("cut", ""), ("inner_cut", ""), *(("wire", line.kind) for line in first.lines + second.lines)}
     for role, kind in kinds:
         own, others = ([line.points for line in piece.of_role(role) if line.kind == kind] for piece in (first, second))
-        if not _covers(own, [mirror.image(line) for line in others]):
+        if not _covers(own, [found.image(line) for line in others]):
             return False
     return True
 

@@ -40,7 +40,7 @@ def _piece_rows(pattern: PatternData) -> list[Row]:
         rows.append((f"{piece.number}  {piece.name}", cut, size, units.area_text(piece.area)))
         if piece.deviation > SHOWN:
             off = units.difference_text(piece.deviation)
-            rows.append(("", f"Drawn once. Its mirror image differs by up to {off}"))
+            rows.append(("", f"Drawn once. A copy differs by up to {off}"))
     if pattern.marker:
         return [*rows, (pattern.marker.sentence(units),)]
     for width in CLOTHS:
