@@ -102,7 +102,7 @@ std::vector<CholeskyProblem> cholesky_problems() {
     problems.push_back(problem("two vertices", k, random_positions(2, 2), {{0, 1}}));
     problems.push_back(problem("separate vertices", k, random_positions(50, 2), {}));
     problems.push_back(problem("complete graph", k, random_positions(150, 2), complete(150)));
-    problems.push_back(problem("random graph, in pieces", k, random_positions(300, 3), random_edges(300, 250)));
+    problems.push_back(problem("disconnected random graph", k, random_positions(300, 3), random_edges(300, 250)));
     problems.push_back(problem("random graph", k, random_positions(300, 3), random_edges(300, 900)));
     problems.push_back(mesh_problem(30, k));
   }
@@ -111,7 +111,7 @@ std::vector<CholeskyProblem> cholesky_problems() {
   coincident.positions.setZero();
   problems.push_back(std::move(coincident));
   CholeskyProblem apart = mesh_problem(20, 2);
-  apart.name = "mesh whose two unknowns a vertex are not joined";
+  apart.name = "mesh with two uncoupled unknowns per vertex";
   apart.lower.prune([](int row, int column, double) { return row % 2 == column % 2; });
   apart.lower.diagonal().array() += 10;
   problems.push_back(std::move(apart));

@@ -28,13 +28,13 @@ struct CholeskyProblem {
 /// Both directions of every edge.
 Graph graph_of(int num_vertices, const GraphEdges& edges);
 
-/// Σ B_eᵀ B_e over the edges with random B_e (k by 2k, entries within ±1), and 0.1 on the diagonal. Lower triangle.
+/// Lower triangle of Σ B_eᵀ B_e + 0.1 I over the edges, with random k by 2k matrices B_e whose entries are within ±1.
 SparseMatrix random_positive_definite(int num_vertices, const GraphEdges& edges, int k, unsigned seed);
 
-/// A triangulated square of n by n jittered vertices, k unknowns each, with some long edges, as bending rows make them.
+/// A triangulated square of n by n jittered vertices with k unknowns each. Long edges imitate the bending rows.
 CholeskyProblem mesh_problem(int n, int k);
 
-/// Meshes, random graphs, separate pieces, single vertices, positions that say nothing.
+/// Meshes, random and disconnected graphs, isolated vertices, and positions that are of no help.
 std::vector<CholeskyProblem> cholesky_problems();
 
 }  // namespace wirewarp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dense matrices, to compare with. Compiled once: Eigen's products and decompositions are what a test takes longest to
-// compile.
+// Dense matrices to compare with. They are compiled once, because Eigen's products and decompositions take most of a
+// test's compile time.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,19 +13,19 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 /// spaceᵀ·a·space.
 Eigen::MatrixXd reduced_to(const Eigen::MatrixXd& space, const Eigen::MatrixXd& a);
 
-/// Orthonormal columns that span the columns of full rank.
+/// An orthonormal basis of the span of the columns.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns);
 
-/// Orthonormal columns that span {x: a x = 0}.
+/// An orthonormal basis of the null space {x: a x = 0}.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& a);
 
-/// x with a x = b; a is regular.
+/// The solution x of a x = b; a is regular.
 Eigen::MatrixXd solve(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
-/// Of a symmetric matrix, in ascending order.
+/// The eigenvalues of a symmetric matrix, in ascending order.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 
-/// λ of symmetric·x = λ·metric·x, in ascending order; the metric is positive definite.
+/// The eigenvalues λ of symmetric·x = λ·metric·x, in ascending order; the metric is positive definite.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric, const Eigen::MatrixXd& metric);
 
 }  // namespace wirewarp::test

@@ -11,7 +11,7 @@ namespace {
 
 int place_of(const FlattenInput& input, int v) {
   const int count = static_cast<int>(input.vertices.rows());
-  if (count % 7 == 0) throw std::logic_error("two vertices would have one place");
+  if (count % 7 == 0) throw std::logic_error("the number of vertices must not be a multiple of 7");
   return (v * 7 + 3) % count;
 }
 

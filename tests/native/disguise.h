@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One surface given in another way.
+// The same surface with another position, orientation and numbering.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,11 @@
 
 namespace wirewarp::test {
 
-/// The same surface turned, mirrored and with its vertices, faces and corners in another order: face f is the last but
-/// f of the input, and its corners 0, 1 and 2 are those numbered 1, 0 and 2 there. The number of vertices must not be a
-/// multiple of 7.
+/// Returns the surface rotated, mirrored and renumbered. Of F faces, face f is the input's face F - 1 - f with its
+/// first two corners swapped. The number of vertices must not be a multiple of 7.
 FlattenInput disguised(const FlattenInput& input);
 
-/// Edges of the surface as they are numbered there.
+/// Returns edges of the surface in the numbering of disguised().
 std::vector<VertexPair> disguised(const FlattenInput& input, const std::vector<VertexPair>& edges);
 
 FlattenInput with_seams(FlattenInput input, const std::vector<VertexPair>& edges);

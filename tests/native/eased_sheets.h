@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sheets with a seam, and eases of its sides.
+// Sheets with a seam, and eases for its sides.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Refusals: the error that a call throws, and words of its sentence.
+// Errors: the one that a call throws, and words of its message.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace wirewarp::test {
 
-/// The FlattenError that a call throws. A failure of the test if it throws none.
+/// Returns the FlattenError that a call throws; the test fails if it throws none.
 template <typename Call>
 FlattenError error_of(const Call& call) {
   try {

@@ -17,23 +17,23 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-Sentences promises(const JudgeCase& judged) { return broken_guarantees(judged.input, judged.options, judged.result); }
+Sentences guarantees(const JudgeCase& judged) { return broken_guarantees(judged.input, judged.options, judged.result); }
 
-Sentences demands(const JudgeCase& judged) {
+Sentences expectations(const JudgeCase& judged) {
   return broken_expectations(judged.input, judged.options, judged.result, std::nullopt);
 }
 
-void expect_told(Sentences (*judge)(const JudgeCase&), const std::string& sentence, JudgeCase judged,
-                 const Spoil& spoil) {
+void expect_reported(Sentences (*judge)(const JudgeCase&), const std::string& sentence, JudgeCase judged,
+                     const Spoil& spoil) {
   EXPECT_EQ(judge(judged), Sentences{}) << "before it is spoiled";
   spoil(judged);
-  const Sentences told = judge(judged);
-  const bool is_told =
-      std::any_of(told.begin(), told.end(), [&](const auto& one) { return one.find(sentence) != std::string::npos; });
-  EXPECT_TRUE(is_told) << sentence << " is not in: " << ::testing::PrintToString(told);
+  const Sentences reported = judge(judged);
+  const bool is_reported = std::any_of(reported.begin(), reported.end(),
+                                       [&](const auto& one) { return one.find(sentence) != std::string::npos; });
+  EXPECT_TRUE(is_reported) << sentence << " is not in: " << ::testing::PrintToString(reported);
 }
 
-/// The corners say what the piece says.
+/// Copies the piece's coordinates to its faces' corners in corner_uv.
 void write_corners(JudgeCase& spoiled, const Piece& piece) {
   for (std::size_t f = 0; f < piece.source_face.size(); ++f) {
     for (int k = 0; k < 3; ++k) {
@@ -66,11 +66,11 @@ JudgeCase two_sheets() {
 }
 
 void expect_broken(const std::string& sentence, JudgeCase good, const Spoil& spoil) {
-  expect_told(promises, sentence, std::move(good), spoil);
+  expect_reported(guarantees, sentence, std::move(good), spoil);
 }
 
-void expect_demanded(const std::string& sentence, JudgeCase good, const Spoil& spoil) {
-  expect_told(demands, sentence, std::move(good), spoil);
+void expect_unexpected(const std::string& sentence, JudgeCase good, const Spoil& spoil) {
+  expect_reported(expectations, sentence, std::move(good), spoil);
 }
 
 Spoil moved_vertex(int number, int source_vertex, double right, double up) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results to spoil, one promise at a time: the judge of tests/judge has to tell.
+// Good results, and ways to break one guarantee at a time: the judge of tests/judge must report each.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace wirewarp::test {
 
-/// What the judge is given.
+/// The arguments of the judge.
 struct JudgeCase {
   FlattenInput input;
   Options options;
@@ -18,25 +18,25 @@ struct JudgeCase {
 
 JudgeCase flattened(const FlattenInput& input, const Options& options = {});
 
-/// A saddle of 8 by 8 quads, vertex i + 9 j, cut into two pieces along i = 4, in a row. The wires are "rigid" along
-/// j = 4 through both, "elastic" along i = 2, upright in piece 0, and "other" along i = 6 in piece 1.
+/// A saddle of 8 by 8 quads with vertices i + 9 j, cut along i = 4 into two pieces in a row. Wire "rigid" runs along j
+/// = 4 through both, "elastic" along i = 2 in piece 0, where it is upright, and "other" along i = 6 in piece 1.
 JudgeCase two_sheets();
 
 using Spoil = std::function<void(JudgeCase&)>;
 
-/// broken_guarantees() finds nothing in the good case, and says the sentence, or a longer one with it, once it is
-/// spoiled.
+/// Expects that broken_guarantees() reports nothing for the good case and, once the case is spoiled, a sentence that
+/// contains this one.
 void expect_broken(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
-/// The same of broken_expectations(); the input was given no error.
-void expect_demanded(const std::string& sentence, JudgeCase good, const Spoil& spoil);
+/// Expects the same of broken_expectations(), which is given no expected error.
+void expect_unexpected(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
-// Spoil the piece of this number, in its own coordinates and the corners alike.
+// Move or turn the piece with this number, together with its corners in corner_uv. Directions are those of the piece.
 Spoil moved_vertex(int number, int source_vertex, double right, double up);
 Spoil moved(int number, double right, double up);
 Spoil turned(int number, double angle);
 
-/// Gives piece 0 of the two sheets an error with a layout that names a vertex of it.
+/// Gives piece 0 of two_sheets() an error that has a layout and names one vertex.
 void fail(JudgeCase& sheets, ErrorCode code);
 
 }  // namespace wirewarp::test

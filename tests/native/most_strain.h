@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figure by which suggested cuts are judged, from the result of a run alone.
+// The figure of merit of suggested cuts, from the result of a run alone.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,7 +11,8 @@
 
 namespace wirewarp::test {
 
-/// Of the piece with most: what 99% of its area stay below of max(sigma_1, 1/sigma_2) - 1. Every piece has a shape.
+/// Returns max(sigma_1, 1/sigma_2) - 1 of the most strained piece: 99% of its area are at or below. Every piece must
+/// have a shape.
 inline double most_strain(const FlattenInput& input, const FlattenResult& result) {
   double most = 0;
   for (const Piece& piece : result.pieces) {

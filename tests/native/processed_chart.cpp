@@ -29,7 +29,7 @@ std::array<Point, 3> corners(const HalfEdgeMesh& mesh, FaceHandle f) {
 
 Point area_vector(const std::array<Point, 3>& p) { return ((p[1] - p[0]) % (p[2] - p[0])) / 2; }
 
-/// The refined triangles of an input face lie in it, face its way and cover it.
+/// Expects that the refined triangles of each input face lie in it, face the same way and fill it.
 void expect_same_surface(const Chart& chart, const Chart& refined) {
   ASSERT_EQ(refined.source_face.size(), refined.mesh.n_faces());
   std::vector<int> chart_face(1 + *std::max_element(chart.source_face.begin(), chart.source_face.end()));
@@ -41,7 +41,7 @@ void expect_same_surface(const Chart& chart, const Chart& refined) {
     const Point normal = area_vector(outer).normalized();
     const double outer_area = area_vector(outer).norm();
     const auto inner = corners(refined.mesh, f);
-    EXPECT_GT(area_vector(inner) | normal, 1e-9 * outer_area) << "a turned or flat triangle";
+    EXPECT_GT(area_vector(inner) | normal, 1e-9 * outer_area) << "a flipped or flat triangle";
     covered[input.idx()] += area_vector(inner) | normal;
     for (const Point& p : inner) {
       EXPECT_LT(std::abs((p - outer[0]) | normal), 1e-12 * std::sqrt(outer_area)) << "off the surface";
@@ -80,7 +80,7 @@ void expect_own_parts_kept(const Chart& chart, const Chart& refined) {
 }
 
 void expect_sound_helpers(const Chart& chart, const Chart& refined) {
-  std::set<int> edges;  // of wires and boundaries
+  std::set<int> edges;  // of wires and outlines
   for (const HalfEdgeChain& loop : refined.boundary_loops) {
     for (const HalfedgeHandle h : loop) edges.insert(refined.mesh.edge_handle(h).idx());
   }
@@ -108,13 +108,13 @@ void expect_sound_helpers(const Chart& chart, const Chart& refined) {
 Processed process(const FlattenInput& input) {
   Processed result{test::charts_of(input).charts[0], {}};
   std::optional<Chart> refined = process_topology(result.chart);
-  EXPECT_TRUE(refined) << "there is something to fix";
+  EXPECT_TRUE(refined) << "there is something to process";
   if (!refined) return result;
   result.refined = std::move(*refined);
   expect_same_surface(result.chart, result.refined);
   expect_own_parts_kept(result.chart, result.refined);
   expect_sound_helpers(result.chart, result.refined);
-  EXPECT_FALSE(process_topology(result.refined)) << "a second time there is nothing to fix";
+  EXPECT_FALSE(process_topology(result.refined)) << "processing a second time changes nothing";
   return result;
 }
 

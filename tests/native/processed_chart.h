@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chart before and after topology processing, and what holds for every one.
+// A chart before and after topology processing, and what every processed chart must satisfy.
 #pragma once
 
 #include "surface/charts/chart.h"
@@ -12,10 +12,10 @@ struct Processed {
   std::size_t num_helpers() const { return refined.wire_parts.size() - chart.wire_parts.size(); }
 };
 
-/// Processes the first chart and expects of it: the same surface and wires, sound helper wires, nothing left to fix.
+/// Processes the first chart, and expects the same surface and wires, sound helper wires and nothing left to process.
 Processed process(const FlattenInput& input);
 
-/// Largest difference between an edge's length on the surface and in ψ of the 3D lengths, relative.
+/// Returns the largest relative difference between the length of an edge on the surface and in ψ of the 3D lengths.
 double stretch_of_flattening(const Chart& chart);
 
 }  // namespace wirewarp::test

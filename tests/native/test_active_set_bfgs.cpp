@@ -37,7 +37,7 @@ TEST(ActiveSetBfgs, ModelMinimumSatisfiesTheOptimalityConditions) {
   }
 }
 
-TEST(ActiveSetBfgs, TheModelGoesDownWhereItHasNoCholeskyFactor) {
+TEST(ActiveSetBfgs, TheModelDecreasesEvenWithoutACholeskyFactor) {
   const Eigen::Matrix2d flat = Eigen::Matrix2d::Ones();
   ASSERT_NE(flat.llt().info(), Eigen::Success);
   const Eigen::Vector2d g(-1, -1);
@@ -45,7 +45,7 @@ TEST(ActiveSetBfgs, TheModelGoesDownWhereItHasNoCholeskyFactor) {
   EXPECT_NEAR(g.dot(d) + d.dot(flat * d) / 2, -0.5, 1e-6);
 }
 
-/// Rosenbrock's valley, minimum 0 at (1, 1).
+/// Rosenbrock's valley with the minimum 0 at (1, 1).
 std::optional<ValueAndGradient> rosenbrock(const Eigen::VectorXd& x) {
   const double a = 1 - x[0];
   const double b = x[1] - x[0] * x[0];
@@ -84,7 +84,7 @@ TEST(ActiveSetBfgs, FindsAMinimumAtABound) {
   EXPECT_NEAR(minimum.value, 1.25, 1e-10);
 }
 
-TEST(ActiveSetBfgs, BacksOffWhereTheFunctionIsNotDefined) {
+TEST(ActiveSetBfgs, BacksOffFromPointsWhereTheFunctionIsUndefined) {
   int refused = 0;
   const auto log_barrier = [&](const Eigen::VectorXd& x) -> std::optional<ValueAndGradient> {
     if (x[0] <= 0) {
@@ -96,7 +96,7 @@ TEST(ActiveSetBfgs, BacksOffWhereTheFunctionIsNotDefined) {
   const BoxMinimum minimum =
       minimize_in_box(log_barrier, constant(1, -100), constant(1, 100), constant(1, 50), 1e-12, 100);
   EXPECT_NEAR(minimum.x[0], 1, 1e-4);
-  EXPECT_GT(refused, 0) << "the test does not reach where the function ends";
+  EXPECT_GT(refused, 0) << "the iteration never reaches the edge of the domain";
 }
 
 TEST(ActiveSetBfgs, StopsAtItsBudgetWithTheBestPoint) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutting: seams of every arrangement, the outline they leave, and the parts of wires between them.
+// Cutting into charts: seams in every arrangement, the outlines, and the parts of wires between seams.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ void expect_sound(const Charts& charts, const FlattenInput& input) {
         EXPECT_EQ(chart.mesh.to_vertex_handle(loop[i]), chart.mesh.from_vertex_handle(loop[(i + 1) % loop.size()]));
       }
     }
-    EXPECT_EQ(outline_edges(chart), loop_edges) << "the chains cover the loops";
+    EXPECT_EQ(outline_edges(chart), loop_edges) << "the chains together are the loops";
   }
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(seen.size())) << "every face in one chart";
 }
@@ -62,7 +62,7 @@ TEST(Charts, ASeamAcrossMakesTwoChartsWithOneSeam) {
   EXPECT_EQ(charts.seams[0].edges.size(), static_cast<std::size_t>(n));
   ASSERT_EQ(charts.seams[0].sides.size(), 2u);
   EXPECT_EQ(std::set<int>({charts.seams[0].sides[0].chart, charts.seams[0].sides[1].chart}), std::set<int>({0, 1}));
-  // Each outline: the seam's side, and one stretch of the rectangle's edge.
+  // Each outline consists of the seam's side and one section of the rectangle's edge.
   for (const Chart& chart : charts.charts) EXPECT_EQ(chart.boundary_chains.size(), 2u);
 }
 
@@ -188,8 +188,8 @@ TEST(Charts, AWireAlongTheOutlineIsABoundaryPart) {
   }
 }
 
-/// Two flat disks of six triangles, one level and one upright, that share vertex 0 in their middle: the rims are 1 to 6
-/// and 7 to 12.
+/// Two flat disks of six triangles, one level and one upright, that share vertex 0 as their center. Their rims are
+/// vertices 1 to 6 and 7 to 12.
 FlattenInput disks_that_touch() {
   FlattenInput input;
   input.vertices.setZero(13, 3);
@@ -204,7 +204,7 @@ FlattenInput disks_that_touch() {
   return input;
 }
 
-TEST(Charts, ChartsThatTouchInAVertexAreFlattenedEachForItself) {
+TEST(Charts, ChartsThatShareOnlyAVertexAreFlattenedSeparately) {
   const FlattenInput triangles =
       test::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 1}}, {{0, 1, 2}, {0, 3, 4}});
   for (const FlattenInput& input : {triangles, disks_that_touch()}) {

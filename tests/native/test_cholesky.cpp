@@ -75,7 +75,7 @@ TEST(MultifrontalCholesky, EmptyMatrix) {
   EXPECT_TRUE(cholesky.factorize(empty));
 }
 
-TEST(MultifrontalCholesky, ThreadsGiveTheSameToTheLastBit) {
+TEST(MultifrontalCholesky, ThreadsGiveTheSameBits) {
   for (const CholeskyProblem& problem : cholesky_problems()) {
     SCOPED_TRACE(problem.name);
     const Eigen::MatrixXd b = random_matrix(problem.lower.rows(), 3, 5);
@@ -84,7 +84,7 @@ TEST(MultifrontalCholesky, ThreadsGiveTheSameToTheLastBit) {
   }
 }
 
-/// A − c eᵢeᵢᵀ is positive definite for c < 1 / (A⁻¹)ᵢᵢ alone.
+/// A − c eᵢeᵢᵀ is positive definite if and only if c < 1 / (A⁻¹)ᵢᵢ.
 TEST(MultifrontalCholesky, FindsASingleNegativePivotWhereverItIs) {
   CholeskyProblem problem = mesh_problem(12, 2);
   const Eigen::Index size = problem.lower.rows();
@@ -113,7 +113,7 @@ TEST(MultifrontalCholesky, RefusesSingularMatrices) {
   }
 }
 
-TEST(MultifrontalCholesky, RefusesWhatIsNotFinite) {
+TEST(MultifrontalCholesky, RefusesEntriesThatAreNotFinite) {
   CholeskyProblem problem = mesh_problem(12, 2);
   MultifrontalCholesky cholesky = analyze(problem);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -139,7 +139,8 @@ TEST(MultifrontalCholesky, SolvesOnlyWithAFactor) {
   EXPECT_EQ(b, expected);
 }
 
-/// Chains of blocks, each joined to the next vertex by vertex: few entries, large fronts. The tree is not found.
+/// Chains of blocks, with each vertex joined to one of the next block: few entries, but large fronts. The tree is
+/// given.
 struct Chains {
   static constexpr int block = 400, length = 24, number = 2;
 
@@ -161,9 +162,9 @@ struct Chains {
   DissectionTree tree;
 };
 
-TEST(MultifrontalCholesky, AsksAfterSoMuchWorkWhetherToGoOn) {
+TEST(MultifrontalCholesky, AsksRegularlyWhetherToContinue) {
   const Chains chains;
-  const int tiles = Chains::block / kTile;  // of pivots, and of rows below them
+  const int tiles = Chains::block / kTile;  // of pivots, and of the rows below them
   const double m = tiles;
   const double work_of_a_chain = (Chains::length - 1) * (m * m * m / 6 + m * m * m / 2 + m * m * m / 2);
   for (const bool in_threads : {false, true}) {
@@ -218,7 +219,7 @@ TEST(MultifrontalCholesky, PartialSolvesEqualTheFullOne) {
   EXPECT_EQ(b, expected);
 }
 
-TEST(MultifrontalCholesky, RefusesWhatDoesNotFit) {
+TEST(MultifrontalCholesky, RefusesMatricesAndTreesThatDoNotFit) {
   const CholeskyProblem problem = mesh_problem(5, 1);
   const SparseMatrix& lower = problem.lower;
   const auto with = [&](DissectionTree tree) { MultifrontalCholesky(lower, tree, 1); };
@@ -231,10 +232,10 @@ TEST(MultifrontalCholesky, RefusesWhatDoesNotFit) {
   beyond.nodes[0].vertices[0] = 25;
   EXPECT_THROW(with(beyond), std::invalid_argument);
   ASSERT_EQ(apart.nodes.size(), 3u);
-  apart.nodes[0].parent = -1;  // its separator joins it to the other half
+  apart.nodes[0].parent = -1;  // although its separator joins it to the other half
   EXPECT_THROW(with(apart), std::invalid_argument);
   std::swap(apart.nodes[1].vertices, apart.nodes[2].vertices);
-  apart.nodes[0].parent = 2;  // now what joins the halves is in one of them
+  apart.nodes[0].parent = 2;  // now one half contains the separator
   EXPECT_THROW(with(apart), std::invalid_argument);
   EXPECT_THROW(MultifrontalCholesky(lower, problem.tree(), 2), std::invalid_argument);
 
@@ -247,8 +248,8 @@ TEST(MultifrontalCholesky, RefusesWhatDoesNotFit) {
 
 std::size_t index_of(int i) { return static_cast<std::size_t>(i); }
 
-/// A row of a square of n by n vertices separates it, though the median by the jittered coordinates is no straight
-/// line.
+/// A row of n vertices separates the n by n square. Jitter makes the median line irregular, which may cost a tenth
+/// more.
 TEST(NestedDissection, SeparatorOfASquareIsAboutARowOfIt) {
   for (const int n : {20, 50, 100}) {
     const DissectionTree tree = mesh_problem(n, 1).tree();
@@ -261,7 +262,7 @@ TEST(NestedDissection, SeparatorOfASquareIsAboutARowOfIt) {
   }
 }
 
-TEST(NestedDissection, ChoosesTheShortWayAcross) {
+TEST(NestedDissection, CutsAcrossTheShortSide) {
   // A strip of 4 by 100 vertices along a diagonal: neither x nor y alone cuts it across.
   GraphEdges edges;
   Positions2 positions(400, 2);
@@ -277,7 +278,7 @@ TEST(NestedDissection, ChoosesTheShortWayAcross) {
 }
 
 TEST(NestedDissection, PiecesShareNoSeparator) {
-  // Two rows of vertices, each joined along itself only, one upon the other.
+  // Two rows of vertices in the same place, each joined only along itself.
   GraphEdges edges;
   Positions2 positions(80, 2);
   for (int i = 0; i < 80; ++i) {

@@ -26,7 +26,7 @@ Cloth cloth_of(double weft, double warp, double shear) {
   return cloth;
 }
 
-/// The map worn → flat of one that goes from flat to worn.
+/// Returns the map from worn to flat, given its inverse.
 Eigen::Matrix2d map_of(const Eigen::Matrix2d& flat_to_worn) { return flat_to_worn.inverse(); }
 
 Eigen::Matrix2d rows(double a, double b, double c, double d) { return (Eigen::Matrix2d() << a, b, c, d).finished(); }
@@ -34,21 +34,21 @@ Eigen::Matrix2d rows(double a, double b, double c, double d) { return (Eigen::Ma
 const Cloth kDenim = cloth_of(0.21, 1, 0.06);
 constexpr double kRounding = 1e-14;
 
-TEST(ClothLaw, ThreadsStretchedAlongTheGrainCostTheirStiffnessAlone) {
-  for (const double t : {0.2, -0.2}) {  // over the worn area, 1 + t times the flat one
+TEST(ClothLaw, StretchAlongTheGrainCostsTheThreadsStiffnessAlone) {
+  for (const double t : {0.2, -0.2}) {  // per worn area, which is 1 + t times the flat one
     EXPECT_NEAR(ClothLaw(kDenim).density(map_of(rows(1, 0, 0, 1 + t))), 1 * t * t / (1 + t), kRounding);
     EXPECT_NEAR(ClothLaw(kDenim).density(map_of(rows(1 + t, 0, 0, 1))), 0.21 * t * t / (1 + t), kRounding);
   }
 }
 
-TEST(ClothLaw, SqueezedThreadsCostTheirFactor) {
+TEST(ClothLaw, SqueezedThreadsCostTheSqueezeFactor) {
   Cloth cloth = kDenim;
   cloth.squeeze = 3;
   EXPECT_NEAR(ClothLaw(cloth).density(map_of(rows(1, 0, 0, 0.8))), 3 * 0.04 / 0.8, kRounding);
   EXPECT_NEAR(ClothLaw(cloth).density(map_of(rows(1, 0, 0, 1.2))), 0.04 / 1.2, kRounding);
 }
 
-TEST(ClothLaw, ThreadsThatTurnWithoutStretchingCostShearAlone) {
+TEST(ClothLaw, RotatingThreadsWithoutStretchCostsShearAlone) {
   for (const double angle : {0.3, -0.5}) {
     const double sine = std::sin(angle), cosine = std::cos(angle);
     EXPECT_NEAR(ClothLaw(kDenim).density(map_of(rows(1, sine, 0, cosine))), 0.06 * sine * sine / cosine, kRounding);
@@ -64,7 +64,7 @@ TEST(ClothLaw, StretchOnTheBiasCostsBothThreadsAndShear) {
               kRounding);
 }
 
-TEST(ClothLaw, BeyondLockingTheSineOfShearCostsMore) {
+TEST(ClothLaw, ShearBeyondLockingCostsMore) {
   Cloth cloth = kDenim;
   cloth.locking = kPi / 6;  // of sine 1/2
   const double sine = 0.8, cosine = 0.6, excess = sine - 0.5;
@@ -79,24 +79,24 @@ TEST(ClothLaw, OnlyRatiosOfStiffnessCount) {
   EXPECT_EQ(ClothLaw(cloth_of(0.21 * 1024, 1024, 0.06 * 1024)).density(map), ClothLaw(kDenim).density(map));
 }
 
-TEST(ClothLaw, TurningTheWornSideCostsNothingAndTurningTheFlatSideDoes) {
+TEST(ClothLaw, RotatingTheWornSideCostsNothingAndRotatingTheFlatSideDoes) {
   const Eigen::Matrix2d map = rows(1.1, 0.2, -0.1, 0.9), turn = Eigen::Rotation2Dd(0.7).toRotationMatrix();
   const ClothLaw law(kDenim);
   EXPECT_NEAR(law.density(map * turn), law.density(map), kRounding);
   EXPECT_GT(std::abs(law.density(turn * map) - law.density(map)), 1e-3);
 }
 
-TEST(ClothLaw, WhatIsTurnedOverOrHasNoAreaIsInfinite) {
+TEST(ClothLaw, FlippedOrDegenerateTrianglesAreInfinite) {
   const ClothLaw law(kDenim);
   EXPECT_EQ(law.density(rows(1, 0, 0, -1)), std::numeric_limits<double>::infinity());
   EXPECT_EQ(law.density(rows(1, 0, 2, 0)), std::numeric_limits<double>::infinity());
   EXPECT_EQ(law.density(Eigen::Matrix2d::Zero()), std::numeric_limits<double>::infinity());
 }
 
-/// ARAP is |J − R|²: at rest ½ dJ·H dJ is the square of the symmetric part of dJ.
+/// ARAP is |J − R|²: at rest, ½ dJ·H dJ is the square of the symmetric part of dJ.
 TEST(ClothLaw, IsotropicClothIsArapToSecondOrder) {
   const ClothLaw law(cloth_of(1, 1, 0.5));
-  Eigen::Matrix4d arap;  // by J₁₁, J₁₂, J₂₁, J₂₂
+  Eigen::Matrix4d arap;  // as a function of J₁₁, J₁₂, J₂₁, J₂₂
   arap << 2, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 2;
   const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity();
   EXPECT_EQ(law.density(rest), 0);
@@ -108,7 +108,7 @@ class ClothLawOnRandomMaps : public testing::Test {
  protected:
   static Eigen::Vector4d flat(const Eigen::Matrix2d& m) { return {m(0, 0), m(0, 1), m(1, 0), m(1, 1)}; }
 
-  /// Stretched and squeezed, sheared to both sides, beyond locking and not.
+  /// Stretched, squeezed and sheared maps, beyond locking and before it.
   static std::vector<Eigen::Matrix2d> maps() {
     std::mt19937 random(5);
     std::normal_distribution<double> normal;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coarse charts: wires keep their way and length, every removed vertex its place, and the shape carries over.
+// Coarse charts: wires keep their course and length, every removed vertex has its place, and the shape is prolonged.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -54,7 +54,7 @@ struct Coarse {
   CoarseChart coarse;
 };
 
-TEST(Coarsen, TakesMostVerticesOut) {
+TEST(Coarsen, RemovesMostVertices) {
   const int n = 40;
   const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
   EXPECT_LT(10 * c.coarse.chart.mesh.n_faces(), c.chart.mesh.n_faces());
@@ -68,7 +68,7 @@ TEST(Coarsen, StopsWhenAsked) {
   EXPECT_EQ(rounds, 2);
 }
 
-TEST(Coarsen, RunsShareOutAllFineEdgesAndTheirLength) {
+TEST(Coarsen, RunsPartitionTheFineEdgesAndTheirLengths) {
   const int n = 40;
   const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
   std::vector<int> count(c.network.edges.size(), 0);
@@ -82,7 +82,7 @@ TEST(Coarsen, RunsShareOutAllFineEdgesAndTheirLength) {
   EXPECT_NEAR(walked, total, 1e-12 * total);
 }
 
-/// On a plane the unrolled runs are the wires themselves.
+/// On a plane, the unrolled runs are the wires themselves.
 TEST(Coarsen, ChordsAndAnglesAreThoseOfTheCoarseMeshOnAPlane) {
   const int n = 40;
   const Coarse c(with_cross(jittered_grid(n, 0.3, flat), n));
@@ -95,7 +95,7 @@ TEST(Coarsen, ChordsAndAnglesAreThoseOfTheCoarseMeshOnAPlane) {
   }
 }
 
-/// The sum over all nodes of π − α does not change: what the network turns in all.
+/// The sum of π − α over all nodes, which is the total turning of the network, does not change.
 TEST(Coarsen, KeepsTheTurningOfTheNetworkOnACurvedSurface) {
   const int n = 40;
   const Coarse c(with_cross(jittered_grid(n, 0.3, dome), n));
@@ -107,7 +107,7 @@ TEST(Coarsen, KeepsTheTurningOfTheNetworkOnACurvedSurface) {
   EXPECT_NEAR(turning(c.coarse.network), turning(c.network), 1e-9);
 }
 
-/// A closed wire must not collapse onto itself, however coarse.
+/// A closed wire must not collapse onto itself, however coarse the chart is.
 TEST(Coarsen, ClosedWiresStayOpen) {
   const int n = 40;
   FlattenInput input = jittered_grid(n, 0.3, dome);
@@ -128,7 +128,7 @@ Positions2 mapped(const HalfEdgeMesh& mesh, const std::function<Eigen::Vector2d(
   return uv;
 }
 
-/// A gentle quadratic map: piecewise linear interpolation is out by h²/8 times its second derivative.
+/// A gently quadratic map: the error of piecewise linear interpolation is h²/8 times its second derivative.
 TEST(Prolong, FollowsQuadraticMaps) {
   const int n = 40;
   const double bend = 0.01;
@@ -141,7 +141,8 @@ TEST(Prolong, FollowsQuadraticMaps) {
   double error = 0, linear = 0;
   for (const VertexHandle v : c.chart.mesh.vertices()) {
     const CoarsePlace& place = c.coarse.places[v.idx()];
-    if ((c.fine_point(v.idx()) - Eigen::Vector3d(1, 1, 0)).cwiseAbs().maxCoeff() > 0.8) continue;  // one-sided Jᵢ
+    if ((c.fine_point(v.idx()) - Eigen::Vector3d(1, 1, 0)).cwiseAbs().maxCoeff() > 0.8)
+      continue;  // where Jᵢ is one-sided
     Eigen::RowVector2d flat_place(0, 0);
     for (int k = 0; k < 3; ++k) flat_place += place.weights[k] * coarse_uv.row(place.vertices[k]);
     linear += (flat_place - wanted.row(v.idx())).squaredNorm();
@@ -150,7 +151,7 @@ TEST(Prolong, FollowsQuadraticMaps) {
   EXPECT_LT(error, 0.1 * linear);
 }
 
-/// Some triangles of the sheet are folded over their neighbors, and a smooth map leaves them so.
+/// Some triangles of the sheet fold over their neighbors, and a smooth map keeps them folded.
 TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
   const int n = 72;
   const Coarse c(with_cross(jittered_grid(n, 0.32, dome), n));
@@ -162,10 +163,10 @@ TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
   EXPECT_GT(ShapeError(c.chart).count_flips(smooth), 0);
   const Positions2 uv = prolong_positions(c.chart, c.network, c.coarse, coarse_uv);
   EXPECT_EQ(ShapeError(c.chart).count_flips(uv), 0);
-  EXPECT_LT(((uv - smooth).rowwise().norm().array() > 0).count(), uv.rows() / 10) << "other vertices stay";
+  EXPECT_LT(((uv - smooth).rowwise().norm().array() > 0).count(), uv.rows() / 10) << "all other vertices stay";
 }
 
-/// From the coarse shape to the same minimum as from scratch, in few factorizations.
+/// Expects that the coarse shape leads to the same minimum as a start from scratch, in few factorizations.
 void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int max_factorizations = 2) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
@@ -213,12 +214,12 @@ TEST(CoarseStart, StopsWhenAsked) {
   int asked = 0;
   refine_chart(charts.charts.at(0), options, StopToken([&](const char*) { return ++asked > 0; }));
   bool was_exact = false;
-  for (int last = 0; last < asked; ++last) {  // in the coarse chart, too
+  for (int last = 0; last < asked; ++last) {  // including those in the coarse chart
     int count = 0;
     const StopToken stop([&](const char*) { return ++count <= last; });
     const Solution stopped = refine_chart(charts.charts.at(0), options, stop);
     EXPECT_TRUE(stopped.is_exact() ? stopped.length_error < 1e-10 : stopped.status == SolutionStatus::cancelled);
-    EXPECT_TRUE(stopped.is_exact() || !was_exact) << "an exact shape is not lost again";
+    EXPECT_TRUE(stopped.is_exact() || !was_exact) << "a shape that was exact stays exact";
     was_exact = stopped.is_exact();
     EXPECT_TRUE(stop.is_stopped());
     EXPECT_EQ(count, last + 1);
@@ -226,8 +227,8 @@ TEST(CoarseStart, StopsWhenAsked) {
   EXPECT_TRUE(was_exact);
 }
 
-/// Every edge rigid on a curved surface: then the coarse chart is the fine one, and has no flat shape.
-TEST(CoarseStart, IsNoneWhereTheCoarseChartHasNoExactLengths) {
+/// Every edge is rigid on a curved surface, so the coarse chart equals the fine one and has no flat shape.
+TEST(CoarseStart, IsRejectedIfTheCoarseChartHasNoExactLengths) {
   FlattenInput input = test::quarter_sphere(5);
   input.wires.clear();
   const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
@@ -240,16 +241,16 @@ TEST(CoarseStart, IsNoneWhereTheCoarseChartHasNoExactLengths) {
   EXPECT_FALSE(start_from_coarse({chart, 1}, {budget}));
 }
 
-/// Wires may wiggle in waves no longer than a few edges: a coarser chart would not show them.
-TEST(CoarseStart, IsNoneWhereWiresAreLeftToWiggle) {
+/// With little fairness, wires may wiggle in waves of a few edges, which a coarser chart cannot represent.
+TEST(CoarseStart, IsRejectedIfWiresMayWiggle) {
   const Charts charts = test::charts_of(with_cross(jittered_grid(24, 0.2, dome), 24));
   const Chart& chart = charts.charts.at(0);
   Budget budget(100);
   EXPECT_FALSE(start_from_coarse({chart, 0.01}, {budget}));
 }
 
-/// A start that claims to be near the minimum and is a point.
-TEST(CoarseStart, AFalseClaimIsNoticed) {
+/// The start claims to be near the minimum, but all of its vertices coincide.
+TEST(CoarseStart, IsRejectedIfItIsNotNearTheMinimum) {
   const int n = 24;
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   const Chart& chart = charts.charts.at(0);

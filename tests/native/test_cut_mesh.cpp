@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Meshes cut along lines: the surface stays, lines become edges, and no slivers arise.
+// Meshes cut along lines: the surface stays the same, lines become edges, and there are no slivers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Eigen::Vector3d corner(const Positions3& vertices, const Triangles& faces, Eigen
   return vertices.row(faces(f, k)).transpose();
 }
 
-/// Twice the area, along the normal.
+/// Returns the area vector times two.
 Eigen::Vector3d doubled_area_of(const Positions3& vertices, const Triangles& faces, Eigen::Index f) {
   const Eigen::Vector3d a = corner(vertices, faces, f, 0);
   return (corner(vertices, faces, f, 1) - a).cross(corner(vertices, faces, f, 2) - a);
@@ -41,7 +41,7 @@ SurfacePath path_of(const std::vector<int>& faces, const std::vector<std::array<
   return path;
 }
 
-/// Wanders from face to face over their edges, with points inside some of them.
+/// Returns a line that wanders from face to face across their edges, with points inside some faces.
 SurfacePath scribble(const FlattenInput& mesh, std::mt19937& random, int steps) {
   const EdgeTable edges(mesh.faces, static_cast<int>(mesh.vertices.rows()));
   std::uniform_real_distribution<double> share(0, 1);
@@ -71,8 +71,8 @@ SurfacePath scribble(const FlattenInput& mesh, std::mt19937& random, int steps) 
   return path_of(faces, points);
 }
 
-/// The line of a mesh in a plane, from the outline of the mesh on as far as it goes: signed distances from the plane,
-/// per vertex.
+/// Returns the line where a plane cuts the mesh, from the outline on as far as it goes, given each vertex's signed
+/// distance from the plane.
 SurfacePath line_in_plane(const FlattenInput& mesh, const Eigen::VectorXd& distance) {
   const EdgeTable edges(mesh.faces, static_cast<int>(mesh.vertices.rows()));
   const auto share = [&](int side) {
@@ -106,10 +106,12 @@ SurfacePath line_in_random_plane(const FlattenInput& mesh, std::mt19937& random)
   const Eigen::Vector3d normal(number(random), number(random), number(random));
   const Eigen::RowVector3d center = mesh.vertices.colwise().mean();
   SurfacePath line = line_in_plane(mesh, (mesh.vertices.rowwise() - center) * normal);
-  return line.faces.size() > 4 ? line : line_in_random_plane(mesh, random);  // not around a corner of the mesh
+  return line.faces.size() > 4
+             ? line
+             : line_in_random_plane(mesh, random);  // tries again if the line only passes a corner of the mesh
 }
 
-/// The smallest height of a face over the smallest height of the face of the input in which it lies.
+/// Returns the smallest ratio of a face's height to the smallest height of the input face that contains it.
 double least_height(const FlattenInput& mesh, const CutMesh& cut) {
   const auto height = [](const Positions3& vertices, const Triangles& faces, Eigen::Index f) {
     double longest = 0;
@@ -126,7 +128,7 @@ double least_height(const FlattenInput& mesh, const CutMesh& cut) {
   return least;
 }
 
-/// What holds for every cut of every mesh.
+/// Expects what every cut of every mesh satisfies.
 void expect_same_surface(const FlattenInput& mesh, const CutMesh& cut) {
   ASSERT_EQ(cut.vertices.topRows(mesh.vertices.rows()), mesh.vertices);
   ASSERT_EQ(cut.sources.faces.size(), static_cast<std::size_t>(cut.faces.rows()));
@@ -135,7 +137,7 @@ void expect_same_surface(const FlattenInput& mesh, const CutMesh& cut) {
     const int source = cut.sources.faces[f];
     const Eigen::Vector3d whole = doubled_area_of(mesh.vertices, mesh.faces, source);
     const Eigen::Vector3d part = doubled_area_of(cut.vertices, cut.faces, f);
-    EXPECT_GT(part.dot(whole), 0.999999 * part.norm() * whole.norm()) << "face " << f << " is turned over";
+    EXPECT_GT(part.dot(whole), 0.999999 * part.norm() * whole.norm()) << "face " << f << " is flipped";
     area[source] += part.norm() / whole.norm();
     for (int k = 0; k < 3; ++k) {
       Eigen::Vector3d place = Eigen::Vector3d::Zero();
@@ -147,7 +149,7 @@ void expect_same_surface(const FlattenInput& mesh, const CutMesh& cut) {
       EXPECT_LT((place - corner(cut.vertices, cut.faces, f, k)).norm(), 1e-14);
     }
   }
-  EXPECT_LT((area.array() - 1).abs().maxCoeff(), 1e-12) << "parts of a face do not cover it";
+  EXPECT_LT((area.array() - 1).abs().maxCoeff(), 1e-12) << "parts of a face do not fill it";
   for (Eigen::Index v = 0; v < cut.vertices.rows(); ++v) {
     Eigen::RowVector3d place = Eigen::RowVector3d::Zero();
     for (int k = 0; k < 3; ++k) {
@@ -175,7 +177,7 @@ void expect_same_surface(const FlattenInput& mesh, const CutMesh& cut) {
   }
 }
 
-TEST(CutMesh, ALineAcrossASquareIsStraightAndAsLongAsItIs) {
+TEST(CutMesh, ALineAcrossASquareIsStraightAndKeepsItsLength) {
   // Two triangles; the line crosses their diagonal from (0, 1/4) to (1, 1/2), at (x, x) with x = 1/4 + x/4: x = 1/3.
   const FlattenInput square = test::flat_rectangle(1, 1, 1, 1);  // faces 0-1-3 and 0-3-2
   const SurfacePath path = path_of({1, 1, 0}, {{0.75, 0, 0.25}, {2.0 / 3, 1.0 / 3, 0}, {0, 0.5, 0.5}});
@@ -197,7 +199,7 @@ TEST(CutMesh, CrossingLinesShareAVertexWhereTheyCross) {
                     second = path_of({0, 0}, {{0.5, 0, 0.5}, {0, 1, 0}});
   const CutMesh cut = cut_mesh(triangle.vertices, triangle.faces, {first, second});
   expect_same_surface(triangle, cut);
-  // Medians meet in the center.
+  // The medians meet in the centroid.
   ASSERT_EQ(cut.vertices.rows(), 6);
   EXPECT_LT((cut.vertices.row(5) - Eigen::RowVector3d(1.0 / 3, 1.0 / 3, 0)).norm(), 1e-15);
   EXPECT_EQ(cut.edges, (std::vector<VertexPair>{{3, 5}, {5, 2}, {4, 5}, {5, 1}}));
@@ -234,7 +236,8 @@ TEST(CutMesh, AStraightLineLeavesNoSlivers) {
     const CutMesh cut = cut_mesh(mesh.vertices, mesh.faces, {path}, snap);
     SCOPED_TRACE(i);
     expect_same_surface(mesh, cut);
-    // Off a corner, at shares s and t of its sides, it cuts s t of the area, where one of s and t may be 1 - snap.
+    // A line that cuts a corner off at shares s and t of its sides separates s t of the area; one of them may be 1 -
+    // snap.
     EXPECT_GT(least_height(mesh, cut), snap * (1 - snap) * (1 - 1e-9));
   }
 }
@@ -249,7 +252,7 @@ TEST(CutMesh, ScribblesKeepTheSurface) {
     const CutMesh cut = cut_mesh(mesh.vertices, mesh.faces, paths, snap);
     SCOPED_TRACE(i);
     expect_same_surface(mesh, cut);
-    // Each path is there from its first point to its last.
+    // The cut edges contain each path from its first point to its last.
     const double reach = 3 * snap * 0.7;  // longest edge of the meshes
     for (const SurfacePath& path : paths) {
       for (const std::size_t at : {std::size_t{0}, path.faces.size() - 1}) {
@@ -273,7 +276,7 @@ std::string message_of(const std::vector<SurfacePath>& paths, double snap = 0.05
   return "";
 }
 
-TEST(CutMesh, WhatIsNoLineOnTheMeshIsRefused) {
+TEST(CutMesh, PathsThatAreNotLinesOnTheMeshAreRefused) {
   EXPECT_EQ(message_of({path_of({0}, {{1, 0, 0}})}), "The option path is too short: it must have two points or more.");
   EXPECT_EQ(message_of({path_of({0, 4}, {{1, 0, 0}, {1, 0, 0}})}),
             "The option paths[0] is a line in face 4: it must use the faces of the mesh, 0 to 3.");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts that are proposed for one piece of several: their figures include what the other pieces bring about.
+// Cuts proposed for one of several pieces: their figures include the effect on the other pieces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,17 +19,19 @@
 namespace wirewarp::test_cut_search {
 namespace {
 
-/// Pieces that are not cut count, too: elastic seams and a stretched cloth make their lengths depend on one another.
+/// Pieces that are not cut matter too, because elastic seams and stretched fabric make their lengths depend on one
+/// another.
 struct Neighbors {
   const char* name;
   FlattenInput input;
   Options options;
 };
 
-/// For the names of tests in a report.
+/// Names the case in test reports.
 void PrintTo(const Neighbors& test, std::ostream* out) { *out << test.name; }
 
-/// A hill of three pieces side by side, a wire across all of them, and one side of a seam longer than its mate.
+/// A hill cut into three pieces side by side, with a wire across all of them. One side of a seam is longer than the
+/// other.
 FlattenInput three_pieces(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = 2 * s - 1, y = 2 * t - 1;
@@ -89,9 +91,9 @@ INSTANTIATE_TEST_SUITE_P(Models, CutsBesideNeighbors,
                          testing::Values(with_elastic_seam(8), with_stretched_cloth(8), with_thick_material(8)),
                          [](const testing::TestParamInfo<Neighbors>& test) { return std::string(test.param.name); });
 
-// The order of a chart's vertices that does not depend on how the input numbers them.
+// The order of a chart's vertices does not depend on their numbers in the input.
 
-/// A regular polygon around its center: wherever a walk around it begins, it looks the same.
+/// A regular polygon with a vertex in its center: all walks around it look the same.
 FlattenInput regular_polygon(int corners) {
   FlattenInput input;
   input.vertices.setZero(corners + 1, 3);
@@ -104,7 +106,7 @@ FlattenInput regular_polygon(int corners) {
   return input;
 }
 
-TEST(CanonicalOrder, OfARegularOutlineTakesWorkInProportionToItAndCanBeStopped) {
+TEST(CanonicalOrder, TakesWorkProportionalToARegularOutlineAndCanBeStopped) {
   const int corners = 60'000;
   const Chart chart = test::chart_of(regular_polygon(corners));
   int asked = 0;
@@ -114,8 +116,8 @@ TEST(CanonicalOrder, OfARegularOutlineTakesWorkInProportionToItAndCanBeStopped) 
   EXPECT_THROW(in_canonical_order(chart, StopToken([](const char*) { return false; })), Stopped);
 }
 
-TEST(MirrorImage, APathAcrossFacesThatAreNotMirroredHasNone) {
-  // A roof whose diagonals all point the same way: its vertices, rows and columns are mirrored, its faces are not.
+TEST(MirrorImage, PathsAcrossFacesWithoutMirrorImagesHaveNoMirrorImage) {
+  // A roof whose diagonals all point the same way: vertices, rows and columns are mirror images, but faces are not.
   const int n = 8;
   const auto roof = [](double s, double t) { return Eigen::Vector3d(2 * s - 1, 3 * t, 0.5 - std::abs(s - 0.5)); };
   FlattenInput grid = test::make_grid(n, n, roof);
@@ -128,7 +130,7 @@ TEST(MirrorImage, APathAcrossFacesThatAreNotMirroredHasNone) {
       const auto& sources = chart.source_vertex;
       image.emplace_back(static_cast<int>(std::find(sources.begin(), sources.end(), mirrored_at) - sources.begin()));
     }
-    // Every way from a corner of a face across the opposite edge to the far corner of the next face.
+    // All paths from a corner of a face across the opposite edge to the far corner of the next face.
     int num_mirrored = 0, num_refused = 0;
     for (const HalfedgeHandle h : chart.mesh.halfedges()) {
       if (chart.mesh.is_boundary(chart.mesh.edge_handle(h))) continue;
@@ -154,26 +156,27 @@ TEST(MirrorImage, APathAcrossFacesThatAreNotMirroredHasNone) {
   }
 }
 
-// Ways of cuts along edges.
+// Paths of cuts along edges.
 
-constexpr int kN = 14;  // edges a side
+constexpr int kN = 14;  // edges along a side
 constexpr int kMiddle = 6;
 
 bool is_inside(int i, int j) { return i > 0 && j > 0 && i < kN && j < kN; }
 
-/// A way from the left and one from below, and all that is up and to the right of where they would meet.
+/// One lane from the left, one from below, and everything above and to the right of their crossing.
 bool is_open(int i, int j) {
   if (!is_inside(i, j)) return false;
   return (i >= kMiddle && j >= kMiddle) || (j == kMiddle && i < kMiddle) || (i == kMiddle && j < kMiddle);
 }
 
-/// At the crossing, and at the ends of both ways next to it, the edges of the grid alone.
+/// True for diagonals at the crossing and at the ends of both lanes next to it: there, only edges of the grid are
+/// allowed.
 bool is_diagonal_of_the_crossing(int i, int j, int other_i, int other_j) {
   const auto is_near = [](int a, int b) { return a + b <= 2 * kMiddle && a <= kMiddle && b <= kMiddle; };
   return i != other_i && j != other_j && (is_near(i, j) || is_near(other_i, other_j));
 }
 
-TEST(SmoothPaths, AWayThatWouldCrossItselfIsNone) {
+TEST(SmoothPaths, PathsThatCrossThemselvesAreRejected) {
   FlattenInput input = test::flat_rectangle(kN, kN, kN, kN);
   test::alternate_diagonals(input, kN);
   const Chart chart = test::chart_of(input);
@@ -192,7 +195,8 @@ TEST(SmoothPaths, AWayThatWouldCrossItselfIsNone) {
   }
   const SmoothPathFinder finder(chart, forbidden);
   const SmoothPaths paths = finder.paths_from(at(1, kMiddle));
-  EXPECT_TRUE(paths.arrival[at(kMiddle, 1).idx()].is_valid()) << "straight on, round a loop, and down the other way";
+  EXPECT_TRUE(paths.arrival[at(kMiddle, 1).idx()].is_valid())
+      << "straight through, around a loop and down the other lane";
   EXPECT_TRUE(finder.path_to(paths, at(kMiddle, 1)).empty());
   EXPECT_EQ(finder.path_to(paths, at(kMiddle + 3, kMiddle)).size(), kMiddle + 2U);
 }

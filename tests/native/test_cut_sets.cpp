@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets of seams that are proposed for models without any: they do what is claimed, and are the same however the input
-// is given.
+// Sets of seams proposed for models without seams: their figures are true, and they do not depend on how the input is
+// given.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -60,7 +60,7 @@ FlattenInput ball() {
   return closed(12, 10, [](const Eigen::Vector3d& p) { return p; });
 }
 
-/// An animal's head of plush with two ears, mirrored across y = 0; tilt: off the plane.
+/// The plush head of an animal with two ears, mirrored across y = 0; tilt moves it off the plane.
 FlattenInput head(double tilt = 0) {
   return closed(12, 8, [tilt](const Eigen::Vector3d& p) -> Eigen::Vector3d {
     const Eigen::Vector3d ear(-0.1, 0.6, 0.8);
@@ -75,12 +75,12 @@ struct Case {
   FlattenInput input;
 };
 
-/// For the names of tests in a report.
+/// Names the case in test reports.
 void PrintTo(const Case& shape, std::ostream* out) { *out << shape.name; }
 
-class FirstCutsOf : public testing::TestWithParam<Case> {};
+class SeamSetsOf : public testing::TestWithParam<Case> {};
 
-TEST_P(FirstCutsOf, LetAllLieFlatWithTheFiguresOfAFreshRun) {
+TEST_P(SeamSetsOf, FlattenEveryPieceWithTheFiguresOfAFreshRun) {
   const FlattenInput& input = GetParam().input;
   CutOptions cut_options;
   cut_options.strain = 0.15;
@@ -128,13 +128,13 @@ TEST(CutSetSearch, ReportsProgressThatNeverFallsAndIsNotStuckAtTheEnd) {
   EXPECT_LT(reported[reported.size() / 2], 0.9);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, FirstCutsOf,
+INSTANTIATE_TEST_SUITE_P(Shapes, SeamSetsOf,
                          testing::Values(Case{"ball", ball()}, Case{"head", head()}, Case{"lopsided_head", head(0.5)},
                                          Case{"torus", test::closed_torus(18, 9)},
                                          Case{"tube", test::cylinder_tube(16, 8, 1, 4)}),
                          [](const testing::TestParamInfo<Case>& test) { return std::string(test.param.name); });
 
-/// Sets of few cuts: quick to find.
+/// Options for few cuts, which are quick to find.
 CutOptions rough() {
   CutOptions cut_options;
   cut_options.strain = 0.3;
@@ -147,13 +147,13 @@ std::set<VertexPair> undirected(const std::vector<VertexPair>& edges) {
   return pairs;
 }
 
-TEST(CutSetSearch, OfATubeAreTheShortestLineAlongIt) {
+TEST(CutSetSearch, OpensATubeAlongItsShortestLine) {
   const DartProposal set = propose_seams(test::cylinder_tube(16, 8, 1, 4)).front();
   EXPECT_NEAR(set.length, 4, 1e-12);
   EXPECT_LT(set.energy, 1e-12);
 }
 
-TEST(CutSetSearch, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
+TEST(CutSetSearch, DoesNotDependOnPositionOrientationAndNumbering) {
   const FlattenInput input = head(0.5);
   const FlattenInput other = test::disguised(input);
   const std::vector<DartProposal> here = propose_seams(input, {}, rough()), there = propose_seams(other, {}, rough());
@@ -165,7 +165,7 @@ TEST(CutSetSearch, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
   }
 }
 
-TEST(CutSetSearch, OfASymmetricModelAreSymmetric) {
+TEST(CutSetSearch, FindsSymmetricSeamsOfASymmetricModel) {
   const FlattenInput input = head();
   for (const DartProposal& set : propose_seams(input, {}, rough())) {
     std::vector<VertexPair> image;
@@ -184,11 +184,11 @@ TEST(CutSetSearch, OfASymmetricModelAreSymmetric) {
 VertexPairs as_rows(const std::set<VertexPair>& edges) {
   VertexPairs rows(static_cast<Eigen::Index>(edges.size()), 2);
   Eigen::Index row = 0;
-  for (const VertexPair& edge : edges) rows.row(row++) << edge[1], edge[0];  // either way round
+  for (const VertexPair& edge : edges) rows.row(row++) << edge[1], edge[0];  // in either direction
   return rows;
 }
 
-TEST(CutSetSearch, RunAlongNoEdgeThatIsToHaveNoSeam) {
+TEST(CutSetSearch, AvoidsEdgesThatMayHaveNoSeam) {
   for (const FlattenInput& input : {ball(), head(), head(0.5)}) {
     CutOptions cut_options = rough();
     const std::set<VertexPair> forbidden = undirected(propose_seams(input, {}, cut_options).front().edges);
@@ -199,7 +199,7 @@ TEST(CutSetSearch, RunAlongNoEdgeThatIsToHaveNoSeam) {
   }
 }
 
-TEST(CutSetSearch, AreNoLongerThanWished) {
+TEST(CutSetSearch, KeepsTheLongestAllowedLength) {
   CutOptions cut_options = rough();
   const std::vector<DartProposal> sets = propose_seams(head(), {}, cut_options);
   ASSERT_GT(sets.size(), 1U);
@@ -207,15 +207,15 @@ TEST(CutSetSearch, AreNoLongerThanWished) {
   for (const DartProposal& set : propose_seams(head(), {}, cut_options)) EXPECT_LE(set.length, cut_options.longest);
 }
 
-TEST(CutSetSearch, BeginWithASetThatMeetsTheAim) {
+TEST(CutSetSearch, ReturnsASetThatMeetsTheTargetFirst) {
   CutOptions cut_options = rough();
   const std::vector<DartProposal> sets = propose_seams(head(), {}, cut_options);
   ASSERT_GT(sets.size(), 1U);
-  cut_options.strain = 0.99 * sets[1].strain;  // a set that is hardly better than this one meets it
+  cut_options.strain = 0.99 * sets[1].strain;  // only slightly better than this set
   EXPECT_LE(propose_seams(head(), {}, cut_options).front().strain, *cut_options.strain);
 }
 
-TEST(CutSetSearch, AreOfThePieceThatLacksThem) {
+TEST(CutSetSearch, OpensThePieceThatNeedsSeams) {
   FlattenInput input = ball();
   const FlattenInput sheet = test::flat_rectangle(2, 2, 1, 1);
   const int count = static_cast<int>(sheet.vertices.rows());
@@ -233,7 +233,7 @@ std::string refusal(const FlattenInput& input, const CutOptions& cut_options) {
   return error.what();
 }
 
-TEST(CutSetSearch, SayWhyThereAreNone) {
+TEST(CutSetSearch, ReportsWhyThereAreNoSeams) {
   const FlattenInput input = ball();
   CutOptions cut_options = rough();
   cut_options.longest = 0.1;
@@ -255,7 +255,7 @@ CutState merge_sections(const CutState& state, const Chart& chart, const ExactEv
   return merger.state();
 }
 
-TEST(MergeSections, LeaveOneOfThreeSeamsOfATube) {
+TEST(MergeSections, KeepsOneOfThreeSeamsOfATube) {
   const int around = 16, rows = 8;
   const double height = 4;
   const FlattenInput tube = test::cylinder_tube(around, rows, 1, height);
@@ -290,10 +290,11 @@ std::vector<VertexPair> across(int n) {
   return cut;
 }
 
-TEST(MergeSections, MeasureTheThreadsOfACloth) {
+TEST(MergeSections, MeasuresTheThreadsOfAFabric) {
   const FlattenInput input = bump(8);
   Options options;
-  options.cloth = cloth_preset("woven").cloth;  // shears: its threads stretch by a fourth of what other material does
+  options.cloth =
+      cloth_preset("woven").cloth;  // shears: its threads stretch by a quarter of what other materials stretch
   const SurfaceToCut surface(input, options);
   const ExactEvaluation exact(surface, options, StopToken());
   const FlatPieces uncut = exact.uncut();
@@ -303,7 +304,7 @@ TEST(MergeSections, MeasureTheThreadsOfACloth) {
   EXPECT_TRUE(is_empty(merge_sections(state, chart, exact, most).cut));
 }
 
-TEST(MergeSections, KeepWhatHoldsTheStrain) {
+TEST(MergeSections, KeepsTheSeamsThatLimitTheStrain) {
   const FlattenInput input = bump(8);
   const std::vector<VertexPair> cut = across(8);
   const SurfaceToCut surface(input, Options());

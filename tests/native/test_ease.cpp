@@ -25,8 +25,8 @@ ErrorCode code_thrown_by(const FlattenInput& input) {
   return test::error_of([&] { flatten(input); }).code;
 }
 
-/// A grid of wires that are all shorter holds the most area where its squares stay squares.
-TEST(Ease, OfAllLinesOfASheetScalesIt) {
+/// A grid of wires that are all shorter encloses the most area if its squares stay squares.
+TEST(Ease, OfAllLinesScalesASheet) {
   const int n = 6;
   const double ease = -0.1;
   FlattenInput input = test::flat_rectangle(n, n, 1, 1);
@@ -44,7 +44,7 @@ TEST(Ease, OfAllLinesOfASheetScalesIt) {
   for (const WireReport& wire : result.wires) EXPECT_NEAR(wire.variation, ease, 1e-12);
 }
 
-TEST(Ease, OfASeamIsThatOfAllItsSides) {
+TEST(Ease, OfASeamAppliesToAllItsSides) {
   for (const Method method : {Method::refined, Method::wirewarp_plus_plus, Method::wirewarping}) {
     FlattenInput input = sheet_and_saddle();
     test::add_wire(input, seam_of_sheets());
@@ -62,14 +62,14 @@ TEST(Ease, OfASeamIsThatOfAllItsSides) {
   }
 }
 
-TEST(Ease, OfOneSideLeavesTheOther) {
+TEST(Ease, OfOneSideDoesNotChangeTheOther) {
   FlattenInput input = sheet_and_saddle();
   input.eases.push_back(ease_along(seam_of_sheets(), 0.05));
   const FlattenResult result = flatten(input);
   expect_good(input, result);
   const SeamReport& seam = result.seams.at(0);
   ASSERT_EQ(seam.length_2d.size(), 2u);
-  // Upwards along the seam the sheet on the left lies on the left: piece 0.
+  // Seen along the seam, which runs upwards, the left sheet is piece 0.
   EXPECT_NEAR(seam.length_2d[0], 1.05 * seam.length_3d, 1e-9);
   EXPECT_NEAR(seam.length_2d[1], seam.length_3d, 1e-9);
   EXPECT_NEAR(seam.eases[0], 0.05, 1e-12);
@@ -77,7 +77,7 @@ TEST(Ease, OfOneSideLeavesTheOther) {
   EXPECT_LT(seam.mismatch, 1e-9);
 }
 
-TEST(Ease, BetweenTwoMarksIsThatOfItsEdges) {
+TEST(Ease, BetweenTwoMarksAppliesToTheEdgesBetween) {
   FlattenInput input = sheet_and_saddle();
   std::vector<int> marked = seam_of_sheets();
   marked = {marked.begin() + 2, marked.begin() + 6};  // three of eight edges
@@ -87,10 +87,10 @@ TEST(Ease, BetweenTwoMarksIsThatOfItsEdges) {
   EXPECT_NEAR(result.seams.at(0).eases[0], 0.1 * 3 / 8, 1e-9);
 }
 
-/// An end of a strip of height H that is longer by r makes it a sector: its threads lie on circles, at the height y
-/// they are longer by r y/H, and E is the sum of the squares of that. Strips end with free sides: what these ease off
-/// is the same for any width, and not in what a wider strip has more.
-TEST(Ease, OfOneEndMakesACylinderASector) {
+/// A strip of height H, one end of which is longer by r, becomes a sector: threads lie on circles, those at height y
+/// are longer by r y/H, and E is the integral of the square. The free sides of a strip relax by the same amount at any
+/// width, so the difference of two widths does not depend on them.
+TEST(Ease, OfOneEndTurnsACylinderIntoASector) {
   const double ease = 0.05, height = 1;
   const int rows = 8;
   const auto total_energy = [&](int width) {
@@ -98,19 +98,19 @@ TEST(Ease, OfOneEndMakesACylinderASector) {
     test::add_wire(input, test::grid_row(width * rows, 0));
     input.wires.back().ease = ease;
     Options options;
-    options.fairness = Options::least_fairness;  // corners turn for nothing
+    options.fairness = Options::least_fairness;  // corners turn at almost no cost
     const FlattenResult result = flatten(input, options);
     expect_good(input, result);
     EXPECT_NEAR(result.wires.at(0).length_2d, (1 + ease) * result.wires[0].length_3d, 1e-9);
     const Metrics& metrics = result.pieces.at(0).metrics;
     return metrics.arap_energy * metrics.area_3d;
   };
-  // Triangles have the strain of the row that they have an edge on.
+  // Each triangle has the strain of the row that contains one of its edges.
   const double mean_square = ease * ease * (1. / 3 + 1. / (6 * rows * rows));
   EXPECT_NEAR(total_energy(8) - total_energy(4), mean_square * 4 * height, 0.01 * mean_square * 4 * height);
 }
 
-TEST(Ease, BadOnesAreNamed) {
+TEST(Ease, ErrorsNameTheBadEdges) {
   const std::vector<int> seam = seam_of_sheets();
   FlattenInput wire = sheet_and_saddle();
   test::add_wire(wire, seam);

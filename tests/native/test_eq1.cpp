@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eq. (1) in edge headings: the linear rows hold by construction, and the derivatives agree with differences.
+// Eq. (1) in edge headings: the linear rows hold by construction, and the derivatives agree with finite differences.
 #include <gtest/gtest.h>
 
 #include <Eigen/OrderingMethods>
@@ -21,7 +21,8 @@
 namespace wirewarp::test_eq1 {
 namespace {
 
-/// A bent plate with two holes and wires that join them to the rim and to one another: wire-patches, holes, crossings.
+/// A bent plate with two holes, and wires that join the holes to the rim and to each other: patches, holes and
+/// crossings.
 FlattenInput bent_plate() {
   const int n = 4;
   FlattenInput input = test::flat_plate_with_two_holes(n);
@@ -59,7 +60,7 @@ struct Problem {
     for (double& x : direction) x = normal(random);
     for (double& x : multipliers) x = normal(random);
   }
-  /// Of the wire-nodes: 1, or the mean length over theirs.
+  /// The weights of the wire-nodes: 1, or the mean length over the node's length.
   Eigen::VectorXd node_weights(NodeWeight weight) const {
     Eigen::VectorXd lengths_of_nodes(static_cast<Eigen::Index>(network.nodes.size()));
     for (Eigen::Index i = 0; i < lengths_of_nodes.size(); ++i) {
@@ -67,7 +68,7 @@ struct Problem {
     }
     return lengths_of_nodes.mean() * lengths_of_nodes.cwiseInverse();
   }
-  /// θ of the headings: those closest to the surface angles, and what the change of the headings turns.
+  /// θ of the headings: the angles closest to the surface angles, plus the turn by the change of the headings.
   Eigen::VectorXd planar_angles(NodeWeight weight) const {
     Eigen::VectorXd angles = project_on_angle_sums(network, node_weights(weight));
     for (Eigen::Index i = 0; i < angles.size(); ++i) {
@@ -166,7 +167,7 @@ TEST(KktSystem, SolvesTheOptimalitySystem) {
   KktSystem kkt(p.eq1, p.network);
   const Eigen::SparseMatrix<double> jacobian = p.eq1.closure_jacobian(p.psi, p.lengths);
   ASSERT_TRUE(kkt.factor(p.eq1.laplacian(), Eigen::VectorXd::Zero(p.eq1.num_edges()), jacobian));
-  // Right-hand sides that do not turn the piece as a whole: the extra diagonal of one edge is then without effect.
+  // These right-hand sides do not rotate the whole piece, so the extra diagonal entry of one edge has no effect.
   const Eigen::VectorXd r1 = p.eq1.laplacian() * p.direction;
   const Eigen::VectorXd r2 = jacobian * p.direction;
   const KktSystem::Solution solution = kkt.solve(r1, r2);
@@ -175,20 +176,21 @@ TEST(KktSystem, SolvesTheOptimalitySystem) {
   EXPECT_LT(residual.tail(residual.size() - 1).lpNorm<Eigen::Infinity>(), 1e-11);
 }
 
-TEST(KktSystem, WrongInertiaIsNoticed) {
+TEST(KktSystem, RefusesTheWrongInertia) {
   const Problem p(NodeWeight::length);
   KktSystem kkt(p.eq1, p.network);
   const Eigen::SparseMatrix<double> jacobian = p.eq1.closure_jacobian(p.psi, p.lengths);
   const Eigen::VectorXd down = Eigen::VectorXd::Constant(p.eq1.num_edges(), -0.5 * p.eq1.laplacian().diagonal().mean());
-  EXPECT_FALSE(kkt.factor(p.eq1.laplacian(), down, jacobian)) << "a saddle: as many descents as edges turn slowly";
+  EXPECT_FALSE(kkt.factor(p.eq1.laplacian(), down, jacobian))
+      << "a saddle, as slow rotations of edges lower the energy";
 }
 
-TEST(Eq1, EdgesMustHangTogether) {
+TEST(Eq1, EdgesMustBeConnected) {
   const Chart chart = test::charts_of(test::flat_plate_with_two_holes(2)).charts.at(0);  // three loops, no wires
   EXPECT_THROW(Eq1(build_wire_network(chart), NodeWeight::length), std::domain_error);
 }
 
-/// A flat rectangle of n by n quads with every `spacing`th line of it a wire, in both directions.
+/// A flat rectangle of n by n quads in which every spacing-th row and column is a wire.
 FlattenInput net_of_wires(int n, int spacing) {
   FlattenInput input = test::flat_rectangle(n, n, 1.2, 1);
   for (int line = spacing; line < n; line += spacing) {
@@ -219,7 +221,7 @@ std::vector<int> places_of(const std::vector<int>& order) {
   return place;
 }
 
-/// Entries of L below its diagonal when the optimality system is eliminated in this order.
+/// Number of entries of L below the diagonal if the optimality system is eliminated in this order.
 long fill_of(const Eq1& eq1, const std::vector<int>& order) {
   const std::vector<int> place = places_of(order);
   std::vector<std::vector<int>> earlier(order.size());
@@ -250,7 +252,7 @@ long fill_of(const Eq1& eq1, const std::vector<int>& order) {
   return fill;
 }
 
-/// By approximate minimum degree, which does not know that closures come after their edges.
+/// The approximate minimum degree order, which may eliminate closures before their edges.
 std::vector<int> minimum_degree(const Eq1& eq1) {
   const int size = eq1.num_edges() + eq1.num_closures();
   std::vector<Eigen::Triplet<double>> entries;
@@ -288,7 +290,7 @@ TEST(EliminationOrder, ClosuresComeAfterTheirEdges) {
   }
 }
 
-/// Minimum degree fills little, and would be taken if it could be: its order puts closures before their edges.
+/// Minimum degree has little fill, but cannot be used, because it orders closures before their edges.
 TEST(EliminationOrder, FillsLittleMoreThanMinimumDegreeHoweverDenseTheWires) {
   for (const int spacing : {10, 4, 2}) {
     const OrderedNetwork ordered(net_of_wires(60, spacing));

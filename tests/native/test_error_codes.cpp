@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every code of error.h fired, with the offending elements named in the lists and in the sentence.
+// Every code of error.h is raised, and the offending elements are in the lists and in the message.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ FlattenInput scaled(FlattenInput input, double factor) {
   return input;
 }
 
-/// Each on vertices of its own.
+/// Squares that share no vertices.
 FlattenInput loose_squares(int count, int triangles_of_each) {
   FlattenInput input;
   input.vertices.resize(4 * count, 3);
@@ -67,13 +67,13 @@ struct Fault {
   const char* name;
   FlattenInput input;
   Code code;
-  const char* words;  // of the sentence
+  const char* words;  // of the message
   std::vector<int> faces = {};
   std::vector<int> vertices = {};
   std::vector<VertexPair> edges = {};
 };
 
-/// For the names of tests in a report.
+/// Names the case in test reports.
 void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 std::string name_of(const testing::TestParamInfo<Fault>& test) { return test.param.name; }
 
@@ -173,13 +173,13 @@ FlattenError carried_by(const FlattenInput& input) {
   return flatten(input).pieces.at(0).error.value_or(FlattenError(Code::cancelled, "no error"));
 }
 
-TEST(ErrorCodes, SeamsAreProposedWhereNothingElseHelps) {
+TEST(ErrorCodes, SeamsAreProposedIfNothingElseHelps) {
   const FlattenError three_faces = carried_by(triangles({{0, 1, 2}, {0, 2, 3}, {0, 2, 4}}));
   EXPECT_EQ(three_faces.elements.proposed_seams, three_faces.elements.edges);
   EXPECT_TRUE(carried_by(triangles({{0, 1, 2}, {0, 3, 2}})).elements.proposed_seams.empty()) << "turn a face";
 }
 
-TEST(ErrorCodes, LooseFacesAreThousandsOfPartsOfAFaceEach) {
+TEST(ErrorCodes, LooseFacesAreMoreThanAThousandSeparateParts) {
   const auto refused = [](int count, int triangles_of_each) {
     const FlattenError error = test::error_of([&] { flatten(loose_squares(count, triangles_of_each)); });
     EXPECT_EQ(error.code, Code::loose_faces);
@@ -196,14 +196,15 @@ TEST(ErrorCodes, LooseFacesAreThousandsOfPartsOfAFaceEach) {
   EXPECT_FALSE(allowed.pieces.front().error);
 }
 
-TEST(ErrorCodes, SizesBetweenTheLimitsAreFlattenedAlike) {
-  FlattenInput saddle = test::saddle(6, 0.4);  // nothing here buckles, to this or that side by rounding
+TEST(ErrorCodes, TheScaleOfTheModelDoesNotMatter) {
+  FlattenInput saddle = test::saddle(6, 0.4);  // no part buckles to one side or the other by rounding
   test::add_wire(saddle, test::grid_row(6, 2));
   const Positions2 expected = flatten(saddle).pieces[0].vertices;
   for (const double scale : {1e-57, 1e-30, 1e30, 0.9e60}) {
     const FlattenResult result = flatten(scaled(saddle, scale));
     ASSERT_FALSE(result.pieces[0].error.has_value()) << scale << " " << result.pieces[0].error->what();
-    // Rounding leads to another last step, and each stops where a step promises less than 1e-9 of what it minimizes.
+    // Rounding changes the last step, and each stage stops when the next step would gain less than 1e-9 of its
+    // objective.
     EXPECT_LT((result.pieces[0].vertices / scale - expected).cwiseAbs().maxCoeff(), 1e-6) << scale;
   }
 }
@@ -225,7 +226,7 @@ TEST(ErrorCodes, InvalidOption) {
     expect_words(error, words);
   };
   for (const double bad : {-0.1, 1.5, kNan}) expect_refused([=](Options& o) { o.gap = bad; }, "gap");
-  for (const int bad : {-2, 0}) expect_refused([=](Options& o) { o.grain = bad; }, "grain");  // there are no wires
+  for (const int bad : {-2, 0}) expect_refused([=](Options& o) { o.grain = bad; }, "grain");  // the input has no wires
   for (const double bad : {0.0, kNan}) expect_refused([=](Options& o) { o.up = {bad, 0, 0}; }, "up");
   for (const double bad : {0.0, 0.0009, 11.0, -0.1, kNan}) {
     expect_refused([=](Options& o) { o.fairness = bad; }, "between 0.001 and 10");
@@ -237,14 +238,14 @@ TEST(ErrorCodes, InvalidOption) {
 
 TEST(ErrorCodes, OptionsAndWiresAreCheckedWithoutAMeshToo) {
   Options options;
-  options.grain = 5;  // there may be as many wires
+  options.grain = 5;  // is allowed, because the number of wires is unknown
   EXPECT_NO_THROW(check_options(options));
   options.grain = -2;
   EXPECT_THROW(check_options(options), FlattenError);
   EXPECT_NO_THROW(check_wire({{7, 9}, 0.1, "waist"}));
   const FlattenError error = test::error_of([] { check_wire({{7}, 0.1, "waist"}); });
   EXPECT_EQ(error.code, Code::wire_too_short);
-  EXPECT_TRUE(error.elements.vertices.empty()) << "of what mesh?";
+  EXPECT_TRUE(error.elements.vertices.empty()) << "there is no mesh";
   expect_words(error, "wire (waist)");
   EXPECT_THROW(check_wire({{7, 9}, -1, ""}), FlattenError);
 }
@@ -254,7 +255,7 @@ TEST(ErrorCodes, CornersOfTheWrongNumberOfFaces) {
 }
 
 TEST(ErrorCodes, NonManifoldVertex) {
-  // A ring of quads but for one triangle: its ends touch in a vertex.
+  // A ring of quads without its last triangle: the two ends touch in a vertex.
   const int n = 8;
   FlattenInput input = test::flat_annulus(n, 1, 1, 2);
   const Eigen::RowVector3i left_out = input.faces.bottomRows(1);
@@ -274,9 +275,9 @@ TEST(ErrorCodes, Handles) {
   expect_words(error, "such as along edges");
 }
 
-TEST(ErrorCodes, AChartThatIsNotSolvableSparesTheOthers) {
-  // A pyramid of squares, each a ten-billionth of the one below it: a walk along the edges leaves the inner ones so
-  // rarely that the chance drowns in rounding.
+TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
+  // A pyramid of squares, each 1e-10 times as large as the one below: a random walk along the edges leaves the inner
+  // squares with a probability below rounding.
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> faces;
   const int rings = 4;
@@ -300,7 +301,7 @@ TEST(ErrorCodes, AChartThatIsNotSolvableSparesTheOthers) {
   const FlattenResult result = flatten(test::mesh_of(points, faces));
   ASSERT_TRUE(result.pieces[0].error.has_value());
   EXPECT_EQ(result.pieces[0].error->code, Code::not_solvable) << result.pieces[0].error->what();
-  std::set<int> small;  // all but those with a side of the outermost square
+  std::set<int> small;  // all faces but those with a side of the outermost square
   for (std::size_t f = 0; f < num_nested; ++f) {
     if (f >= 8 || f % 2 == 1) small.insert(static_cast<int>(f));
   }
@@ -334,8 +335,8 @@ TEST(ErrorCodes, EveryCodeHasItsDescription) {
   }
 }
 
-// A surface that no turning of faces orients.
-TEST(OneSidedSurface, AMobiusStripIsCutWhereItsFacesTurn) {
+// A surface that no flipping of faces can orient.
+TEST(OneSidedSurface, AMobiusStripIsCutWhereFacesFlip) {
   constexpr int n = 12;
   FlattenInput strip;
   strip.vertices.resize(2 * n, 3);
@@ -347,7 +348,7 @@ TEST(OneSidedSurface, AMobiusStripIsCutWhereItsFacesTurn) {
       strip.vertices.row(2 * i + side) << radius * std::cos(around), radius * std::sin(around),
           across * std::sin(twist);
     }
-    const bool is_last = i + 1 == n;  // the strip meets itself upside down
+    const bool is_last = i + 1 == n;  // the strip is joined upside down
     const int a = 2 * i, b = 2 * i + 1, c = is_last ? 1 : a + 2, d = is_last ? 0 : b + 2;
     strip.faces.row(2 * i) << a, c, b;
     strip.faces.row(2 * i + 1) << b, c, d;

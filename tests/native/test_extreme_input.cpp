@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Extreme but legal: what no modeler would draw, and some file holds.
+// Extreme but legal input, which nobody would model, but some files contain.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,7 +22,7 @@ FlattenInput dome_with_wires() {
   return input;
 }
 
-/// Both in one input; the wires of the first alone.
+/// Both surfaces in one input, with the wires of the first alone.
 FlattenInput side_by_side(const FlattenInput& first, const FlattenInput& second) {
   FlattenInput input = first;
   const auto offset = static_cast<int>(first.vertices.rows());
@@ -33,7 +33,7 @@ FlattenInput side_by_side(const FlattenInput& first, const FlattenInput& second)
   return input;
 }
 
-/// Flat with every promise kept, by every method.
+/// Expects flat pieces that keep every guarantee, by every method.
 void expect_flat(const FlattenInput& input) {
   for (const Method method : {Method::refined, Method::wirewarp_plus_plus, Method::wirewarping}) {
     Options options;
@@ -46,7 +46,7 @@ void expect_flat(const FlattenInput& input) {
 
 TEST(ExtremeInput, AnglesOfAMillionth) {
   FlattenInput input = dome_with_wires();
-  for (const int v : test::grid_row(10, 5)) {  // the rigid wire lies a millionth above the row below it
+  for (const int v : test::grid_row(10, 5)) {  // the rigid wire lies 1e-6 above the row below it
     input.vertices.row(v) = input.vertices.row(v - 11) + 1e-5 * (input.vertices.row(v) - input.vertices.row(v - 11));
   }
   expect_flat(input);
@@ -63,7 +63,8 @@ TEST(ExtremeInput, EdgesThatDifferByAMillion) {
 }
 
 TEST(ExtremeInput, EdgesThatDifferByAMillionDoNotStopTheRefinedMethod) {
-  // Columns and, in the second, rows: the shortest edges are a million times stiffer in their turns than the sheet.
+  // In the second case, rows are graded as well as columns: the shortest edges resist turning a million times more than
+  // the sheet.
   for (const bool in_both : {false, true}) {
     FlattenInput input = test::make_grid(
         10, 10, [&](double s, double t) { return dome(std::pow(1e-6, 1 - s), in_both ? std::pow(1e-6, 1 - t) : t); });
@@ -88,7 +89,7 @@ TEST(ExtremeInput, TinyBesideHuge) {
   expect_flat(side_by_side(tiny, huge));
 }
 
-/// Rounding of coordinates alone strains it by 1e-11: the search ends there, and does not stop short of anything.
+/// Rounding of the coordinates alone strains the strip by 1e-11, so the search converges there.
 TEST(ExtremeInput, AFlatStripThirtyThousandTimesAsLongAsWide) {
   for (const int n : {1, 30, 100}) {
     const FlattenResult result = flatten(test::flat_rectangle(n, 4, 1, 3e-5));

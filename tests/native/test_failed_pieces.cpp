@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts that cannot be flattened: they say so, hold no figures that pass for a flat shape, and spare the others.
+// Charts that cannot be flattened report an error and no figures of a flat shape, and do not affect other charts.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -17,7 +17,7 @@
 namespace wirewarp::test_failed_pieces {
 namespace {
 
-/// The piece knows its faces and their area, and nothing in it passes for a flat shape.
+/// Expects that the piece has its faces and their area, but no figures of a flat shape.
 void expect_no_figures(const FlattenInput& input, const Piece& piece) {
   const Metrics& metrics = piece.metrics;
   const auto num_faces = static_cast<Eigen::Index>(piece.source_face.size());
@@ -46,7 +46,7 @@ void expect_no_figures(const FlattenInput& input, const Piece& piece) {
   EXPECT_NEAR(metrics.area_3d, area, 1e-14);
 }
 
-TEST(FailedPieces, ABadChartSparesTheOthers) {
+TEST(FailedPieces, OtherChartsAreFlattenedIfOneIsBad) {
   const int n = 6;
   for (const std::size_t bad : {0u, 1u}) {
     FlattenInput input = test::flat_rectangle(n, n, 1, 1);
@@ -64,14 +64,14 @@ TEST(FailedPieces, ABadChartSparesTheOthers) {
       EXPECT_EQ(result.corner_uv.row(f).allFinite(), std::count(good.begin(), good.end(), f) > 0);
     }
     ASSERT_EQ(result.seams.size(), 1u);
-    EXPECT_EQ(result.seams[0].pieces, (std::vector<int>{0, 1})) << "in the order of pieces";
+    EXPECT_EQ(result.seams[0].pieces, (std::vector<int>{0, 1})) << "in the order of the pieces";
     EXPECT_TRUE(std::isnan(result.seams[0].mismatch));
     EXPECT_TRUE(std::isnan(result.seams[0].length_2d[bad]));
     EXPECT_NEAR(result.seams[0].length_2d[1 - bad], 1, 1e-9);
   }
 }
 
-/// A cap of five triangles around an apex, every edge a rigid wire: no flat shape has its lengths.
+/// A cap of five triangles around an apex, with a rigid wire on every edge: no flat shape has these lengths.
 FlattenInput cap_of_rigid_edges() {
   FlattenInput input;
   input.vertices.resize(6, 3);
@@ -86,7 +86,7 @@ FlattenInput cap_of_rigid_edges() {
   return input;
 }
 
-TEST(FailedPieces, SayWhatWasTriedAndNoFiguresOfAShape) {
+TEST(FailedPieces, ReportTheirWorkButNoFiguresOfAShape) {
   for (const Method method : {Method::refined, Method::wirewarping}) {
     Options options;
     options.method = method;
@@ -101,19 +101,19 @@ TEST(FailedPieces, SayWhatWasTriedAndNoFiguresOfAShape) {
   }
 }
 
-// Outlines too short to hold their surface in the plane: the bound, and what is said of them.
+// Outlines too short to enclose their surface in the plane: the bound, and the error.
 
-TEST(Isoperimetric, TheLeastShapeErrorIsThatOfUniformShrinking) {
-  // All singular values s: E / area = 2 (1 - s)^2, the share is s^2.
+TEST(Isoperimetric, TheLeastShapeErrorIsReachedByUniformShrinking) {
+  // Both singular values are s: E / area = 2 (1 - s)^2, and the area ratio is s^2.
   for (const double s : {0.5, 0.6, 0.9, 1.0}) EXPECT_NEAR(least_shape_error(s * s), 2 * (1 - s) * (1 - s), 1e-15);
-  // Below, one singular value is 1 - s, the other s: E / area = s^2 + (1 - s)^2, the share s (1 - s).
+  // Below 1/4, the singular values are 1 - s and s: E / area = s^2 + (1 - s)^2, and the area ratio is s (1 - s).
   for (const double s : {0.1, 0.3, 0.5}) {
     EXPECT_NEAR(least_shape_error(s * (1 - s)), s * s + (1 - s) * (1 - s), 1e-15);
   }
   EXPECT_EQ(least_shape_error(3), 0);
 }
 
-TEST(Isoperimetric, TheLeastShapeErrorIsConvex) {  // so that triangles of different shares cannot have less
+TEST(Isoperimetric, TheLeastShapeErrorIsConvex) {  // so triangles with different ratios cannot have a smaller error
   const double step = 1. / 64;
   for (double share = step; share < 1.5; share += step) {
     const double chord = (least_shape_error(share - step) + least_shape_error(share + step)) / 2;
@@ -128,7 +128,7 @@ TEST(InfeasibleOutline, NamesTheSeamThatItProposes) {
   EXPECT_NE(std::string(error.what()).find("mark a seam, such as along edge 0-16."), std::string::npos) << error.what();
 }
 
-TEST(ShortOutline, OfManyOpeningsNamesTheLongest) {
+TEST(ShortOutline, NamesTheLongestOfManyOpenings) {
   const int nx = 24, ny = 24;
   FlattenInput input = test::cylinder_tube(nx, ny, 1, 6);
   int face = 0;
@@ -141,15 +141,15 @@ TEST(ShortOutline, OfManyOpeningsNamesTheLongest) {
   EXPECT_EQ(result.pieces[0].error->elements.vertices.size(), 10U);  // 2 ends and 8 holes
 }
 
-TEST(ShortOutline, TellsTheLengthThatItsEaseLeavesIt) {
+TEST(ShortOutline, ReportsTheLengthWithItsEase) {
   FlattenInput input = test::cylinder_tube(16, 4, 1, 6);
   test::add_wire(input, test::tube_ring(16, 0));
   input.wires[0].ease = 0.25;
   const std::optional<FlattenError> error = flatten(input).pieces.at(0).error;
   ASSERT_TRUE(error);
   const double around = 16 * 2 * std::sin(kPi / 16);
-  const std::string told = "its outlines, " + rounded(1.25 * around) + " units long at vertex ";
-  EXPECT_NE(std::string(error->what()).find(told), std::string::npos) << error->what();
+  const std::string expected = "its outlines, " + rounded(1.25 * around) + " units long at vertex ";
+  EXPECT_NE(std::string(error->what()).find(expected), std::string::npos) << error->what();
 }
 
 }  // namespace

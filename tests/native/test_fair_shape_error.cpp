@@ -24,7 +24,7 @@ Positions2 random_positions(Eigen::Index rows, unsigned seed) {
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
-/// A bent sheet with crossing wires, and layouts with open, compressed, nearly closed and turned triangles.
+/// A bent sheet with crossing wires, and layouts with open, compressed, nearly collapsed and flipped triangles.
 class FairShapeErrorOnASaddle : public testing::Test {
  protected:
   static FlattenInput input() {
@@ -54,8 +54,9 @@ class FairShapeErrorOnASaddle : public testing::Test {
     return Eigen::MatrixXd(Eigen::MatrixXd(matrix.lower()).selfadjointView<Eigen::Lower>());
   }
 
-  /// Central differences along the line uv + t d with h = 1e-6: an error of h² times the third derivative, of rounding
-  /// over h, and where a triangle crosses the edge of the barrier of h times its second derivative.
+  /// Compares with central differences along the line uv + t d. With h = 1e-6, their error is h² times the third
+  /// derivative plus rounding over h, or h times the barrier's second derivative if a triangle crosses the barrier's
+  /// edge.
   void expect_derivatives(const Positions2& uv, const Positions2& d, double hessian_tolerance) {
     const double h = 1e-6;
     Positions2 gradient, ahead, behind;
@@ -84,26 +85,26 @@ TEST_F(FairShapeErrorOnASaddle, DerivativesEqualDifferences) {
   EXPECT_TRUE(is_barrier_met);
 }
 
-TEST_F(FairShapeErrorOnASaddle, EveryOtherCurvatureIsAboveTheExactOneAndTheConvexOneIsPositive) {
+TEST_F(FairShapeErrorOnASaddle, OtherCurvaturesBoundTheExactOneAndTheConvexOneIsPositive) {
   for (unsigned seed = 0; seed < 8; ++seed) {
     const Positions2 uv = layout(seed);
     const Eigen::MatrixXd exact = hessian(uv, Curvature::exact), convex = hessian(uv, Curvature::convex),
                           none = hessian(uv, Curvature::none);
     const double rounding = 1e-12 * none.norm();
-    EXPECT_LT(test::eigenvalues(exact).minCoeff(), -rounding) << "nothing to mend";
+    EXPECT_LT(test::eigenvalues(exact).minCoeff(), -rounding) << "the exact Hessian needs no convex replacement";
     EXPECT_GT(test::eigenvalues(convex - exact).minCoeff(), -rounding);
     EXPECT_GT(test::eigenvalues(none - convex).minCoeff(), -rounding);
     EXPECT_GT(test::eigenvalues(convex).minCoeff(), -rounding);
   }
 }
 
-TEST_F(FairShapeErrorOnASaddle, RoundingCostsHalfTheTraceOfTheConstantHessian) {
+TEST_F(FairShapeErrorOnASaddle, RoundingCostsHalfTheTraceOfTheHessian) {
   const double error = 1e-3, trace = hessian(test::planar_positions(chart), Curvature::none).trace();
   const double expected = error * error / 2 * trace;
   EXPECT_NEAR(objective.value_of_rounding(error), expected, 1e-12 * expected);
 }
 
-TEST_F(FairShapeErrorOnASaddle, BarriersAreSilentOnOpenTrianglesAndOneIsInfiniteOnTurnedOnes) {
+TEST_F(FairShapeErrorOnASaddle, BarriersAreZeroForOpenTrianglesAndOneIsInfiniteForFlippedOnes) {
   const FairShapeError injective(chart, network, 0.2, nullptr, Injectivity::local);
   const Positions2 flat = test::planar_positions(chart), turned = layout(1);
   ASSERT_GT(objective.count_flips(turned), 0);
@@ -112,7 +113,7 @@ TEST_F(FairShapeErrorOnASaddle, BarriersAreSilentOnOpenTrianglesAndOneIsInfinite
   EXPECT_EQ(injective.value(turned), std::numeric_limits<double>::infinity());
 }
 
-/// Squeezed to determinants from 0.01 to 0.09, where the infinite barrier works.
+/// Triangles squeezed to determinants from 0.01 to 0.09, where the infinite barrier is active.
 TEST_F(FairShapeErrorOnASaddle, DerivativesOfTheInfiniteBarrierEqualDifferences) {
   objective = FairShapeError(chart, network, 0.2, nullptr, Injectivity::local);
   const Positions2 flat = test::planar_positions(chart);
@@ -123,8 +124,8 @@ TEST_F(FairShapeErrorOnASaddle, DerivativesOfTheInfiniteBarrierEqualDifferences)
   EXPECT_GT(test::eigenvalues(convex).minCoeff(), -1e-12 * convex.norm());
 }
 
-/// The same sheet of a cloth that locks, its triangles open, stretched and squeezed.
-class FairShapeErrorOfACloth : public FairShapeErrorOnASaddle {
+/// The same sheet of a fabric that locks; its triangles are unflipped, stretched and squeezed.
+class FairShapeErrorOfAFabric : public FairShapeErrorOnASaddle {
  protected:
   static Cloth locking_cloth() {
     Cloth cloth;
@@ -144,7 +145,7 @@ class FairShapeErrorOfACloth : public FairShapeErrorOnASaddle {
   void SetUp() override { objective = FairShapeError(chart, network, 0.2, &cloth, Injectivity::local); }
 };
 
-TEST_F(FairShapeErrorOfACloth, DerivativesEqualDifferences) {
+TEST_F(FairShapeErrorOfAFabric, DerivativesEqualDifferences) {
   for (unsigned seed = 0; seed < 8; ++seed) {
     const Positions2 uv = open_layout(seed);
     ASSERT_EQ(objective.count_flips(uv), 0);
@@ -152,31 +153,31 @@ TEST_F(FairShapeErrorOfACloth, DerivativesEqualDifferences) {
   }
 }
 
-TEST_F(FairShapeErrorOfACloth, TheConvexCurvatureIsPositiveAndAboveTheExactOne) {
+TEST_F(FairShapeErrorOfAFabric, TheConvexCurvatureIsPositiveAndAboveTheExactOne) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     const Eigen::MatrixXd exact = hessian(open_layout(seed), Curvature::exact),
                           convex = hessian(open_layout(seed), Curvature::convex);
     const double rounding = 1e-12 * convex.norm();
-    EXPECT_LT(test::eigenvalues(exact).minCoeff(), -rounding) << "nothing to mend";
+    EXPECT_LT(test::eigenvalues(exact).minCoeff(), -rounding) << "the exact Hessian needs no convex replacement";
     EXPECT_GT(test::eigenvalues(convex).minCoeff(), -rounding);
     EXPECT_GT(test::eigenvalues(convex - exact).minCoeff(), -rounding);
   }
 }
 
-TEST_F(FairShapeErrorOfACloth, TrianglesTurnedOverAreInfinite) {
+TEST_F(FairShapeErrorOfAFabric, FlippedTrianglesAreInfinite) {
   Positions2 mirrored = test::planar_positions(chart);
   mirrored.col(0) *= -1;
   const FairShapeError without_barrier(chart, network, 0.2, &cloth);
   EXPECT_EQ(without_barrier.value(mirrored), std::numeric_limits<double>::infinity());
 }
 
-TEST(FairShapeError, AStepEndsWhereTheFirstTriangleTurnsOver) {
+TEST(FairShapeError, AStepEndsWhereTheFirstTriangleFlips) {
   const Charts charts = test::charts_of(test::flat_rectangle(1, 1, 1, 1));  // cut from (0, 0) to (1, 1)
   const Chart& chart = charts.charts.at(0);
   const HeldNetwork network = build_held_network(chart);
   const Positions2 uv = test::planar_positions(chart);
   Positions2 d = Positions2::Zero(4, 2);
-  d.row(1) << -1, 1;  // of the corner (1, 0), onto the diagonal half way
+  d.row(1) << -1, 1;  // moves the corner (1, 0) onto the diagonal after half of the step
   const FairShapeError injective(chart, network, 0.1, nullptr, Injectivity::local);
   EXPECT_NEAR(injective.longest_step(uv, d), 0.5, 1e-15);
   EXPECT_EQ(injective.longest_step(uv, 0.4 * d), 1);
@@ -190,14 +191,14 @@ TEST(FairShapeError, AMirrorImageIsAllFlips) {
   const Positions2 uv = test::planar_positions(chart);
   EXPECT_EQ(objective.count_flips(uv), 0);
   EXPECT_EQ(objective.count_flips(uv * Eigen::Vector2d(-1, 1).asDiagonal()), 12);
-  // Without distortion f is 0: nothing but the barrier of the mirror image, det J = -1, and E of it, 4 A.
+  // Without distortion f is 0, and for the mirror image only the barrier at det J = -1 and E = 4 A remain.
   EXPECT_NEAR(objective.value(uv), 0, 1e-25);
   EXPECT_NEAR(Bending(chart, build_held_network(chart), 0.1, std::vector<double>(chart.mesh.n_vertices(), 6)).value(uv),
               0, 1e-25);
 }
 
-/// A square sheared to a rhombus by β: its lengths along rows and columns are exact, and every corner between a row and
-/// a column is off by β: |r|² = 2 - 2 cos β.
+/// A square sheared into a rhombus by β: lengths along rows and columns are exact, and every corner between a row and a
+/// column is off by β, with |r|² = 2 - 2 cos β.
 class BendingOfARhombus : public testing::TestWithParam<int> {};
 
 TEST_P(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
@@ -205,23 +206,24 @@ TEST_P(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
   FlattenInput input = test::flat_rectangle(n, n, 1, 1);
   test::add_wire(input, test::grid_row(n, n / 2));
   test::add_wire(input, test::grid_column(n, n, n / 2), 0.1);
-  test::add_wire(input, test::grid_column(n, n, 1), std::numeric_limits<double>::infinity());  // no corners
+  test::add_wire(input, test::grid_column(n, n, 1),
+                 std::numeric_limits<double>::infinity());  // a free wire has no corners
   const Chart chart = test::chart_of(input);
   const double beta = 0.3, fairness = 0.25;
   Positions2 uv = test::planar_positions(chart);
   uv = (uv * (Eigen::Matrix2d() << 1, 0, std::sin(beta), std::cos(beta)).finished()).eval();
-  const int of_square = 4, between_lines = 4 * 2 + 4;  // where a wire meets the outline, at the crossing
+  const int of_square = 4, between_lines = 4 * 2 + 4;  // corners of wires with the outline, and at the crossing
   const double lengths = of_square * n + between_lines * std::min<double>(n, 8 / fairness);  // sum of 1/ℓ
   const double expected = 0.5 * lengths * std::pow(fairness, 3) * (2 - 2 * std::cos(beta));
   const Bending bending(chart, build_held_network(chart), fairness, std::vector<double>(chart.mesh.n_vertices(), 1));
   EXPECT_NEAR(bending.value(uv), expected, 1e-13);
   const double moved = bending.value(uv.rowwise() + Eigen::RowVector2d(1e6, -2e6));
-  EXPECT_NEAR(moved, expected, 1e-7) << "positions enter by differences";
+  EXPECT_NEAR(moved, expected, 1e-7) << "only differences of positions matter";
 }
 
 INSTANTIATE_TEST_SUITE_P(CoarseAndFine, BendingOfARhombus, testing::Values(4, 64));
 
-/// Two edges of a row of the unit square, both turned by γ about the vertex between them.
+/// Two edges of a row of the unit square, each rotated by γ about their common vertex.
 class BendingOfAFold : public testing::Test {
  protected:
   static constexpr int n = 4;
@@ -250,7 +252,7 @@ TEST_F(BendingOfAFold, AWireThatEndsInsideHasNoCornerThere) {
   EXPECT_NEAR(value(test::flat_rectangle(n, n, 1, 1), 0.1), expected, 1e-13);
 }
 
-TEST_F(BendingOfAFold, ALineIsHeldThroughACrossingAsByItsCornersOnACoarseMesh) {
+TEST_F(BendingOfAFold, ALineBendsAtACrossingLikeItsCornersOnACoarseMesh) {
   FlattenInput input = test::flat_rectangle(n, n, 1, 1);
   test::add_wire(input, test::grid_column(n, n, n / 2));
   EXPECT_NEAR(value(input, 0.1), 0.5 * 4 * std::pow(0.1, 3) * n * squared(gamma), 1e-13);
@@ -261,7 +263,7 @@ TEST_F(BendingOfAFold, ALineIsHeldThroughACrossingAsByItsCornersOnACoarseMesh) {
 TEST(VertexMatrix, AVertexPairedWithItselfHasItsDiagonalBlockOnly) {
   const VertexMatrix matrix(3, {{0, 0}, {2, 0}, {1, 1}, {0, 0}}), without(3, {{2, 0}});
   EXPECT_EQ(matrix.lower().nonZeros(), without.lower().nonZeros());
-  // The block of a submatrix is copied column by column, which Eigen does only for rising rows.
+  // The block of a submatrix is copied by columns; Eigen requires sorted rows for this.
   EXPECT_EQ(Eigen::SparseMatrix<double>(matrix.lower().topLeftCorner(4, 4)).nonZeros(), 6);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole pipeline: exact lengths, isometric developables, and a result that does not depend on how the mesh is
+// The whole pipeline: exact lengths, isometric developable pieces, and results that do not depend on how the mesh is
 // numbered, placed, scaled, mirrored or refined.
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 using test::misfit;
 
-// A millionth of the piece: the refined method stops where another step promises less than 1e-9 of f.
+// A millionth of the piece's size: the refined method stops when the next step would gain less than 1e-9 of f.
 constexpr double kSame = 1e-6;
 constexpr Method kMethods[] = {Method::wirewarp_plus_plus, Method::refined};
 
@@ -33,7 +33,7 @@ Positions2 mirrored(Positions2 uv) {
   return uv;
 }
 
-/// Half a ball of four gores with a wire around that crosses every seam: charts, junctions, a wire in parts.
+/// A hemisphere of four gores with a wire around that crosses every seam: charts, junctions, and a wire in parts.
 FlattenInput gores_with_a_wire() {
   const int gores = 4, n = 6, rings = 12;
   FlattenInput input = test::sphere_of_gores(gores, n, rings);
@@ -52,7 +52,7 @@ FlattenInput gores_with_a_wire() {
   return input;
 }
 
-/// A dome, lopsided, with a dart to its middle; flat where bend is 0.
+/// A lopsided dome with a dart to its middle; it is flat if bend is 0.
 FlattenInput sheet_with_a_dart(int n, double bend) {
   FlattenInput input = test::make_grid(n, n, [&](double s, double t) {
     const double x = 2 * s - 1;
@@ -66,8 +66,8 @@ FlattenInput sheet_with_a_dart(int n, double bend) {
   return input;
 }
 
-/// Flattens, and expects every promise kept and every piece good.
-FlattenResult expect_promises(const FlattenInput& input, const Options& options) {
+/// Flattens the input, and expects that every guarantee is kept and every piece is good.
+FlattenResult expect_guarantees(const FlattenInput& input, const Options& options) {
   FlattenResult result = flatten(input, options);
   for (const Piece& piece : result.pieces) {
     EXPECT_FALSE(piece.error.has_value()) << piece.error->what();
@@ -85,7 +85,7 @@ FlattenResult expect_promises(const FlattenInput& input, const Options& options)
 TEST(Flatten, LengthsAreExactOnDoublyCurvedPieces) {
   for (const FlattenInput& input :
        {test::quarter_sphere(12), gores_with_a_wire(), sheet_with_a_dart(16, 0.3), test::saddle(12, 0.4)}) {
-    for (const Method method : kMethods) expect_promises(input, by(method));
+    for (const Method method : kMethods) expect_guarantees(input, by(method));
   }
 }
 
@@ -107,7 +107,7 @@ TEST(Flatten, DevelopablePiecesAreIsometric) {
   }
   for (const FlattenInput& input : {cylinder, cone, tube, plate, sheet_with_a_dart(8, 0)}) {
     for (const Method method : kMethods) {
-      const FlattenResult result = expect_promises(input, by(method));
+      const FlattenResult result = expect_guarantees(input, by(method));
       for (const Piece& piece : result.pieces) {
         EXPECT_LT(piece.metrics.arap_energy, 1e-20);
         EXPECT_NEAR(piece.metrics.face_aspect_ratio.maxCoeff(), 1, 1e-10);
@@ -133,8 +133,8 @@ TEST(Flatten, FollowsRigidMotionAndScale) {
   }
 }
 
-TEST(Flatten, TheSameSurfaceGivenInAnotherWayGivesTheSamePiece) {
-  // Without symmetry: wires of a symmetric piece may buckle to either side.
+TEST(Flatten, PiecesDoNotDependOnHowTheSurfaceIsGiven) {
+  // The surface is not symmetric, because wires of a symmetric piece may buckle to either side.
   FlattenInput dome = test::jittered_grid(12, 0.3, [](double s, double t) {
     const double x = 2 * s - 1, y = 2 * t - 1;
     return Eigen::Vector3d(x, y, -0.4 * (x * x + y * y) - 0.15 * x * y * y);
@@ -152,7 +152,8 @@ TEST(Flatten, TheSameSurfaceGivenInAnotherWayGivesTheSamePiece) {
         }
       }
       const bool is_refined = method == Method::refined;
-      // Newton's iteration may end a step earlier or later: the objectives are the same, the places to their root.
+      // Newton's iteration may stop a step earlier or later: objectives agree, and positions agree to the root of the
+      // tolerance.
       if (is_refined) {
         EXPECT_NEAR(after.pieces[0].report.objective, before.pieces[0].report.objective, 1e-11);
       }
@@ -161,15 +162,15 @@ TEST(Flatten, TheSameSurfaceGivenInAnotherWayGivesTheSamePiece) {
   }
 }
 
-TEST(Flatten, ThePieceFromInsideOnRequest) {
+TEST(Flatten, MirrorReturnsTheMirrorImage) {
   const FlattenInput input = sheet_with_a_dart(12, 0.3);
   Options options;
   options.mirror = true;
-  const FlattenResult inside = expect_promises(input, options);
+  const FlattenResult inside = expect_guarantees(input, options);
   EXPECT_LT(misfit(mirrored(flatten(input).pieces[0].vertices), inside.pieces[0].vertices), 1e-12);
 }
 
-/// The quarter sphere with its columns crowded to one side: grading 1 is even.
+/// The quarter sphere with its columns crowded towards one side; grading 1 is even.
 FlattenInput graded_quarter_sphere(int n, double grading) {
   const auto graded = [&](double s) { return s + (1 - 1 / grading) * s * (1 - s) / (2 - 1 / grading); };
   FlattenInput input = test::make_grid(2 * n, n, [&](double s, double t) {
@@ -182,7 +183,7 @@ FlattenInput graded_quarter_sphere(int n, double grading) {
   return input;
 }
 
-/// Of the paper's method, which has a weight for nodes.
+/// The energy by the paper's method, which weights the nodes.
 double energy(const FlattenInput& input, NodeWeight weight) {
   Options options = by(Method::wirewarp_plus_plus);
   options.node_weight = weight;
@@ -192,7 +193,7 @@ double energy(const FlattenInput& input, NodeWeight weight) {
 TEST(Flatten, WirewarpingConvergesWhenTheSurfaceIsRefined) {
   double previous = energy(test::quarter_sphere(24), NodeWeight::length);
   double change = 1;
-  for (const int n : {36, 54, 81}) {  // by half each time
+  for (const int n : {36, 54, 81}) {  // 1.5 times as fine each time
     const double refined = energy(test::quarter_sphere(n), NodeWeight::length);
     EXPECT_LT(std::abs(refined - previous), 0.8 * change) << n;
     change = std::abs(refined - previous);
@@ -201,7 +202,7 @@ TEST(Flatten, WirewarpingConvergesWhenTheSurfaceIsRefined) {
   EXPECT_LT(change, 0.01 * previous);
 }
 
-TEST(Flatten, LengthWeightForgetsTheGradingOfTheMeshAndUniformWeightDoesNot) {
+TEST(Flatten, TheGradingOfTheMeshMattersOnlyForTheUniformWeight) {
   const int n = 48;
   const auto change = [&](NodeWeight weight) {
     const double even = energy(graded_quarter_sphere(n, 1), weight);
@@ -234,11 +235,11 @@ TEST(Flatten, NetworksOfEveryKindKeepTheirLengths) {
   test::add_wire(along, wire);
 
   for (const FlattenInput& input : {crossing, meeting, ring, along}) {
-    for (const Method method : kMethods) expect_promises(input, by(method));
+    for (const Method method : kMethods) expect_guarantees(input, by(method));
   }
 }
 
-TEST(Flatten, APieceWithFlippedFacesSaysSoAndKeepsItsLengths) {
+TEST(Flatten, FlippedFacesAreReportedAndLengthsKept) {
   const FlattenResult result = flatten(test::quarter_sphere(24), by(Method::wirewarping));
   const Piece& piece = result.pieces[0];
   ASSERT_FALSE(piece.metrics.flipped_faces.empty());
@@ -251,7 +252,7 @@ TEST(Flatten, APieceWithFlippedFacesSaysSoAndKeepsItsLengths) {
   for (const WireReport& wire : piece.wires) EXPECT_LT(wire.max_edge_error, 1e-9);
 }
 
-TEST(Measure, JudgesFlattensOwnResultTheSame) {
+TEST(Measure, AgreesWithTheResultOfFlatten) {
   const FlattenInput input = gores_with_a_wire();
   const FlattenResult flat = flatten(input);
   const FlattenResult measured = measure(input, flat.corner_uv);
@@ -275,7 +276,7 @@ TEST(Measure, FindsLengthsThatAFlatteningDoesNotKeep) {
   EXPECT_NEAR(measured.wires[0].length_2d, 1.01 * measured.wires[0].length_3d, 1e-9);
 }
 
-TEST(Flatten, StagesAreToldInTheirOrder) {
+TEST(Flatten, StagesAreReportedInTheirOrder) {
   FlattenInput input = test::saddle(8, 0.5);
   test::add_wire(input, test::grid_row(8, 4), 0.05);
   Options options;

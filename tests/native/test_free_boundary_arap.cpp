@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kUntilConverged = 5000;
 
-/// Largest change of an edge's length over the length, beyond what the rounding of coordinates makes of it.
+/// Largest relative change of an edge's length, less the rounding of coordinates.
 double largest_stretch(const Chart& chart, const Positions2& uv) {
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
   double largest = 0;
@@ -63,7 +63,7 @@ FlattenInput sliver_plate() {
   });
 }
 
-/// Every triangle has an angle above 150 degrees: a third of the cotangents is negative.
+/// Every triangle has an angle above 150 degrees, so a third of the cotangents are negative.
 FlattenInput sheared_plate() {
   return test::make_grid(8, 8, [](double s, double t) { return Eigen::Vector3d(s - 3 * t, t, 0); });
 }
@@ -97,8 +97,8 @@ INSTANTIATE_TEST_SUITE_P(Shapes, CircleEmbedding,
 
 class Developable : public testing::TestWithParam<Case> {};
 
-/// Toward E = 0 every step lowers E by a good part of it, so the iteration ends in rounding.
-TEST_P(Developable, ComesOutWithItsLengths) {
+/// Towards E = 0, every step lowers E by a constant factor, so the iteration ends in rounding.
+TEST_P(Developable, KeepsItsLengths) {
   const Chart chart = test::chart_of(GetParam().input);
   const FreeBoundaryArap flat = free_boundary_arap(chart, kUntilConverged);
   EXPECT_TRUE(flat.converged);
@@ -120,7 +120,8 @@ TEST(FreeArap, ReachesTheKnownEnergyOfTheQuarterSphere) {
   EXPECT_TRUE(flat.converged);
   EXPECT_EQ(flat.factorizations, 2);
   EXPECT_LE(flat.iterations, 10);
-  EXPECT_NEAR(flat.energy / surface_area(chart.mesh), 0.00421971, 0.01 * 0.00421971);  // computed independently
+  EXPECT_NEAR(flat.energy / surface_area(chart.mesh), 0.00421971,
+              0.01 * 0.00421971);  // computed by an independent program
   EXPECT_EQ(ShapeError(chart).energy(flat.uv), flat.energy);
 }
 
@@ -134,7 +135,7 @@ TEST(FreeArap, StopsAtAnyStepWhenAsked) {
   }
 }
 
-/// Bending a long strip as a whole costs next to nothing: steps that know nothing of each other hardly move it.
+/// Bending a long strip as a whole costs almost no energy, so independent steps hardly move it; conjugate steps do.
 TEST(FreeArap, UnrollsALongStripByConjugateSteps) {
   const Chart chart = test::chart_of(test::cone_patch(48, 4, 10, 11, 0.5, 4));
   Positions2 uv = tutte_embedding(chart);
@@ -149,7 +150,7 @@ class FreeArapOnASphere : public testing::Test {
 };
 
 TEST_F(FreeArapOnASphere, NeverRaisesTheEnergy) {
-  // From shapes with half of the triangles flipped, where the first steps are large.
+  // Starts with half of the triangles flipped, from which the first steps are large.
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   for (int trial = 0; trial < 5; ++trial) {
@@ -173,7 +174,7 @@ TEST_F(FreeArapOnASphere, StartsFromTheEmbeddingOnACircle) {
   EXPECT_EQ(free_boundary_arap(chart, 10).uv, free_boundary_arap(chart, 10, flat.uv).uv);
 }
 
-TEST_F(FreeArapOnASphere, TurnsAMirroredStartOver) {
+TEST_F(FreeArapOnASphere, FlipsAMirroredStart) {
   const Positions2 start = tutte_embedding(chart);
   const Positions2 mirrored = start * Eigen::Vector2d(-1, 1).asDiagonal();
   EXPECT_EQ(free_boundary_arap(chart, 10, mirrored).uv, free_boundary_arap(chart, 10, start).uv);
@@ -195,7 +196,7 @@ class ShapeErrorOnASphere : public testing::Test {
 };
 
 TEST_F(ShapeErrorOnASphere, GradientEqualsDifferences) {
-  // Fourth-order differences: an error of h⁴ times the fifth derivative, and of rounding over h.
+  // The error of fourth-order differences is h⁴ times the fifth derivative plus rounding over h.
   const double h = 1e-3;
   for (unsigned seed = 0; seed < 5; ++seed) {
     const Positions2 uv = random_positions(chart, seed), direction = random_positions(chart, seed + 100);
@@ -207,7 +208,7 @@ TEST_F(ShapeErrorOnASphere, GradientEqualsDifferences) {
   }
 }
 
-TEST_F(ShapeErrorOnASphere, HeldRotationsBoundTheEnergy) {
+TEST_F(ShapeErrorOnASphere, FixedRotationsBoundTheEnergy) {
   const Eigen::SparseMatrix<double> hessian = shape_error.fixed_rotation_hessian();
   for (unsigned seed = 0; seed < 20; ++seed) {
     const Positions2 uv = random_positions(chart, seed), step = random_positions(chart, seed + 100);
@@ -216,7 +217,7 @@ TEST_F(ShapeErrorOnASphere, HeldRotationsBoundTheEnergy) {
     const Positions2 curved = hessian.selfadjointView<Eigen::Lower>() * step;
     const double slope = (gradient.array() * step.array()).sum(), curvature = (curved.array() * step.array()).sum();
     EXPECT_LE(shape_error.energy(uv + step), energy + slope + curvature / 2);
-    // Toward a point no rotation changes: the bound is met.
+    // A step towards a point changes no rotation, so the bound is reached.
     Positions2 inwards = -0.3 * uv;
     const double shrunk = shape_error.energy(uv + inwards);
     const Positions2 pulled = hessian.selfadjointView<Eigen::Lower>() * inwards;
@@ -225,7 +226,7 @@ TEST_F(ShapeErrorOnASphere, HeldRotationsBoundTheEnergy) {
   }
 }
 
-/// Without distortion but for a uniform stretch s, E = 2A (s - 1)²; in the mirror image |z| = 0 and |w| = s.
+/// For a uniform stretch s, E = 2A (s - 1)²; in its mirror image, |z| = 0 and |w| = s.
 TEST(ShapeError, CountsMirrorImagesAgainstRotations) {
   const Chart chart = test::chart_of(test::flat_rectangle(3, 2, 3, 2));
   const ShapeError shape_error(chart);
@@ -236,8 +237,8 @@ TEST(ShapeError, CountsMirrorImagesAgainstRotations) {
   EXPECT_NEAR(shape_error.energy(mirrored), area * (2 + 2 * s * s), 1e-12);
 }
 
-/// At z = 0 the gradient is that of A(2 + 2|w|²): finite, and with nothing to divide by.
-TEST(ShapeError, HasAFiniteGradientWhereNoRotationIsBest) {
+/// At z = 0, the gradient is that of A(2 + 2|w|²): it is finite, and nothing is divided by zero.
+TEST(ShapeError, HasAFiniteGradientIfNoRotationIsBest) {
   const Chart chart = test::chart_of(test::flat_rectangle(3, 2, 3, 2));
   const ShapeError shape_error(chart);
   Positions2 gradient;
@@ -246,7 +247,7 @@ TEST(ShapeError, HasAFiniteGradientWhereNoRotationIsBest) {
 
   const Positions2 mirrored = test::planar_positions(chart) * Eigen::Vector2d(-1, 1).asDiagonal();
   shape_error.energy_and_gradient(mirrored, gradient);
-  // Along the stretch by s, d/ds A(2 + 2s²) = 4A at s = 1.
+  // For a stretch by s, d/ds A(2 + 2s²) = 4A at s = 1.
   EXPECT_NEAR((gradient.array() * mirrored.array()).sum(), 4 * 6, 1e-11);
 }
 

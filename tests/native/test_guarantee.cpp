@@ -16,7 +16,7 @@ namespace {
 using test::charts_of;
 using test::planar_positions;
 
-/// A unit square with one wire across, at half height, between vertices 10 and 14; vertex 12 is its middle.
+/// A unit square with a wire across at half height, from vertex 10 to vertex 14; vertex 12 is its middle.
 struct Sheet {
   FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
   Charts charts;
@@ -43,9 +43,9 @@ bool names(const FlattenError& error, const std::string& text) {
   return std::string(error.what()).find(text) != std::string::npos;
 }
 
-TEST(Guarantee, FlatSheetKeepsEveryPromise) { EXPECT_FALSE(Sheet(0).check()); }
+TEST(Guarantee, FlatSheetKeepsEveryGuarantee) { EXPECT_FALSE(Sheet(0).check()); }
 
-TEST(Guarantee, LengthsCountFromOnePartInABillion) {
+TEST(Guarantee, LengthErrorsAboveOnePartInABillionAreReported) {
   Sheet sheet(0);
   sheet.uv(12, 0) += 0.25 * 0.9e-9;  // edges are 0.25 long
   EXPECT_FALSE(sheet.check());
@@ -61,7 +61,7 @@ TEST(Guarantee, LengthsCountFromOnePartInABillion) {
 
 TEST(Guarantee, RoundingOfFarAwayCoordinatesIsNoError) {
   Sheet sheet(0);
-  sheet.uv.array() += 1e8;  // rounds to 1.5e-8
+  sheet.uv.array() += 1e8;  // where rounding is 1.5e-8
   EXPECT_FALSE(sheet.check());
 }
 
@@ -78,7 +78,7 @@ TEST(Guarantee, OutlineIsRigid) {
 TEST(Guarantee, ElasticEdgesFollowTheirVariation) {
   Sheet sheet(0.05);
   const double h = 0.01;
-  // A zigzag between the wire's fixed ends, every edge longer by h.
+  // A zigzag between the wire's fixed ends makes every edge longer by h.
   const double rise = 0.25 * std::sqrt((1 + h) * (1 + h) - 1);
   sheet.uv(11, 1) += rise;
   sheet.uv(13, 1) += rise;
@@ -89,7 +89,7 @@ TEST(Guarantee, ElasticEdgesFollowTheirVariation) {
   EXPECT_FALSE(sheet.check());
 }
 
-TEST(Guarantee, VariationBeyondTheToleranceIsAnErrorOfItsOwn) {
+TEST(Guarantee, VariationBeyondTheToleranceIsAnError) {
   Sheet sheet(0.05);
   sheet.variation[0] = 0.06;
   for (int i = 0; i <= 4; ++i) sheet.uv(10 + i, 0) *= 1.06;
@@ -130,7 +130,7 @@ TEST(Guarantee, LengthsComeFirstAndTheRestIsMentioned) {
   EXPECT_TRUE(names(*error, "give its wires more tolerance")) << error->what();
 }
 
-TEST(Guarantee, NoAdviceOnWiresWhereThereAreNone) {
+TEST(Guarantee, NoAdviceOnWiresIfThereAreNone) {
   const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
   const Chart chart = test::chart_of(input);
   const WireNetwork network = build_wire_network(chart);

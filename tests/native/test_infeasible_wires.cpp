@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wires that contradict one another: they are named, the proposed tolerances make the piece flat, and nets that can be
-// kept are not refused.
+// Wires that contradict one another are named, the proposed tolerances make the piece flat, and feasible nets are not
+// refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 using Where = std::function<bool(const Eigen::Vector3d& middle)>;
 
-/// Every inner edge there a rigid wire of its own.
+/// Makes each inner edge in the region a rigid wire.
 void add_edges_as_wires(FlattenInput& input, const Where& where) {
   const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
   for (int e = 0; e < edges.num_edges(); ++e) {
@@ -33,7 +33,8 @@ void add_edges_as_wires(FlattenInput& input, const Where& where) {
   }
 }
 
-/// All inner rows and columns of an n by n grid: a Chebyshev net, with fewer lengths than a flat shape has freedom.
+/// Adds all inner rows and columns of an n by n grid as wires: a Chebyshev net, with fewer lengths than a flat shape
+/// has degrees of freedom.
 void add_lines(FlattenInput& input, int n, double tolerance) {
   for (int i = 1; i < n; ++i) {
     test::add_wire(input, test::grid_row(n, i), tolerance);
@@ -47,15 +48,15 @@ std::vector<int> diagonal(int n) {
   return chain;
 }
 
-/// It may still be turned over or overlap.
+/// The piece may still be flipped or overlap itself.
 bool has_exact_lengths(const Piece& piece) {
   return !piece.error || (piece.error->has_layout && piece.error->code != ErrorCode::lengths_not_kept);
 }
 
 bool is_refused(const Piece& piece) { return piece.error && piece.error->code == ErrorCode::infeasible_lengths; }
 
-/// Refuses it, and finds a good shape once the proposal is taken. Returns the piece that was refused.
-Piece expect_mended(FlattenInput input) {
+/// Expects that the input is refused, and flattened well with the proposed tolerances. Returns the refused piece.
+Piece expect_fixed(FlattenInput input) {
   const Piece refused = flatten(input).pieces.at(0);
   EXPECT_TRUE(is_refused(refused));
   if (!is_refused(refused)) return refused;
@@ -67,22 +68,22 @@ Piece expect_mended(FlattenInput input) {
     EXPECT_GT(p.tolerance, input.wires.at(p.wire).tolerance);
     input.wires.at(p.wire).tolerance = p.tolerance;
   }
-  const Piece mended = flatten(input).pieces.at(0);
-  EXPECT_FALSE(mended.error) << mended.error->what();
+  const Piece fixed = flatten(input).pieces.at(0);
+  EXPECT_FALSE(fixed.error) << fixed.error->what();
   return refused;
 }
 
-TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsMended) {
+TEST(InfeasibleWires, EveryEdgeOfACurvedPatchIsFixed) {
   FlattenInput sphere = test::quarter_sphere(4), saddle = test::saddle(5, 0.5);
   sphere.wires.clear();
   for (FlattenInput* input : {&sphere, &saddle}) {
     add_edges_as_wires(*input, [](const Eigen::Vector3d&) { return true; });
-    expect_mended(*input);
+    expect_fixed(*input);
   }
 }
 
-TEST(InfeasibleWires, ANetThatIsDenseAllOverGetsOneToleranceThatDoes) {
-  // A dome with a flat outline: single wires cannot give way enough, all of them by a little can.
+TEST(InfeasibleWires, ADenseNetGetsOneToleranceForAll) {
+  // A dome with a flat outline: single wires cannot change enough, but small changes of all wires suffice.
   const int n = 8;
   FlattenInput input = test::make_grid(
       n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.2 * std::sin(kPi * s) * std::sin(kPi * t)); });
@@ -91,17 +92,17 @@ TEST(InfeasibleWires, ANetThatIsDenseAllOverGetsOneToleranceThatDoes) {
   ASSERT_TRUE(is_refused(refused));
   ASSERT_FALSE(refused.error->elements.proposed_tolerances.empty());
   for (const ProposedTolerance& p : refused.error->elements.proposed_tolerances) {
-    EXPECT_LT(p.tolerance, 0.1);  // sides and diagonals of squares inclined by up to 0.2 π
+    EXPECT_LT(p.tolerance, 0.1);  // sides and diagonals of squares with slopes up to 0.2 π
     EXPECT_EQ(p.tolerance, refused.error->elements.proposed_tolerances[0].tolerance);
     input.wires.at(p.wire).tolerance = p.tolerance;
   }
-  const Piece mended = flatten(input).pieces.at(0);
-  EXPECT_FALSE(mended.error) << mended.error->what();
+  const Piece fixed = flatten(input).pieces.at(0);
+  EXPECT_FALSE(fixed.error) << fixed.error->what();
 }
 
 TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
-  // Flat but for a dimple of radius 0.2. A wire that gives way ends where angles do not sum to 2π: at a face that the
-  // dimple touches.
+  // The sheet is flat but for a dimple of radius 0.2. A wire needs a tolerance only if the angles at one of its ends do
+  // not add up to 2π, which is the case at faces that the dimple touches.
   const int n = 10;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double r2 = (s - 0.5) * (s - 0.5) + (t - 0.5) * (t - 0.5);
@@ -109,7 +110,7 @@ TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
   });
   add_edges_as_wires(input,
                      [](const Eigen::Vector3d& m) { return std::abs(m.x() - 0.5) + std::abs(m.y() - 0.5) < 0.5; });
-  const Piece piece = expect_mended(input);
+  const Piece piece = expect_fixed(input);
   ASSERT_TRUE(piece.error);
   for (const ProposedTolerance& p : piece.error->elements.proposed_tolerances) {
     EXPECT_LE(p.tolerance, 0.2);
@@ -119,8 +120,8 @@ TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
   }
 }
 
-TEST(InfeasibleWires, OneLineTooManyIsMended) {
-  // Rows and columns shear like a fishing net, along one diagonal too. Two more do not let them.
+TEST(InfeasibleWires, OneLineTooManyIsFixed) {
+  // Rows and columns shear like a fishing net, even with one diagonal, but not with two more.
   const int n = 8;
   for (const double tolerance : {0.0, 0.01}) {
     FlattenInput input = test::saddle(n, 0.3);
@@ -132,12 +133,12 @@ TEST(InfeasibleWires, OneLineTooManyIsMended) {
       for (int j = std::max(0, -offset); j <= n - std::max(0, offset); ++j) chain.push_back(j + offset + (n + 1) * j);
       test::add_wire(input, chain);
     }
-    expect_mended(input);
+    expect_fixed(input);
   }
 }
 
-TEST(InfeasibleWires, NetsThatCanBeKeptAreNotRefused) {
-  // Every second edge of a net of rows and columns, which has fewer edges than a flat shape has freedom.
+TEST(InfeasibleWires, FeasibleNetsAreNotRefused) {
+  // Every second edge of a net of rows and columns: fewer lengths than a flat shape has degrees of freedom.
   std::mt19937 random(7);
   const int n = 6;
   for (int i = 0; i < 12; ++i) {
@@ -164,32 +165,33 @@ TEST(RelaxedLengths, NoLengthChangesIfAllCanBeKept) {
   const Chart& chart = charts.charts.at(0);
   const Problem problem(chart, 0.1);
   Budget relax_budget(kMaxRelaxFactorizations);
-  RelaxedShape loose = relax_lengths(problem, free_boundary_arap(chart, 30).uv, {relax_budget});
-  EXPECT_LT(loose.tolerance_violation.maxCoeff(), 1e-4);  // the last smoothing
-  EXPECT_LT(loose.strain_rms.maxCoeff(), 1e-4);
-  EXPECT_LT(loose.outline_strain, 1e-4);
-  const Positions2 untouched = loose.uv;
+  RelaxedShape relaxed = relax_lengths(problem, free_boundary_arap(chart, 30).uv, {relax_budget});
+  EXPECT_LT(relaxed.tolerance_violation.maxCoeff(), 1e-4);  // the width of the last smoothing
+  EXPECT_LT(relaxed.strain_rms.maxCoeff(), 1e-4);
+  EXPECT_LT(relaxed.outline_strain, 1e-4);
+  const Positions2 untouched = relaxed.uv;
   Budget budget(kMaxProjectFactorizations);
-  EXPECT_THROW(project_to_lengths(problem, loose.uv, {budget, StopToken([](const char*) { return false; })}), Stopped);
-  EXPECT_EQ((loose.uv - untouched).norm(), 0);
-  EXPECT_TRUE(project_to_lengths(problem, loose.uv, {budget}));
+  EXPECT_THROW(project_to_lengths(problem, relaxed.uv, {budget, StopToken([](const char*) { return false; })}),
+               Stopped);
+  EXPECT_EQ((relaxed.uv - untouched).norm(), 0);
+  EXPECT_TRUE(project_to_lengths(problem, relaxed.uv, {budget}));
   for (const WireEdge& edge : problem.network().edges) {
     const HalfedgeHandle h = chart.mesh.halfedge_handle(edge.edge, 0);
-    EXPECT_NEAR(planar_length(chart.mesh, h, loose.uv), edge.length, 1e-11 * edge.length);
+    EXPECT_NEAR(planar_length(chart.mesh, h, relaxed.uv), edge.length, 1e-11 * edge.length);
   }
 }
 
 TEST(RelaxedLengths, TolerancesOfSingleEdgesCostNothing) {
-  // Wires of one edge that may change by a half: only the outline is held.
+  // Each wire is one edge that may change by half, so only the outline keeps its length.
   FlattenInput input = test::saddle(6, 0.4);
   const Positions2 free = free_boundary_arap(test::chart_of(input), 30).uv;
   add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
   for (Wire& wire : input.wires) wire.tolerance = 0.5;
   const Charts charts = test::charts_of(input);
   Budget budget(kMaxRelaxFactorizations);
-  const RelaxedShape loose = relax_lengths({charts.charts.at(0), 0.1}, free, {budget});
-  EXPECT_EQ(loose.tolerance_violation.maxCoeff(), 0);
-  EXPECT_LT(loose.outline_strain, 1e-4);  // the last smoothing
+  const RelaxedShape relaxed = relax_lengths({charts.charts.at(0), 0.1}, free, {budget});
+  EXPECT_EQ(relaxed.tolerance_violation.maxCoeff(), 0);
+  EXPECT_LT(relaxed.outline_strain, 1e-4);  // the width of the last smoothing
 }
 
 TEST(RelaxedLengths, StopsWhenAsked) {
@@ -197,14 +199,15 @@ TEST(RelaxedLengths, StopsWhenAsked) {
   const Chart& chart = charts.charts.at(0);
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   int asked = 0;
-  const StopToken stop([&](const char*) { return ++asked < 3; });  // two for its system
+  const StopToken stop(
+      [&](const char*) { return ++asked < 3; });  // answers yes to the two questions of the first system
   Budget budget(kMaxRelaxFactorizations);
   EXPECT_THROW(relax_lengths({chart, 0.1}, start, {budget, stop}), Stopped);
   EXPECT_EQ(budget.spent(), 1);
   EXPECT_EQ(asked, 3);
 }
 
-TEST(InfeasibleWires, ThePapersMethodsProposeWhatTheRefinedOneKeeps) {
+TEST(InfeasibleWires, ThePapersMethodsProposeTolerancesForTheRefinedOne) {
   FlattenInput input = test::saddle(4, 0.5);
   add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
   for (const Method method : {Method::wirewarping, Method::wirewarp_plus_plus}) {
@@ -218,10 +221,10 @@ TEST(InfeasibleWires, ThePapersMethodsProposeWhatTheRefinedOneKeeps) {
     for (const ProposedTolerance& p : refused.error->elements.proposed_tolerances) {
       looser.wires.at(p.wire).tolerance = p.tolerance;
     }
-    const Piece mended = flatten(looser).pieces.at(0);
-    EXPECT_TRUE(has_exact_lengths(mended)) << mended.error->what();
+    const Piece fixed = flatten(looser).pieces.at(0);
+    EXPECT_TRUE(has_exact_lengths(fixed)) << fixed.error->what();
     if (method != Method::wirewarping) continue;
-    const Piece still_rigid = flatten(looser, options).pieces.at(0);  // it knows no tolerances
+    const Piece still_rigid = flatten(looser, options).pieces.at(0);  // because this method ignores tolerances
     ASSERT_TRUE(is_refused(still_rigid));
     EXPECT_NE(std::string(still_rigid.error->what()).find("use the refined method"), std::string::npos);
   }

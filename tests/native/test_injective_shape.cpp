@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces that the quick way to the minimum turns over or lays over themselves, though a good shape exists.
+// Pieces that the fast way to the minimum leaves flipped or overlapping, although a good shape exists.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 namespace wirewarp::test_injective_shape {
 namespace {
 
-/// A bump as high as its square is wide, a level and an upright line across: a finger of a glove.
+/// The finger of a glove: a bump as high as its square is wide, with a row and a column as wires.
 FlattenInput finger(double tolerance = 0) {
   const int n = 8;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
@@ -26,13 +26,14 @@ FlattenInput finger(double tolerance = 0) {
   return input;
 }
 
-/// A saddle with a vent: flat, its sides want to lie over each other.
+/// A saddle with a vent, whose sides would overlap in the plane.
 FlattenInput saddle_with_vent() {
   return test::keep_faces(test::saddle(24, 0.5),
                           [](const Eigen::Vector3d& p) { return !(std::abs(p.x()) < 0.1 && p.y() > -0.5); });
 }
 
-/// A strip on a saddle, twice around: flat, it turns further than on the surface, and the second round meets the first.
+/// A strip that runs around a saddle twice. In the plane it turns further than on the surface, so the second round
+/// meets the first.
 FlattenInput spiral_on_a_saddle() {
   return test::make_grid(96, 2, [](double s, double t) {
     const double turn = 4 * kPi * s, radius = 0.6 + 0.3 * s - (t - 0.5) * 0.1;
@@ -43,7 +44,7 @@ FlattenInput spiral_on_a_saddle() {
 
 Solution refine(const FlattenInput& input) { return refine_chart(test::charts_of(input).charts.at(0), Options{}); }
 
-TEST(InjectiveShape, NothingTurnsOverOrOverlapsWhereAShapeWithoutThatExists) {
+TEST(InjectiveShape, NothingFlipsOrOverlapsIfAnInjectiveShapeExists) {
   for (const FlattenInput& input : {finger(), saddle_with_vent(), spiral_on_a_saddle()}) {
     const Charts charts = test::charts_of(input);
     const Chart& chart = charts.charts.at(0);
@@ -55,7 +56,7 @@ TEST(InjectiveShape, NothingTurnsOverOrOverlapsWhereAShapeWithoutThatExists) {
   }
 }
 
-TEST(InjectiveShape, WhatIsInjectiveStaysAsItIs) {
+TEST(InjectiveShape, InjectiveShapesDoNotChange) {
   const Charts charts = test::charts_of(test::quarter_sphere(12));
   const Chart& chart = charts.charts.at(0);
   const Solution found = refine(test::quarter_sphere(12));
@@ -67,7 +68,7 @@ TEST(InjectiveShape, WhatIsInjectiveStaysAsItIs) {
   EXPECT_EQ(budget.spent(), 0);
 }
 
-TEST(InjectiveShape, LooserIsNeverWorse) {
+TEST(InjectiveShape, MoreToleranceIsNeverWorse) {
   double before = refine(finger()).objective;
   for (const double tolerance : {0.01, 0.03, 0.1}) {
     const double looser = refine(finger(tolerance)).objective;

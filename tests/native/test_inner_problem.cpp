@@ -17,12 +17,12 @@ Eigen::VectorXd rest_lengths(const WireNetwork& network) {
   return lengths;
 }
 
-/// What Eq. (1) minimizes.
+/// The objective of Eq. (1).
 double angle_variation(const WireNetwork& network, const InnerSolution& solution) {
   return Eq1(network, NodeWeight::length).angle_variation(solution.psi);
 }
 
-/// Largest gap of the given loops under the headings, over the loop's length.
+/// Largest gap of these loops under the headings, relative to the loop's length.
 double largest_gap(const std::vector<std::vector<WireHalfEdge>>& loops, const Eigen::VectorXd& headings,
                    const Eigen::VectorXd& lengths) {
   double largest = 0;
@@ -59,8 +59,8 @@ FlattenInput domed_plate_with_two_holes() {
 }
 
 TEST(InnerProblem, EndsAtMinimaNotAtSaddles) {
-  // Patches of the sphere with wires on their axes of symmetry: stationary points abound. At the end the Hessian of the
-  // Lagrangian must be positive definite along the closed loops.
+  // Patches of the sphere with wires on their axes of symmetry have many stationary points. At the end, the Hessian of
+  // the Lagrangian must be positive definite for closed loops.
   for (const double height : {0.8, 1.2, 1.6}) {
     for (const int n : {2, 4, 8}) {
       FlattenInput input = test::make_grid(n, 2 * n, [&](double s, double t) {
@@ -89,7 +89,7 @@ TEST(InnerProblem, EndsAtMinimaNotAtSaddles) {
 }
 
 TEST(InnerProblem, TubesReachTheirMinimum) {
-  // Closing them turns edges by more than the linearized gap can tell.
+  // To close these tubes, edges turn too far for the linearized gap.
   FlattenInput narrow = test::cylinder_tube(28, 4, 1, 0.2);
   test::add_wire(narrow, test::tube_line(28, 4, 3));
   test::add_wire(narrow, test::tube_line(28, 4, 14));
@@ -107,8 +107,8 @@ TEST(InnerProblem, TubesReachTheirMinimum) {
   }
 }
 
-TEST(InnerProblem, LeavesASaddleThatIsSymmetricInManyWays) {
-  // A square tube: the turn that lowers Eq. (1) is hardly part of the network's symmetry_breaker.
+TEST(InnerProblem, LeavesASaddleWithManySymmetries) {
+  // A square tube: the rotation that lowers Eq. (1) is almost orthogonal to the network's symmetry_breaker.
   const FlattenInput tube = test::make_tube(20, 2, [](double s, double t) {
     const int side = static_cast<int>(std::floor(4 * s + 1e-9)) % 4;
     const double along = 4 * s - side;
@@ -136,7 +136,7 @@ TEST(InnerProblem, TheMinimumIsBelowTheFirstFeasiblePoint) {
   EXPECT_LT(angle_variation(network, minimum), angle_variation(network, feasible) * (1 - 1e-6));
 }
 
-TEST(InnerProblem, HolesCloseByTheirOwnRowsAndNotWithoutThem) {
+TEST(InnerProblem, HolesCloseOnlyByTheirOwnRows) {
   const Chart chart = test::chart_of(domed_plate_with_two_holes());
   const WireNetwork network = build_wire_network(chart);
   ASSERT_EQ(network.holes.size(), 2u);
@@ -149,7 +149,7 @@ TEST(InnerProblem, HolesCloseByTheirOwnRowsAndNotWithoutThem) {
   paper.holes.clear();
   InnerProblem without_rows(paper, NodeWeight::length);
   const InnerSolution open = without_rows.solve(lengths, Inner::minimum);
-  EXPECT_LT(open.closure_residual, 1e-12) << "every wire-patch closes all the same";
+  EXPECT_LT(open.closure_residual, 1e-12) << "every wire-patch closes nevertheless";
   EXPECT_GT(largest_gap(network.holes, open.headings, lengths), 1e-3);
 }
 

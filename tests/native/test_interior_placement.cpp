@@ -14,7 +14,7 @@
 namespace wirewarp::test_interior_placement {
 namespace {
 
-/// A jittered grid, and its network: the outline and, if crossed, the two middle lines.
+/// A jittered grid and its network: the outline and, if crossed is true, the middle row and column.
 struct GridChart {
   GridChart(int n, bool crossed, const test::Surface& surface) {
     FlattenInput input = test::jittered_grid(n, 0.3, surface);
@@ -39,13 +39,13 @@ Eigen::Vector3d tilted_plane(double x, double y) { return {x + 0.2 * y, 0.9 * y 
 
 Eigen::Vector3d bumps(double x, double y) { return {x, y, 0.2 * std::sin(5 * x) * std::cos(4 * y)}; }
 
-/// tan(α/2) of the angle at a between b and c, by the angle itself.
+/// tan(α/2) of the angle at a between b and c, computed from the angle.
 double literal_tan_half(const HalfEdgeMesh& mesh, VertexHandle a, VertexHandle b, VertexHandle c) {
   const OpenMesh::Vec3d ab = mesh.point(b) - mesh.point(a), ac = mesh.point(c) - mesh.point(a);
   return std::tan(std::atan2(OpenMesh::cross(ab, ac).norm(), OpenMesh::dot(ab, ac)) / 2);
 }
 
-/// w of a neighbor, from the two triangles at the edge to it; not normalized.
+/// The weight w of a neighbor from the two triangles at the edge to it; not normalized.
 double literal_weight(const HalfEdgeMesh& mesh, HalfedgeHandle to_neighbor) {
   const VertexHandle center = mesh.from_vertex_handle(to_neighbor), neighbor = mesh.to_vertex_handle(to_neighbor);
   const VertexHandle left = mesh.to_vertex_handle(mesh.next_halfedge_handle(to_neighbor));
@@ -56,7 +56,7 @@ double literal_weight(const HalfEdgeMesh& mesh, HalfedgeHandle to_neighbor) {
 }
 
 TEST(MeanValue, HoldsAtAnAngleNearPi) {
-  // A fan around the origin, which lies h above the edge between the ring vertices 0 and 2.
+  // A fan around the origin, which lies h above the edge between ring vertices 0 and 2.
   const double h = 1e-9;
   HalfEdgeMesh mesh;
   const VertexHandle center = mesh.add_vertex({0, 0, 0});
@@ -64,7 +64,7 @@ TEST(MeanValue, HoldsAtAnAngleNearPi) {
   for (const OpenMesh::Vec3d& point : points) mesh.add_vertex(point);
   for (int j = 1; j <= 3; ++j) mesh.add_face(center, VertexHandle(j), VertexHandle(j % 3 + 1));
 
-  const double below_0 = std::atan(h), below_2 = std::atan(h / 2);  // of the horizontal
+  const double below_0 = std::atan(h), below_2 = std::atan(h / 2);  // angles to the horizontal
   const double tan_01 = std::tan((kPi / 2 + below_0) / 2), tan_12 = std::tan((kPi / 2 + below_2) / 2);
   const double tan_20 = 1 / std::tan((below_2 + below_0) / 2);  // tan(π/2 - x) = 1 / tan x
   const std::vector<double> expected{(tan_20 + tan_01) / points[0].norm(), tan_01 + tan_12,
@@ -125,7 +125,7 @@ TEST(InteriorPlacement, PutsEveryVertexAtTheMeanOfItsNeighbors) {
   }
 }
 
-TEST(InteriorPlacement, HasNothingToFactorWhereEveryVertexIsOnTheNetwork) {
+TEST(InteriorPlacement, FactorizesNothingIfEveryVertexIsOnTheNetwork) {
   const GridChart grid(2, true, bumps);
   const InteriorPlacement placement(grid.chart, grid.network);
   EXPECT_EQ(placement.factorizations(), 0);

@@ -20,7 +20,7 @@ namespace wirewarp::test_judge {
 namespace {
 
 using test::expect_broken;
-using test::expect_demanded;
+using test::expect_unexpected;
 using test::fail;
 using test::flattened;
 using test::JudgeCase;
@@ -45,12 +45,12 @@ TEST(Judge, ReportsDifferentOrMissingCoordinates) {
 }
 
 TEST(Judge, ReportsFlippedFacesAndTornEdges) {
-  expect_broken("is flipped", two_sheets(), moved_vertex(0, 1 + 9, 5, 0));  // a vertex on no line
+  expect_broken("is flipped", two_sheets(), moved_vertex(0, 1 + 9, 5, 0));  // a vertex off all lines
   expect_broken("torn at", two_sheets(), [](JudgeCase& c) { c.result.corner_uv(16 + 3, 0) += 1e-6; });
 }
 
 TEST(Judge, ReportsOverlappingFaces) {
-  // A cone walked around twice: one and three quarters of a turn in the plane, unless the shape is bent.
+  // A cone that is walked around twice spans 1.75 turns in the plane, unless the shape is bent.
   Options unbent;
   unbent.method = Method::wirewarping;
   const JudgeCase cone = flattened(test::cone_patch(48, 2, 1, 2, std::asin(7.0 / 8), 4 * kPi), unbent);
@@ -70,24 +70,25 @@ TEST(Judge, ReportsWrongLengths) {
 TEST(Judge, ReportsFailuresThatLegalInputMustNotHave) {
   for (const ErrorCode code : {ErrorCode::not_solvable, ErrorCode::lengths_not_kept}) {
     const std::string sentence = std::string("a piece fails with ") + describe(code).name;
-    expect_demanded(sentence, two_sheets(), [&](JudgeCase& c) { fail(c, code); });
+    expect_unexpected(sentence, two_sheets(), [&](JudgeCase& c) { fail(c, code); });
   }
   const auto fail_by_mesh = [](JudgeCase& c) { fail(c, ErrorCode::zero_area_face); };
-  expect_demanded("legal input has the error zero_area_face", two_sheets(), fail_by_mesh);
+  expect_unexpected("legal input has the error zero_area_face", two_sheets(), fail_by_mesh);
   JudgeCase faulty = two_sheets();
   fail_by_mesh(faulty);
-  const auto told = test::broken_expectations(faulty.input, faulty.options, faulty.result, ErrorCode::zero_area_face);
-  EXPECT_EQ(told, std::vector<std::string>{}) << "the fault that the input was given";
+  const auto reported =
+      test::broken_expectations(faulty.input, faulty.options, faulty.result, ErrorCode::zero_area_face);
+  EXPECT_EQ(reported, std::vector<std::string>{}) << "the fault that the input was given";
 }
 
 TEST(Judge, ReportsPiecesThatUnfoldButAreNotFlat) {
   const JudgeCase patch = flattened(test::cylinder_patch(6, 4, 1, 2, 1));
-  expect_demanded("a piece that unfolds is distorted", patch, [](JudgeCase& c) { c.result.corner_uv *= 1 + 1e-5; });
-  expect_demanded("a piece that unfolds has the error infeasible_lengths", patch,
-                  [](JudgeCase& c) { fail(c, ErrorCode::infeasible_lengths); });
+  expect_unexpected("a piece that unfolds is distorted", patch, [](JudgeCase& c) { c.result.corner_uv *= 1 + 1e-5; });
+  expect_unexpected("a piece that unfolds has the error infeasible_lengths", patch,
+                    [](JudgeCase& c) { fail(c, ErrorCode::infeasible_lengths); });
 }
 
-TEST(Judge, KnowsTheLengthsOfAStretchedClothByTheDirectionsWithoutTheStretch) {
+TEST(Judge, KnowsTheLengthsOfAStretchedFabric) {
   const FlattenInput input = two_sheets().input;
   Options options;
   options.cloth.emplace();
@@ -107,15 +108,17 @@ TEST(Judge, KnowsTheShapeOfAStretchedPieceThatUnfolds) {
   const FlattenResult unstretched = flatten(input, options);
   options.cloth->stretch = {0.2, 0.05};
   FlattenResult result = flatten(input, options);
-  const auto demands = [&] { return test::broken_expectations(input, options, result, std::nullopt, &unstretched); };
-  EXPECT_EQ(demands(), std::vector<std::string>{});
+  const auto expectations = [&] {
+    return test::broken_expectations(input, options, result, std::nullopt, &unstretched);
+  };
+  EXPECT_EQ(expectations(), std::vector<std::string>{});
   result.corner_uv(0, 0) += 1e-3;
-  EXPECT_EQ(demands().size(), 1U);
-  result.pieces.at(0).error.emplace(ErrorCode::overlapping_faces, "It covers itself.");
-  EXPECT_EQ(demands().size(), 1U);
+  EXPECT_EQ(expectations().size(), 1U);
+  result.pieces.at(0).error.emplace(ErrorCode::overlapping_faces, "It overlaps itself.");
+  EXPECT_EQ(expectations().size(), 1U);
 }
 
-// The judge tells of pieces that lie in the wrong place or do not stand upright.
+// The judge reports pieces that are out of place or not upright.
 
 using test::moved;
 using test::turned;
@@ -156,7 +159,7 @@ TEST(Judge, ReportsOutlinesThatAreNotUpright) {
 }
 
 TEST(Judge, ReportsTheLongestChainIfShorterOnesAreEquallyLong) {
-  // A trapezoid cut into three: its middle piece has two sides of 0.53 along the seams and ends of 0.67 and 1.
+  // A trapezoid cut into three: the middle piece has two sides of length 0.53 along the seams, and ends of 0.67 and 1.
   FlattenInput input =
       test::make_grid(6, 2, [](double s, double t) { return Eigen::Vector3d((s - 0.5) * (2 + t), t / 2, 0); });
   for (const int column : {2, 4}) test::add_seam(input, test::grid_column(6, 2, column));
@@ -182,31 +185,31 @@ TEST(Judge, ReportsPiecesThatDoNotRise) {
 
 TEST(Judge, ReportsChangesByALayout) {
   const JudgeCase sheets = two_sheets();
-  const auto told = [&](const FlattenResult& other) {
+  const auto reported = [&](const FlattenResult& other) {
     return test::differences_of_layout(sheets.input, sheets.options, sheets.result, other);
   };
   using Sentences = std::vector<std::string>;
-  EXPECT_EQ(told(sheets.result), Sentences{});
+  EXPECT_EQ(reported(sheets.result), Sentences{});
   JudgeCase other = sheets;
   turned(0, 1)(other);
-  EXPECT_EQ(told(other.result), Sentences{});
+  EXPECT_EQ(reported(other.result), Sentences{});
 
   JudgeCase fewer = sheets;
   fewer.result.pieces.pop_back();
-  EXPECT_EQ(told(fewer.result), Sentences{"the layout changes the number of pieces"});
+  EXPECT_EQ(reported(fewer.result), Sentences{"the layout changes the number of pieces"});
   JudgeCase failed = sheets;
   test::fail(failed, ErrorCode::not_solvable);
-  EXPECT_EQ(told(failed.result), Sentences{"the layout changes the outcome of piece 0"});
+  EXPECT_EQ(reported(failed.result), Sentences{"the layout changes the outcome of piece 0"});
   JudgeCase longer = sheets;
   longer.result.pieces[1].vertices *= 1 + 1e-12;
-  EXPECT_EQ(told(longer.result), Sentences{"the layout changes lengths"});
+  EXPECT_EQ(reported(longer.result), Sentences{"the layout changes lengths"});
 }
 
-// The judge tells of errors that do not fit their piece.
+// The judge reports errors that do not fit their piece.
 
-const VertexPair kInside{10, 11}, kOnTheSeam{4, 13};  // edges of the two sheets
+const VertexPair kInside{10, 11}, kOnTheSeam{4, 13};  // edges of two_sheets()
 
-/// The two sheets, piece 0 with wires that contradict and a tolerance that would mend it.
+/// Returns two_sheets() with contradicting wires in piece 0, and a tolerance that would fix them.
 JudgeCase contradicting() {
   JudgeCase sheets = test::two_sheets();
   fail(sheets, ErrorCode::infeasible_lengths);
@@ -214,17 +217,18 @@ JudgeCase contradicting() {
   return sheets;
 }
 
-/// expect_broken() on contradicting(), with its error spoiled.
-void expect_told(const std::function<void(FlattenError&, const FlattenResult&)>& spoil, const std::string& sentence) {
+/// Spoils the error of contradicting(), and expects the sentence from broken_guarantees().
+void expect_reported(const std::function<void(FlattenError&, const FlattenResult&)>& spoil,
+                     const std::string& sentence) {
   expect_broken(sentence, contradicting(), [&](JudgeCase& c) { spoil(*c.result.pieces[0].error, c.result); });
 }
 
 TEST(Judge, ReportsElementsOfAnotherPiece) {
   const std::string sentence = "names elements of another piece";
-  expect_told([](FlattenError& e, const FlattenResult&) { e.elements.vertices = {8}; }, sentence);
-  expect_told([](FlattenError& e, const FlattenResult&) { e.elements.edges = {{7, 8}}; }, sentence);
-  expect_told([](FlattenError& e, const FlattenResult& r) { e.elements.faces = {r.pieces.at(1).source_face.at(0)}; },
-              sentence);
+  expect_reported([](FlattenError& e, const FlattenResult&) { e.elements.vertices = {8}; }, sentence);
+  expect_reported([](FlattenError& e, const FlattenResult&) { e.elements.edges = {{7, 8}}; }, sentence);
+  expect_reported(
+      [](FlattenError& e, const FlattenResult& r) { e.elements.faces = {r.pieces.at(1).source_face.at(0)}; }, sentence);
 }
 
 TEST(Judge, ReportsProposalsThatFixNothing) {
@@ -234,26 +238,26 @@ TEST(Judge, ReportsProposalsThatFixNothing) {
       e.elements.proposed_tolerances = tolerances;
     };
   };
-  expect_told(propose({kOnTheSeam}, {}), "proposed seam 4-13 does not cut the piece");
-  expect_told(propose({}, {{2, 0.05}}), "a tolerance is proposed for other, which is not in the piece");
-  expect_told(propose({}, {{1, 0.02}}), "the tolerance proposed for elastic is not larger than its own");
-  expect_told(propose({kInside}, {{1, 0.05}}), "both seams and tolerances are proposed");
-  expect_told(propose({}, {}), "nothing is proposed");
+  expect_reported(propose({kOnTheSeam}, {}), "proposed seam 4-13 does not cut the piece");
+  expect_reported(propose({}, {{2, 0.05}}), "a tolerance is proposed for other, which is not in the piece");
+  expect_reported(propose({}, {{1, 0.02}}), "the tolerance proposed for elastic is not larger than its own");
+  expect_reported(propose({kInside}, {{1, 0.05}}), "both seams and tolerances are proposed");
+  expect_reported(propose({}, {}), "nothing is proposed");
 }
 
 TEST(Judge, ReportsCodesThatDoNotFitThePiece) {
   const auto recode = [](ErrorCode code) { return [=](FlattenError& e, const FlattenResult&) { e.code = code; }; };
-  expect_told(recode(ErrorCode::closed_chart), "wrong topology: closed or open");
-  expect_told(recode(ErrorCode::handles), "wrong number of handles");
-  expect_told(recode(ErrorCode::boundary_too_short), "the outline is not too short");
-  expect_told(recode(ErrorCode::boundary_too_short), "no seam is proposed");
-  expect_told(recode(ErrorCode::overlapping_faces), "no seam is proposed");
-  expect_told(recode(ErrorCode::overlapping_faces), "tolerances cannot fix this error");
-  expect_told([](FlattenError& e, const FlattenResult&) { e.has_layout = false; }, "has_layout is wrong");
+  expect_reported(recode(ErrorCode::closed_chart), "wrong topology: closed or open");
+  expect_reported(recode(ErrorCode::handles), "wrong number of handles");
+  expect_reported(recode(ErrorCode::boundary_too_short), "the outline is not too short");
+  expect_reported(recode(ErrorCode::boundary_too_short), "no seam is proposed");
+  expect_reported(recode(ErrorCode::overlapping_faces), "no seam is proposed");
+  expect_reported(recode(ErrorCode::overlapping_faces), "tolerances cannot fix this error");
+  expect_reported([](FlattenError& e, const FlattenResult&) { e.has_layout = false; }, "has_layout is wrong");
 }
 
 TEST(Judge, ReportsFacesThatAreNotFlipped) {
-  expect_told(
+  expect_reported(
       [](FlattenError& e, const FlattenResult& r) {
         e.code = ErrorCode::flipped_faces;
         e.elements.faces = {r.pieces.at(0).source_face.at(0)};
@@ -261,7 +265,7 @@ TEST(Judge, ReportsFacesThatAreNotFlipped) {
       "is reported as flipped");
 }
 
-TEST(Judge, ReportsSeamsThatAreNotProposed) {
+TEST(Judge, ReportsMissingSeamProposals) {
   const FlattenInput ball = test::closed_sphere(8, 4);
   for (const FlattenInput& input : {ball, test::cylinder_tube(12, 8, 1, 4)}) {
     expect_broken("no seam is proposed", flattened(input),
@@ -277,22 +281,22 @@ TEST(Judge, ReportsUndocumentedArguments) {
   using Sentences = std::vector<std::string>;
   error.arguments = ErrorArguments{{"reason", "outline"}, {"has_wires", false}};
   EXPECT_EQ(test::faults_of_error(error, input), Sentences{});
-  error.arguments = ErrorArguments{{"factorizations", 1}};  // part of a documented one
+  error.arguments = ErrorArguments{{"factorizations", 1}};  // only a part of a documented argument
   EXPECT_EQ(test::faults_of_error(error, input), Sentences{"undocumented argument: factorizations"});
 }
 
 TEST(Judge, ReportsErrorsWithoutSentenceOrElements) {
   const FlattenInput input = test::flat_rectangle(2, 2, 1, 1);
-  const auto told = [&](const std::string& message, const ErrorElements& elements) {
+  const auto reported = [&](const std::string& message, const ErrorElements& elements) {
     return test::faults_of_error(FlattenError(ErrorCode::infeasible_lengths, message, elements), input);
   };
   using Sentences = std::vector<std::string>;
   const std::string message = "The wires contradict one another.";
-  EXPECT_EQ(told(message, {{0}, {}, {}}), Sentences{});
+  EXPECT_EQ(reported(message, {{0}, {}, {}}), Sentences{});
   for (const char* bad : {"", "No.", "The wires contradict one another"}) {
-    EXPECT_EQ(told(bad, {{0}, {}, {}}), Sentences{std::string("infeasible_lengths has no sentence: ") + bad});
+    EXPECT_EQ(reported(bad, {{0}, {}, {}}), Sentences{std::string("infeasible_lengths has no sentence: ") + bad});
   }
-  EXPECT_EQ(told(message, {}), Sentences{"infeasible_lengths names no element: " + message});
+  EXPECT_EQ(reported(message, {}), Sentences{"infeasible_lengths names no element: " + message});
   const std::vector<ErrorElements> not_there{
       {{9}, {}, {}},
       {{-1}, {}, {}},
@@ -303,7 +307,7 @@ TEST(Judge, ReportsErrorsWithoutSentenceOrElements) {
       {{0}, {}, {}, {}, {{0, 0.1}}},
   };
   for (const ErrorElements& elements : not_there) {
-    EXPECT_EQ(told(message, elements), Sentences{"infeasible_lengths names elements that the input does not have"});
+    EXPECT_EQ(reported(message, elements), Sentences{"infeasible_lengths names elements that the input does not have"});
   }
 }
 

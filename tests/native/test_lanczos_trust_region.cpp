@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps in a ball against what marks the global minimum of a quadratic there (Gay; Sorensen): with one σ >= 0
+// Steps in a ball, compared with the conditions for a global minimum of a quadratic (Gay; Sorensen): for some σ >= 0,
 //
 //   (H + σG) d = -g on the space,   σ = 0 or |d|_G = Δ,   H + σG positive semidefinite on the space
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ Eigen::MatrixXd random_matrix(int rows, int columns, std::mt19937& random) {
   return m;
 }
 
-/// q and its space {J d = 0}, in dense matrices.
+/// The quadratic q and its space {J d = 0} as dense matrices.
 struct Problem {
   Problem(unsigned seed, double shift) {
     std::mt19937 random(seed);
@@ -78,7 +78,7 @@ TEST(LanczosTrustRegion, FindsTheLeastOfAnIndefiniteQuadraticInEveryBall) {
       EXPECT_NEAR(std::sqrt(step.d.dot(problem.metric * step.d)), radius, 1e-8 * radius);
       EXPECT_NEAR(step.length, radius, 1e-9 * radius);
       EXPECT_NEAR(step.decrease, -problem.value(step.d), 1e-8 * step.decrease);
-      // The least-squares σ, then its three conditions.
+      // Computes σ by least squares, then checks its three conditions.
       const Eigen::VectorXd pull = problem.space.transpose() * (problem.gradient + problem.hessian * step.d);
       const Eigen::VectorXd weight = problem.space.transpose() * problem.metric * step.d;
       const double shift = -pull.dot(weight) / weight.squaredNorm();
@@ -89,7 +89,7 @@ TEST(LanczosTrustRegion, FindsTheLeastOfAnIndefiniteQuadraticInEveryBall) {
   }
 }
 
-TEST(LanczosTrustRegion, TakesTheNewtonStepOfAConvexQuadraticWhereTheBallHoldsIt) {
+TEST(LanczosTrustRegion, TakesTheNewtonStepOfAConvexQuadraticInsideTheBall) {
   for (unsigned seed = 0; seed < 10; ++seed) {
     const Problem problem(seed, 30);
     ASSERT_GT(problem.eigenvalues_in_space(problem.hessian).minCoeff(), 0);
@@ -98,13 +98,13 @@ TEST(LanczosTrustRegion, TakesTheNewtonStepOfAConvexQuadraticWhereTheBallHoldsIt
         -problem.space * test::solve(reduced, problem.space.transpose() * problem.gradient).col(0);
     const ModelStep step = problem.model(kUnknowns).step(1e3);
     EXPECT_TRUE(step.is_inside);
-    // It stops where a hundredth of the force is left, and q lacks the square of that.
+    // The iteration stops at a hundredth of the force, where q differs from its minimum by the square of that.
     EXPECT_NEAR(step.decrease, -problem.value(newton), 1e-2 * -problem.value(newton));
     EXPECT_LE(step.decrease, -problem.value(newton) * (1 + 1e-12));
   }
 }
 
-TEST(LanczosTrustRegion, FewVectorsGoDownAndStayInTheBall) {
+TEST(LanczosTrustRegion, FewVectorsDescendAndStayInTheBall) {
   const Problem problem(3, 0);
   double before = 0;
   for (int size = 1; size <= kUnknowns - kConstraints; ++size) {
@@ -112,12 +112,12 @@ TEST(LanczosTrustRegion, FewVectorsGoDownAndStayInTheBall) {
     EXPECT_EQ(model.size(), size);
     const ModelStep step = model.step(0.7);
     EXPECT_LE(std::sqrt(step.d.dot(problem.metric * step.d)), 0.7 * (1 + 1e-9));
-    EXPECT_GE(-problem.value(step.d), before * (1 - 1e-9)) << "a larger span holds a better step";
+    EXPECT_GE(-problem.value(step.d), before * (1 - 1e-9)) << "a larger span contains a better step";
     before = -problem.value(step.d);
   }
 }
 
-TEST(LanczosTrustRegion, FirstLengthIsThatOfTheStepForTheMetricItself) {
+TEST(LanczosTrustRegion, ConvexLengthIsTheStepIfTheHessianIsTheMetric) {
   Problem problem(5, 0);
   problem.hessian = problem.metric;
   const LanczosTrustRegion model = problem.model(kUnknowns);
@@ -127,7 +127,7 @@ TEST(LanczosTrustRegion, FirstLengthIsThatOfTheStepForTheMetricItself) {
   EXPECT_NEAR(step.decrease, step.length * step.length / 2, 1e-9);
 }
 
-TEST(LanczosTrustRegion, AGradientThatIsNoNumberIsNotSmall) {
+TEST(LanczosTrustRegion, RefusesAGradientWithNan) {
   Problem problem(1, 0);
   problem.gradient[3] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(problem.model(kUnknowns), FactorizationFailed);

@@ -23,7 +23,7 @@ Positions2 turned(const Positions2& uv, double angle) {
   return uv * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose();
 }
 
-/// The layout of the only chart, packed alone.
+/// Packs the only chart.
 Positions2 pack_one(const Charts& charts, const Positions2& uv, bool mirror = false) {
   Options options;
   options.mirror = mirror;
@@ -49,7 +49,7 @@ TEST(PackBoxes, NoTwoOverlapAndTheGapIsKept) {
           EXPECT_GE(apart, gap == 0 ? -1e-14 : gap - 1e-5) << a << " and " << b << " of " << count;
         }
       }
-      // Near-square: the square around all is not much larger than the boxes, where there are enough to choose from.
+      // With enough boxes, the square around all of them is not much larger than their total area.
       const double extent = (corners + sizes).maxCoeff();
       const double area = ((sizes.array() + gap).col(0) * (sizes.array() + gap).col(1)).sum();
       if (count >= 10) {
@@ -64,7 +64,7 @@ TEST(PackBoxes, FourSquaresMakeASquare) {
   EXPECT_NEAR((corners.array() + 1).maxCoeff(), 2.5, 1e-14);
 }
 
-TEST(PackBoxes, RoundingChoosesNothing) {
+TEST(PackBoxes, DoesNotDependOnRounding) {
   Positions2 sizes(6, 2);
   sizes << 1, 2, 1, 2, 1, 2, 2, 1, 2, 1, 2, 1;
   const Positions2 corners = pack_boxes(sizes, 0.1);
@@ -74,14 +74,14 @@ TEST(PackBoxes, RoundingChoosesNothing) {
   EXPECT_LT((pack_boxes(sizes, 0.1) - corners).cwiseAbs().maxCoeff(), 1e-12);
 }
 
-TEST(PackPieces, FirstWireStandsUprightWhateverTheLayoutsTurn) {
+TEST(PackPieces, TheFirstWireIsUprightHoweverTheShapeIsTurned) {
   FlattenInput input = test::flat_rectangle(6, 4, 3, 2);
   test::add_wire(input, test::grid_row(6, 2));  // from left to right
   const Charts charts = charts_of(input);
   const Positions2 uv = planar_positions(charts.charts[0]);
   for (const double angle : {0.0, 1.0, 2.5, -1.5}) {
     const Positions2 packed = pack_one(charts, turned(uv, angle));
-    // x becomes y, and y becomes -x, from the right edge of a piece 2 wide.
+    // A wire along x becomes upright: x becomes y, and y becomes -x, from the right edge of a piece of width 2.
     EXPECT_LT((packed.col(1) - uv.col(0)).cwiseAbs().maxCoeff(), 1e-14);
     EXPECT_LT((packed.col(0) - (2 - uv.col(1).array()).matrix()).cwiseAbs().maxCoeff(), 1e-14);
   }
@@ -97,16 +97,17 @@ TEST(PackPieces, MirroredPieceIsTheMirrorImage) {
   EXPECT_LT((packed.col(1) - uv.col(1)).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-TEST(PackPieces, AClosedOutlineStandsOnTheShortSideOfItsSmallestBox) {
+TEST(PackPieces, AClosedOutlineIsUprightInItsSmallestBox) {
   const Charts charts = charts_of(test::flat_rectangle(8, 2, 4, 1));
   const Positions2 packed = pack_one(charts, planar_positions(charts.charts[0]));
   EXPECT_NEAR(packed.col(0).maxCoeff(), 1, 1e-14);
   EXPECT_NEAR(packed.col(1).maxCoeff(), 4, 1e-14);
   const Positions2 again = pack_one(charts, turned(planar_positions(charts.charts[0]), 2));
-  EXPECT_LT((again - packed).cwiseAbs().maxCoeff(), 1e-13) << "rounding chose the end that points up";
+  EXPECT_LT((again - packed).cwiseAbs().maxCoeff(), 1e-13) << "rounding chose which end points up";
 }
 
-// What stands upright in a packed piece: the wire of the grain, the longest straight stretch of outline, up in space.
+// The direction that a packed piece makes upright: the grain wire, the longest straight section of outline, or up in
+// space.
 
 Options by(Orientation orientation) {
   Options options;
@@ -120,7 +121,7 @@ Options grain(int wire) {
   return options;
 }
 
-TEST(Grain, APieceThatItDoesNotRunThroughTakesItsFirstWire) {
+TEST(Grain, PiecesWithoutTheGrainWireUseTheirFirstWire) {
   FlattenInput input = test::flat_rectangle(6, 4, 3, 2);
   test::add_seam(input, test::grid_column(6, 4, 3));
   test::add_wire(input, test::grid_column(6, 4, 1));
@@ -133,7 +134,8 @@ TEST(Grain, APieceThatItDoesNotRunThroughTakesItsFirstWire) {
   }
 }
 
-/// A sheet whose lower side is straight but for a kink of 2 degrees, and whose longer upper side is a round hill.
+/// A sheet with a lower side that is straight but for a kink of 2 degrees, and a longer upper side that is a round
+/// hill.
 FlattenInput hill(int nx) {
   return test::make_grid(nx, 2, [](double s, double t) {
     const double kinked = 0.05 * std::abs(s - 0.5);
@@ -141,12 +143,12 @@ FlattenInput hill(int nx) {
   });
 }
 
-TEST(StraightestOutline, IsTheLongestSideThatHardlyTurns) {
+TEST(StraightestOutline, IsTheLongestSideWithLittleTurning) {
   for (const int nx : {6, 40, 200}) {
     Charts charts = charts_of(hill(nx));
     Chart& chart = charts.charts[0];
     const Positions2 uv = planar_positions(chart);
-    // Wherever the loop begins: in the middle of the side too.
+    // The loop may begin anywhere, even in the middle of the side.
     HalfEdgeChain& loop = chart.boundary_loops[0];
     for (std::size_t k = 0; k < loop.size(); ++k) {
       std::rotate(loop.begin(), loop.begin() + 1, loop.end());
@@ -157,7 +159,7 @@ TEST(StraightestOutline, IsTheLongestSideThatHardlyTurns) {
   }
 }
 
-TEST(RisingDirection, IsTheMeanOfTheTrianglesGradients) {
+TEST(RisingDirection, IsTheMeanGradientOfTheTriangles) {
   const FlattenInput input = test::saddle(6, 0.4);
   const Chart chart = test::chart_of(input);
   Positions2 uv = planar_positions(chart);
@@ -165,7 +167,7 @@ TEST(RisingDirection, IsTheMeanOfTheTrianglesGradients) {
   const Eigen::Vector3d up = Eigen::Vector3d(1, 2, 3).normalized();
   Eigen::Vector2d sum(0, 0);
   for (const FaceHandle f : chart.mesh.faces()) {
-    Eigen::Matrix2d edges;  // rows
+    Eigen::Matrix2d edges;  // as rows
     Eigen::Vector2d rises;
     const HalfedgeHandle h = chart.mesh.halfedge_handle(f);
     const VertexHandle a = chart.mesh.from_vertex_handle(h), b = chart.mesh.to_vertex_handle(h);
@@ -181,7 +183,7 @@ TEST(RisingDirection, IsTheMeanOfTheTrianglesGradients) {
   EXPECT_LT((rising_direction(chart, uv, 7 * up).normalized() - sum.normalized()).norm(), 1e-12);
 }
 
-TEST(RisingDirection, ALevelPieceIsTurnedByItsWire) {
+TEST(RisingDirection, ALevelPieceIsAlignedByItsWire) {
   FlattenInput dome = test::make_grid(8, 8, [](double s, double t) {
     const double x = 2 * s - 1, y = 2 * t - 1;
     return Eigen::Vector3d(x, y, 1e6 - 0.3 * (x * x + y * y));
@@ -192,8 +194,8 @@ TEST(RisingDirection, ALevelPieceIsTurnedByItsWire) {
   }
 }
 
-TEST(UprightPair, OfVerticesAtOneHeightDoesNotDependOnTheNumbering) {
-  // The whole lower and the whole upper side are at one height.
+TEST(UprightPair, AtEqualHeightsDoesNotDependOnTheNumbering) {
+  // All vertices of the lower side have one height, and all of the upper side another.
   const FlattenInput sheet = test::flat_rectangle(4, 2, 2, 3);
   FlattenInput renumbered = sheet;
   const auto last = static_cast<int>(sheet.vertices.rows()) - 1;

@@ -16,7 +16,7 @@ using test::planar_positions;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A piece with its lengths measured, from a layout and the variation of its parts.
+/// A piece with measured lengths, for a layout and the variation of its parts.
 Piece measured_piece(const FlattenInput& input, const Chart& chart, const Positions2& uv,
                      const std::vector<double>& variation) {
   Piece piece;
@@ -30,7 +30,7 @@ Piece measured_piece(const FlattenInput& input, const Chart& chart, const Positi
   return measured_piece(input, chart, uv, std::vector<double>(chart.wire_parts.size(), 0));
 }
 
-/// A sheet of 6 by 2 cut down the middle into two squares of side 3 by 2, with a wire across both at half height.
+/// A sheet of 6 by 2, cut down the middle into two pieces of 3 by 2, with a wire across both at half height.
 FlattenInput two_sheets(double tolerance) {
   FlattenInput input = test::flat_rectangle(6, 4, 6, 2);
   test::add_seam(input, test::grid_column(6, 4, 3));
@@ -57,7 +57,7 @@ TEST(Lengths, PartsOfAWireAndTheWhole) {
   EXPECT_NEAR(part.length_3d, 3, 1e-14);
   EXPECT_NEAR(part.length_2d, 3 * 1.04, 1e-14);
   EXPECT_EQ(part.variation, 0.03);
-  EXPECT_NEAR(part.max_edge_error, 0.01, 1e-14);  // 1.04 where 1.03 was meant
+  EXPECT_NEAR(part.max_edge_error, 0.01, 1e-14);  // 1.04 instead of 1.03
 
   const WireReport whole = measure_whole_wires(input, charts, pieces).at(0);
   EXPECT_EQ(whole.name, "waist");
@@ -69,7 +69,7 @@ TEST(Lengths, PartsOfAWireAndTheWhole) {
   EXPECT_NEAR(whole.max_edge_error, 0.01, 1e-14);
 }
 
-TEST(Lengths, WholeWireIsUnknownWhereAPieceHasNoLayout) {
+TEST(Lengths, WholeWireIsUnknownIfAPieceHasNoLayout) {
   const FlattenInput input = two_sheets(0);
   const Charts charts = charts_of(input);
   const std::vector<Piece> pieces = {measured_piece(input, charts.charts[0], planar_positions(charts.charts[0])),
@@ -122,7 +122,7 @@ TEST(Lengths, SeamSidesAndTheirMismatch) {
   EXPECT_NEAR(seams[0].length_2d[1], 2 * 1.25, 1e-14);
   EXPECT_NEAR(seams[0].mismatch, 0.5, 1e-14);
 
-  // The same length in the piece's own list, with the vertices in order.
+  // The piece's own list has the same length, with its vertices in order.
   for (const BoundaryReport& boundary : pieces[1].boundaries) {
     if (!boundary.seam) continue;
     EXPECT_EQ(*boundary.seam, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Flattenings made elsewhere that cannot be measured, or all the same can.
+// Flattenings made by other programs: some cannot be measured, and inexact ones can.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace wirewarp::test_measure {
 namespace {
 
 TEST(Measure, ATornFlatteningIsRefused) {
-  // A square of 4 by 4 quads whose upper half is moved by 2 % along row 2, but for its ends; wherever it lies.
+  // A square of 4 by 4 quads with the upper half moved by 2% along row 2, except at the ends of the row.
   const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
   CornerUv torn(input.faces.rows(), 6);
   for (int f = 0; f < input.faces.rows(); ++f) {
@@ -33,7 +33,7 @@ TEST(Measure, ATornFlatteningIsRefused) {
   }
 }
 
-TEST(Measure, RoundedCornersAreNoTear) {
+TEST(Measure, RoundedCornersAreNotATear) {
   const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
   CornerUv corners = flatten(input).corner_uv;
   for (int i = 0; i < corners.size(); ++i) corners.data()[i] += (i / 6 % 2 == 0 ? 1e-9 : -1e-9);
@@ -41,7 +41,7 @@ TEST(Measure, RoundedCornersAreNoTear) {
   EXPECT_NE(result.pieces[0].error.value_or(FlattenError(ErrorCode::cancelled, "")).code, ErrorCode::uv_discontinuous);
 }
 
-TEST(Measure, SaysHowLongItTookAndThatNothingWasSolved) {
+TEST(Measure, ReportsTimesAndThatNothingWasSolved) {
   const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
   const FlattenResult result = measure(input, flatten(input).corner_uv);
   EXPECT_GE(result.seconds.at("total"), result.seconds.at("charts") + result.seconds.at("measure"));

@@ -14,12 +14,12 @@
 namespace wirewarp::test_mesh_paths {
 namespace {
 
-/// Where each vertex of a grid lies in the unrolled plane.
+/// The position of each grid vertex in the unrolled plane.
 using Unroll = std::function<Planar(int column, int row)>;
 
-/// A trace from a grid vertex, and how far its points lie from the straight line in the unrolled plane.
+/// A trace from a grid vertex, and the distance of its points from the straight line in the unrolled plane.
 struct UnrolledTrace {
-  double length = 0;        // unrolled, from the start to the last point
+  double length = 0;        // from the start to the last point, in the unrolled plane
   double largest_miss = 0;  // from the line
   std::size_t num_points = 0;
 };
@@ -74,7 +74,7 @@ TEST(StraightestGeodesic, RunsThroughVerticesAndAlongEdges) {
     const UnrolledTrace trace = trace_unrolled(input, n, 4, 4, k * kPi / 4, identity);
     EXPECT_LT(trace.largest_miss, 1e-13) << k;
     EXPECT_NEAR(trace.length, k % 2 == 0 ? 0.5 : std::sqrt(0.5), 1e-12);
-    // Against the diagonals of the quads it crosses one in each.
+    // Traces against the quads' diagonals cross one in each quad.
     EXPECT_EQ(trace.num_points, k == 3 || k == 7 ? 9u : 5u) << k;
   }
 }
@@ -97,13 +97,13 @@ TEST(StraightestGeodesic, UnrollsToALineOnCylindersAndCones) {
   }
 }
 
-/// Largest distance of a trace on the sphere from the great circle it starts along.
+/// Largest distance of a trace on the sphere from the great circle along which it starts.
 double miss_of_great_circle(int n) {
   const Charts charts = test::charts_of(test::quarter_sphere(n));
   Chart chart = charts.charts[0];
   chart.wire_parts.clear();
   const HalfEdgeMesh& mesh = chart.mesh;
-  const VertexHandle start(n / 2 + (n + 1) * n);  // where meridian and equator cross
+  const VertexHandle start(n / 2 + (n + 1) * n);  // where the meridian crosses the equator
   const HalfedgeHandle reference = mesh.find_halfedge(start, VertexHandle(start.idx() + 1));
   const double heading = 0.6;
   const auto path = trace_straightest(mesh, WireMask(chart), reference, heading);
@@ -122,7 +122,7 @@ TEST(StraightestGeodesic, TendsToAGreatCircleOnTheSphere) {
   EXPECT_LT(miss_of_great_circle(256), 0.00125);
 }
 
-/// A pyramid of two rings of n vertices and an apex, the last vertex.
+/// A pyramid of two rings of n vertices, and an apex as the last vertex.
 FlattenInput pyramid(int n) {
   FlattenInput input = test::make_tube(n, 1, [&](double s, double t) {
     return Eigen::Vector3d((2 - t) * std::cos(2 * kPi * s), (2 - t) * std::sin(2 * kPi * s), t);
@@ -145,11 +145,11 @@ TEST(StraightestGeodesic, LeavesAnApexWithEqualAnglesLeftAndRight) {
     EXPECT_EQ((*path)[1].vertex, VertexHandle(2 * n));
     const auto beyond = position(mesh, (*path)[2]);
     EXPECT_LT(beyond[0], 0);
-    EXPECT_NEAR(beyond[1], 0, 1e-14) << "the mirror plane of the pyramid";
+    EXPECT_NEAR(beyond[1], 0, 1e-14) << "in the mirror plane of the pyramid";
   }
 }
 
-TEST(StraightestGeodesic, IsGivenUpWhenItComesBack) {
+TEST(StraightestGeodesic, IsGivenUpIfItReturnsToItsStart) {
   const int nx = 12;
   const Chart chart = test::chart_of(test::cylinder_tube(nx, 8, 1, 2));
   const HalfEdgeMesh& mesh = chart.mesh;
@@ -158,10 +158,10 @@ TEST(StraightestGeodesic, IsGivenUpWhenItComesBack) {
   const WireMask wires(chart);
   EXPECT_FALSE(trace_straightest(mesh, wires, around, 0)) << "a ring of edges";
   EXPECT_FALSE(trace_straightest(mesh, wires, around, 1e-4)) << "a flat spiral";
-  EXPECT_TRUE(trace_straightest(mesh, wires, around, 1)) << "a steep one";
+  EXPECT_TRUE(trace_straightest(mesh, wires, around, 1)) << "a steep spiral";
 }
 
-/// Length of the straightened shortest path between two vertices.
+/// Length of the shortest path between two vertices after straightening.
 double geodesic_length(const Chart& chart, int from, int to) {
   const WireMask wires(chart);
   std::vector<char> is_target(chart.mesh.n_vertices(), 0);
@@ -197,7 +197,7 @@ TEST(ShortestPath, IsExactOnACone) {
 }
 
 TEST(ShortestPath, StaysAQuarterOfAnEdgeAwayFromWires) {
-  // Around the end of a slit that stands between the two vertices.
+  // The path leads around the end of a slit between the two vertices.
   const int n = 8;
   FlattenInput input = test::flat_rectangle(n, n, n, n);
   std::vector<int> slit = test::grid_column(n, n, 4);
@@ -225,7 +225,7 @@ TEST(ShortestPath, TakesTheNearestOfManySourcesAndTargets) {
   EXPECT_EQ(path, (std::vector<VertexHandle>{vertex(6, 5), vertex(7, 5), vertex(8, 5)}));
 }
 
-TEST(ShortestPath, SaysWhereThereIsNone) {
+TEST(ShortestPath, ThrowsIfThereIsNone) {
   const Chart chart = test::chart_of(test::flat_rectangle(4, 4, 1, 1));
   SplitChart refined(chart);
   const std::vector<char> no_target(chart.mesh.n_vertices(), 0);
@@ -259,10 +259,11 @@ TEST(EmbedPath, APathNearAVertexRunsThroughIt) {
   const auto path = snap_to_wires(plate.chart.mesh, WireMask(plate.chart), plate.trace(1, 4, 0.005));
   ASSERT_TRUE(path);
   ASSERT_EQ(path->size(), 6u);
-  for (int i = 0; i < 6; ++i) EXPECT_EQ((*path)[i].vertex, plate.vertex(1 + i, 4)) << "no crossing is left";
+  for (int i = 0; i < 6; ++i)
+    EXPECT_EQ((*path)[i].vertex, plate.vertex(1 + i, 4)) << "all crossings are snapped to vertices";
 }
 
-TEST(EmbedPath, APathThatIsAWireAlreadyGoesNowhere) {
+TEST(EmbedPath, APathAlongAWireIsRejected) {
   const Plate plate;
   const MeshPath path{PathPoint::at_vertex(plate.vertex(6, 3)), PathPoint::at_vertex(plate.vertex(6, 4))};
   EXPECT_FALSE(snap_to_wires(plate.chart.mesh, WireMask(plate.chart), path));

@@ -12,7 +12,7 @@
 namespace wirewarp::test {
 namespace {
 
-/// Quads of a grid with num_columns vertices in a row, cut into triangles; a closed grid wraps around.
+/// Triangles of a grid of quads with num_columns vertices in a row; a closed grid wraps around.
 Triangles grid_faces(int nx, int ny, int num_columns) {
   Triangles faces(2 * nx * ny, 3);
   int f = 0;
@@ -177,7 +177,7 @@ FlattenInput flat_rectangle(int nx, int ny, double width, double height) {
 }
 
 FlattenInput flat_annulus(int around, int across, double inner_radius, double outer_radius) {
-  // Outwards is the grid's t, so around runs clockwise to keep +z in front.
+  // The grid's t points outwards, so s runs clockwise to make +z the front.
   return make_tube(around, across, [&](double s, double t) {
     const double radius = inner_radius + (outer_radius - inner_radius) * t;
     return Eigen::Vector3d(radius * std::cos(-2 * kPi * s), radius * std::sin(-2 * kPi * s), 0);
@@ -244,7 +244,7 @@ FlattenInput sphere_band(int nx, int ny, double latitude) {
 
 FlattenInput sphere_of_gores(int gores, int n, int rings) {
   const int nx = gores * n;
-  // The rings between the poles, then a pole and a fan of triangles at either end.
+  // The rings between the poles, then the poles and the fans of triangles around them.
   FlattenInput input = make_tube(nx, rings - 2, [&](double s, double t) {
     return on_sphere(2 * kPi * s, kPi * ((1 + t * (rings - 2)) / rings - 0.5));
   });
@@ -289,7 +289,7 @@ FlattenInput closed_torus(int around, int across) {
 
 FlattenInput book(int num_flaps, int n) {
   FlattenInput input;
-  const int flap_vertices = n * (n + 1);  // without those on the spine
+  const int flap_vertices = n * (n + 1);  // not counting those on the spine
   input.vertices.resize(n + 1 + num_flaps * flap_vertices, 3);
   input.faces.resize(num_flaps * 2 * n * n, 3);
   for (int j = 0; j <= n; ++j) input.vertices.row(j) << 0, 0, static_cast<double>(j) / n;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces with seams and wires, parametrised by resolution. Faces are counter-clockwise seen from outside (for flat
-// and open ones: from +z). Lengths in scene units.
+// Surfaces with seams and wires, at any resolution. Faces are counter-clockwise seen from outside (for flat and open
+// surfaces, from +z). Lengths are in scene units.
 #pragma once
 
 #include <array>
@@ -11,94 +11,97 @@
 
 namespace wirewarp::test {
 
-/// A surface over the unit square; its outside is where ds x dt points.
+/// A surface over the unit square; the direction ds x dt points outside.
 using Surface = std::function<Eigen::Vector3d(double s, double t)>;
 
-/// nx by ny quads over the unit square, each cut from its lower left to its upper right corner; vertex i + (nx+1) j.
+/// A grid of nx by ny quads over the unit square, each divided by the diagonal from its lower left to its upper right
+/// corner. Vertices are i + (nx+1) j.
 FlattenInput make_grid(int nx, int ny, const Surface& surface);
 
-/// Cuts every second quad of a grid, as on a checkerboard, from its lower right to its upper left corner instead.
+/// Divides every second quad of a grid, as on a checkerboard, by its other diagonal.
 void alternate_diagonals(FlattenInput& grid, int nx);
 
-/// An n by n grid whose inner vertices are moved about, by up to this share of an edge, so that nothing is regular and
-/// rows and columns are jagged.
+/// An n by n grid whose inner vertices are moved at random by up to this share of an edge, so that nothing is regular
+/// and rows and columns are jagged.
 FlattenInput jittered_grid(int n, double jitter, const Surface& surface);
 
 /// A mesh of these points and triangles.
 FlattenInput mesh_of(const std::vector<std::array<double, 3>>& points, const std::vector<std::array<int, 3>>& faces);
 
-/// A grid closed in s: surface(0, t) = surface(1, t). Vertex i + nx j.
+/// A grid closed in s: surface(0, t) = surface(1, t). Vertices are i + nx j.
 FlattenInput make_tube(int nx, int ny, const Surface& surface);
 
-/// Vertices of row j from left to right, of column i from bottom to top.
+/// Vertices of row j from left to right, and of column i from bottom to top.
 std::vector<int> grid_row(int nx, int j);
 std::vector<int> grid_column(int nx, int ny, int i);
 
-/// Vertices of the square around vertex (i, j) of a grid, k edges from it, the first repeated.
+/// Vertices of the square around vertex (i, j) of a grid at a distance of k edges; the first is repeated at the end.
 std::vector<int> grid_square(int nx, int i, int j, int k);
 
-/// Vertices of ring j once around, the first repeated.
+/// Vertices once around ring j; the first is repeated at the end.
 std::vector<int> tube_ring(int nx, int j);
 
 /// Vertices of line i of a tube from bottom to top.
 std::vector<int> tube_line(int nx, int ny, int i);
 
-/// Marks the edges of a vertex chain as seams.
+/// Marks the edges of a chain of vertices as seams.
 void add_seam(FlattenInput& input, const std::vector<int>& chain);
 
 void add_wire(FlattenInput& input, const std::vector<int>& chain, double tolerance = 0, const std::string& name = "");
 
-/// Wires along these rows and columns of an n by n grid.
+/// Adds wires along these rows and columns of an n by n grid.
 void add_net(FlattenInput& grid, int n, const std::vector<int>& lines, double tolerance = 0);
 
-/// Keeps the faces for which keep(centroid) is true, and the vertices they use, in their order. No seams, no wires.
+/// Keeps the faces for which keep(centroid) is true and the vertices that they use, in their order. Seams and wires are
+/// dropped.
 FlattenInput keep_faces(const FlattenInput& input, const std::function<bool(const Eigen::Vector3d&)>& keep);
 
 /// The vertex nearest to a point.
 int nearest_vertex(const FlattenInput& input, const Eigen::Vector3d& point);
 
-// Flat.
+// Flat surfaces.
 FlattenInput flat_rectangle(int nx, int ny, double width, double height);
 FlattenInput flat_annulus(int around, int across, double inner_radius, double outer_radius);
-/// A 3 by 2 plate with two square holes of side 0.5; n quads to the unit. Holes are whole where n is even.
+/// A plate of 3 by 2 with two square holes of side 0.5, with n quads per unit. n must be even for square holes.
 FlattenInput flat_plate_with_two_holes(int n);
 
-// Developable.
-/// A part of a cylinder: angle radians around, height upright.
+// Developable surfaces.
+/// A part of a cylinder with an upright axis: angle radians around, and height.
 FlattenInput cylinder_patch(int nx, int ny, double radius, double angle, double height);
-/// A part of a cone between two distances from the apex; half_angle between axis and side; angle around the axis.
+/// A part of a cone between two distances from the apex; half_angle is between axis and side, angle around the axis.
 FlattenInput cone_patch(int nx, int ny, double near, double far, double half_angle, double angle);
 /// A whole cylinder, open at both ends.
 FlattenInput cylinder_tube(int nx, int ny, double radius, double height);
 
-// Doubly curved.
+// Doubly curved surfaces.
 /// A quarter of the unit sphere from 75 degrees south to 75 degrees north, n by 2n quads with alternating diagonals,
 /// and rigid wires along the middle meridian and the equator (the shape of the paper's Fig. 1).
 FlattenInput quarter_sphere(int n);
 /// z = bend (x² − y²) over the square of side 2.
 FlattenInput saddle(int n, double bend);
 
-/// A saddle where every inner edge is a wire of its own: they contradict one another, and all starts fail.
+/// A saddle where every inner edge is a wire of its own: the wires contradict one another, and all starts fail.
 FlattenInput saddle_of_wires(int n, double tolerance);
-/// A band of the unit sphere around the equator, up to the given latitude on both sides: two boundary loops.
+/// A band of the unit sphere around the equator, up to this latitude on both sides, with two boundary loops.
 FlattenInput sphere_band(int nx, int ny, double latitude);
-/// The unit sphere cut into equal gores by seams from pole to pole; n quads around each gore, rings upwards.
+/// The unit sphere cut into equal gores by seams from pole to pole, with n quads across each gore and rings from pole
+/// to pole.
 FlattenInput sphere_of_gores(int gores, int n, int rings);
 
-/// A sphere and a torus without a seam.
+/// A sphere and a torus without seams.
 FlattenInput closed_sphere(int around, int rings);
 FlattenInput closed_torus(int around, int across);
 
-/// num_flaps rectangles that share one edge, a seam with as many sides; n quads along the side of each.
+/// num_flaps rectangles that share one edge, which is a seam with as many sides; n quads along the side of each.
 FlattenInput book(int num_flaps, int n);
 
-/// Largest distance between corresponding rows after the rigid motion that fits best.
+/// Largest distance between corresponding rows after the best rigid motion.
 double misfit(Positions2 a, Positions2 b);
 
-/// The flat coordinates (x, y) of an input that lies in the plane z = 0, per vertex of a chart.
+/// The coordinates (x, y) of each vertex of a chart in the plane z = 0.
 Positions2 planar_positions(const Chart& chart);
 
-/// Charts of an input that has no faults, and the first of them.
+/// The charts of an input without faults, and the first of them.
 Charts charts_of(const FlattenInput& input);
 Chart chart_of(const FlattenInput& input);
 

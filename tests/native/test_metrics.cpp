@@ -40,7 +40,7 @@ TEST(Metrics, StretchedSheetByArithmetic) {
   EXPECT_TRUE(metrics.flipped_faces.empty());
   EXPECT_TRUE(metrics.overlapping_faces.empty());
 
-  // The wire's edges first, all across; then the outline's, across or upright.
+  // The wire's edges come first, and all run across; the outline's follow, across or upright.
   ASSERT_EQ(metrics.wire_edges.size(), static_cast<std::size_t>(n + 4 * n));
   for (std::size_t i = 0; i < metrics.wire_edges.size(); ++i) {
     const auto [a, b] = metrics.wire_edges[i];
@@ -52,7 +52,7 @@ TEST(Metrics, StretchedSheetByArithmetic) {
   }
 }
 
-TEST(Metrics, ShearTurnsTheFourCornersOnly) {
+TEST(Metrics, ShearChangesOnlyTheFourCorners) {
   const int n = 5;
   const Chart chart = test::chart_of(test::flat_rectangle(n, n, 1, 1));
   Positions2 uv = planar_positions(chart);
@@ -63,7 +63,7 @@ TEST(Metrics, ShearTurnsTheFourCornersOnly) {
 }
 
 TEST(Metrics, AnglesBeyondAHalfTurnAreNotWrapped) {
-  // The nodes at the outline of a hole span 3π/2 at its corners.
+  // Nodes at the outline of a hole span 3π/2 at the hole's corners.
   const Chart chart = test::chart_of(test::flat_plate_with_two_holes(4));
   const WireNetwork network = build_wire_network(chart);
   const Positions2 uv = planar_positions(chart);
@@ -77,7 +77,7 @@ TEST(Metrics, AnglesBeyondAHalfTurnAreNotWrapped) {
 
 TEST(Metrics, TailsHaveNoAngle) {
   FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
-  test::add_wire(input, {12, 13});  // inside, meets nothing
+  test::add_wire(input, {12, 13});  // inside; touches nothing
   const Chart chart = test::chart_of(input);
   Positions2 uv = planar_positions(chart);
   uv.row(12) += Eigen::RowVector2d(0.01, 0.02);
@@ -85,7 +85,7 @@ TEST(Metrics, TailsHaveNoAngle) {
 }
 
 TEST(Metrics, FacesAreThoseOfTheInput) {
-  // Two charts; the second is turned over as a whole.
+  // There are two charts; the second is mirrored as a whole.
   const int n = 4;
   FlattenInput input = test::flat_rectangle(n, 2, 4, 2);
   test::add_seam(input, test::grid_column(n, 2, 2));
@@ -99,12 +99,12 @@ TEST(Metrics, FacesAreThoseOfTheInput) {
   EXPECT_EQ(metrics.flipped_faces, right.source_face);
   EXPECT_NE(metrics.flipped_faces, charts.charts[0].source_face);
   EXPECT_NEAR(metrics.area_2d, -4, 1e-14);
-  EXPECT_TRUE(metrics.overlapping_faces.empty()) << "the mirror image lies flat, face by face";
+  EXPECT_TRUE(metrics.overlapping_faces.empty()) << "as a mirror image, no faces overlap";
 }
 
 using Planar = std::array<Eigen::Vector2d, 3>;
 
-/// Of one triangle: p put into space by a rigid motion, mapped to u.
+/// The metrics of one triangle: p, placed in space by a rigid motion, is mapped to u.
 Metrics measure(const Planar& p, const Planar& u) {
   const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()) *
                                     Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX()))
@@ -124,7 +124,7 @@ Planar transformed(const Planar& p, const Eigen::Matrix2d& map) { return {map * 
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Eq. (6) as it is written: over the edges, with the cotangent of the angle opposite and the best rotation.
+/// Eq. (6) literally: a sum over the edges with the cotangent of the opposite angle and the best rotation.
 double literal_arap(const Planar& p, const Planar& u) {
   std::array<double, 3> cotangents;
   double cosine = 0;
@@ -164,7 +164,7 @@ TEST(Arap, EqualsTheCotangentFormulaOfThePaper) {
   }
 }
 
-TEST(Arap, FiguresOfKnownMaps) {
+TEST(Arap, KnownMapsHaveTheirFigures) {
   struct Known {
     Eigen::Matrix2d map;
     double aspect_ratio, area, energy;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The least distorted shape under exact lengths: one minimum from every start, off saddles, exact at every stop.
+// The least distorted shape under exact lengths: every start leads to one minimum, away from saddles, and every stop is
+// exact.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -27,7 +28,7 @@ namespace wirewarp::test_minimize {
 namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
-constexpr double kSameMinimum = 1e-7;  // of f: each run stops where a step promises less than 1e-9
+constexpr double kSameMinimum = 1e-7;  // of f, because each run stops when the next step would gain less than 1e-9
 
 struct Case {
   explicit Case(const FlattenInput& input) : charts(test::charts_of(input)) {}
@@ -38,7 +39,7 @@ struct Case {
   }
   Solution refine() const { return refine(free_boundary_arap(chart, 30).uv); }
 
-  /// ψ of the 3D lengths.
+  /// The shape ψ of the 3D lengths.
   Positions2 warped() const {
     const std::optional<Chart> processed = process_topology(chart);
     const Chart& prepared = processed ? *processed : chart;
@@ -54,7 +55,7 @@ struct Case {
 
   int flips(const Positions2& uv) const { return FairShapeError(chart, network, fairness).count_flips(uv); }
 
-  /// Largest |l₂ - (1 + h) l| / l, h as the shape says.
+  /// Largest |l₂ - (1 + h) l| / l, with h of the shape.
   double length_error(const Shape& shape) const {
     const LengthConstraints constraints(chart, network);
     Eigen::VectorXd variation(constraints.num_elastic());
@@ -132,7 +133,7 @@ TEST(Minimize, EveryStartLeadsToTheSameMinimum) {
       EXPECT_NEAR(first.objective, panel.value(first.shape.uv), 1e-12 * first.objective);
       const std::pair<const char*, Positions2> starts[] = {
           {"the wires first", panel.warped()},
-          {"turned over", free_boundary_arap(panel.chart, 30, mirror).uv},
+          {"flipped", free_boundary_arap(panel.chart, 30, mirror).uv},
           {"on a circle", free_boundary_arap(panel.chart, 30, tutte_embedding(panel.chart)).uv},
           {"jittered, then free", free_boundary_arap(panel.chart, 30, jittered(free, 200 * little, 1)).uv},
           {"near the minimum", jittered(first.shape.uv, little, 2)}};
@@ -163,20 +164,20 @@ TEST(Minimize, MoreToleranceNeverRaisesTheMinimum) {
   }
 }
 
-TEST(Minimize, ANarrowToleranceIsUsedUpAndAWideOneIsNot) {
+TEST(Minimize, ANarrowToleranceIsUsedCompletelyAndAWideOneIsNot) {
   const Solution narrow = Case(dome_with_wires(0.001)).refine(), wide = Case(dome_with_wires(0.5)).refine();
   EXPECT_GT(narrow.shape.variation.cwiseAbs().minCoeff(), 0.001 - 1e-12);
   EXPECT_LT(wide.shape.variation.cwiseAbs().maxCoeff(), 0.4);
 }
 
-/// f has no gradient along the shapes with these lengths: small moves to other exact shapes do not lower it.
+/// f has no gradient along the shapes with these lengths, so small moves to other exact shapes do not lower it.
 TEST(Minimize, NothingNearIsBetter) {
   for (const FlattenInput& input : {dome_with_wires(0), dome_with_wires(0.02), test::quarter_sphere(12)}) {
     const Case panel(input);
     const Solution least = refine_chart(panel.chart, Options{});
     ASSERT_TRUE(least.is_exact() && least.is_converged());
     for (unsigned seed = 0; seed < 10; ++seed) {
-      // No factorization beyond the one to exact lengths: a nearby exact shape, not the minimum again.
+      // One factorization restores exact lengths nearby; no budget is left to find the minimum again.
       const Solution near = panel.refine(jittered(least.shape.uv, 0.01 * panel.shortest_edge(), seed), 1);
       ASSERT_TRUE(near.is_exact());
       EXPECT_GE(near.objective, least.objective * (1 - 1e-9));
@@ -184,8 +185,8 @@ TEST(Minimize, NothingNearIsBetter) {
   }
 }
 
-/// Distances between points along the outline of the quarter sphere, the same points whatever n, in one of the four
-/// orders that its symmetries allow.
+/// Distances between fixed points along the outline of the quarter sphere, which do not depend on n, in one of the four
+/// orders that are equivalent by symmetry.
 Eigen::MatrixXd outline_distances(const Chart& chart, const Positions2& uv, int n, bool turn_s, bool turn_t) {
   std::vector<int> row_of(chart.source_vertex.size());
   for (std::size_t v = 0; v < row_of.size(); ++v) row_of[chart.source_vertex[v]] = static_cast<int>(v);
@@ -208,7 +209,7 @@ Eigen::MatrixXd outline_distances(const Chart& chart, const Positions2& uv, int 
 }
 
 TEST(Minimize, ConvergesWhenTheSurfaceIsRefined) {
-  // E of the refined quarter sphere as a prototype, written apart from this code, found it at fairness 0.1.
+  // The energies E were computed by a prototype that shares no code with this program, at fairness 0.1.
   Options options;
   options.fairness = 0.1;
   const std::pair<int, double> expected[] = {{16, 0.0737}, {32, 0.0746}, {64, 0.0753}};
@@ -261,7 +262,7 @@ TEST(Minimize, StopsAtAnyBudgetWithExactLengths) {
   }
 }
 
-TEST(Minimize, CancelledAtAnyMomentItIsExactOrSaysSo) {
+TEST(Minimize, CanceledAtAnyMomentTheShapeIsExactOrReportedAsCanceled) {
   for (const FlattenInput& input : {test::quarter_sphere(12), dome_with_wires(0.05)}) {
     const Case panel(input);
     int questions = 0;
@@ -279,13 +280,13 @@ TEST(Minimize, CancelledAtAnyMomentItIsExactOrSaysSo) {
         EXPECT_LT(last, questions) << "exact by then";
       }
       EXPECT_TRUE(stop.is_stopped());
-      EXPECT_EQ(asked, last) << "not asked again after a no";
+      EXPECT_EQ(asked, last) << "no more questions after a refusal";
     }
   }
 }
 
-/// Where the paper's method leads to the same lengths, f of its shape is never less.
-TEST(Minimize, AreNeverAboveTheWarpOfTheSameLengths) {
+/// If the paper's method finds the same lengths, f of its shape is never lower.
+TEST(Minimize, IsNeverAboveTheWarpOfTheSameLengths) {
   for (const double tolerance : {0.0, 0.05}) {
     std::vector<FlattenInput> inputs = own_panels(tolerance);
     inputs.push_back(with_tolerance(test::quarter_sphere(12), tolerance));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lengths as equations, and the linear system of a Newton step under them, against dense algebra.
+// Lengths as equations, and the linear system of a Newton step under them, compared with dense algebra.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -31,13 +31,13 @@ Positions2 as_positions(const Eigen::VectorXd& v) { return Eigen::Map<const Posi
 
 Eigen::VectorXd as_vector(const Positions2& p) { return Eigen::Map<const Eigen::VectorXd>(p.data(), p.size()); }
 
-/// Both triangles.
+/// The full symmetric matrix of a lower triangle.
 Eigen::MatrixXd dense(const Eigen::SparseMatrix<double>& lower) {
   const Eigen::MatrixXd matrix(lower);
   return matrix.selfadjointView<Eigen::Lower>();
 }
 
-/// A bent sheet with a rigid, two elastic and a free wire.
+/// A bent sheet with one rigid, two elastic and one free wire.
 class NewtonSystemOnASaddle : public testing::Test {
  protected:
   static FlattenInput input() {
@@ -58,7 +58,7 @@ class NewtonSystemOnASaddle : public testing::Test {
     return j;
   }
 
-  /// H reduced to the null space of J.
+  /// The Hessian H reduced to the null space of J.
   Eigen::MatrixXd reduced_hessian(const Eigen::VectorXd& multipliers, const Convexity& convexity) {
     return test::reduced_to(test::null_space(jacobian(constraints.directions(uv))),
                             dense(system.hessian(uv, multipliers, convexity)));
@@ -91,7 +91,7 @@ TEST_F(NewtonSystemOnASaddle, TheJacobianEqualsDifferences) {
         (2 * step);
     const Positions2 directions = constraints.directions(bent);
     EXPECT_LT((constraints.apply(directions, d) - constraints.elastic_lengths() * dh - difference).norm(), 1e-8);
-    // The transpose by the same numbers.
+    // The transposed product uses the same numbers.
     const Eigen::VectorXd multipliers = random_vector(constraints.size(), seed + 30);
     Positions2 pulled = Positions2::Zero(uv.rows(), 2);
     constraints.add_transposed(directions, multipliers, pulled);
@@ -112,14 +112,14 @@ TEST_F(NewtonSystemOnASaddle, SolvesTheSystemOfTheNewtonStep) {
   Positions2 forces = as_positions(h.selfadjointView<Eigen::Lower>() * as_vector(d)) - r1;
   constraints.add_transposed(directions, solution.multipliers, forces);
   EXPECT_LT(forces.norm(), 1e-6 * r1.norm());
-  // One solve moves the lengths to first order, by the least energy: no other d with this J d has less.
+  // One solve changes the lengths to first order with the least energy: no other d with the same J d has less.
   const Positions2 least = system.finish(system.least_change(r2));
   EXPECT_LT((constraints.apply(directions, least) - r2).norm(), 1e-4 * r2.norm());
   const Positions2 unforced = system.finish(system.solve_on_wires(Positions2::Zero(uv.rows(), 2), r2).d);
   EXPECT_LT((least - unforced).norm(), 1e-4 * unforced.norm());
 }
 
-TEST_F(NewtonSystemOnASaddle, ChoosesLengthVariationsOnceDIsEliminated) {
+TEST_F(NewtonSystemOnASaddle, SolvesForLengthVariationsAfterEliminatingD) {
   ASSERT_TRUE(system.factorize(uv, 0.01 * random_vector(constraints.size(), 5), convex));
   const Positions2 r1 = as_positions(random_vector(num_unknowns, 6));
   const Eigen::VectorXd r2 = random_vector(constraints.size(), 7), h = random_vector(constraints.num_elastic(), 8);
@@ -136,7 +136,7 @@ TEST_F(NewtonSystemOnASaddle, ChoosesLengthVariationsOnceDIsEliminated) {
   EXPECT_LT((as_positions(rough.d).topRows(uv.rows()) - d).norm(), 1e-4 * d.norm());
 }
 
-TEST_F(NewtonSystemOnASaddle, AFactorExistsExactlyWhereTheHessianIsPositiveUnderTheLengths) {
+TEST_F(NewtonSystemOnASaddle, FactorizesIfAndOnlyIfTheReducedHessianIsPositive) {
   const Eigen::VectorXd shape = random_vector(constraints.size(), 9);
   int positive = 0, negative = 0;
   for (const double size : {0.0, 1e-4, 1e-3, 1e-2, 3e-2, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0}) {
@@ -144,7 +144,7 @@ TEST_F(NewtonSystemOnASaddle, AFactorExistsExactlyWhereTheHessianIsPositiveUnder
          {convex, exact, Convexity{Curvature::convex, true}, Convexity{Curvature::exact, false}}) {
       const Eigen::VectorXd multipliers = size * shape;
       const double lowest = lowest_curvature(multipliers, convexity);
-      if (std::abs(lowest) < 1e-5) continue;  // as small as H is next to the stiffness
+      if (std::abs(lowest) < 1e-5) continue;  // too close to 0 for H beside the large stiffness
       const bool is_positive = system.factorize(uv, multipliers, convexity);
       EXPECT_EQ(is_positive, lowest > 0) << size << " " << lowest;
       ++(is_positive ? positive : negative);
@@ -154,19 +154,19 @@ TEST_F(NewtonSystemOnASaddle, AFactorExistsExactlyWhereTheHessianIsPositiveUnder
   EXPECT_GT(negative, 5);
 }
 
-TEST_F(NewtonSystemOnASaddle, TheHessianByVariationIsThatOfTheDenseSystem) {
+TEST_F(NewtonSystemOnASaddle, TheHessianByVariationEqualsTheDenseOne) {
   const Eigen::VectorXd multipliers = 0.01 * random_vector(constraints.size(), 5);
   ASSERT_TRUE(system.factorize(uv, multipliers, convex));
   const Eigen::MatrixXd j = jacobian(system.directions());
   const Eigen::MatrixXd h = dense(system.hessian(uv, multipliers, convex));
-  // min ½ d·Hd with J d = T h is ½ h·S h: S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T, the pins make H regular.
+  // min ½ d·Hd with J d = T h is ½ h·S h, where S = Tᵀ (J H⁻¹ Jᵀ)⁻¹ T; the pins make H regular.
   const Eigen::MatrixXd t = constraints.elastic_lengths();
   const Eigen::MatrixXd by_force = test::product(j, test::solve(h, j.transpose()));
   const Eigen::MatrixXd expected = test::product(t.transpose(), test::solve(by_force, t));
   EXPECT_LT((system.stiffness_by_variation() - expected).norm(), 1e-5 * expected.norm());
 }
 
-TEST_F(NewtonSystemOnASaddle, TheStiffnessByVariationIsThatOfTheDenseSystem) {
+TEST_F(NewtonSystemOnASaddle, TheStiffnessByVariationEqualsTheDenseOne) {
   const Eigen::VectorXd soft = Eigen::VectorXd::LinSpaced(constraints.size(), 1, 2);
   system.set_stiffness(soft);
   ASSERT_TRUE(system.factorize(uv, 0 * soft, convex));
@@ -175,25 +175,25 @@ TEST_F(NewtonSystemOnASaddle, TheStiffnessByVariationIsThatOfTheDenseSystem) {
   const Eigen::MatrixXd a =
       dense(system.hessian(uv, 0 * soft, convex)) + test::product(j.transpose(), soft.asDiagonal() * j);
   const Eigen::MatrixXd pulled = test::product(j.transpose(), stretched);
-  // min over d of ½ Σ ρ (J d − T h)² + ½ d·Hd is ½ h·S h.
+  // The minimum over d of ½ Σ ρ (J d − T h)² + ½ d·Hd is ½ h·S h.
   const Eigen::MatrixXd expected =
       constraints.elastic_lengths().transpose() * stretched - test::product(pulled.transpose(), test::solve(a, pulled));
   EXPECT_LT((system.stiffness_by_variation() - expected).norm(), 1e-9 * expected.norm());
 }
 
-TEST(MakePositive, LeavesWhatIsPositiveButNearlySingular) {
+TEST(MakePositive, DoesNotChangeNearlySingularPositiveMatrices) {
   const Eigen::MatrixXd positive = (Eigen::Matrix2d() << 1, 1, 1, 1 + 1e-5).finished();  // pivots 1 and 1e-5
   EXPECT_LT((make_positive(positive) - positive).norm(), 1e-14);
 }
 
-TEST(MakePositive, TakesMagnitudesOfEigenvalues) {
+TEST(MakePositive, ReplacesEigenvaluesByTheirMagnitudes) {
   const Eigen::Matrix2d q = test::orthonormal(as_positions(random_vector(4, 1)));
   const Eigen::MatrixXd symmetric = q * Eigen::Vector2d(-3, 1e-9).asDiagonal() * q.transpose();
   const Eigen::MatrixXd expected = q * Eigen::Vector2d(3, 3e-6).asDiagonal() * q.transpose();
   EXPECT_LT((make_positive(symmetric) - expected).norm(), 1e-12);
 }
 
-TEST_F(NewtonSystemOnASaddle, LengthsAreRestoredFromNearbyAndNotFromFarAway) {
+TEST_F(NewtonSystemOnASaddle, TheRetractionSucceedsFromNearbyAndFailsFromFarAway) {
   ASSERT_TRUE(system.factorize(uv, Eigen::VectorXd::Zero(constraints.size()), Convexity{Curvature::none, false}));
   const Eigen::Vector2d h(0.01, -0.02);
   const Positions2 noise = as_positions(random_vector(num_unknowns, 3));
@@ -204,7 +204,7 @@ TEST_F(NewtonSystemOnASaddle, LengthsAreRestoredFromNearbyAndNotFromFarAway) {
   EXPECT_FALSE(retract_to_lengths(constraints, system, h, far));
 }
 
-TEST_F(NewtonSystemOnASaddle, TheWayBackToLengthsEndsWhereTheCallerStops) {
+TEST_F(NewtonSystemOnASaddle, TheRetractionStopsWhenTheCallerCancels) {
   ASSERT_TRUE(system.factorize(uv, Eigen::VectorXd::Zero(constraints.size()), Convexity{Curvature::none, false}));
   const Eigen::Vector2d h(0.01, -0.02);
   const Positions2 begin = uv + 0.02 * as_positions(random_vector(num_unknowns, 3));

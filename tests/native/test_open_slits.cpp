@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts with slits: each opens or stays shut, exact at every stop.
+// Charts with slits: each slit opens or stays shut, and lengths are exact at every stop.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::vector<int> along_column(int i, int j, int num_edges) {
   return chain;
 }
 
-/// The sheet is pressed together at the top of the bump and pulled apart sideways on its slope.
+/// The sheet is compressed at the top of the bump and stretched sideways on its slope.
 FlattenInput bump_with_slits() {
   FlattenInput input = test::make_grid(kSize, kSize, [](double s, double t) {
     return Eigen::Vector3d(s, t, 0.25 * std::exp(-12 * ((s - 0.5) * (s - 0.5) + (t - 0.4) * (t - 0.4))));
@@ -49,7 +49,7 @@ double gap(const Chart& chart, const Slit& slit, const Positions2& uv) {
   return largest;
 }
 
-TEST(OpenSlits, OneOpensAndOneStaysShut) {
+TEST(OpenSlits, OneSlitOpensAndOneStaysShut) {
   const FlattenInput input = bump_with_slits();
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
@@ -91,7 +91,7 @@ FlattenInput waves(int n, double bend_s, double bend_t, double wave) {
   });
 }
 
-TEST(OpenSlits, TheSewnChartHasTheLaterStartsToo) {
+TEST(OpenSlits, TheSewnChartTriesLaterStartsToo) {
   FlattenInput input = waves(22, -0.242964, 0.410214, -0.297067);
   test::add_seam(input, {146, 169, 192, 193, 194, 195});
   test::add_wire(input, test::grid_row(22, 20));
@@ -102,7 +102,7 @@ TEST(OpenSlits, TheSewnChartHasTheLaterStartsToo) {
   EXPECT_EQ(piece.report.termination, Termination::converged);
 }
 
-TEST(OpenSlits, ATrialThatWouldGoThroughAShutSlitIsGivenUp) {
+TEST(OpenSlits, ATrialThatWouldPassThroughAShutSlitIsGivenUp) {
   FlattenInput input = waves(12, 0.081492, 0.09485, -0.079414);
   test::add_seam(input, {136, 135, 122, 109, 96, 83, 70, 69, 68, 81, 80});
   test::add_seam(input, {82, 95, 108});
@@ -114,7 +114,7 @@ TEST(OpenSlits, ATrialThatWouldGoThroughAShutSlitIsGivenUp) {
   EXPECT_LE(piece.report.factorizations, 50);
 }
 
-/// As Blender stores it: without strain but for the rounding of single precision.
+/// A cylinder as Blender stores it: without strain but for the rounding to single precision.
 FlattenInput rounded_cylinder() {
   FlattenInput input = test::cylinder_patch(20, 8, 1, 2, 1);
   input.vertices = input.vertices.cast<float>().cast<double>();
@@ -138,7 +138,7 @@ TEST(OpenSlits, RimsOfAPieceThatUnfoldsUpToRoundingStayApart) {
   }
 }
 
-TEST(OpenSlits, AsFarOnFineMeshesAsOnCoarseOnes) {
+TEST(OpenSlits, OpenEquallyFarOnFineAndCoarseMeshes) {
   std::vector<double> gaps, objectives;
   for (const int n : {12, 36, 108}) {  // a slit of 6, 18 and 54 edges
     FlattenInput input = test::make_grid(n, n, [](double s, double t) {
@@ -150,7 +150,7 @@ TEST(OpenSlits, AsFarOnFineMeshesAsOnCoarseOnes) {
     const Charts charts = test::charts_of(input);
     const Chart& chart = charts.charts.at(0);
     Problem problem(chart, Options{}.fairness);
-    Budget budget(8);  // a face that turns over takes many
+    Budget budget(8);  // a face that flips would need many
     const Solution found = refine_chart(problem, Options{}, {budget});
     EXPECT_TRUE(found.is_exact() && found.is_converged()) << n;
     gaps.push_back(gap(chart, find_slits(chart).at(0), found.shape.uv));

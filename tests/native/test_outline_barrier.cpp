@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The barrier that keeps an outline from crossing itself, on a plate with a notch: its sides are 0.02 apart, its edges
-// 1 long, and the barrier begins at 0.1.
+// The barrier that keeps an outline from crossing itself, on a plate with a notch. The notch is 0.02 wide, edges are 1
+// long, and the barrier begins at 0.1.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -29,13 +29,13 @@ TEST(LogBarrier, HasTheValueAndDerivativesOfItsFormula) {
 
 class OutlineOfANotch : public testing::Test {
  protected:
-  /// A 5 by 3 plate without the upper two squares in the middle: a U.
+  /// A plate of 5 by 3 without the upper two squares in the middle, which leaves a U.
   static FlattenInput plate() {
     return test::keep_faces(test::flat_rectangle(5, 3, 5, 3),
                             [](const Eigen::Vector3d& p) { return !(p.x() > 2 && p.x() < 3 && p.y() > 1); });
   }
 
-  /// The arms moved together, until the notch is so wide.
+  /// The shape with the arms moved together until the notch has this width.
   Positions2 closed_to(double gap) const {
     Positions2 uv = wide;
     for (int v = 0; v < uv.rows(); ++v) {
@@ -50,7 +50,7 @@ class OutlineOfANotch : public testing::Test {
   const OutlineBarrier barrier{chart, narrow};
 };
 
-TEST_F(OutlineOfANotch, IsSilentWhereTheOutlineIsWideAndInfiniteWhereItTouches) {
+TEST_F(OutlineOfANotch, IsZeroForAWideNotchAndInfiniteIfTheOutlineTouches) {
   EXPECT_EQ(barrier.value(wide), 0);
   EXPECT_GT(barrier.value(narrow), 0);
   EXPECT_TRUE(std::isfinite(barrier.value(narrow)));
@@ -73,9 +73,8 @@ TEST_F(OutlineOfANotch, GradientEqualsDifferences) {
   }
 }
 
-/// Of the arms moving towards each other: distances are linear in that, and so the Hessian of Gauss and Newton is
-/// exact.
-TEST_F(OutlineOfANotch, HessianIsThatOfTheDistances) {
+/// The arms move towards each other. All distances are linear in this motion, so the Gauss-Newton Hessian is exact.
+TEST_F(OutlineOfANotch, HessianEqualsDifferencesAlongALinearMotion) {
   std::vector<VertexPair> pairs;
   barrier.list_pairs(pairs);
   VertexMatrix matrix(static_cast<int>(chart.mesh.n_vertices()), pairs);
@@ -92,13 +91,13 @@ TEST_F(OutlineOfANotch, HessianIsThatOfTheDistances) {
 }
 
 TEST_F(OutlineOfANotch, AStepEndsWhereTheOutlineFirstTouches) {
-  const Positions2 too_far = closed_to(-3 * kGap) - narrow;  // four gaps on, the first of which closes the notch
+  const Positions2 too_far = closed_to(-3 * kGap) - narrow;  // a step of four gap widths; the first closes the notch
   EXPECT_NEAR(barrier.longest_step(narrow, too_far), 0.25, 1e-12);
   EXPECT_EQ(barrier.longest_step(narrow, wide - narrow), 1);
   EXPECT_EQ(barrier.longest_step(wide, closed_to(kGap) - wide), 1);
 }
 
-TEST_F(OutlineOfANotch, KnowsWhichContactsItsHessianCovers) {
+TEST_F(OutlineOfANotch, ReportsWhetherItsHessianHasAllContacts) {
   EXPECT_TRUE(barrier.covers_contacts(narrow));
   EXPECT_TRUE(barrier.covers_contacts(wide));
   EXPECT_FALSE(OutlineBarrier(chart, wide).covers_contacts(narrow));

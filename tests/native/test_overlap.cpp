@@ -14,7 +14,7 @@ namespace {
 using test::charts_of;
 using test::planar_positions;
 
-/// The chart's faces and which of them have a boundary edge.
+/// The chart's faces, and which of them have an edge on the outline.
 struct Faces {
   Triangles corners;
   std::vector<bool> on_boundary;
@@ -48,7 +48,7 @@ FlattenInput slit_square(int n) {
   return input;
 }
 
-/// A closed strip between radii 1 and 2, cut open and bent to the given angle.
+/// The open strip between radii 1 and 2, bent around by this angle.
 Positions2 bent_strip(const Chart& chart, int nx, double angle) {
   Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
   for (int v = 0; v < uv.rows(); ++v) {
@@ -60,7 +60,7 @@ Positions2 bent_strip(const Chart& chart, int nx, double angle) {
   return uv;
 }
 
-TEST(Overlap, SlitThatClosesExactlyIsNone) {
+TEST(Overlap, ASlitThatIsExactlyClosedDoesNotOverlap) {
   const Chart chart = test::chart_of(slit_square(8));
   Positions2 uv = planar_positions(chart);
   EXPECT_TRUE(overlapping_faces(chart, uv).empty());
@@ -69,15 +69,15 @@ TEST(Overlap, SlitThatClosesExactlyIsNone) {
   std::uniform_real_distribution<double> noise(-1e-14, 1e-14);
   for (double& x : uv.reshaped()) x += noise(random);
   EXPECT_TRUE(overlapping_faces(chart, uv).empty());
-  // Far away, where rounding is a thousand times coarser.
+  // Far from the origin, rounding is a thousand times coarser.
   uv.rowwise() += Eigen::RowVector2d(2e3, -1e3);
   EXPECT_TRUE(overlapping_faces(chart, uv).empty());
 }
 
-TEST(Overlap, SlitWhoseSidesPassEachOtherByALittleIsFound) {
+TEST(Overlap, ASlitWithSlightlyOverlappingSidesIsFound) {
   const int n = 8;
   const Chart chart = test::chart_of(slit_square(n));
-  // Both halves of the lower side lean over the slit, by a depth of 1e-6 at the mouth and 0 at the center.
+  // The left side of the slit leans over the right one, by 1e-6 at the mouth and 0 at the center.
   Positions2 uv = planar_positions(chart);
   std::vector<bool> is_left(chart.mesh.n_vertices(), false);
   for (const FaceHandle f : chart.mesh.faces()) {
@@ -90,19 +90,19 @@ TEST(Overlap, SlitWhoseSidesPassEachOtherByALittleIsFound) {
     if (is_slit && is_left[static_cast<std::size_t>(v)]) uv(v, 0) += 1e-6 * (1 - uv(v, 1));
   }
   const std::vector<int> found = overlapping_faces(chart, uv);
-  // On either side of the slit n triangles have an edge on it; the left ones reach over the right ones.
+  // On either side of the slit, n triangles have an edge on it; the left ones overlap the right ones.
   EXPECT_GE(found.size(), 2 * static_cast<std::size_t>(n));
   for (const int f : found) {
     EXPECT_NEAR(chart.mesh.calc_face_centroid(chart.mesh.face_handle(static_cast<unsigned>(f)))[0], 1, 1.0 / n);
   }
 }
 
-TEST(Overlap, StripBentPastAFullTurnCoversItsBeginning) {
+TEST(Overlap, AStripBentPastAFullTurnOverlapsItsBeginning) {
   const int nx = 40;
   const Chart chart = test::chart_of(test::flat_rectangle(nx, 1, 10, 1));
   EXPECT_TRUE(overlapping_faces(chart, bent_strip(chart, nx, 2 * kPi)).empty());
 
-  // Each quad spans 1/40 of 2.2π; what lies past 2π covers the first 40 (0.2 / 2.2) = 3.6 of them and is as many.
+  // Each quad spans 1/40 of 2.2π. The section past 2π spans 40 (0.2 / 2.2) = 3.6 quads, and overlaps the first 3.6.
   const std::vector<int> found = overlapping_faces(chart, bent_strip(chart, nx, 2.2 * kPi));
   std::vector<int> expected;
   for (const int quad : {0, 1, 2, 3, 36, 37, 38, 39}) {
@@ -112,7 +112,7 @@ TEST(Overlap, StripBentPastAFullTurnCoversItsBeginning) {
   EXPECT_EQ(found, expected);
 }
 
-/// A ring of as many bands as there are radii less one, wound twice around the middle.
+/// The overlapping faces of a ring with one band between each two radii, wound around the middle twice.
 std::vector<int> overlap_of_ring_wound_twice(const std::vector<double>& radii) {
   const int nx = 24;
   const Chart chart = test::chart_of(test::flat_annulus(nx, static_cast<int>(radii.size()) - 1, 1, 2));
@@ -125,16 +125,16 @@ std::vector<int> overlap_of_ring_wound_twice(const std::vector<double>& radii) {
   return overlapping_faces(chart, uv);
 }
 
-TEST(Overlap, RingWoundTwiceCoversItselfEverywhereWithoutAnyCrossing) {
+TEST(Overlap, ARingWoundTwiceOverlapsEverywhereWithoutCrossings) {
   EXPECT_EQ(overlap_of_ring_wound_twice({1, 1.5, 2}).size(), 24U * 2 * 2);
 }
 
-TEST(Overlap, RimsThinnerThanAnyOverlapDoNotHideWhatLiesBehind) {
-  // The band between the rims overlaps itself; faces of 1e-10 are too thin to overlap anything by more than rounding.
+TEST(Overlap, RimsTooThinToOverlapDoNotHideTheFacesBehind) {
+  // The band between the rims overlaps itself; rims of width 1e-10 are too thin to overlap by more than rounding.
   EXPECT_EQ(overlap_of_ring_wound_twice({1, 1 + 1e-10, 2 - 1e-10, 2}).size(), 24U * 2);
 }
 
-/// Area of the intersection of two triangles, by clipping one with the other's edges.
+/// Area of the intersection of two triangles, by clipping one with the edges of the other.
 double common_area(const Triangles& faces, const Positions2& uv, int a, int b) {
   const auto corner = [&](int f, int k) -> Eigen::Vector2d { return uv.row(faces(f, k)); };
   const auto cross = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) { return p.x() * q.y() - p.y() * q.x(); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts that are to be taken together: what is claimed of them is what flattening with them gives, and limits hold.
+// Plans of several cuts: strain_left is the strain of a fresh run with these cuts, and limits are kept.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ FlattenInput hills(int n) {
   return input;
 }
 
-/// Of the piece with most, when the input is flattened with these cuts.
+/// The strain of the most strained piece if the input is flattened with the first num_cuts of these cuts.
 double most_strain(FlattenInput input, const std::vector<DartProposal>& cuts, std::size_t num_cuts) {
   for (std::size_t i = 0; i < num_cuts; ++i) input = test::with_seams(std::move(input), cuts[i].edges);
   const FlattenResult result = flatten(input);
@@ -35,7 +35,7 @@ double most_strain(FlattenInput input, const std::vector<DartProposal>& cuts, st
   return test::most_strain(input, result);
 }
 
-TEST(PlanCuts, WhatIsLeftIsThatOfAFreshRun) {
+TEST(PlanCuts, StrainLeftIsThatOfAFreshRun) {
   const FlattenInput input = hills(6);
   CutTarget target;
   target.strain = 0;
@@ -46,9 +46,9 @@ TEST(PlanCuts, WhatIsLeftIsThatOfAFreshRun) {
   }
 }
 
-TEST(PlanCuts, MirrorImagesAreTakenTogetherWhereBothAreAllowed) {
+TEST(PlanCuts, MirroredPairsAreChosenTogetherIfBothAreAllowed) {
   FlattenInput input = hills(8);
-  test::add_wire(input, test::grid_column(8, 8, 4));  // which no dart crosses, to serve both hills
+  test::add_wire(input, test::grid_column(8, 8, 4));  // which no dart crosses, so no single dart can help both hills
   CutTarget target;
   target.strain = 0;
   target.twins = true;
@@ -78,7 +78,8 @@ TEST(PlanCuts, MirrorImagesAreTakenTogetherWhereBothAreAllowed) {
   }
 }
 
-/// A wide gentle bulge, cut in the middle from a small sharp one: most energy is in the one, most strain in the other.
+/// A wide gentle bulge and a small sharp one with a seam between: the first has the most energy, the second the most
+/// strain.
 FlattenInput bulges(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = 6 * s - 2, y = 2 * t - 1;
@@ -92,7 +93,7 @@ FlattenInput bulges(int n) {
   return input;
 }
 
-TEST(PlanCuts, AreInThePieceWithMostStrainWhereverMostEnergyIs) {
+TEST(PlanCuts, CutThePieceWithTheMostStrainRatherThanTheMostEnergy) {
   const FlattenInput input = bulges(12);
   const FlattenResult uncut = flatten(input);
   std::vector<double> energies;
@@ -107,7 +108,7 @@ TEST(PlanCuts, AreInThePieceWithMostStrainWhereverMostEnergyIs) {
   EXPECT_LT(*cuts[0].strain_left, most_strain(input, {}, 0));
 }
 
-TEST(PlanCuts, OfOnePieceAreInItsParts) {
+TEST(PlanCuts, OfOnePieceStayWithinIt) {
   const int n = 6;
   FlattenInput input = hills(n);
   test::add_seam(input, test::grid_column(n, n, n / 2));
@@ -156,7 +157,7 @@ TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   const double second_round = 0.5;
   ASSERT_GE(fractions.back(), second_round);
-  // How often this thread is asked depends on how much of the work the other ones take.
+  // The number of questions to this thread depends on the share of work that the other threads do.
   for (const double last : {fractions.front(), second_round}) {
     bool has_ended = false;
     const auto plan = [&] {

@@ -62,7 +62,7 @@ struct Network {
   std::size_t num_helpers;
 };
 
-/// For the names of tests in a report.
+/// Names the case in test reports.
 void PrintTo(const Network& network, std::ostream* out) { *out << network.name; }
 
 class HelperWires : public testing::TestWithParam<Network> {};
@@ -73,7 +73,7 @@ TEST_P(HelperWires, AreAsFewAsTheNetworkNeeds) {
 
 int at(int nx, int i, int j) { return i + (nx + 1) * j; }
 
-/// A wire from the left side inwards, around a hook and back towards itself.
+/// A wire from the left side inwards, around a hook, and back towards itself.
 std::vector<int> hook() {
   std::vector<int> chain = row_part(12, 4, 0, 7);
   for (const int v :
@@ -95,12 +95,12 @@ INSTANTIATE_TEST_SUITE_P(
                 1},
         Network{"both_ends_inside", with_wires(test::saddle(8, 0.4), {row_part(8, 3, 3, 5)}), 2},
         Network{"one_edge", with_wires(test::saddle(8, 0.4), {row_part(8, 4, 4, 5)}), 2},
-        // One helper closes the gap for both, one leads the second wire on to the outline.
+        // One helper wire closes the gap between both wires, and one leads from the second wire to the outline.
         Network{"tail_along_a_wire",
                 with_wires(test::flat_rectangle(10, 10, 1, 1), {row_part(10, 5, 0, 4), row_part(10, 5, 6, 8)}), 2},
-        // It closes into a ring, then four to each end of the tube.
+        // The wire closes into a ring, and four helper wires lead from it to each end of the tube.
         Network{"tail_around_a_tube", with_wires(test::cylinder_tube(16, 6, 1, 2), {half_of_a_ring()}), 1 + 4 + 4},
-        // The hook closed, and three more besides the stem.
+        // One helper wire closes the hook; three more join the hook to the outline beside the stem.
         Network{"tail_to_its_own_wire", with_wires(test::saddle(12, 0.2), {hook()}), 1 + 3},
         Network{"two_loops", test::cylinder_tube(12, 3, 1, 1), 4},
         Network{"two_loops_on_a_sphere", test::sphere_band(18, 6, 0.8), 4},
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
         Network{"wire_in_a_ring",
                 with_wires(test::saddle(16, 0.3), {test::grid_square(16, 8, 8, 5), row_part(16, 8, 7, 9)}), 2 + 4},
         Network{"slit", with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 3, 7)), 4},
-        // Two vertices, one path from each.
+        // The slit has two vertices, with a path from each.
         Network{"slit_of_one_edge", with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 3, 4)), 2},
         Network{
             "tail_towards_a_dart",
@@ -124,10 +124,10 @@ INSTANTIATE_TEST_SUITE_P(
             1}),
     [](const testing::TestParamInfo<Network>& test) { return std::string(test.param.name); });
 
-TEST(ProcessTopology, ATailWhoseGeodesicSpiralsTakesTheShortestWayOut) {
+TEST(ProcessTopology, ATailWithASpiralGeodesicTakesTheShortestPath) {
   const int nx = 16;
   const int ny = 40;
-  // Each ring climbs by a tenth of an edge from line to line: the tail's geodesic is a flat helix.
+  // Each ring climbs by a tenth of an edge from line to line, so the tail's geodesic is a flat helix.
   FlattenInput input = test::make_tube(nx, ny, [&](double s, double t) {
     return Eigen::Vector3d(std::cos(2 * kPi * s), std::sin(2 * kPi * s), 6 * t + 0.3 * s * (1 - s));
   });
@@ -144,7 +144,7 @@ TEST(ProcessTopology, ATailWhoseGeodesicSpiralsTakesTheShortestWayOut) {
 TEST(ProcessTopology, AChartWithoutWiresAndTwoLoops) {
   const Processed p = process(test::flat_annulus(24, 5, 1, 2));
   EXPECT_EQ(p.num_helpers(), 4u);
-  // The four lie a quarter of the loop apart.
+  // The ends of the four helper wires are a quarter of the loop apart.
   std::set<int> starts;
   for (const WirePart& part : p.refined.wire_parts) {
     starts.insert(p.refined.mesh.from_vertex_handle(part.half_edges.front()).idx() % 6);
@@ -166,11 +166,11 @@ TEST(ProcessTopology, AChartWithThreeHoles) {
       num_ends += hole.count(p.refined.mesh.from_vertex_handle(part.half_edges.front()).idx()) +
                   hole.count(p.refined.mesh.to_vertex_handle(part.half_edges.back()).idx());
     }
-    EXPECT_EQ(num_ends, 4u) << "a path from another hole counts";
+    EXPECT_EQ(num_ends, 4u) << "including a path from another hole";
   }
 }
 
-TEST(ProcessTopology, WhatIsFlatFlattensToItself) {
+TEST(ProcessTopology, FlatChartsKeepTheirShape) {
   FlattenInput floating = test::flat_rectangle(12, 12, 1, 1);
   test::add_wire(floating, row_part(12, 5, 3, 7));
   test::add_wire(floating, test::grid_square(12, 8, 9, 1));
@@ -181,7 +181,7 @@ TEST(ProcessTopology, WhatIsFlatFlattensToItself) {
 
 TEST(ProcessTopology, DoesNotDependOnScale) {
   std::vector<std::size_t> num_vertices;
-  for (const double scale : {std::ldexp(1, -20), 1.0, std::ldexp(1, 20)}) {  // the same rounding
+  for (const double scale : {std::ldexp(1, -20), 1.0, std::ldexp(1, 20)}) {  // powers of two, for equal rounding
     FlattenInput input = test::saddle(12, 0.3);
     input.vertices *= scale;
     test::add_wire(input, test::grid_square(12, 5, 6, 2));
@@ -192,7 +192,7 @@ TEST(ProcessTopology, DoesNotDependOnScale) {
   EXPECT_EQ(num_vertices[2], num_vertices[1]);
 }
 
-/// A wandering chain of edges that crosses neither itself nor earlier chains.
+/// A random chain of edges that crosses neither itself nor earlier chains.
 std::vector<int> random_chain(const Chart& chart, std::set<int>& used, std::mt19937& random) {
   std::vector<int> chain;
   VertexHandle v(static_cast<int>(random() % chart.mesh.n_vertices()));
@@ -209,7 +209,7 @@ std::vector<int> random_chain(const Chart& chart, std::set<int>& used, std::mt19
   return chain;
 }
 
-TEST(ProcessTopology, WanderingWiresOnAnySurface) {
+TEST(ProcessTopology, RandomWiresOnAnySurface) {
   const std::vector<FlattenInput> surfaces{test::saddle(9, 0.5), test::sphere_band(14, 7, 0.9),
                                            test::flat_plate_with_two_holes(4), test::flat_annulus(16, 4, 1, 2)};
   for (unsigned seed = 0; seed < 60; ++seed) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Darts and seams that are proposed: they do what is claimed, and are the same however the input is given.
+// Proposed darts and seams: their figures are true, and they do not depend on how the input is given.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace wirewarp::test_propose_cuts {
 namespace {
 
-/// A hill off the middle of a square of side 2: no symmetry.
+/// A hill off the middle of a square of side 2, without symmetry.
 FlattenInput hill(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = 2 * s - 1, y = 2 * t - 1;
@@ -26,7 +26,7 @@ FlattenInput hill(int n) {
   return input;
 }
 
-/// Two hills, mirror images of each other across x = 0; y of their tops.
+/// Two hills that are mirror images across x = 0; top is the y of their tops.
 FlattenInput two_hills(int n, double top = 0) {
   FlattenInput input = test::make_grid(n, n, [top](double s, double t) {
     const double x = 2 * s - 1, y = 1.5 * (2 * t - 1);
@@ -37,7 +37,7 @@ FlattenInput two_hills(int n, double top = 0) {
   return input;
 }
 
-/// The same vertices with diagonals that all point the same way: no faces are mirrored.
+/// The same vertices with all diagonals in one direction, so that faces are not mirrored.
 FlattenInput one_way(FlattenInput input, int n) {
   input.faces = test::flat_rectangle(n, n, 1, 1).faces;
   return input;
@@ -79,7 +79,7 @@ TEST(ProposeCuts, SmoothDartsHaveTheFiguresOfTheMeshCutAlongThem) {
   }
 }
 
-TEST(ProposeCuts, TheFirstOfSmoothDartsIsHardlyWorseThanThoseAlongEdges) {
+TEST(ProposeCuts, TheBestSmoothDartIsAtMostSlightlyWorseThanTheBestAlongEdges) {
   for (const FlattenInput& input : {hill(8), two_hills(8), one_way(two_hills(8), 8)}) {
     CutOptions cut_options = few();
     const double along_edges = figure_of(propose_darts(input, {}, cut_options).front());
@@ -95,7 +95,7 @@ TEST(ProposeCuts, TheFirstOfSmoothDartsIsHardlyWorseThanThoseAlongEdges) {
   }
 }
 
-TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
+TEST(ProposeCuts, HaveTheFiguresOfAFreshRun) {
   const FlattenInput input = hill(8);
   for (const auto& propose : {propose_darts, propose_seams}) {
     const std::vector<DartProposal> proposals = propose(input, {}, few(), {});
@@ -123,7 +123,7 @@ TEST(ProposeCuts, FiguresAreThoseOfAFreshRun) {
   }
 }
 
-/// A sharp bump in a corner of a wide sheet: a seam beside it takes nothing from the part that has the bump.
+/// A sharp bump in the corner of a wide sheet: a seam beside it does not help the piece with the bump.
 FlattenInput bump_in_a_corner(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     return Eigen::Vector3d(s, t, 0.15 * std::exp(-30 * ((s - 0.2) * (s - 0.2) + (t - 0.25) * (t - 0.25))));
@@ -132,7 +132,7 @@ FlattenInput bump_in_a_corner(int n) {
   return input;
 }
 
-TEST(ProposeCuts, LowerTheStrainOfTheWorstPartWhateverTheyAre) {
+TEST(ProposeCuts, EveryProposalLowersTheStrainOfTheWorstPiece) {
   for (const FlattenInput& input : {hill(8), bump_in_a_corner(12), two_hills(8), two_hills(8, 1.1)}) {
     const double before = test::most_strain(input, flatten(input));
     for (const auto& propose : {propose_darts, propose_seams}) {
@@ -149,14 +149,14 @@ TEST(ProposeCuts, LowerTheStrainOfTheWorstPartWhateverTheyAre) {
   }
 }
 
-TEST(ProposeCuts, LeaveNoPieceThatNeedsOver100Percent) {
+TEST(ProposeCuts, NoProposalLeavesAPieceWithOver100PercentStrain) {
   const FlattenInput spike = test::make_grid(8, 8, [](double s, double t) {
     const double x = 2 * s - 1.2, y = 2 * t - 0.9;
     return Eigen::Vector3d(2 * s - 1, 2 * t - 1, 3 * std::exp(-4 * (x * x + y * y)));
   });
   ASSERT_GT(test::most_strain(spike, flatten(spike)), 1);
   CutOptions all;
-  all.count = 50;  // darts that leave 117% among them
+  all.count = 50;  // includes darts that leave 117%
   for (const auto& propose : {propose_darts, propose_seams}) {
     const std::vector<DartProposal> proposals = propose(spike, {}, all, {});
     EXPECT_FALSE(proposals.empty());
@@ -171,8 +171,8 @@ std::string refusal(const FlattenInput& input, const CutOptions& cut_options = {
   return error.what();
 }
 
-TEST(ProposeCuts, ThatHelpNothingAreRefusedInOneSentence) {
-  // A dart takes the shear out of one half at most, and the seams beside it are as long as before.
+TEST(ProposeCuts, DartsThatDoNotHelpAreRefusedInOneSentence) {
+  // A dart removes the shear of one half at most, and the seams beside it stay as long as before.
   const FlattenInput saddle = test::make_grid(
       4, 4, [](double s, double t) { return Eigen::Vector3d(2 * s - 1, 2 * t - 1, 0.2 * (2 * s - 1) * (2 * t - 1)); });
   CutOptions cut_options;
@@ -180,7 +180,7 @@ TEST(ProposeCuts, ThatHelpNothingAreRefusedInOneSentence) {
   EXPECT_NE(refusal(saddle, cut_options).find("Divide it by a seam"), std::string::npos);
 }
 
-TEST(ProposeCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
+TEST(ProposeCuts, DoNotDependOnPositionOrientationAndNumbering) {
   const FlattenInput input = hill(8);
   const FlattenInput other = test::disguised(input);
   const std::vector<DartProposal> here = propose_darts(input, {}, few()), there = propose_darts(other, {}, few());
@@ -191,7 +191,7 @@ TEST(ProposeCuts, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
   }
 }
 
-TEST(ProposeCuts, OfASymmetricPieceComeWithTheirMirrorImages) {
+TEST(ProposeCuts, DartsOfASymmetricPieceHaveMirrorImages) {
   const FlattenInput input = two_hills(8);
   const std::vector<DartProposal> darts = propose_darts(input, {}, few());
   int num_twins = 0;
@@ -213,7 +213,7 @@ TEST(ProposeCuts, OfASymmetricPieceComeWithTheirMirrorImages) {
   EXPECT_GT(num_twins, 0);
 }
 
-TEST(ProposeCuts, OfMirrorImagesThatDoNotMeetTheFiguresOfBothAreTold) {
+TEST(ProposeCuts, MirrorImagesThatDoNotMeetHaveTheFiguresOfBoth) {
   const FlattenInput input = two_hills(8, 1.1);
   const std::vector<DartProposal> darts = propose_darts(input);
   int num_together = 0;
@@ -231,9 +231,9 @@ TEST(ProposeCuts, OfMirrorImagesThatDoNotMeetTheFiguresOfBothAreTold) {
   EXPECT_GT(num_together, 0);
 }
 
-TEST(ProposeCuts, CutNoWire) {
+TEST(ProposeCuts, DoNotCutWires) {
   const int n = 8;
-  for (FlattenInput input : {hill(n), two_hills(n)}) {  // of the symmetric piece, on one side
+  for (FlattenInput input : {hill(n), two_hills(n)}) {  // on one side of the symmetric piece
     test::add_wire(input, test::grid_column(n, n, 6));
     const std::vector<int>& wire = input.wires[0].vertices;
     for (const auto& propose : {propose_darts, propose_seams}) {
@@ -246,15 +246,17 @@ TEST(ProposeCuts, CutNoWire) {
   }
 }
 
-TEST(ProposeCuts, RunAlongNoEdgeThatIsToHaveNoSeam) {
+TEST(ProposeCuts, AvoidEdgesThatMayHaveNoSeam) {
   const int n = 8;
   for (const FlattenInput& input : {hill(n), two_hills(n)}) {
     for (const auto& propose : {propose_darts, propose_seams}) {
       CutOptions cut_options = few();
-      const std::vector<VertexPair> forbidden = propose(input, {}, cut_options, {}).front().edges;  // of the best alone
+      const std::vector<VertexPair> forbidden =
+          propose(input, {}, cut_options, {}).front().edges;  // only the best proposal
       cut_options.no_seam.resize(static_cast<Eigen::Index>(forbidden.size()), 2);
       for (std::size_t i = 0; i < forbidden.size(); ++i) {
-        cut_options.no_seam.row(static_cast<Eigen::Index>(i)) << forbidden[i][1], forbidden[i][0];  // either way round
+        cut_options.no_seam.row(static_cast<Eigen::Index>(i)) << forbidden[i][1],
+            forbidden[i][0];  // in either direction
       }
       for (const DartProposal& cut : propose(input, {}, cut_options, {})) {
         for (const VertexPair& edge : cut.edges) {
@@ -267,7 +269,7 @@ TEST(ProposeCuts, RunAlongNoEdgeThatIsToHaveNoSeam) {
   }
 }
 
-/// All edges of the faces.
+/// All edges of these faces, with repetitions.
 VertexPairs all_edges(const Triangles& faces) {
   VertexPairs edges(3 * faces.rows(), 2);
   for (Eigen::Index f = 0; f < faces.rows(); ++f) {
@@ -276,7 +278,7 @@ VertexPairs all_edges(const Triangles& faces) {
   return edges;
 }
 
-TEST(ProposeCuts, AreNoLongerAndNoMoreThanWished) {
+TEST(ProposeCuts, KeepTheLimitsOnLengthAndNumber) {
   CutOptions cut_options = few();
   cut_options.longest = 0.5;
   const std::vector<DartProposal> darts = propose_darts(hill(8), {}, cut_options);
@@ -296,11 +298,11 @@ TEST(ProposeCuts, OneSmoothDartOrPairIsReturnedIfOneIsAskedFor) {
   }
 }
 
-TEST(ProposeCuts, LoseLittleAgainstAllDarts) {
+TEST(ProposeCuts, AreAlmostAsGoodAsAnExhaustiveSearch) {
   const int n = 8;
   const FlattenInput input = hill(n);
   double best = 1;
-  for (int i = 1; i < n; ++i) {  // along rows and columns, all there are
+  for (int i = 1; i < n; ++i) {  // along all rows and columns
     for (int length = 1; length < n; ++length) {
       for (const bool reversed : {false, true}) {
         for (std::vector<int> line : {test::grid_row(n, i), test::grid_column(n, n, i)}) {
@@ -318,7 +320,7 @@ TEST(ProposeCuts, LoseLittleAgainstAllDarts) {
   EXPECT_LE(found.energy - best, 0.1 * (found.energy_before - best));
 }
 
-TEST(ProposeCuts, SayWhyThereAreNone) {
+TEST(ProposeCuts, ErrorsReportWhyThereAreNone) {
   EXPECT_NE(refusal(test::cylinder_patch(6, 4, 1, 2, 1)).find("is flat enough"), std::string::npos);
   const FlattenInput strip = test::keep_faces(hill(4), [](const Eigen::Vector3d& p) { return p.x() > 0.5; });
   EXPECT_NE(refusal(strip).find("is unfolded without distortion"), std::string::npos) << "no vertex inside";
@@ -342,7 +344,7 @@ TEST(ProposeCuts, RefuseOptionsOutOfRange) {
   cut_options.longest = -1;
   EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option), "The option longest is -1: it must be above 0.");
   cut_options = {};
-  for (const int other : {24, 25}) {  // the opposite corner, and one that is not there
+  for (const int other : {24, 25}) {  // the opposite corner, and a vertex that does not exist
     cut_options.no_seam = (VertexPairs(1, 2) << 0, other).finished();
     EXPECT_EQ(
         refusal(hill(4), cut_options, ErrorCode::invalid_option),
@@ -350,7 +352,7 @@ TEST(ProposeCuts, RefuseOptionsOutOfRange) {
   }
 }
 
-TEST(ProposeCuts, OfAPieceThatDoesNotLieFlatThrowItsErrorWithProposedSeams) {
+TEST(ProposeCuts, ForAPieceThatIsNotFlatThrowItsErrorWithProposedSeams) {
   const FlattenInput tube = test::cylinder_tube(12, 6, 1, 6);
   const FlattenError expected = flatten(tube).pieces[0].error.value();
   std::string stages;

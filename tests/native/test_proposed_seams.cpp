@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces that cannot lie flat: which are caught before anything is solved, and whether the proposed cuts mend them.
+// Pieces that cannot be flattened: some are recognized before anything is solved, and the proposed cuts fix them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace wirewarp::test_proposed_seams {
 namespace {
 
-/// A part of the unit sphere around the south pole up to an angle from it, without a disk of the given angle there.
+/// A part of the unit sphere around the south pole up to an angle from it, without the disk up to the angle `hole`.
 FlattenInput cap(int around, int rings, double hole, double angle) {
   return test::make_tube(around, rings, [&](double s, double t) {
     const double a = hole + (angle - hole) * t;
@@ -30,7 +30,7 @@ FlattenInput cap(int around, int rings, double hole, double angle) {
   });
 }
 
-/// Joins the vertices of a tube's first ring, which lie in one point, and drops the triangles that vanish.
+/// Merges the vertices of a tube's first ring, which coincide, and drops the triangles that vanish.
 FlattenInput close_bottom(const FlattenInput& tube, int around) {
   FlattenInput closed = tube;
   int kept = 0;
@@ -45,7 +45,7 @@ FlattenInput close_bottom(const FlattenInput& tube, int around) {
   return closed;
 }
 
-/// A leg: a cone of radius 1 above and 0.5 below.
+/// A trouser leg: a cone of radius 1 at the top and 0.5 at the bottom.
 FlattenInput cone(int around) {
   return test::make_tube(around, 8, [](double s, double t) {
     const double radius = 0.5 + 0.5 * t;
@@ -53,7 +53,7 @@ FlattenInput cone(int around) {
   });
 }
 
-/// The surface of unit cubes, in their grid: is_solid(i, j, k).
+/// The surface of the unit cubes (i, j, k) of a grid for which is_solid(i, j, k) is true.
 FlattenInput cubes(int nx, int ny, int nz, const std::function<bool(int, int, int)>& is_solid) {
   const std::array<int, 3> size{nx, ny, nz};
   std::map<std::array<int, 3>, int> index;
@@ -103,7 +103,7 @@ std::vector<ErrorCode> codes_of(const FlattenResult& result) {
   return codes;
 }
 
-/// Takes proposals until there are none. Returns how often.
+/// Follows proposals until there are none. Returns the number of rounds.
 int follow_proposals(FlattenInput& input, FlattenResult& result) {
   for (int rounds = 0;; ++rounds) {
     result = flatten(input);
@@ -126,12 +126,12 @@ struct Case {
 
 std::string name_of(const testing::TestParamInfo<Case>& test) { return test.param.name; }
 
-/// For the names of tests in a report.
+/// Names the case in test reports.
 void PrintTo(const Case& shape, std::ostream* out) { *out << shape.name; }
 
 class ProposedSeams : public testing::TestWithParam<Case> {};
 
-TEST_P(ProposedSeams, LeadToPiecesThatLieFlat) {
+TEST_P(ProposedSeams, LeadToFlatPieces) {
   FlattenInput input = GetParam().input;
   ASSERT_EQ(codes_of(flatten(input)), std::vector<ErrorCode>{GetParam().code});
   FlattenResult result;
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
              ErrorCode::closed_chart, 1}),
     name_of);
 
-/// Boxes of cloth with openings: trousers of two legs, a shirt of two sleeves, a glove of four fingers.
+/// Garments as boxes with openings: trousers with two legs, a shirt with two sleeves, a glove with four fingers.
 FlattenInput trousers() {
   const FlattenInput closed = cubes(5, 2, 10, [](int i, int, int k) { return k >= 6 || i != 2; });
   return test::keep_faces(closed, [](const Eigen::Vector3d& p) { return p.z() > 0 && p.z() < 10; });
@@ -177,23 +177,24 @@ FlattenInput glove() {
   return test::keep_faces(closed, [](const Eigen::Vector3d& p) { return p.z() > 0; });
 }
 
-TEST(ProposedSeamsOfAGarment, LeadToPiecesThatLieFlat) {
+TEST(ProposedSeamsOfAGarment, LeadToFlatPieces) {
   for (FlattenInput input : {trousers(), shirt(), glove()}) {
     ASSERT_TRUE(has_proposal(flatten(input).pieces.at(0)));
     FlattenResult result;
     EXPECT_LE(follow_proposals(input, result), 3);
     EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{});
     EXPECT_LE(result.pieces.size(), 5u);
-    for (const Piece& piece : result.pieces) EXPECT_LT(piece.metrics.arap_energy, 0.1);  // as a tailor's panels have
+    for (const Piece& piece : result.pieces) EXPECT_LT(piece.metrics.arap_energy, 0.1);  // like the pieces of a tailor
   }
 }
 
-/// The faces of each piece after the seams proposed for a sheet, by a judge of pieces.
-std::vector<std::size_t> faces_after(const std::function<bool(const Chart&)>& lies_flat, bool may_go_on) {
+/// Cuts a sheet along the seams that open_chart() proposes for this test of flatness. Returns the number of faces of
+/// each piece.
+std::vector<std::size_t> faces_after(const std::function<bool(const Chart&)>& is_flat, bool may_go_on) {
   FlattenInput input = test::flat_rectangle(8, 8, 1, 1);
   const Charts whole = test::charts_of(input);
   const Chart& sheet = whole.charts.at(0);
-  const CutMask opening = open_chart(sheet, lies_flat, StopToken([=](const char*) { return may_go_on; }));
+  const CutMask opening = open_chart(sheet, is_flat, StopToken([=](const char*) { return may_go_on; }));
   for (const EdgeHandle e : sheet.mesh.edges()) {
     if (opening[e.idx()] == 0) continue;
     const auto [from, to] = source_edge(sheet, sheet.mesh.halfedge_handle(e, 0));
@@ -205,7 +206,7 @@ std::vector<std::size_t> faces_after(const std::function<bool(const Chart&)>& li
   return counts;
 }
 
-TEST(OpenChart, ProposesSomethingEvenIfNothingServes) {
+TEST(OpenChart, ProposesSomethingEvenIfNothingHelps) {
   EXPECT_GT(faces_after([](const Chart&) { return false; }, true).size(), 1u);
 }
 
@@ -213,7 +214,7 @@ TEST(OpenChart, ProposesNothingOnceItIsStopped) {
   EXPECT_EQ(faces_after([](const Chart&) { return true; }, false), std::vector<std::size_t>{128});
 }
 
-TEST(Ranks, OfValuesThatDifferByRoundingAreEqualWhereverTheyLie) {
+TEST(Ranks, OfValuesThatDifferByRoundingAreEqual) {
   for (const double value : {0.0, 0.5e-6, 1.5e-6, 0.25}) {  // on and off the borders of a grid of 1e-6
     EXPECT_EQ(ranks_of({value + 1e-12, 1, value, value - 1e-12}, 1e-6), (std::vector<int>{0, 1, 0, 0})) << value;
   }
@@ -238,8 +239,9 @@ TEST(ProposedSeamsOfATube, AreTheShortestPathBetweenItsLoops) {
   EXPECT_FALSE(error.has_layout);
 }
 
-TEST(ProposedSeamsOfABand, MendWhatTheOutlinesCouldHold) {
-  // Waistbands, straight and flared, and a belt on a ball: so narrow that their outlines could hold them.
+TEST(ProposedSeamsOfABand, OpenBandsThatTheirOutlinesCouldEnclose) {
+  // Waistbands, straight and flared, and a belt on a ball: so narrow that their outlines could enclose them in the
+  // plane.
   const FlattenInput flared = test::make_tube(32, 2, [](double s, double t) {
     const double radius = 1 - 0.1 * t;
     return Eigen::Vector3d(radius * std::cos(2 * kPi * s), radius * std::sin(2 * kPi * s), 0.3 * t);
@@ -255,8 +257,8 @@ TEST(ProposedSeamsOfABand, MendWhatTheOutlinesCouldHold) {
   }
 }
 
-TEST(ProposedSeamsOfARing, LeadToPiecesThatLieFlat) {
-  // Cuffs, waist bands and collars: level, flared and bulging, of oval section, with wires around and upright.
+TEST(ProposedSeamsOfARing, LeadToFlatPieces) {
+  // Cuffs, waistbands and collars: straight, flared and bulging, of oval section, with wires around and upright.
   const int around = 24, rows = 3;
   for (int i = 0; i < 12; ++i) {
     const double flare = 0.15 * (i % 5 - 2), bulge = 0.1 * (i % 3), tall = 0.15 + 0.1 * (i % 4);
@@ -276,7 +278,8 @@ TEST(ProposedSeamsOfARing, LeadToPiecesThatLieFlat) {
 
 TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
   FlattenInput two_handles = cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; });
-  for (const int dropped_faces : {1, 3}) {  // one loop; two: the first and the last triangle lie apart
+  for (const int dropped_faces :
+       {1, 3}) {  // 1 leaves one loop; 3 leaves two, as the first and the last triangle are apart
     FlattenInput input = two_handles;
     const auto faces = static_cast<int>(two_handles.faces.rows());
     input.faces = two_handles.faces.middleRows(dropped_faces > 1 ? 1 : 0, faces - (dropped_faces > 1 ? 2 : 1));
@@ -295,17 +298,17 @@ TEST(CutToDisk, LeavesADiskAlone) {
   EXPECT_EQ(std::count(cut.begin(), cut.end(), 1), 0);
 }
 
-TEST(Isoperimetric, SharesOfKnownShapes) {
-  const auto share = [](const FlattenInput& input) {
+TEST(Isoperimetric, KnownShapesHaveTheirRatios) {
+  const auto ratio = [](const FlattenInput& input) {
     const Chart chart = test::chart_of(input);
     return isoperimetric_ratio(chart);
   };
-  EXPECT_NEAR(share(test::flat_rectangle(3, 3, 1, 1)), 16 / (4 * kPi), 1e-12);
-  EXPECT_NEAR(share(cap(200, 100, 1e-6, kPi / 2)), 0.5, 1e-3);                 // (2 pi)^2 / 4 pi over 2 pi
-  EXPECT_NEAR(share(test::cylinder_tube(200, 2, 1, 4)), 1 / (2 * 4.0), 1e-3);  // pi over 2 pi 4
+  EXPECT_NEAR(ratio(test::flat_rectangle(3, 3, 1, 1)), 16 / (4 * kPi), 1e-12);
+  EXPECT_NEAR(ratio(cap(200, 100, 1e-6, kPi / 2)), 0.5, 1e-3);                 // (2 pi)^2 / 4 pi over 2 pi
+  EXPECT_NEAR(ratio(test::cylinder_tube(200, 2, 1, 4)), 1 / (2 * 4.0), 1e-3);  // pi over 2 pi 4
 }
 
-TEST(ShortOutline, IsNotFoundInPiecesThatCanBeCut) {
+TEST(ShortOutline, IsNotReportedForPiecesThatCanBeFlattened) {
   const std::vector<FlattenInput> inputs{test::quarter_sphere(6), test::flat_plate_with_two_holes(4),
                                          test::flat_annulus(24, 3, 0.8, 1), close_bottom(cap(16, 6, 0, kPi / 2), 16),
                                          cap(16, 6, 0.1, kPi / 2)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// However large the input is and however many charts it has, the caller is asked often whether to go on: after so much
-// work, not after so much time.
+// However large the input is and however many charts it has, the caller is asked regularly whether to continue: after a
+// fixed amount of work, not of time.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -38,14 +38,14 @@ std::map<std::string, int> questions(const FlattenInput& input) {
   return asked;
 }
 
-/// A question every so often, at the first of which the answer is no.
+/// Counts questions, and answers no from the given number on.
 struct Asked {
   int times = 0;
   StopToken stop{[this](const char*) { return ++times < limit; }};
   int limit = 1'000'000;
 };
 
-TEST(Questions, AreAskedAfterSoManyCharts) {
+TEST(Questions, AreAskedInProportionToTheFaces) {
   const int few = 40, many = 110;
   const std::map<std::string, int> before = questions(confetti(few)), after = questions(confetti(many));
   const int faces = 2 * many * many;
@@ -55,7 +55,7 @@ TEST(Questions, AreAskedAfterSoManyCharts) {
   EXPECT_GE(before.at("charts"), 1);
 }
 
-TEST(Questions, ANoEndsARunOfManyChartsInAnyStage) {
+TEST(Questions, ARefusalEndsARunOfManyChartsInAnyStage) {
   const FlattenInput input = confetti(100);
   for (const std::string last : {"charts", "start", "measure"}) {
     int asked_after = 0;
@@ -74,7 +74,7 @@ TEST(Questions, ANoEndsARunOfManyChartsInAnyStage) {
 }
 
 TEST(Questions, AreAskedAmongOverlapsOfACrumpledPiece) {
-  const int n = 800;  // triangles that lie on one another: 320,000 pairs
+  const int n = 800;  // that all overlap: 320,000 pairs
   Triangles faces(n, 3);
   Positions2 uv(3 * n, 2);
   for (int f = 0; f < n; ++f) {
@@ -102,7 +102,7 @@ TEST(Questions, AreAskedWhileBoxesArePacked) {
 TEST(Questions, AreAskedWhileWiresAreExtended) {
   const int n = 41, num_wires = 30;
   FlattenInput input = test::flat_rectangle(n - 1, n - 1, 1, 1);
-  for (int i = 0; i < num_wires; ++i) {  // of one edge, far from each other: one end of each is extended at least
+  for (int i = 0; i < num_wires; ++i) {  // one edge each, far apart: at least one end is extended
     const int v = 3 + 6 * (i % 6) + n * (3 + 7 * (i / 6));
     test::add_wire(input, {v, v + n});
   }
@@ -116,7 +116,7 @@ TEST(Questions, AreAskedWhileWiresAreExtended) {
   EXPECT_EQ(refused.times, 2);
 }
 
-TEST(Questions, ANoAtOnceCancels) {
+TEST(Questions, ARefusalOfTheFirstQuestionCancels) {
   const FlattenResult result = flatten(test::quarter_sphere(4), {}, [](const std::string&, double) { return false; });
   ASSERT_TRUE(result.pieces[0].error.has_value());
   EXPECT_EQ(result.pieces[0].error->code, ErrorCode::cancelled);

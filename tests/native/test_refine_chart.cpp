@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All starts of the refined method on one chart: what they take is counted and limited, told as progress, and a start
-// that fails ends nothing but its chart.
+// All starts of the refined method on one chart: their work is counted, limited and reported as progress, and a failed
+// start ends only its chart.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ TEST(RefineChart, CountsStartsThatFail) {
   }
 }
 
-TEST(RefineChart, AnInjectiveShapeIsOneWhetherOrNotFoldsAreMended) {
+TEST(RefineChart, AnInjectiveShapeIsFoundWithAndWithoutFixingFolds) {
   const Charts charts = test::charts_of(test::quarter_sphere(8));
   InternalOptions options;
   for (const bool mends_folds : {true, false}) {
@@ -58,7 +58,7 @@ TEST(RefineChart, AStartForOthersIsConvergedOnlyWithoutStrain) {
   }
 }
 
-/// A strongly curved net: one step does not lead from the free shape to exact lengths.
+/// On a strongly curved net, one step does not lead from the free shape to exact lengths.
 TEST(RefineChart, ANetFarFromTheFreeShapeStartsFromItsWires) {
   const int n = 12;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
@@ -75,7 +75,7 @@ TEST(RefineChart, ANetFarFromTheFreeShapeStartsFromItsWires) {
   EXPECT_STREQ(refined.start, "wires");
 }
 
-TEST(RefineChart, LengthsThatContradictDoSoWhateverTheLimit) {
+TEST(RefineChart, ContradictingLengthsHaveTheSameErrorAtEveryLimit) {
   const FlattenInput input = test::saddle_of_wires(4, 0);
   const auto error_with = [&](int max_factorizations) {
     Options options;
@@ -83,7 +83,7 @@ TEST(RefineChart, LengthsThatContradictDoSoWhateverTheLimit) {
     return *flatten(input, options).pieces.at(0).error;
   };
   const FlattenError whole = error_with(1000), brief = error_with(1);
-  EXPECT_STREQ(brief.what(), whole.what());  // a higher limit would not help
+  EXPECT_STREQ(brief.what(), whole.what());  // because a higher limit would not help
   const auto &expected = whole.elements.proposed_tolerances, &proposed = brief.elements.proposed_tolerances;
   ASSERT_FALSE(expected.empty());
   ASSERT_EQ(proposed.size(), expected.size());
@@ -110,8 +110,8 @@ TEST(RefineChart, CheapStepsOfTheFreeStartAreLittleProgress) {
   EXPECT_LT(before_shape, 0.3);
 }
 
-/// Surface and wires are symmetric under half a turn, and the least distorted of the symmetric shapes is a saddle: its
-/// way down is against the symmetry that all gradients have.
+/// Surface and wires are symmetric under half a turn, and the least distorted symmetric shape is a saddle. Gradients
+/// are symmetric too, so they cannot lead away from it.
 TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   const int n = 12;
   FlattenInput input = test::saddle(n, 0.9);
@@ -127,7 +127,7 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   ASSERT_TRUE(start);
   Solution saddle;
   for (int i = 0; i < 5; ++i) {
-    Budget one_step(2);  // a Newton step, which is not taken, and one in the trust region
+    Budget one_step(2);  // one rejected Newton step, and one step in the trust region
     saddle = minimize(problem, {}, *start, {one_step});
     EXPECT_TRUE(saddle.is_exact());
     const Positions2 turned = -saddle.shape.uv.colwise().reverse();
@@ -140,8 +140,8 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   EXPECT_LT(found.objective, 0.96 * saddle.objective);
 }
 
-/// A larger chart reaches the same minimum over a coarser one.
-TEST(RefineChart, StartsCoarselyFromTheTunedSizeOn) {
+/// A large chart reaches the same minimum by way of a coarser one.
+TEST(RefineChart, StartsFromACoarseChartFromTheGivenSizeOn) {
   const int n = 32;  // 2,048 faces
   FlattenInput input = test::make_grid(
       n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 0.3 * std::sin(kPi * s) * std::sin(kPi * t)); });
@@ -158,13 +158,13 @@ TEST(RefineChart, StartsCoarselyFromTheTunedSizeOn) {
   const Solution from_scratch = refined(2049, budget), from_coarse = refined(2048, coarse_budget);
   EXPECT_STREQ(from_scratch.start, "free");
   EXPECT_STREQ(from_coarse.start, "coarse");
-  EXPECT_GT(coarse_budget.spent(), from_coarse.factorizations) << "factorizations of the coarse chart count";
+  EXPECT_GT(coarse_budget.spent(), from_coarse.factorizations) << "factorizations of the coarse chart count too";
   EXPECT_NEAR(from_coarse.objective, from_scratch.objective, 1e-9 * from_scratch.objective);
 }
 
-/// The wires contradict one another, and one of them ends inside: the coarse chart goes through all its starts,
-/// topology processing included.
-TEST(RefineChart, WiresThatContradictOnTheCoarseChartAreLeftToTheFineOne) {
+/// The wires contradict one another, and one of them ends inside, so the coarse chart tries all its starts, including
+/// topology processing.
+TEST(RefineChart, IfTheCoarseChartFailsTheFineOneIsSolvedAlone) {
   const int n = 48;
   FlattenInput input = test::make_grid(
       n, n, [](double s, double t) { return Eigen::Vector3d(s, t, 1.2 * std::sin(kPi * s) * std::sin(kPi * t)); });
@@ -180,7 +180,7 @@ TEST(RefineChart, WiresThatContradictOnTheCoarseChartAreLeftToTheFineOne) {
   const Charts charts = test::charts_of(input);
   Problem problem(charts.charts.at(0), options.fairness);
   const Solution refined = refine_chart(problem, options, {budget});
-  EXPECT_TRUE(refined.is_exact() && budget.ran_out()) << "exact lengths, and no more in five steps";
+  EXPECT_TRUE(refined.is_exact() && budget.ran_out()) << "exact lengths, but not more after five steps";
   EXPECT_STREQ(refined.start, "wires");
 }
 

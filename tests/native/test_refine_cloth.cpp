@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces of a cloth, flattened.
+// Flattening pieces of a fabric.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Cloth woven() {
   return cloth;
 }
 
-/// The only piece, which keeps every promise.
+/// The only piece, which keeps every guarantee.
 Piece flat_piece(const FlattenInput& input, const Options& options) {
   FlattenResult result = flatten(input, options);
   EXPECT_EQ(result.pieces.size(), 1u);
@@ -36,7 +36,7 @@ Piece flat_piece(const FlattenInput& input, const Options& options) {
   return std::move(result.pieces[0]);
 }
 
-/// From the first to the last vertex of a wire.
+/// The vector from the first to the last vertex of a wire.
 Eigen::RowVector2d chord_of(const Piece& piece, const std::vector<int>& wire) {
   const auto place = [&](int vertex) {
     const auto found = std::find(piece.source_vertex.begin(), piece.source_vertex.end(), vertex);
@@ -47,7 +47,7 @@ Eigen::RowVector2d chord_of(const Piece& piece, const std::vector<int>& wire) {
 
 double largest_shear(const Piece& piece) { return piece.metrics.face_shear_angle.cwiseAbs().maxCoeff(); }
 
-TEST(RefineCloth, PiecesFoldedFromAPlaneHaveNoStrainInAnyCloth) {
+TEST(RefineCloth, DevelopablePiecesHaveNoStrainInAnyFabric) {
   FlattenInput cylinder = test::cylinder_patch(8, 6, 1, 2, 1.5);
   test::add_wire(cylinder, test::grid_column(8, 6, 3));
   for (const ClothPreset& preset : cloth_presets()) {
@@ -60,7 +60,7 @@ TEST(RefineCloth, PiecesFoldedFromAPlaneHaveNoStrainInAnyCloth) {
   }
 }
 
-TEST(RefineCloth, AClothHasLessOfItsOwnEnergyThanThePieceOfNoCloth) {
+TEST(RefineCloth, AFabricHasLessStrainInItsThreadsThanAPieceWithoutFabric) {
   const FlattenInput sphere = test::quarter_sphere(8);
   const Options options = with_cloth(woven());
   const Piece plain = flat_piece(sphere, {}), piece = flat_piece(sphere, options);
@@ -71,7 +71,7 @@ TEST(RefineCloth, AClothHasLessOfItsOwnEnergyThanThePieceOfNoCloth) {
   EXPECT_GE(piece.report.objective, piece.metrics.cloth_energy);
 }
 
-TEST(RefineCloth, ForSmallStrainsTheIsotropicClothIsNoOtherThanNone) {
+TEST(RefineCloth, IsotropicFabricIsTheSameAsNoneForSmallStrains) {
   double difference_before = 0;
   for (const double bend : {0.2, 0.1}) {
     const FlattenInput saddle = test::saddle(8, bend);
@@ -85,7 +85,7 @@ TEST(RefineCloth, ForSmallStrainsTheIsotropicClothIsNoOtherThanNone) {
   }
 }
 
-TEST(RefineCloth, TheGrainWireStandsAtItsAngle) {
+TEST(RefineCloth, TheGrainWireHasItsAngle) {
   const FlattenInput sphere = test::quarter_sphere(6);
   for (const double angle : {0.0, kPi / 4}) {
     Options options = with_cloth(woven());
@@ -96,7 +96,7 @@ TEST(RefineCloth, TheGrainWireStandsAtItsAngle) {
   }
 }
 
-TEST(RefineCloth, OnTheBiasASphereHasAnotherEnergyAndTheBestDirectionHasTheLeast) {
+TEST(RefineCloth, TheBestDirectionHasLessEnergyThanStraightGrainAndBias) {
   const FlattenInput sphere = test::quarter_sphere(6);
   Options options = with_cloth(woven());
   const double straight = flat_piece(sphere, options).report.objective;
@@ -124,10 +124,10 @@ TEST(RefineCloth, ThreadsThatLockShearLess) {
   EXPECT_LT(largest_shear(flat_piece(sphere, with_cloth(cloth))) - *cloth.locking, 0.5 * (free - *cloth.locking));
 }
 
-/// The largest distance between two places of one vertex.
+/// The largest distance between two flat positions of one vertex.
 double largest_gap(const Piece& piece) {
   double gap = 0;
-  for (std::size_t i = 1; i < piece.source_vertex.size(); ++i) {  // ascending
+  for (std::size_t i = 1; i < piece.source_vertex.size(); ++i) {  // source vertices ascend
     if (piece.source_vertex[i] != piece.source_vertex[i - 1]) continue;
     const auto row = static_cast<Eigen::Index>(i);
     gap = std::max(gap, (piece.vertices.row(row) - piece.vertices.row(row - 1)).norm());
@@ -139,14 +139,14 @@ TEST(RefineCloth, SlitsOpenOrStayShut) {
   FlattenInput saddle = test::saddle(8, 0.4);
   const std::vector<int> row = test::grid_row(8, 3);
   test::add_seam(saddle, {row[3], row[4], row[5]});
-  EXPECT_GT(largest_gap(flat_piece(saddle, with_cloth(woven()))), 1e-3) << "too long inside, it opens";
+  EXPECT_GT(largest_gap(flat_piece(saddle, with_cloth(woven()))), 1e-3) << "it opens, because it is too long inside";
   FlattenInput sphere = test::quarter_sphere(8);
   const std::vector<int> parallel = test::grid_row(8, 12);
   test::add_seam(sphere, {parallel[1], parallel[2], parallel[3]});
-  EXPECT_EQ(largest_gap(flat_piece(sphere, with_cloth(woven()))), 0) << "its rims would lie over each other";
+  EXPECT_EQ(largest_gap(flat_piece(sphere, with_cloth(woven()))), 0) << "its rims would overlap";
 }
 
-TEST(RefineCloth, WhatAClothDoesNotBearIsSaid) {
+TEST(RefineCloth, StrainBeyondTheLimitsIsReported) {
   const FlattenInput sphere = test::quarter_sphere(6);
   Cloth cloth = woven();
   cloth.limits = {1.0, 1.0};
@@ -163,7 +163,7 @@ void expect_refused(const Options& options, const std::string& words) {
   test::expect_words(error, words);
 }
 
-TEST(RefineCloth, ClothsThatAreNoneAreRefused) {
+TEST(RefineCloth, ImpossibleFabricsAreRefused) {
   const auto refused = [](const auto& change, const std::string& words) {
     Cloth cloth;
     change(cloth);
@@ -180,7 +180,7 @@ TEST(RefineCloth, ClothsThatAreNoneAreRefused) {
   EXPECT_THROW(cloth_preset("lace"), FlattenError);
 }
 
-TEST(RefineCloth, ThePapersMethodsKnowNoClothAndNoClothHasNoBestDirection) {
+TEST(RefineCloth, FabricNeedsTheRefinedMethodAndTheBestDirectionNeedsFabric) {
   Options options = with_cloth({});
   options.method = Method::wirewarp_plus_plus;
   expect_refused(options, "must be refined if there is a cloth");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts that did not change take their shape from the cache; tests/bindings/test_cache.py has the rest.
+// Unchanged charts take their shape from the cache; tests/bindings/test_cache.py has more tests.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +28,7 @@ FlattenInput two_domes() {
   return input;
 }
 
-/// A tube, for which seams are searched, with a wire around it.
+/// A tube with a wire around it; it needs seams, which are searched for.
 FlattenInput tube() {
   FlattenInput input = test::cylinder_tube(8, 4, 1, 6);
   test::add_wire(input, test::tube_ring(8, 2));
@@ -40,7 +40,7 @@ std::string key_of(const FlattenInput& input, std::size_t chart) {
   return solution_key({&charts.charts.at(chart)}, {});
 }
 
-TEST(SolutionKey, KnowsWhatTheShapeDependsOnAndNothingElse) {
+TEST(SolutionKey, DependsOnWhatTheShapeDependsOnAndNothingElse) {
   const FlattenInput input = two_domes();
   FlattenInput changed = input;
   EXPECT_EQ(key_of(changed, 0), key_of(input, 0));
@@ -52,17 +52,18 @@ TEST(SolutionKey, KnowsWhatTheShapeDependsOnAndNothingElse) {
   EXPECT_NE(key_of(changed, 0), key_of(input, 0));
   EXPECT_EQ(key_of(changed, 1), key_of(input, 1));
   changed = input;
-  test::add_seam(changed, {test::grid_row(16, 4)[6], test::grid_row(16, 4)[7]});  // a slit: the same faces
+  test::add_seam(changed,
+                 {test::grid_row(16, 4)[6], test::grid_row(16, 4)[7]});  // a slit, which does not change the faces
   EXPECT_NE(key_of(changed, 0), key_of(input, 0));
   EXPECT_EQ(key_of(changed, 1), key_of(input, 1));
   changed = input;
   std::swap(changed.wires[0], changed.wires[1]);
-  EXPECT_EQ(key_of(changed, 0), key_of(input, 0)) << "a wire's number is a name only";
+  EXPECT_EQ(key_of(changed, 0), key_of(input, 0)) << "the number of a wire does not matter";
   changed.faces.row(0) << input.faces(0, 1), input.faces(0, 2), input.faces(0, 0);
   EXPECT_NE(key_of(changed, 0), key_of(input, 0));
 }
 
-TEST(SolutionKey, TellsOptionsApartThatDifferInAnyOfTheirNumbers) {
+TEST(SolutionKey, DiffersIfAnyNumberOfTheOptionsDiffers) {
   const FlattenInput input = two_domes();
   const Chart chart = test::chart_of(input);
   const std::vector<std::function<void(Options&)>> changes = {
@@ -81,7 +82,7 @@ TEST(SolutionKey, TellsOptionsApartThatDifferInAnyOfTheirNumbers) {
       },
   };
   std::set<std::string> keys;
-  for (unsigned made = 0; made < 1U << changes.size(); ++made) {  // every choice of them together
+  for (unsigned made = 0; made < 1U << changes.size(); ++made) {  // every subset of the changes
     Options options;
     options.cloth.emplace();
     for (std::size_t i = 0; i < changes.size(); ++i) {
@@ -111,7 +112,7 @@ TEST(Cache, ThreadsMayShareIt) {
   }
 }
 
-TEST(Cache, IsLeftAloneByInputThatIsRefused) {
+TEST(Cache, IsNotChangedByRefusedInput) {
   Cache cache;
   flatten(two_domes(), {}, {}, &cache);
   FlattenInput bad = two_domes();
@@ -122,7 +123,7 @@ TEST(Cache, IsLeftAloneByInputThatIsRefused) {
   EXPECT_EQ(cache.size(), 0);
 }
 
-TEST(Cache, KeepsNothingOfASearchThatWasStopped) {
+TEST(Cache, KeepsNothingOfAStoppedSearch) {
   const FlattenInput input = tube();
   int questions = 0;
   const FlattenResult whole = flatten(input, {}, [&](const std::string&, double) { return ++questions > 0; });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seams that a model can do without: those that remain do what is claimed, and are the same however the input is given.
+// Removing seams that a model does not need: the figures of the remaining seams are true, and do not depend on how the
+// input is given.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,7 +74,7 @@ FlattenInput cube(int n) {
   return test::with_seams(input, seams);
 }
 
-/// Eight gores between the poles, each cut in three across.
+/// Eight gores between the poles, each cut across into three.
 FlattenInput sphere() {
   const int gores = 8, n = 2, rings = 9;
   FlattenInput input = test::sphere_of_gores(gores, n, rings);
@@ -106,8 +107,8 @@ FlattenInput with_only(FlattenInput input, const std::vector<VertexPair>& seams)
   return test::with_seams(std::move(input), seams);
 }
 
-/// The figures are those of fresh runs, and the seams of the input are divided into those that remain and the others.
-void expect_what_is_claimed(const FlattenInput& input, const SeamProposal& fewer) {
+/// Expects the figures of fresh runs, and that the input's seams are divided into kept and opened ones.
+void expect_true_figures(const FlattenInput& input, const SeamProposal& fewer) {
   const std::set<VertexPair> given = undirected(as_list(input.seams)), kept = undirected(fewer.edges),
                              opened = undirected(fewer.opened);
   EXPECT_EQ(fewer.edges.size(), kept.size());
@@ -138,7 +139,7 @@ void expect_what_is_claimed(const FlattenInput& input, const SeamProposal& fewer
   EXPECT_EQ(along_paths, fewer.edges.size());
 }
 
-TEST(SimplifySeams, LeaveOneOfThreeSeamsOfATube) {
+TEST(SimplifySeams, KeepsOneOfThreeSeamsOfATube) {
   const FlattenInput tube = tube_with_seams({0, 5, 9});
   const SeamProposal fewer = simplify_seams(tube, {}, 0);
   EXPECT_EQ(fewer.num_pieces_before, 3);
@@ -146,32 +147,32 @@ TEST(SimplifySeams, LeaveOneOfThreeSeamsOfATube) {
   EXPECT_NEAR(fewer.length_before, 3 * kHeight, 1e-12);
   EXPECT_NEAR(fewer.length, kHeight, 1e-12);
   EXPECT_FALSE(fewer.was_stopped);
-  expect_what_is_claimed(tube, fewer);
+  expect_true_figures(tube, fewer);
 }
 
-TEST(SimplifySeams, UnfoldABoxToANet) {
-  // A net is six sides joined by a spanning tree of five edges: one piece.
+TEST(SimplifySeams, UnfoldsABoxToANet) {
+  // A net joins the six sides along a spanning tree of five edges, so it is one piece.
   FlattenInput box = cube(2);
   ASSERT_EQ(box.seams.rows(), 12 * 2);
-  box.vertices.col(0) += 0.3 * box.vertices.col(1) + 0.1 * box.vertices.col(2);  // has no mirror image
+  box.vertices.col(0) += 0.3 * box.vertices.col(1) + 0.1 * box.vertices.col(2);  // so that the box has no mirror image
   box.vertices.col(1) += 0.2 * box.vertices.col(2);
   const SeamProposal fewer = simplify_seams(box, {}, 1e-4);
   EXPECT_EQ(fewer.num_pieces_before, 6);
   EXPECT_EQ(fewer.num_pieces, 1);
   EXPECT_LE(fewer.strain, 1e-4);
-  expect_what_is_claimed(box, fewer);
+  expect_true_figures(box, fewer);
 }
 
-TEST(SimplifySeams, OfACubeRemainInMirroredPairs) {
+TEST(SimplifySeams, KeepsMirroredPairsOfACubesSeams) {
   // In k pieces, the six sides are joined along 6 - k of the twelve edges.
   const FlattenInput input = cube(2);
   const SeamProposal fewer = simplify_seams(input, {}, 0);
   EXPECT_LE(fewer.num_pieces, 2);
   EXPECT_NEAR(fewer.length, 6 + fewer.num_pieces, 1e-12);
-  expect_what_is_claimed(input, fewer);
+  expect_true_figures(input, fewer);
 }
 
-TEST(SimplifySeams, MergeTheGoresOfABallUpToTheStrain) {
+TEST(SimplifySeams, MergesTheGoresOfABallUpToTheStrain) {
   const FlattenInput input = sphere();
   double length = std::numeric_limits<double>::infinity();
   for (const double strain : {0.05, 0.15, 0.3}) {
@@ -179,29 +180,29 @@ TEST(SimplifySeams, MergeTheGoresOfABallUpToTheStrain) {
     EXPECT_EQ(fewer.num_pieces_before, 24);
     EXPECT_LT(fewer.length, length);
     EXPECT_LE(fewer.strain, strain);
-    expect_what_is_claimed(input, fewer);
+    expect_true_figures(input, fewer);
     length = fewer.length;
   }
   EXPECT_LT(length, simplify_seams(input, {}, 0.05).length_before / 2);
 }
 
-TEST(SimplifySeams, WithoutALimitLeaveAFlatShapeToAll) {
+TEST(SimplifySeams, EveryPieceIsFlatEvenWithoutALimit) {
   const FlattenInput input = sphere();
   const SeamProposal fewer = simplify_seams(input, {}, std::numeric_limits<double>::infinity());
   EXPECT_FALSE(fewer.opened.empty());
-  expect_what_is_claimed(input, fewer);
+  expect_true_figures(input, fewer);
 }
 
-TEST(SimplifySeams, AreAllNeededByATubeThatIsCutOnce) {
+TEST(SimplifySeams, KeepsTheOnlySeamOfATube) {
   const FlattenInput tube = tube_with_seams({3});
   const SeamProposal fewer = simplify_seams(tube, {}, 0.5);
   EXPECT_TRUE(fewer.opened.empty());
   EXPECT_EQ(fewer.num_pieces, 1);
   EXPECT_EQ(fewer.length, fewer.length_before);
-  expect_what_is_claimed(tube, fewer);
+  expect_true_figures(tube, fewer);
 }
 
-/// Beside a ball in halves, which need far more strain, a tube with three seams.
+/// A tube with three seams, beside a ball in halves, which has much more strain.
 FlattenInput tube_and_halves() {
   FlattenInput both = tube_with_seams({0, 5, 9});
   const FlattenInput ball = test::sphere_of_gores(2, 6, 8);
@@ -215,7 +216,7 @@ FlattenInput tube_and_halves() {
   return both;
 }
 
-TEST(SimplifySeams, AreMeasuredPartByPart) {
+TEST(SimplifySeams, MeasuresEachPartOfTheModelAlone) {
   const FlattenInput input = tube_and_halves();
   const SeamProposal fewer = simplify_seams(input, {}, 0.01);
   EXPECT_GT(fewer.strain_before, 0.1);
@@ -223,10 +224,10 @@ TEST(SimplifySeams, AreMeasuredPartByPart) {
   const FlattenResult result = flatten(with_only(input, fewer.edges));
   const auto is_of_tube = [](const Piece& piece) { return piece.source_face.front() < 2 * kAround * kRows; };
   EXPECT_EQ(std::count_if(result.pieces.begin(), result.pieces.end(), is_of_tube), 1);
-  expect_what_is_claimed(input, fewer);
+  expect_true_figures(input, fewer);
 }
 
-TEST(SimplifySeams, NeverMakeTheWorstPieceWorse) {
+TEST(SimplifySeams, NeverMakesTheWorstPieceWorse) {
   const int n = 8;
   FlattenInput bump = test::make_grid(n, n, [](double s, double t) {
     const double x = 2 * s - 1, y = 2 * t - 1;
@@ -239,7 +240,7 @@ TEST(SimplifySeams, NeverMakeTheWorstPieceWorse) {
   EXPECT_EQ(simplify_seams(bump, {}, 1).num_pieces, 1);
 }
 
-TEST(SimplifySeams, KeepASeamWithAnEaseOnOneSide) {
+TEST(SimplifySeams, KeepsASeamWithAnEaseOnOneSide) {
   FlattenInput tube = tube_with_seams({0, 5, 9});
   Ease ease{VertexPairs(kRows, 2), 0.02};
   const std::vector<int> line = test::tube_line(kAround, kRows, 5);
@@ -249,14 +250,14 @@ TEST(SimplifySeams, KeepASeamWithAnEaseOnOneSide) {
   EXPECT_EQ(undirected(fewer.edges), undirected(as_list(ease.half_edges)));
 }
 
-TEST(SimplifySeams, KeepASeamOfThreeSides) {
+TEST(SimplifySeams, KeepsASeamOfThreeSides) {
   FlattenInput book = test::book(3, 4);
   const SeamProposal fewer = simplify_seams(book, {}, 0.5);
   EXPECT_EQ(undirected(fewer.edges), undirected(as_list(book.seams)));
   EXPECT_EQ(fewer.num_pieces, 3);
 }
 
-TEST(SimplifySeams, HaveNoFiguresIfAPieceHasNoFlatShape) {
+TEST(SimplifySeams, HasNoFiguresIfAPieceHasNoFlatShape) {
   const FlattenInput tube = tube_with_seams({});
   const SeamProposal fewer = simplify_seams(tube, {}, 0.5);
   EXPECT_TRUE(fewer.edges.empty());
@@ -264,8 +265,8 @@ TEST(SimplifySeams, HaveNoFiguresIfAPieceHasNoFlatShape) {
   EXPECT_EQ(fewer.energy_before, std::numeric_limits<double>::infinity());
 }
 
-TEST(SimplifySeams, BesideANeighborWithoutAFlatShapeMayGo) {
-  // Four strips side by side, of a stretched cloth, so that neighbors share lengths. The third cannot be flattened.
+TEST(SimplifySeams, RemovesSeamsBesideANeighborWithoutAFlatShape) {
+  // Four strips side by side, of stretched fabric, so that neighbors share lengths. The third cannot be flattened.
   const int n = 8;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = s - 0.625, y = t - 0.5;
@@ -291,7 +292,7 @@ TEST(SimplifySeams, BesideANeighborWithoutAFlatShapeMayGo) {
   EXPECT_EQ(opened, expected);
 }
 
-TEST(SimplifySeams, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
+TEST(SimplifySeams, DoesNotDependOnPositionOrientationAndNumbering) {
   FlattenInput input = sphere();
   input.vertices.col(0) *= 1.1;
   input.vertices.col(1) *= 0.9;
@@ -305,7 +306,7 @@ TEST(SimplifySeams, AreTheSameOnTheSurfaceTurnedMirroredAndRenumbered) {
   EXPECT_NEAR(here.strain, there.strain, 1e-5 * here.strain);
 }
 
-TEST(SimplifySeams, ReportProgressThatNeverFalls) {
+TEST(SimplifySeams, ReportsProgressThatNeverFalls) {
   std::vector<double> reported;
   simplify_seams(sphere(), {}, 0.15, [&](const std::string& stage, double fraction) {
     EXPECT_EQ(stage, "cuts");
@@ -317,14 +318,14 @@ TEST(SimplifySeams, ReportProgressThatNeverFalls) {
   EXPECT_GT(reported.back(), 0.5);
 }
 
-TEST(SimplifySeams, EndWithWhatWasReachedWhenStopped) {
+TEST(SimplifySeams, ReturnsTheBestSoFarWhenStopped) {
   const FlattenInput input = sphere();
   for (const double last : {0.11, 0.5}) {
     const SeamProposal fewer =
         simplify_seams(input, {}, 0.15, [&](const std::string&, double fraction) { return fraction < last; });
     EXPECT_TRUE(fewer.was_stopped);
     EXPECT_LE(fewer.strain, std::max(0.15, fewer.strain_before));
-    expect_what_is_claimed(input, fewer);
+    expect_true_figures(input, fewer);
   }
   try {
     simplify_seams(input, {}, 0.15, [](const std::string&, double) { return false; });
@@ -334,7 +335,7 @@ TEST(SimplifySeams, EndWithWhatWasReachedWhenStopped) {
   }
 }
 
-TEST(SimplifySeams, RefuseAStrainBelowZero) {
+TEST(SimplifySeams, RefusesAStrainBelowZero) {
   try {
     simplify_seams(tube_with_seams({0, 5}), {}, -0.1);
     ADD_FAILURE() << "nothing was thrown";

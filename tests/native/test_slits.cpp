@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Slits: which boundary loops are some, and charts with slits sewn up.
+// Slits: which boundary loops are slits, and charts with sewn slits.
 #include <gtest/gtest.h>
 
 #include "surface/charts/slits.h"
@@ -15,7 +15,7 @@ FlattenInput sheet() {
   return test::make_grid(8, 8, [](double s, double t) { return Eigen::Vector3d(s, t, 0.3 * s * t); });
 }
 
-/// A T of three branches, one of them with a corner.
+/// A sheet with a T-shaped slit of three branches, one of which has a corner.
 FlattenInput sheet_with_tree() {
   FlattenInput input = sheet();
   test::add_seam(input, {vertex(2, 4), vertex(3, 4), vertex(4, 4), vertex(5, 4), vertex(5, 5)});
@@ -23,12 +23,12 @@ FlattenInput sheet_with_tree() {
   return input;
 }
 
-TEST(Slits, AreLoopsWhoseEveryEdgeHasItsOtherRimThere) {
+TEST(Slits, AreLoopsThatContainBothRimsOfEveryEdge) {
   const Charts charts = test::charts_of(sheet_with_tree());
   const std::vector<Slit> slits = find_slits(charts.charts.at(0));
   ASSERT_EQ(slits.size(), 1U);
   const Slit& slit = slits[0];
-  ASSERT_EQ(slit.rims.size(), 10U);  // five edges
+  ASSERT_EQ(slit.rims.size(), 10U);  // both rims of five edges
   EXPECT_EQ(slit.mate.front(), 9) << "it begins at a tip";
   const Chart& chart = charts.charts[0];
   for (std::size_t i = 0; i < slit.rims.size(); ++i) {
@@ -39,7 +39,7 @@ TEST(Slits, AreLoopsWhoseEveryEdgeHasItsOtherRimThere) {
   }
 }
 
-TEST(Slits, DartsHolesAndKeyholesAreNone) {
+TEST(Slits, DartsHolesAndKeyholesAreNotSlits) {
   FlattenInput dart = sheet();
   test::add_seam(dart, {vertex(0, 4), vertex(1, 4), vertex(2, 4)});
   FlattenInput hole = test::flat_annulus(12, 3, 1, 2);
@@ -52,10 +52,10 @@ TEST(Slits, DartsHolesAndKeyholesAreNone) {
   }
 }
 
-TEST(Slits, SewnTheyAreRigidWiresOfTheSurfaceWithoutThem) {
+TEST(Slits, BecomeRigidWiresWhenSewn) {
   FlattenInput input = sheet_with_tree();
   test::add_wire(input, test::grid_row(8, 6), 0.05);
-  test::add_wire(input, test::grid_column(8, 8, 3));  // in two parts, through the slit
+  test::add_wire(input, test::grid_column(8, 8, 3));  // in two parts, across the slit
   const Charts charts = test::charts_of(input), whole = test::charts_of(sheet());
   const Chart& open = charts.charts.at(0);
   const std::optional<SewnChart> sewn = sew(open, find_slits(open));
@@ -95,7 +95,7 @@ TEST(Slits, SomeMayStayOpen) {
   ASSERT_EQ(slits.size(), 2U);
   const std::optional<SewnChart> sewn = sew(charts.charts[0], {slits[0]});
   ASSERT_TRUE(sewn);
-  EXPECT_EQ(find_slits(sewn->chart).size(), 0U) << "its vertices are no longer two of one source";
+  EXPECT_EQ(find_slits(sewn->chart).size(), 0U) << "its vertices no longer have a common source";
   EXPECT_EQ(sewn->chart.boundary_loops.size(), 2U);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth lines beside paths of edges: straight where the surface is flat, and none crosses what the path does not.
+// Smooth lines beside paths of edges: they are straight on flat surfaces, and cross nothing that the path does not
+// cross.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,18 +13,18 @@
 namespace wirewarp::test_straighten_path {
 namespace {
 
-constexpr int kN = 12;  // edges a side of the grid
+constexpr int kN = 12;  // edges along a side of the grid
 
 int vertex(int i, int j) { return i + (kN + 1) * j; }
 
-/// Of edges as long as 1, with diagonals in both directions.
+/// A grid with edges of length 1 and diagonals in both directions.
 FlattenInput grid() {
   FlattenInput input = test::flat_rectangle(kN, kN, kN, kN);
   test::alternate_diagonals(input, kN);
   return input;
 }
 
-/// Along the edges of the grid, to the right and up, as near to the straight line as can be.
+/// A path along the grid's edges, to the right and up, as near to the straight line as possible.
 std::vector<int> stairs(int i, int j, int end_i, int end_j) {
   const int width = end_i - i, height = end_j - j;
   std::vector<int> path{vertex(i, j)};
@@ -65,7 +66,7 @@ TEST(StraightenPath, BecomesTheLineBetweenItsEndsInAPlane) {
     EXPECT_LT(length_of(input, line), 1.001 * (end - start).norm());
     for (const LinePoint& point : line) {
       const double aside = (place(input, point) - start).cross((end - start).normalized()).norm();
-      EXPECT_LT(aside, 0.2) << "of an edge, by vertices that it passes near";
+      EXPECT_LT(aside, 0.2) << "of an edge, because the line snaps to nearby vertices";
     }
   }
 }
@@ -87,22 +88,22 @@ TEST(StraightenPath, LeavesNoSliversAndTouchesEachTriangleOnce) {
       if (has(point.edge[0]) && has(point.edge[1])) ++crossings[f];
     }
   }
-  EXPECT_LE(*std::max_element(crossings.begin(), crossings.end()), 2) << "in and out";
+  EXPECT_LE(*std::max_element(crossings.begin(), crossings.end()), 2) << "entering and leaving";
 }
 
 TEST(StraightenPath, IsAGeodesicOfACylinder) {
   const double angle = 2;
   const FlattenInput input = test::cylinder_patch(kN, kN, 1, angle, 2);
   const std::vector<LinePoint> line = straighten_path(input, stairs(1, 2, 11, 7));
-  const double chord = 2 * std::sin(angle / kN / 2);  // the mesh is a prism
+  const double chord = 2 * std::sin(angle / kN / 2);  // because the mesh is a prism
   const double exact = std::hypot(10 * chord, 5 * 2.0 / kN);
   EXPECT_GT(length_of(input, line), exact * (1 - 1e-12));
   EXPECT_LT(length_of(input, line), exact * 1.002);
 }
 
-TEST(StraightenPath, BackwardsIsTheSameLine) {
+TEST(StraightenPath, TheReversedPathGivesTheSameLine) {
   FlattenInput input = grid();
-  for (Eigen::Index v = 0; v < input.vertices.rows(); ++v) {  // no two ways are equally long
+  for (Eigen::Index v = 0; v < input.vertices.rows(); ++v) {  // so that no two paths are equally long
     const auto x = static_cast<double>(v);
     input.vertices.row(v) += 0.1 * Eigen::RowVector3d(std::sin(7 * x), std::cos(5 * x), std::sin(3 * x));
   }
@@ -117,7 +118,7 @@ TEST(StraightenPath, BackwardsIsTheSameLine) {
   }
 }
 
-TEST(StraightenPath, ABendStaysWhereItIs) {
+TEST(StraightenPath, ABendStaysInPlace) {
   const FlattenInput input = grid();
   std::vector<int> path = stairs(2, 2, 2, 10);
   for (const int v : stairs(3, 10, 10, 10)) path.push_back(v);
@@ -134,7 +135,7 @@ TEST(StraightenPath, MeetsWiresAtTheVerticesOfThePath) {
   test::add_wire(input, test::grid_column(kN, kN, i));
   const std::vector<LinePoint> line = straighten_path(input, path);
   EXPECT_TRUE(passes(line, path[6]) || passes(line, path[5]) || passes(line, path[7]));
-  for (const LinePoint& point : line) {  // elsewhere it keeps to one side
+  for (const LinePoint& point : line) {  // elsewhere the line stays on one side
     const bool is_on_wire = std::abs(place(input, point)[0] - i) < 1e-9;
     const bool is_of_path = is_vertex(point) && std::find(path.begin(), path.end(), point.edge[0]) != path.end();
     EXPECT_TRUE(!is_on_wire || is_of_path);
@@ -154,7 +155,7 @@ TEST(StraightenPath, GoesAroundASeam) {
   for (const int v : slit) EXPECT_FALSE(passes(line, v));
 }
 
-TEST(StraightenPath, RefusesWhatIsNoPath) {
+TEST(StraightenPath, RefusesListsThatAreNotPaths) {
   FlattenInput input = grid();
   test::add_seam(input, test::grid_row(kN, 6));
   EXPECT_EQ(message_of(input, {5}), "The option path is too short: it must have two vertices or more.");
@@ -170,7 +171,7 @@ TEST(StraightenPath, RefusesWhatIsNoPath) {
             "The option path is through vertex 14 twice: it must pass each vertex once: straighten it in parts.");
 }
 
-TEST(StraightenPath, SaysWhatIsWrongWithThePiece) {
+TEST(StraightenPath, ReportsTheErrorOfThePiece) {
   FlattenInput input = grid();
   input.faces.conservativeResize(input.faces.rows() + 1, 3);
   input.faces.row(input.faces.rows() - 1) = input.faces.row(30);

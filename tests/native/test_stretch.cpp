@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cloth that is worn stretched, and material that is thick: closed forms.
+// Fabric that is worn stretched, and thick material, compared with closed forms.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -17,7 +17,7 @@
 namespace wirewarp::test_stretch {
 namespace {
 
-constexpr double kWeft = 0.25, kWarp = 0.1;  // the stretch
+constexpr double kWeft = 0.25, kWarp = 0.1;  // stretch of the fabric
 constexpr double kRelative = 1e-8;
 
 Options stretched(double weft, double warp, double shear = 0.05) {
@@ -28,7 +28,7 @@ Options stretched(double weft, double warp, double shear = 0.05) {
   return options;
 }
 
-/// √(cos²ψ/(1+c_weft)² + sin²ψ/(1+c_warp)²), ψ from the weft.
+/// √(cos²ψ/(1+c_weft)² + sin²ψ/(1+c_warp)²), with ψ measured from the weft.
 double share_at(double angle) { return std::hypot(std::cos(angle) / (1 + kWeft), std::sin(angle) / (1 + kWarp)); }
 
 FlattenResult flat(const FlattenInput& input, const Options& options) {
@@ -37,7 +37,7 @@ FlattenResult flat(const FlattenInput& input, const Options& options) {
   return result;
 }
 
-/// Of a chain of edges, in the first piece that has it.
+/// The flat length of a chain of edges in the first piece.
 double flat_length(const FlattenResult& result, const std::vector<int>& chain) {
   const Piece& piece = result.pieces.at(0);
   const auto place = [&](int vertex) -> Eigen::RowVector2d {
@@ -64,14 +64,14 @@ void expect_share(const FlattenInput& input, const FlattenResult& result, const 
 
 constexpr int kAcross = 8, kUpright = 6;
 
-/// With its grain on the axis.
+/// A part of a cylinder with its grain along the axis.
 FlattenInput cylinder() {
   FlattenInput input = test::cylinder_patch(kAcross, kUpright, 1, 2, 1.5);
   test::add_wire(input, test::grid_column(kAcross, kUpright, kAcross / 2));
   return input;
 }
 
-TEST(Stretch, OfACylinderWithItsGrainOnTheAxis) {
+TEST(Stretch, ShrinksACylinderAlongTheGrain) {
   const FlattenInput input = cylinder();
   const FlattenResult result = flat(input, stretched(kWeft, kWarp));
   EXPECT_LT(result.pieces.at(0).metrics.cloth_energy, 1e-16);
@@ -81,11 +81,11 @@ TEST(Stretch, OfACylinderWithItsGrainOnTheAxis) {
     expect_share(input, result, test::grid_column(kAcross, kUpright, column), 1 / (1 + kWarp));
   }
   const Metrics& metrics = result.pieces[0].metrics;
-  EXPECT_NEAR(metrics.face_weft_strain.maxCoeff(), kWeft, 1e-8) << "worn, it is stretched as was asked for";
+  EXPECT_NEAR(metrics.face_weft_strain.maxCoeff(), kWeft, 1e-8) << "worn, it has the requested stretch";
   EXPECT_NEAR(metrics.face_warp_strain.minCoeff(), kWarp, 1e-8);
 }
 
-TEST(Stretch, OfACylinderOnTheBias) {
+TEST(Stretch, ShrinksACylinderOnTheBias) {
   const FlattenInput input = cylinder();
   Options options = stretched(kWeft, kWarp);
   options.grain_angle = kPi / 4;
@@ -96,20 +96,20 @@ TEST(Stretch, OfACylinderOnTheBias) {
   expect_share(input, result, test::grid_column(kAcross, kUpright, 0), share);
 }
 
-TEST(Stretch, OfAConeWithItsGrainInTheMiddle) {
+TEST(Stretch, ShrinksACone) {
   const double half_angle = 0.5, around = 2.5;
   FlattenInput input = test::cone_patch(kAcross, kUpright, 1, 3, half_angle, around);
   test::add_wire(input, test::grid_column(kAcross, kUpright, kAcross / 2));
   const FlattenResult result = flat(input, stretched(kWeft, kWarp));
   EXPECT_LT(result.pieces.at(0).metrics.cloth_energy, 1e-16);
-  // Of a pyramid's faces, each with its opening between two edges to the apex.
+  // The mesh is a pyramid, whose faces have this opening between the outer edges to the apex.
   const double opening = kAcross * 2 * std::asin(std::sin(half_angle) * std::sin(around / kAcross / 2));
   for (const int leg : {0, kAcross}) {
     expect_share(input, result, test::grid_column(kAcross, kUpright, leg), share_at(kPi / 2 - opening / 2));
   }
 }
 
-TEST(Stretch, AlikeInAllDirectionsShrinksAGore) {
+TEST(Stretch, EqualInAllDirectionsShrinksAGore) {
   const double stretch = 0.2;
   const FlattenInput sphere = test::quarter_sphere(6);
   const Piece loose = flat(sphere, stretched(0, 0)).pieces.at(0);
@@ -125,7 +125,7 @@ TEST(Stretch, AlikeInAllDirectionsShrinksAGore) {
               1e-8 * loose.report.objective);
 }
 
-/// Two sheets of 2 by 2 in a plane, one with its grain along the seam, the other across.
+/// Two flat sheets of 2 by 2; the grain of one is along the seam, that of the other across it.
 FlattenInput sheets_with_crossed_grain() {
   FlattenInput input = test::flat_rectangle(8, 4, 4, 2);
   test::add_seam(input, test::grid_column(8, 4, 4));
@@ -135,7 +135,7 @@ FlattenInput sheets_with_crossed_grain() {
   return input;
 }
 
-TEST(Stretch, TheSidesOfASeamShrinkByTheirMeanAndThatIsSaid) {
+TEST(Stretch, TheSidesOfASeamShrinkByTheirMeanWithAWarning) {
   const FlattenInput input = sheets_with_crossed_grain();
   const FlattenResult result = flat(input, stretched(0.1, 0.06));
   const SeamReport& seam = result.seams.at(0);
@@ -147,7 +147,7 @@ TEST(Stretch, TheSidesOfASeamShrinkByTheirMeanAndThatIsSaid) {
   }
 }
 
-TEST(Stretch, AnEaseOfItsOwnWins) {
+TEST(Stretch, AnEaseReplacesTheStretch) {
   FlattenInput input = cylinder();
   test::add_wire(input, test::grid_row(kAcross, 0));
   input.wires.back().ease = -0.15;
@@ -157,7 +157,7 @@ TEST(Stretch, AnEaseOfItsOwnWins) {
             (1 - 0.15) * length_3d(input, test::grid_row(kAcross, kUpright)));
 }
 
-TEST(Stretch, SeamsThatGiveKeepTheirToleranceAboutTheStretchedLength) {
+TEST(Stretch, ElasticSeamsHaveTheirToleranceAroundTheStretchedLength) {
   const int gores = 4, n = 3, rings = 8, nx = gores * n, south = nx * (rings - 1);
   const double tolerance = 0.02, stretch = 0.2;
   FlattenInput input = test::sphere_of_gores(gores, n, rings);
@@ -176,7 +176,7 @@ TEST(Stretch, SeamsThatGiveKeepTheirToleranceAboutTheStretchedLength) {
   }
 }
 
-TEST(Stretch, CancelledItLeavesNoBrokenPromise) {
+TEST(Stretch, FinishedPiecesKeepTheirLengthsWhenCanceled) {
   const FlattenInput input = sheets_with_crossed_grain();
   int asked = 0;
   const FlattenResult whole =
@@ -204,7 +204,7 @@ TEST(Stretch, CancelledItLeavesNoBrokenPromise) {
   EXPECT_GT(finished, 0) << "no piece was ever compared";
 }
 
-TEST(Stretch, OfAPlateWithHolesIsAlongItsDirections) {
+TEST(Stretch, ShrinksAPlateWithHoles) {
   const FlattenInput input = test::flat_plate_with_two_holes(4);
   Options options = stretched(kWeft, kWarp);
   options.orientation = Orientation::up;
@@ -213,7 +213,7 @@ TEST(Stretch, OfAPlateWithHolesIsAlongItsDirections) {
   EXPECT_NEAR(piece.metrics.area_2d, piece.metrics.area_3d / ((1 + kWeft) * (1 + kWarp)), 1e-9);
 }
 
-TEST(Stretch, ThatLeavesNoClothIsRefused) {
+TEST(Stretch, OutOfRangeIsRefused) {
   for (const double stretch : {-1.0, -0.6, 5.0, std::numeric_limits<double>::quiet_NaN()}) {
     for (const Options& options : {stretched(stretch, 0), stretched(0, stretch)}) {
       const FlattenError error = test::error_of([&] { check_options(options); });
@@ -225,14 +225,14 @@ TEST(Stretch, ThatLeavesNoClothIsRefused) {
 
 constexpr double kRadius = 2;
 
-/// All around, with a seam along it.
+/// A whole cylinder with a seam along it.
 FlattenInput tube() {
   FlattenInput input = test::cylinder_tube(24, 6, kRadius, 3);
   test::add_seam(input, test::tube_line(24, 6, 0));
   return input;
 }
 
-TEST(Thickness, MakesACylinderLongerOrShorterByItsHalfOverTheRadius) {
+TEST(Thickness, ChangesACylindersWidthByHalfOfItOverTheRadius) {
   const FlattenInput input = tube();
   const double thickness = 0.1, around = length_3d(input, test::tube_ring(24, 3));
   const auto width = [&](Surface surface) {
@@ -248,7 +248,7 @@ TEST(Thickness, MakesACylinderLongerOrShorterByItsHalfOverTheRadius) {
   EXPECT_NEAR(width(Surface::outside), around * (1 - thickness / (2 * kRadius)), 1e-9);
 }
 
-/// Of a pillow without height: the normals of its two sides cancel out along the seam, wherever it lies.
+/// A pillow of height 0: the normals of its two sides cancel along the seam, in any orientation.
 TEST(Thickness, MovesNoVertexWhoseNormalsCancelOut) {
   FlattenInput input =
       test::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}, {0.5, 0.5, 0}},
@@ -261,7 +261,7 @@ TEST(Thickness, MovesNoVertexWhoseNormalsCancelOut) {
   for (const SeamReport& seam : flat(input, options).seams) EXPECT_NEAR(seam.length_3d, 4, 1e-12);
 }
 
-TEST(Thickness, ThatTheSurfaceIsTooCurvedForIsRefused) {
+TEST(Thickness, TooLargeForTheCurvatureIsRefused) {
   Options options;
   options.thickness = 2 * kRadius + 0.1;
   options.surface = Surface::outside;

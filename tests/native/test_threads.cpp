@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts are solved on all cores: each as it is alone, and what the caller hears comes in the caller's thread.
+// Charts are solved on all cores, each as if it were alone, and progress is reported in the caller's thread.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,18 +22,18 @@ namespace {
 
 FlattenInput many_gores() { return test::sphere_of_gores(12, 4, 16); }
 
-/// The faces of one piece alone, with the same vertices.
+/// The faces of one piece, with the vertices of the whole input.
 FlattenInput only(const FlattenInput& input, const Piece& piece) {
   FlattenInput result = input;
   result.faces.resize(static_cast<Eigen::Index>(piece.source_face.size()), 3);
   for (std::size_t f = 0; f < piece.source_face.size(); ++f) {
     result.faces.row(static_cast<Eigen::Index>(f)) = input.faces.row(piece.source_face[f]);
   }
-  result.seams.resize(0, 2);  // its outline without them
+  result.seams.resize(0, 2);  // the seams are its outline now
   return result;
 }
 
-TEST(ChartsAtOnce, EachIsSolvedAsItIsAlone) {
+TEST(ChartsAtOnce, EachIsSolvedAsIfAlone) {
   const FlattenInput input = many_gores();
   const FlattenResult all = flatten(input);
   ASSERT_EQ(all.pieces.size(), 12U);
@@ -45,7 +45,7 @@ TEST(ChartsAtOnce, EachIsSolvedAsItIsAlone) {
   }
 }
 
-/// Told in the caller's thread alone, from 0 to 1, and never less than before. Returns what flatten() does.
+/// Flattens, and expects progress in the caller's thread only, from 0 to 1, that never decreases.
 FlattenResult expect_progress(const FlattenInput& input, Method method) {
   Options options;
   options.method = method;
@@ -64,7 +64,7 @@ FlattenResult expect_progress(const FlattenInput& input, Method method) {
   return result;
 }
 
-TEST(ChartsAtOnce, ProgressIsToldInTheCallersThreadAndNeverFalls) {
+TEST(ChartsAtOnce, ProgressIsReportedInTheCallersThreadAndNeverFalls) {
   const int n = 4;
   FlattenInput infeasible = test::quarter_sphere(n);  // a net of rigid wires
   infeasible.wires.clear();
@@ -83,7 +83,7 @@ TEST(ChartsAtOnce, CancellingReachesAllThreads) {
   const FlattenResult result = flatten(many_gores(), {}, [&](const std::string&, double) { return ++calls < 2; });
   EXPECT_EQ(calls, 2);
   const auto is_cancelled = [](const Piece& piece) { return piece.error && piece.error->code == ErrorCode::cancelled; };
-  // one chart a thread may have been begun, and a chart that is flat by then stays
+  // Each thread may have started one chart, and charts that are flat by then stay.
   const auto begun = static_cast<std::ptrdiff_t>(num_cores());
   EXPECT_GE(std::count_if(result.pieces.begin(), result.pieces.end(), is_cancelled), 12 - begun);
   for (const Piece& piece : result.pieces) {
@@ -91,7 +91,7 @@ TEST(ChartsAtOnce, CancellingReachesAllThreads) {
   }
 }
 
-TEST(ChartsAtOnce, WhatProgressThrowsArrivesAndEndsTheRun) {
+TEST(ChartsAtOnce, ExceptionsOfTheCallbackEndTheRun) {
   int calls = 0;
   const auto throwing = [&](const std::string&, double) -> bool {
     if (++calls < 3) return true;
@@ -101,15 +101,15 @@ TEST(ChartsAtOnce, WhatProgressThrowsArrivesAndEndsTheRun) {
   EXPECT_EQ(calls, 3);
 }
 
-TEST(RunInThreads, DoesEachThingOnce) {
+TEST(RunInThreads, RunsEachTaskOnce) {
   std::vector<std::atomic<int>> times(1000);
   run_in_threads(times.size(), 8, [&](std::size_t i) { ++times[i]; });
   for (const std::atomic<int>& count : times) EXPECT_EQ(count, 1);
   run_in_threads(0, 8, [](std::size_t) { FAIL(); });
 }
 
-TEST(InThreads, NothingIsBegunOnceWorkHasThrown) {
-  for (const std::size_t failing : {0, 1}) {  // in the calling thread, in another one
+TEST(InThreads, StartsNothingAfterAnException) {
+  for (const std::size_t failing : {0, 1}) {  // in the calling thread, and in another one
     std::atomic<bool> has_thrown{false};
     std::atomic<int> done{0};
     std::string thrown;
@@ -120,7 +120,8 @@ TEST(InThreads, NothingIsBegunOnceWorkHasThrown) {
           throw std::runtime_error("work " + std::to_string(i));
         }
         while (!has_thrown) std::this_thread::yield();
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));  // the throw may take its time
+        std::this_thread::sleep_for(
+            std::chrono::milliseconds(10));  // so that the exception arrives before all work is done
         ++done;
       });
     } catch (const std::runtime_error& error) {
@@ -131,10 +132,10 @@ TEST(InThreads, NothingIsBegunOnceWorkHasThrown) {
   }
 }
 
-TEST(ProgressReport, StaysCancelledIfTheCallerWouldGoOn) {
+TEST(ProgressReport, StaysCanceledIfTheCallerContinues) {
   ProgressReport* report = nullptr;
   const Progress progress = [&](const std::string&, double) {
-    report->cancel();  // as another thread may while the caller is asked
+    report->cancel();  // as another thread may do while the caller is asked
     return true;
   };
   ProgressReport cancelled(progress);
@@ -145,9 +146,9 @@ TEST(ProgressReport, StaysCancelledIfTheCallerWouldGoOn) {
 
 using Files = std::map<std::string, std::string>;  // text by path
 
-/// The quota of a system with these files.
+/// The quota on a system with these files.
 std::optional<std::size_t> quota_with(const Files& files) {
-  // Tests run side by side, so each needs a folder of its own.
+  // Tests run in parallel, so each needs its own folder.
   const std::filesystem::path root =
       testing::TempDir() + "cpu_quota_" + testing::UnitTest::GetInstance()->current_test_info()->name();
   std::filesystem::remove_all(root);
@@ -170,15 +171,15 @@ TEST(CpuQuota, NoQuotaWithoutGroupsOrLimits) {
 }
 
 TEST(CpuQuota, VersionTwoInAContainer) {
-  // In a name space of its own the container's group is the root of its tree.
+  // In its own namespace, the container's group is the root of the tree.
   EXPECT_EQ(quota_with({{kGroups, "0::/\n"}, {kTree + "cpu.max", "200000 100000\n"}}), 2U);
   EXPECT_EQ(quota_with({{kGroups, "0::/\n"}, {kTree + "cpu.max", "150000 100000\n"}}), 2U);  // rounded up
   EXPECT_EQ(quota_with({{kGroups, "0::/\n"}, {kTree + "cpu.max", "10000 100000\n"}}), 1U);
-  // The group has the path of the host, but the tree begins at the container's.
+  // The group has its path on the host, but the tree begins at the container's group.
   EXPECT_EQ(quota_with({{kGroups, "0::/docker/1a\n"}, {kTree + "cpu.max", "300000 100000\n"}}), 3U);
 }
 
-TEST(CpuQuota, TheLeastOfAllGroupsAbove) {
+TEST(CpuQuota, UsesTheLeastOfAllParentGroups) {
   const Files files{{kGroups, "0::/user.slice/a/b\n"},
                     {kTree + "user.slice/cpu.max", "400000 100000\n"},
                     {kTree + "user.slice/a/cpu.max", "250000 50000\n"},

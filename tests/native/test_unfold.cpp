@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts folded from one plane lie flat without strain, others do not.
+// Charts folded from a plane unfold without strain; others do not.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace wirewarp::test_unfold {
 namespace {
 
-/// Of the unfolded chart over its area; infinite where it does not unfold.
+/// The energy of the unfolded chart per area, or infinity if it does not unfold.
 double strain_energy(const FlattenInput& input) {
   const Charts charts = test::charts_of(input);
   const auto uv = unfold(charts.charts.at(0));
@@ -33,8 +33,8 @@ TEST(Unfold, FoldedSheetsKeepAllTriangles) {
   }
 }
 
-TEST(Unfold, ShortEdgesDoNotTurnWhatLiesBehindThem) {
-  const double shortest = 1e-9;  // laid across these, directions are off by 1e-7
+TEST(Unfold, ShortEdgesDoNotTurnTheFacesBehindThem) {
+  const double shortest = 1e-9;  // directions laid out across these edges are off by 1e-7
   const FlattenInput input = test::make_grid(30, 30, [&](double s, double t) -> Eigen::Vector3d {
     const double x = std::pow(shortest, 1 - s), y = std::pow(shortest, 1 - t);
     return {std::sin(x), std::cos(x), y};
@@ -42,7 +42,7 @@ TEST(Unfold, ShortEdgesDoNotTurnWhatLiesBehindThem) {
   EXPECT_LE(strain_energy(input), 1e-22);
 }
 
-TEST(Unfold, CurvedAndClosedSurfacesDoNot) {
+TEST(Unfold, CurvedAndClosedSurfacesDoNotUnfold) {
   for (const FlattenInput& input : {test::saddle(8, 0.1), test::quarter_sphere(8), test::cylinder_tube(12, 3, 1, 1)}) {
     EXPECT_TRUE(std::isinf(strain_energy(input)));
   }
@@ -59,8 +59,8 @@ TEST(Unfold, AnUnfoldedChartNeedsNoFactorization) {
   EXPECT_LE(found.objective, 1e-20);
 }
 
-/// Vertices a little off a plane, as files with seven digits hold them: a start, though not the shape.
-TEST(Unfold, ANearlyFlatChartIsRefinedFromThere) {
+/// Vertices slightly off a plane, as in files with seven digits: the unfolded chart is a start, but not the shape.
+TEST(Unfold, ANearlyFlatChartIsRefinedFromItsUnfolding) {
   const double digits = 1e-7;
   unsigned state = 1;
   const FlattenInput input = test::make_grid(20, 20, [&](double s, double t) -> Eigen::Vector3d {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ψ(h), its exact gradient, and the lengths that make it least distorted.
+// ψ(h), its exact gradient, and the lengths with the least distortion.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
 
-/// A chart, with the helper wires it needs, and its warp.
+/// A chart with the helper wires that it needs, and its warp.
 struct Case {
   explicit Case(const FlattenInput& input, NodeWeight weight = NodeWeight::length)
       : charts(test::charts_of(input)),
@@ -45,14 +45,14 @@ Eigen::Vector3d lopsided_dome(double s, double t) {
   return {x, y, -0.4 * (x * x + y * y) - 0.15 * x * y * y};
 }
 
-/// Wires lines + lines across a lopsided dome, all with one tolerance.
+/// A lopsided dome with `lines` wires in each direction, all with one tolerance.
 FlattenInput dome(int n, int lines, double tolerance) {
   FlattenInput input = test::make_grid(n, n, lopsided_dome);
   for (int i = 1; i <= lines; ++i) test::add_net(input, n, {i * n / (lines + 1)}, tolerance);
   return input;
 }
 
-/// A wire that touches nothing, and one that ends inside: helper wires lead on to the outline.
+/// A wire that touches nothing and one that ends inside; helper wires lead to the outline.
 FlattenInput saddle_with_loose_wires(double tolerance) {
   const int n = 12;
   FlattenInput input = test::saddle(n, 0.4);
@@ -62,7 +62,7 @@ FlattenInput saddle_with_loose_wires(double tolerance) {
   return input;
 }
 
-/// A dome with two holes: helper wires lead to them.
+/// A dome with two holes, with helper wires to them.
 FlattenInput dome_with_two_holes(double tolerance) {
   FlattenInput input = test::flat_plate_with_two_holes(4);
   std::vector<int> across;
@@ -94,7 +94,7 @@ TEST(Warp, GradientAgreesWithDifferences) {
   }
 }
 
-TEST(Warp, TheGaussNewtonHessianIsTheHessianWhereNothingIsDistorted) {
+TEST(Warp, TheGaussNewtonHessianIsExactWithoutDistortion) {
   FlattenInput flat = test::flat_rectangle(8, 8, 2, 1);
   test::add_net(flat, 8, {2, 4}, 0.1);
   Case c(flat);
@@ -131,7 +131,7 @@ TEST(Warp, GradientCostsOneFactorizationHoweverManyWires) {
   }
 }
 
-TEST(Warp, AsksBeforeEachFactorizationAndGoesNoFurther) {
+TEST(Warp, AsksBeforeEachFactorizationAndStopsAtOnce) {
   const Chart chart = test::chart_of(test::quarter_sphere(12));
   const WireNetwork network = build_wire_network(chart);
   int questions = 0, answers = std::numeric_limits<int>::max();
@@ -175,7 +175,7 @@ TEST(ChooseVariation, TakesFewEvaluationsWithManyWires) {
     EXPECT_TRUE(solution.converged);
     EXPECT_LE(solution.evaluations, 40) << input.wires.size() << " wires";
   }
-  // Strips up to a hundred times as long as wide.
+  // Strips that are up to a hundred times longer than wide.
   for (const auto& [rows, most] : {std::pair(60, 10), std::pair(200, 30)}) {
     Case c(half_tube(rows));
     const OuterSolution solution = c.solve();
@@ -184,8 +184,8 @@ TEST(ChooseVariation, TakesFewEvaluationsWithManyWires) {
   }
 }
 
-/// A pyramid over a square of side 1; on one side of the square, the wire, stands a triangle whose other sides are
-/// 0.505 long. No flat triangle has the wire longer than 1.01.
+/// A pyramid over a square of side 1, and a triangle on one side of the square, which is a wire. The other sides of the
+/// triangle are 0.505 long, so no flat triangle exists if the wire is longer than 1.01.
 FlattenInput pyramid_beside_a_narrow_triangle() {
   const double low = std::sqrt(0.505 * 0.505 - 0.25);
   FlattenInput input = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.6}, {0.5, -low, 0}},
@@ -206,7 +206,7 @@ TEST(ChooseVariation, BacksOffFromLengthsThatCannotBeKept) {
   EXPECT_LT(solution.shape_error, c.warp.shape_error(at(0.0)));
 }
 
-TEST(ChooseVariation, WireWarpingIsEveryToleranceZeroButOfHelperWires) {
+TEST(ChooseVariation, WireWarpingHasZeroToleranceExceptForHelperWires) {
   Case elastic(dome(12, 2, 0.05));
   Options wirewarping;
   wirewarping.method = Method::wirewarping;
@@ -214,7 +214,8 @@ TEST(ChooseVariation, WireWarpingIsEveryToleranceZeroButOfHelperWires) {
   EXPECT_TRUE(rigid_bounds.elastic_parts().empty());
   Options least_norm;
   least_norm.inner = Inner::least_norm;
-  EXPECT_TRUE(variation_bounds(elastic.chart, least_norm).elastic_parts().empty()) << "it has no gradient by h";
+  EXPECT_TRUE(variation_bounds(elastic.chart, least_norm).elastic_parts().empty())
+      << "this method has no gradient with respect to h";
   const OuterSolution as_rigid = choose_variation(elastic.chart, elastic.warp, rigid_bounds);
   Case rigid(dome(12, 2, 0));
   EXPECT_LT((as_rigid.shape.uv - rigid.solve().shape.uv).cwiseAbs().maxCoeff(), 1e-12);

@@ -54,7 +54,7 @@ TEST(WireNetwork, CrossingWiresMakeFourPatchesAndFourNodesWhereTheyCross) {
   expect_closed_walks(p.network);
   EXPECT_EQ(p.network.patches.size(), 4u);
   EXPECT_EQ(p.network.edges.size(), static_cast<std::size_t>(4 * n + 2 * n));
-  // Boundary vertices have one node each and one more where a wire ends; inner ones two, four at the crossing.
+  // Each boundary vertex has one node, plus one if a wire ends there; inner vertices have two, and the crossing four.
   EXPECT_EQ(p.network.nodes.size(), static_cast<std::size_t>(4 * n + 4 + 2 * (2 * n - 3) - 2 + 4));
   std::size_t most = 0;
   for (const auto& nodes : p.network.inner_vertex_nodes) most = std::max(most, nodes.size());
@@ -62,7 +62,7 @@ TEST(WireNetwork, CrossingWiresMakeFourPatchesAndFourNodesWhereTheyCross) {
 }
 
 TEST(WireNetwork, GaussBonnet) {
-  // Turning of the outline and angle deficits inside add up to 2 pi on any disk.
+  // On any disk, the turning of the outline and the angle deficits inside add up to 2π.
   const Network p(test::quarter_sphere(8));
   const HalfEdgeMesh& mesh = p.chart.mesh;
   double sum = 0;
@@ -84,7 +84,7 @@ TEST(WireNetwork, GaussBonnet) {
   EXPECT_NEAR(sum, 2 * kPi, 1e-11);
 }
 
-TEST(WireNetwork, ATailHasOneNodeAndAHoleALoopOfItsOwn) {
+TEST(WireNetwork, ATailHasOneNodeAndAHoleItsOwnLoop) {
   const int n = 6;
   FlattenInput input = test::flat_rectangle(n, n, 1, 1);
   std::vector<int> half = test::grid_row(n, 3);
@@ -109,7 +109,7 @@ std::size_t bends_past_corners(const WireLines& lines) {
       std::count_if(lines.bends.begin(), lines.bends.end(), [](const LineBend& bend) { return bend.num_sectors > 1; }));
 }
 
-TEST(WireLines, RunOnThroughCrossingsAndWhereWiresMeetTheOutline) {
+TEST(WireLines, ContinueThroughCrossingsAndWhereWiresMeetTheOutline) {
   FlattenInput input = test::flat_rectangle(6, 6, 1, 1);
   test::add_wire(input, test::grid_row(6, 3));
   test::add_wire(input, test::grid_column(6, 6, 2));

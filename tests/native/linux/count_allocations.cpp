@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands before the C library's allocation in the whole test program: the linker sends all calls of the core and the
-// tests here (--wrap), those of Eigen among them. No other file may see these definitions inline.
+// Replaces the C library's allocation functions in the whole test program: the linker option --wrap redirects the calls
+// of the core, the tests and Eigen here. These definitions must be in a file of their own, so that no caller inlines
+// them.
 #include "count_allocations.h"
 
 #include <cstddef>
@@ -21,7 +22,8 @@ void* allocate(std::size_t size, std::size_t alignment) {
 }  // namespace
 
 extern "C" {
-// The linker's --wrap asks for these names. NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
+// The linker option --wrap requires these names.
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 void* __real_malloc(std::size_t size);
 void* __real_calloc(std::size_t number, std::size_t size);
 void* __real_realloc(void* memory, std::size_t size);
@@ -45,7 +47,8 @@ void* operator new(std::size_t size) { return allocate(size, alignof(std::max_al
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return allocate(size, static_cast<std::size_t>(alignment));
 }
-// std::stable_sort takes its buffer by this one. Without it the library's own would be paired with our delete.
+// std::stable_sort allocates its buffer with this overload. Without it, the library's new would be paired with our
+// delete.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   try {
     return operator new(size);

@@ -3,7 +3,7 @@
 
 namespace wirewarp {
 
-/// How often this thread of the test program has taken memory: by operator new, and in Eigen by malloc and its kin.
+/// Number of allocations by this thread so far: by operator new, and by malloc and the like, which Eigen calls.
 int num_allocations();
 
 }  // namespace wirewarp

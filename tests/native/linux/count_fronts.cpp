@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands before fastest_kernels() in the whole test program, as count_allocations.cpp does before malloc: the kernels
-// that it hands out count, and then do what the fastest ones do.
+// Replaces fastest_kernels() in the whole test program, as count_allocations.cpp replaces malloc. The kernels that it
+// returns count their calls and then call the fastest ones.
 #include "count_fronts.h"
 
 #include <atomic>
 
 #include "numerics/cholesky/front_kernels.h"
 
-// A reference is handed over as a pointer is. The linker wants these names.
+// References are returned as pointers. The linker option --wrap requires these names.
 // NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
 extern "C" const wirewarp::FrontKernels* __real__ZN8wirewarp15fastest_kernelsEv();
 extern "C" const wirewarp::FrontKernels* __wrap__ZN8wirewarp15fastest_kernelsEv();

@@ -3,8 +3,9 @@
 
 namespace wirewarp {
 
-/// How many fronts the Cholesky kernels of the test program have visited so far, in all threads, each with up to four
-/// right-hand sides. On one machine the same in every run; elsewhere rounding may end an iteration a step apart.
+/// Number of fronts that all threads of the test program have visited so far in the Cholesky kernels, with up to four
+/// right-hand sides at a visit. One machine gives the same numbers in every run. On another one, rounding may end an
+/// iteration a step earlier or later.
 struct FrontCounts {
   long factored;
   long substituted_forward;

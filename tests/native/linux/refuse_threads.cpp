@@ -14,7 +14,7 @@ std::atomic<int> num_refused_threads{0};
 
 }  // namespace
 
-/// Stands before the system's pthread_create for all that this program loads.
+/// Replaces the system's pthread_create for every library that this program loads.
 extern "C" __attribute__((visibility("default"))) int create_or_refuse(pthread_t* thread,
                                                                        const pthread_attr_t* attributes,
                                                                        void* (*work)(void*), void* argument) noexcept

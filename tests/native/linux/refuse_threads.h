@@ -3,7 +3,7 @@
 
 namespace wirewarp::test {
 
-/// While one lives, the system gives no more threads.
+/// While an object of this class exists, the system starts no more threads.
 class RefuseThreads {
  public:
   RefuseThreads();
@@ -11,7 +11,7 @@ class RefuseThreads {
   RefuseThreads(const RefuseThreads&) = delete;
   RefuseThreads& operator=(const RefuseThreads&) = delete;
 
-  /// How many were asked for.
+  /// Number of threads that were requested and refused.
   int num_refused() const;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the inner loops may take, in counts instead of seconds. Budgets of factorizations and
-// evaluations stand with the tests of what takes them.
+// Limits on the work of the inner loops, as counts instead of seconds. The tests of each algorithm limit its
+// factorizations and evaluations.
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -47,7 +47,7 @@ TEST(Budgets, AllocationsOfEigenAreCounted) {
   EXPECT_EQ(allocations_of([] { std::vector<int>(1000); }), 1);
 }
 
-TEST(Budgets, TheShapeErrorTakesNoMemory) {
+TEST(Budgets, TheShapeErrorAllocatesNothing) {
   const SheetToFlatten flat(8);
   const ShapeError shape_error(flat.chart());
   Positions2 gradient;
@@ -56,7 +56,7 @@ TEST(Budgets, TheShapeErrorTakesNoMemory) {
   EXPECT_EQ(allocations_of([&] { shape_error.energy_and_gradient(flat.uv, gradient); }), 0);
 }
 
-TEST(Budgets, AFactorizationTakesNoMemory) {
+TEST(Budgets, AFactorizationAllocatesNothing) {
   const CholeskyProblem problem = mesh_problem(60, 2);
   const int before_analysis = num_allocations();
   MultifrontalCholesky cholesky(problem.lower, problem.tree(), 2);
@@ -67,7 +67,7 @@ TEST(Budgets, AFactorizationTakesNoMemory) {
   EXPECT_TRUE(positive_definite);
 }
 
-/// Allocations of placing and of its adjoint.
+/// Number of allocations for a placement and its adjoint.
 std::pair<int, int> placement_allocations(int n) {
   const SheetToFlatten flat(n);
   const WireNetwork network = build_wire_network(flat.chart());
@@ -77,11 +77,11 @@ std::pair<int, int> placement_allocations(int n) {
   return {place, allocations_of([&] { placement.pull_back(uv); })};
 }
 
-TEST(Budgets, InteriorPlacementTakesAsManyPiecesOfMemoryOnEveryMesh) {
+TEST(Budgets, InteriorPlacementAllocatesEquallyOftenOnEveryMesh) {
   EXPECT_EQ(placement_allocations(8), placement_allocations(24));
 }
 
-/// Allocations of a factorization after the first, and of a solution with it.
+/// Number of allocations for a factorization after the first, and for a solution with it.
 std::pair<int, int> newton_allocations(int n) {
   const SheetToFlatten flat(n);
   const HeldNetwork network = build_held_network(flat.chart());
@@ -96,13 +96,14 @@ std::pair<int, int> newton_allocations(int n) {
           allocations_of([&] { system.finish(system.solve_on_wires(flat.uv, residual).d); })};
 }
 
-TEST(Budgets, NewtonSystemsTakeAsManyPiecesOfMemoryOnEveryMesh) {
+TEST(Budgets, NewtonSystemsAllocateEquallyOftenOnEveryMesh) {
   EXPECT_EQ(newton_allocations(8), newton_allocations(24));
 }
 
 struct RefinementCost {
   int factorizations;
-  double substitutions;  // of one right-hand side, or up to four at once, through all fronts, forward and back
+  double
+      substitutions;  // full substitutions, each forward and back through all fronts with up to four right-hand sides
 };
 
 RefinementCost cost_of_refinement(const FlattenInput& input) {
@@ -126,7 +127,7 @@ TEST(Budgets, ARefinementSubstitutesAFewTimesPerFactorization) {
     EXPECT_LE(cost.factorizations, 4);
     EXPECT_LE(cost.substitutions, 15 * cost.factorizations);
   }
-  EXPECT_LT(fine.substitutions, 0.75 * coarse.substitutions) << "most of them stay on the branches of the wires";
+  EXPECT_LT(fine.substitutions, 0.75 * coarse.substitutions) << "most substitutions visit only the branches with wires";
 }
 
 }  // namespace

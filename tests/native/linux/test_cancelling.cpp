@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A no ends a run before it factorizes or solves anything more.
+// Once it is canceled, a run factorizes and solves nothing more.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 namespace wirewarp::test_cancelling {
 namespace {
 
-/// Counts of what was done between two questions, at most, and after the first no.
-struct Silence {
-  void hear() {
+/// The most work between two questions, and the work after the first refusal.
+struct WorkBetweenQuestions {
+  void answer() {
     const FrontCounts now = count_fronts();
     factored = std::max(factored, now.factored - last.factored);
     substituted = std::max(substituted, now.substituted_forward - last.substituted_forward);
@@ -27,7 +27,7 @@ struct Silence {
   long factored = 0, substituted = 0;
 };
 
-/// Of one Newton system.
+/// Number of fronts of one Newton system.
 long fronts_of(const FlattenInput& input) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
@@ -38,33 +38,35 @@ long fronts_of(const FlattenInput& input) {
   return count_fronts().factored - before;
 }
 
-TEST(Cancelling, IsHeardAtOnceWhateverIsTried) {
+TEST(Cancelling, EndsARunAtOnceInEveryStage) {
   for (const double tolerance : {0.0, 1e-4}) {
     const FlattenInput input = test::saddle_of_wires(3, tolerance);
     const long fronts = fronts_of(input);
-    const auto num_wires = static_cast<long>(input.wires.size());  // all elastic where tolerances are tried
+    const auto num_wires =
+        static_cast<long>(input.wires.size());  // the search for tolerances makes all of them elastic
     for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
       Options options;
       options.method = method;
-      Silence whole;
+      WorkBetweenQuestions whole;
       int questions = 0;
       const FlattenResult refused = flatten(input, options, [&](const std::string& stage, double) {
-        whole.hear();
+        whole.answer();
         questions += stage != "measure";
         return true;
       });
       ASSERT_TRUE(refused.pieces.at(0).error);
       EXPECT_EQ(refused.pieces[0].error->code, ErrorCode::infeasible_lengths);
-      EXPECT_LE(whole.factored, 3 * fronts) << "the free shape, and before it the embedding on a circle";
-      EXPECT_LE(whole.substituted, (35 + 2 * num_wires) * fronts) << "steps to exact lengths, and two for each wire";
+      EXPECT_LE(whole.factored, 3 * fronts) << "for the embedding on a circle, and for the free shape";
+      EXPECT_LE(whole.substituted, (35 + 2 * num_wires) * fronts)
+          << "for steps to exact lengths, and two for each wire";
       for (int last = 0; last < questions; last += 1 + questions / 20) {
         int asked = 0;
-        Silence after;
+        WorkBetweenQuestions after;
         const FlattenResult result = flatten(input, options, [&](const std::string&, double) {
           after = {};
           return asked++ < last;
         });
-        after.hear();
+        after.answer();
         EXPECT_EQ(asked, last + 1);
         ASSERT_TRUE(result.pieces.at(0).error);
         EXPECT_EQ(result.pieces[0].error->code, ErrorCode::cancelled) << last;

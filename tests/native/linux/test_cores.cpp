@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// As many threads as there are cores to use, and no more than the system gives.
+// Each core that the thread may use gets a thread, and work gets done with fewer threads if the system refuses more.
 #include <gtest/gtest.h>
 #include <sched.h>
 
@@ -13,7 +13,7 @@
 namespace wirewarp::test_cores {
 namespace {
 
-/// While one lives, this thread may use only the first cores of those that it may use.
+/// While an object of this class exists, this thread may use only the first few of its cores.
 class FirstCores {
  public:
   explicit FirstCores(int count) {
@@ -43,7 +43,7 @@ TEST(Cores, AreThoseThatTheThreadMayUse) {
   EXPECT_FALSE(has_second_core());
 }
 
-TEST(Cores, TheThreadsThereAreDoAll) {
+TEST(Cores, IfTheSystemRefusesThreadsTheOthersDoTheWork) {
   for (const FlattenInput& input : {test::sphere_of_gores(12, 4, 16), test::quarter_sphere(40)}) {
     const FlattenResult expected = flatten(input);
     const test::RefuseThreads refuse;
@@ -60,7 +60,7 @@ TEST(Cores, ChartsThatKeepAllCoresBusyStartNoThreadsOfTheirOwn) {
   const FlattenInput input = test::sphere_of_gores(12, 4, 16);
   const test::RefuseThreads refuse;
   flatten(input);
-  EXPECT_EQ(refuse.num_refused(), 1);  // of all charts together
+  EXPECT_EQ(refuse.num_refused(), 1);  // shared by all charts
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seams whose sides have one length that is not settled beforehand.
+// Seams whose sides share one length that is not fixed beforehand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 #include "wirewarp/cache.h"
 #include "wirewarp/flatten.h"
 
-namespace wirewarp::test_seams_that_give {
+namespace wirewarp::test_elastic_seams {
 namespace {
 
 using test::ease_along;
@@ -25,7 +25,7 @@ using test::sheet_and_saddle;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Of all pieces, over their area.
+/// The mean objective of all pieces, weighted by area.
 double objective_of(const FlattenResult& result) {
   double sum = 0, area = 0;
   for (const Piece& piece : result.pieces) {
@@ -35,7 +35,7 @@ double objective_of(const FlattenResult& result) {
   return sum / area;
 }
 
-/// Seams as wires with a tolerance.
+/// A ball of gores whose seams are wires with this tolerance.
 FlattenInput gores(double tolerance, double ease = 0) {
   const int num_gores = 6, n = 3, rings = 12;
   FlattenInput input = test::sphere_of_gores(num_gores, n, rings);
@@ -50,7 +50,7 @@ FlattenInput gores(double tolerance, double ease = 0) {
   return input;
 }
 
-TEST(SeamsThatGive, AreRefusedByWireWarpingPlusPlus) {
+TEST(ElasticSeams, AreRefusedByWireWarpingPlusPlus) {
   FlattenInput input = sheet_and_saddle();
   test::add_wire(input, seam_of_sheets(), 0.03);
   Options options;
@@ -62,7 +62,7 @@ TEST(SeamsThatGive, AreRefusedByWireWarpingPlusPlus) {
   }
 }
 
-TEST(SeamsThatGive, AnOutlineOfOnePieceGivesWhereThatHelps) {
+TEST(ElasticSeams, AnElasticOutlineOfOnePieceLowersTheObjective) {
   const int n = 8;
   FlattenInput input = test::saddle(n, 0.3);
   const double rigid = objective_of(flatten(input));
@@ -75,7 +75,7 @@ TEST(SeamsThatGive, AnOutlineOfOnePieceGivesWhereThatHelps) {
   EXPECT_LE(std::abs(result.wires[0].variation), 0.05 + 1e-12);
 }
 
-TEST(SeamsThatGive, TheSidesOfADartHaveOneLength) {
+TEST(ElasticSeams, TheSidesOfADartHaveOneLength) {
   const int n = 8;
   FlattenInput input = test::saddle(n, 0.3);
   std::vector<int> dart = test::grid_column(n, n, 3);
@@ -89,7 +89,7 @@ TEST(SeamsThatGive, TheSidesOfADartHaveOneLength) {
   EXPECT_LT(seam.mismatch, 1e-9);
 }
 
-TEST(SeamsThatGive, TheObjectiveNeverRisesWithTheTolerance) {
+TEST(ElasticSeams, TheObjectiveNeverRisesWithTheTolerance) {
   Options of_cloth;
   of_cloth.cloth = cloth_preset("jersey").cloth;
   for (const Options& options : {Options(), of_cloth}) {
@@ -111,7 +111,7 @@ TEST(SeamsThatGive, TheObjectiveNeverRisesWithTheTolerance) {
   }
 }
 
-/// Two triangles with sides of length 1, and a seam between them with a wire along it.
+/// Two triangles with sides of length 1, and a wire along the seam between them.
 FlattenInput two_triangles(double tolerance, double ease) {
   const double height = std::sqrt(0.75);
   FlattenInput input =
@@ -122,23 +122,24 @@ FlattenInput two_triangles(double tolerance, double ease) {
   return input;
 }
 
-TEST(SeamsThatGive, BeginWithinTheirToleranceWherePiecesHaveNoShapeAtTheirEase) {
+TEST(ElasticSeams, StartWithinTheToleranceIfNominalLengthsAreInfeasible) {
   const FlattenInput input = two_triangles(0.5, 1.2);  // a side of 2.2 beside two of 1
   const FlattenResult result = flatten(input);
   expect_good(input, result);
-  EXPECT_NEAR(result.seams.at(0).variation, 1.2 - 0.5, 1e-9) << "as short as it may be";
+  EXPECT_NEAR(result.seams.at(0).variation, 1.2 - 0.5, 1e-9) << "as short as allowed";
 }
 
-TEST(SeamsThatGive, WithoutLengthsThatAllPiecesCanHaveAreAnError) {
+TEST(ElasticSeams, WithoutAFeasibleLengthAreAnError) {
   FlattenInput input = two_triangles(1.4, 1.5);
-  input.eases = {ease_along({0, 3}, 2), ease_along({3, 1}, -0.6)};  // 3 and 0.4: at least 2.6, the other at most 2
+  input.eases = {ease_along({0, 3}, 2),
+                 ease_along({3, 1}, -0.6)};  // 3 and 0.4: one piece needs at least 2.6, the other at most 2
   for (const Piece& piece : flatten(input).pieces) {
     ASSERT_TRUE(piece.error);
     EXPECT_EQ(piece.error->code, ErrorCode::infeasible_lengths);
   }
 }
 
-/// A flat ring, all but closed, and a wall on its rim, which had best have a longer seam: its top is shorter.
+/// A flat ring with a small gap, and a wall on its rim. A longer seam suits the wall, because its top is shorter.
 FlattenInput ring_with_wall(double tolerance) {
   const int around = 48, across = 3;
   FlattenInput input = test::make_grid(around, 2 * across, [](double s, double t) {
@@ -153,18 +154,18 @@ FlattenInput ring_with_wall(double tolerance) {
   return input;
 }
 
-TEST(SeamsThatGive, APieceThatWouldCoverItselfIsSolvedAnewWithTheLengthsFound) {
+TEST(ElasticSeams, APieceThatWouldOverlapItselfIsSolvedAgainWithFixedLengths) {
   const FlattenInput input = ring_with_wall(0.05);
   const FlattenResult result = flatten(input);
   expect_good(input, result);
-  EXPECT_GT(result.seams.at(0).variation, 0.01) << "this closes the ring";
+  EXPECT_GT(result.seams.at(0).variation, 0.01) << "which closes the ring";
   EXPECT_TRUE(std::isnan(result.pieces.at(0).report.projected_gradient));
   EXPECT_LT(result.pieces.at(1).report.projected_gradient, 1e-4);
 }
 
-TEST(SeamsThatGive, GoodPiecesThatWouldBeLostKeepTheirEase) {
+TEST(ElasticSeams, PiecesKeepNominalLengthsIfNoGoodShapeIsFound) {
   Options few;
-  few.max_factorizations = 20;  // not enough to find a ring that does not cover itself
+  few.max_factorizations = 20;  // too few to find a ring that does not overlap itself
   const FlattenInput input = ring_with_wall(0.05);
   const FlattenResult result = flatten(input, few);
   expect_good(input, result);
@@ -177,7 +178,7 @@ TEST(SeamsThatGive, GoodPiecesThatWouldBeLostKeepTheirEase) {
     spent += piece.report.factorizations;
   }
   for (const Piece& piece : flatten(ring_with_wall(0), few).pieces) spent_at_ease += piece.report.factorizations;
-  EXPECT_GT(spent, spent_at_ease) << "what led nowhere counts";
+  EXPECT_GT(spent, spent_at_ease) << "the abandoned stages count too";
   const FlattenResult fixed = flatten(ring_with_wall(0));
   for (std::size_t p = 0; p < fixed.pieces.size(); ++p) {
     const double objective = fixed.pieces[p].report.objective;
@@ -185,8 +186,8 @@ TEST(SeamsThatGive, GoodPiecesThatWouldBeLostKeepTheirEase) {
   }
 }
 
-/// The limit is one for all stages: with the seam at its ease, elastic, and solved anew.
-TEST(SeamsThatGive, NoPieceTakesMoreFactorizationsThanAllowed) {
+/// One limit applies to all stages together: with the seam at its ease, elastic, and solved again.
+TEST(ElasticSeams, NoPieceExceedsTheLimitOfFactorizations) {
   for (const int most : {1, 4, 12, 25}) {
     Options options;
     options.max_factorizations = most;
@@ -196,8 +197,8 @@ TEST(SeamsThatGive, NoPieceTakesMoreFactorizationsThanAllowed) {
   }
 }
 
-/// The second trial has only what the first one left, but that is not a limit that anybody set.
-TEST(SeamsThatGive, PiecesThatFailNameTheLimitOfTheUser) {
+/// The second trial has only what the first one left, but errors name the limit that the user set.
+TEST(ElasticSeams, ErrorsNameTheLimitThatTheUserSet) {
   const int n = 4;
   FlattenInput input = test::saddle_of_wires(n, 0.2);
   test::add_seam(input, test::grid_column(n, n, n / 2));
@@ -210,9 +211,9 @@ TEST(SeamsThatGive, PiecesThatFailNameTheLimitOfTheUser) {
   }
 }
 
-/// One beside the other, the last of these would have coordinates of a hundred, and edges of 1/40 would lose two
+/// If the pieces were side by side, the last one would have coordinates of about 100, and edges of 1/40 would lose two
 /// digits.
-TEST(SeamsThatGive, AHundredCoupledPiecesKeepTheDigitsOfOne) {
+TEST(ElasticSeams, AHundredCoupledPiecesAreAsExactAsOne) {
   const int num_pieces = 100, along = 40;
   FlattenInput input =
       test::make_grid(num_pieces, along, [](double s, double t) { return Eigen::Vector3d(num_pieces * s, t, 0); });
@@ -227,18 +228,18 @@ TEST(SeamsThatGive, AHundredCoupledPiecesKeepTheDigitsOfOne) {
   }
 }
 
-/// All gores are alike, so that their seams have one length: that of a single gore whose two sides have one.
-TEST(SeamsThatGive, ABallOfGoresIsAsOneGoreWithBothSidesAlike) {
+/// All gores are equal, so all seams have one length: that of a single gore with two equal sides.
+TEST(ElasticSeams, ABallOfGoresIsLikeOneGoreWithEqualSides) {
   const FlattenResult ball = flatten(gores(kInfinity));
   for (const SeamReport& seam : ball.seams) EXPECT_NEAR(seam.variation, ball.seams[0].variation, 1e-4);
-  // A wider gore, cut as long as these want to be, has their shape already.
+  // A gore cut to these lengths has the same shape already.
   const FlattenResult eased = flatten(gores(0, ball.seams[0].variation));
   EXPECT_NEAR(eased.pieces[0].metrics.arap_energy, ball.pieces[0].metrics.arap_energy,
               1e-4 * ball.pieces[0].metrics.arap_energy);
   EXPECT_NEAR(eased.seams[0].length_2d[0], ball.seams[0].length_2d[0], 1e-3 * ball.seams[0].length_3d);
 }
 
-TEST(SeamsThatGive, DoNotDependOnTheNumbersOfVerticesFacesAndWires) {
+TEST(ElasticSeams, DoNotDependOnTheNumbering) {
   FlattenInput input = sheet_and_saddle();
   test::add_wire(input, seam_of_sheets(), 0.03);
   const FlattenResult result = flatten(input);
@@ -248,7 +249,7 @@ TEST(SeamsThatGive, DoNotDependOnTheNumbersOfVerticesFacesAndWires) {
   EXPECT_NEAR(objective_of(other), objective_of(result), 1e-7 * objective_of(result));
 }
 
-TEST(SeamsThatGive, ComeOutOfACacheTogether) {
+TEST(ElasticSeams, AreReusedTogether) {
   const FlattenInput input = gores(0.02);
   Cache cache;
   const FlattenResult fresh = flatten(input, {}, {}, &cache);
@@ -264,7 +265,7 @@ TEST(SeamsThatGive, ComeOutOfACacheTogether) {
   EXPECT_EQ(changed.corner_uv, flatten(other).corner_uv);
 }
 
-TEST(SeamsThatGive, MeasureFindsTheirLengthAgain) {
+TEST(ElasticSeams, AreMeasuredWithTheSameLengths) {
   const FlattenInput input = gores(0.02);
   const FlattenResult result = flatten(input);
   const FlattenResult measured = measure(input, result.corner_uv);
@@ -274,7 +275,7 @@ TEST(SeamsThatGive, MeasureFindsTheirLengthAgain) {
   for (const Piece& piece : measured.pieces) EXPECT_FALSE(piece.error) << piece.error->what();
 }
 
-TEST(SeamsThatGive, CancelledTheyKeepThePromisesOfTheirEase) {
+TEST(ElasticSeams, KeepGuaranteesWhenCanceled) {
   const FlattenInput input = gores(0.05);
   int asked = 0;
   flatten(input, {}, [&](const std::string&, double) { return ++asked > 0; });
@@ -286,4 +287,4 @@ TEST(SeamsThatGive, CancelledTheyKeepThePromisesOfTheirEase) {
 }
 
 }  // namespace
-}  // namespace wirewarp::test_seams_that_give
+}  // namespace wirewarp::test_elastic_seams
