@@ -13,7 +13,7 @@ namespace {
 constexpr double kRounding = 8 * std::numeric_limits<double>::epsilon();
 
 struct EdgeLengths {
-  double asked;  // target length for h = r = 0
+  double target;  // target length for h = r = 0
   double planar;
   double slack;  // allowed error of the planar length
 };
@@ -74,8 +74,8 @@ struct Variations {
   explicit Variations(double tolerance, double ease = 0) : low(ease - tolerance), high(ease + tolerance) {}
 
   void meet(const EdgeLengths& edge) {
-    low = std::max(low, (edge.planar - edge.slack) / edge.asked - 1);
-    high = std::min(high, (edge.planar + edge.slack) / edge.asked - 1);
+    low = std::max(low, (edge.planar - edge.slack) / edge.target - 1);
+    high = std::min(high, (edge.planar + edge.slack) / edge.target - 1);
   }
 
   /// Returns how much the range is missed; 0 or negative if some h fits.

@@ -101,7 +101,7 @@ void check_wire_upright(Judged& judged, int piece) {
 }
 
 /// Checks that the consecutive outline edges that head up within 5 degrees are at least as long as any single edge.
-void check_straightest_stretch(Judged& judged, int number) {
+void check_straightest_section(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
   double longest_edge = 0;
   std::map<int, Eigen::Vector2d> upright;  // keyed by piece vertex: the outline edge that leaves it
@@ -113,13 +113,13 @@ void check_straightest_stretch(Judged& judged, int number) {
     upright[a] = edge;
     next[a] = b;
   }
-  double longest_stretch = 0;
+  double longest_section = 0;
   for (const auto& [first, edge] : upright) {
-    Eigen::Vector2d stretch = edge;
-    for (int v = next.at(first); upright.count(v) && v != first; v = next.at(v)) stretch += upright.at(v);
-    longest_stretch = std::max(longest_stretch, stretch.norm());
+    Eigen::Vector2d section = edge;
+    for (int v = next.at(first); upright.count(v) && v != first; v = next.at(v)) section += upright.at(v);
+    longest_section = std::max(longest_section, section.norm());
   }
-  if (longest_stretch < (1 - 1e-4) * longest_edge) judged.say("no straight section of the outline is upright");
+  if (longest_section < (1 - 1e-4) * longest_edge) judged.say("no straight section of the outline is upright");
 }
 
 /// Returns the mean gradient of the height over the piece, Σ h n / 2 over the sides n of each triangle (n: outward
@@ -147,7 +147,7 @@ std::optional<Eigen::Vector2d> mean_rise(const Judged& judged, const Piece& piec
 }  // namespace
 
 void check_orientation(Judged& judged, int number) {
-  if (judged.options.orientation == Orientation::boundary) return check_straightest_stretch(judged, number);
+  if (judged.options.orientation == Orientation::boundary) return check_straightest_section(judged, number);
   if (judged.options.orientation == Orientation::up) {
     const std::optional<Eigen::Vector2d> rise = mean_rise(judged, judged.result.pieces[number]);
     if (!rise) return;

@@ -78,8 +78,8 @@ void check_even_stretch(Judged& judged, const Piece& piece) {
   double off = 0;
   for (const int face : piece.source_face) {
     for (int k = 0; k < 3; ++k) {
-      const Eigen::Vector2d asked = (unstretched_uv(judged, face, k) - there).cwiseProduct(shares(judged));
-      off = std::max(off, (judged.uv(face, k) - from - asked).norm());
+      const Eigen::Vector2d expected = (unstretched_uv(judged, face, k) - there).cwiseProduct(shares(judged));
+      off = std::max(off, (judged.uv(face, k) - from - expected).norm());
     }
   }
   if (!(off <= kSamePlace * size)) {

@@ -14,11 +14,11 @@
 namespace wirewarp::test {
 namespace {
 
-// Errors with which the faces of an unfolded surface meet again: over the piece's size, and as strain, for long faces
-// on a short side with an error.
+// Allowed gaps where faces of an unfolded surface meet again: over the piece's size, and as a strain, because the error
+// of a short side grows over a long face.
 constexpr double kCloses = 1e-11, kStrain = 1e-7;
 
-// E (Eq. 4) over the 3D area: rounding, and the error of angles at which Eq. 1 stops.
+// Largest E (Eq. 4) over the 3D area of a shape without distortion: rounding, and the angle error where Eq. 1 stops.
 constexpr double kUndistorted = 1e-12, kUndistortedAngles = 1e-9;
 
 double triangle_area(const PlanarTriangle& t) { return static_cast<double>(doubled_area(t)) / 2; }

@@ -110,7 +110,7 @@ void add_random_stretch(RandomStream& random, FlattenInput& input, Options& opti
   description += " stretched";
   if (random.chance(0.5)) {
     add_wires_along_seams(random, input);
-    description += " giving";
+    description += " elastic-seams";
   }
   if (random.chance(0.4)) {
     add_eases_of_wires(random, input);

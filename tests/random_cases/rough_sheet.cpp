@@ -30,7 +30,7 @@ class Domain {
     }
   }
 
-  bool holds(const Eigen::Vector2d& p) const {
+  bool contains(const Eigen::Vector2d& p) const {
     const double angle = std::atan2(p.y(), p.x());
     if (bays_ > 0 && p.norm() > 1 - bays_ * (0.5 + 0.5 * std::cos(num_bays_ * angle + turn_))) return false;
     return std::none_of(holes_.begin(), holes_.end(),
@@ -165,7 +165,7 @@ MeshPart rough_sheet(RandomStream& random, std::string& description) {
   for (const Face& face : delaunay(points)) {
     const auto corner = [&](std::size_t k) { return points[static_cast<std::size_t>(face[k])]; };
     const Eigen::Vector2d middle = (corner(0) + corner(1) + corner(2)) / 3;
-    if (domain.holds(middle) && !is_thin(part, face)) part.faces.push_back(face);
+    if (domain.contains(middle) && !is_thin(part, face)) part.faces.push_back(face);
   }
   description += " rough-sheet";
   if (part.faces.empty()) return {{{0, 0, 0}, {1, 0, rough}, {0, 1, 0}}, {{0, 1, 2}}};
