@@ -15,7 +15,7 @@ namespace {
 
 using Sides = std::vector<char>;  // 0 or 1 per face
 
-/// What a border costs along each edge, scene units.
+/// Cost of a border along each edge: its length in scene units; infinite if the edge is forbidden.
 using Prices = std::vector<double>;
 
 Prices prices_of(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
@@ -42,8 +42,8 @@ bool is_border(const HalfEdgeMesh& mesh, const Sides& side, HalfedgeHandle h) {
   return side[mesh.face_handle(h).idx()] != side[mesh.opposite_face_handle(h).idx()];
 }
 
-/// By how much the border between two sides grows if all faces around a vertex go to one side. Where the border
-/// cannot be, the price is infinite.
+/// Returns by how much the border's cost grows if all faces around a vertex change to one side; infinite if the border
+/// would run along a forbidden edge.
 double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Sides& side, VertexHandle v, char to) {
   const auto price = [&](HalfedgeHandle h) { return prices[mesh.edge_handle(h).idx()]; };
   double growth = 0;
@@ -57,9 +57,9 @@ double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Si
   return growth;
 }
 
-/// Straightens the border: moves it over a vertex wherever that makes it shorter.
+/// Straightens the border: moves it over a vertex as long as that makes it shorter.
 void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side) {
-  constexpr double kRounding = 1e-12;  // of the longest edge there
+  constexpr double kRounding = 1e-12;  // relative to the vertex's longest edge
   std::vector<VertexHandle> queue(mesh.vertices_begin(), mesh.vertices_end());
   while (!queue.empty()) {
     const VertexHandle v = queue.back();
@@ -74,7 +74,7 @@ void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side)
   }
 }
 
-/// Which faces are nearer to the second vertex than to the first.
+/// Returns 1 for faces that are nearer to the second vertex than to the first.
 Sides nearer_to(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle second) {
   const std::vector<double> from_first = shortest_paths(mesh, {first}).distance;
   const std::vector<double> from_second = shortest_paths(mesh, {second}).distance;
@@ -87,7 +87,7 @@ Sides nearer_to(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle secon
   return side;
 }
 
-/// Corners a, b, c of each face: their mean, and half the cross product of b - a and c - a. #faces by 3.
+/// For each face with corners a, b, c: their mean, and half the cross product of b - a and c - a. #faces by 3.
 struct FaceGeometry {
   explicit FaceGeometry(const HalfEdgeMesh& mesh) {
     const Positions3 points = points_of(mesh);
@@ -104,8 +104,8 @@ struct FaceGeometry {
   Positions3 middle, area;
 };
 
-/// Those in the middle go to one side, whichever way the axis points; where it turns a little, as principal_axes() has
-/// it, they are still there.
+/// Divides faces by their position along an axis. Faces in the middle all go to one side, whichever way the axis
+/// points. The tolerance covers the small rotation of axes that principal_axes() allows.
 Sides sides_along(Eigen::VectorXd along) {
   const double middle = 1e-5 * along.cwiseAbs().maxCoeff();
   const auto first = std::find_if(along.begin(), along.end(), [&](double place) { return std::abs(place) > middle; });
@@ -115,7 +115,8 @@ Sides sides_along(Eigen::VectorXd along) {
   return side;
 }
 
-/// By planes through the middle, across the main axes of the surface, and by the way that faces look along these.
+/// Divides the faces by planes through the center, across the principal axes, and by the normals' direction along these
+/// axes.
 std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   const FaceGeometry faces(mesh);
   const Eigen::VectorXd areas = faces.area.rowwise().norm();
@@ -132,7 +133,7 @@ std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   return result;
 }
 
-/// By nearness to two far ends, and to two more that lie apart across them.
+/// Divides the faces by which of two far ends is nearer, and by two more ends across them.
 std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   const VertexHandle first = far_end(mesh);
   const VertexHandle second = farthest_from(mesh, {first});
@@ -141,7 +142,7 @@ std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   return {nearer_to(mesh, first, second), nearer_to(mesh, third, fourth)};
 }
 
-/// Faces that forbidden edges join go to the side where more of them are.
+/// Moves each group of faces that share forbidden edges to the side with most of its faces.
 void keep_together(const HalfEdgeMesh& mesh, const CutMask& forbidden, Sides& side) {
   DisjointSets groups(mesh.n_faces());
   for (const EdgeHandle e : mesh.edges()) {
@@ -174,8 +175,8 @@ std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidd
     const bool is_known = std::find(cuts.begin(), cuts.end(), cut) != cuts.end();
     if (!is_known && length_of_cut(mesh, cut) > 0) cuts.push_back(std::move(cut));
   };
-  // As drawn, borders serve where shorter ones shrink to nothing, on boxes of a few faces. Those of fine meshes are
-  // ragged: without a limit 43 garments, shoes, cushions and toys fall into 154 pieces instead of 93.
+  // On boxes of a few faces, shorter borders shrink to nothing, so the border as drawn is used too. On fine meshes it
+  // is ragged: without this limit, 43 garments, shoes, cushions and toys are cut into 154 pieces instead of 93.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
     keep_together(mesh, forbidden, side);

@@ -6,10 +6,10 @@
 
 namespace wirewarp {
 
-/// Cuts between what lies before and behind, above and below, left and right of the middle, between what faces one way
-/// and the other, and between what is nearer to the one or the other of two ends. Each as short as it gets by moving
-/// over single vertices, and as it was drawn. None runs along a forbidden edge: faces that share one go to one side.
-/// Twice the same, and empty ones, are left out.
+/// Returns cuts that divide the faces by three planes through the center, by the direction of their normals along the
+/// same three axes, and by distance to two far ends of the surface. Each cut is returned as drawn (on coarse meshes)
+/// and shortened by moving it over single vertices. No cut runs along a forbidden edge: faces that share one stay
+/// together. Empty cuts and duplicates are dropped.
 std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidden);
 
 }  // namespace wirewarp

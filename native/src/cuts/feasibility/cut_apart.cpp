@@ -11,7 +11,8 @@
 namespace wirewarp {
 namespace {
 
-/// The cut, and the outline: the rims of a slit of one edge have the same ends, and would be joined.
+/// Returns the cut edges and the outline. The outline is included because both rims of a slit of one edge have the same
+/// ends, and would otherwise be merged.
 VertexPairs cut_and_outline(const HalfEdgeMesh& mesh, const CutMask& cut) {
   std::vector<VertexPair> edges;
   for (const EdgeHandle e : mesh.edges()) {

@@ -8,11 +8,11 @@
 
 namespace wirewarp {
 
-/// The charts between cut edges of a chart, with their parts of its wires. Their sources are the chart's own vertices,
-/// faces and wire parts.
+/// Cuts a chart along edges, and returns the charts between them with their parts of its wires. Their sources are the
+/// chart's own vertices, faces and wire parts.
 std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut);
 
-/// The same chart with its vertices and faces in this order.
+/// Returns the same chart with its vertices and faces in this order.
 Chart renumbered(const Chart& chart, const std::vector<VertexHandle>& vertices, const std::vector<FaceHandle>& faces);
 
 }  // namespace wirewarp

@@ -19,14 +19,14 @@ bool is_empty(const CutMask& cut);
 /// Adds the edges of another cut.
 void unite(CutMask& cut, const CutMask& other);
 
-/// Length of all cut edges, scene units.
+/// Returns the length of all cut edges in scene units.
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);
 
-/// (k, 2) pairs as a list.
+/// Convert between (k, 2) pairs and a list.
 std::vector<VertexPair> as_list(const VertexPairs& pairs);
 VertexPairs as_pairs(const std::vector<VertexPair>& list);
 
-/// Paths along no edge of this mask, which is kept by reference.
+/// Rules for paths that avoid the edges of this mask; the mask is kept by reference.
 PathRules around(const HalfEdgeMesh& mesh, const CutMask& forbidden);
 
 }  // namespace wirewarp

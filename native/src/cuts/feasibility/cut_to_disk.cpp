@@ -12,17 +12,16 @@
 namespace wirewarp {
 namespace {
 
-/// How many base points are tried on a closed surface. The cut goes through one of them, so they are spread out.
+/// Number of base points on a closed surface. The cut passes through one of them, so they are spread out.
 constexpr int kBasePoints = 8;
 
-/// Cuts whose lengths differ by less, as a share, are as long as each other: the same one is taken however the mesh is
-/// turned.
+/// Cuts whose lengths differ by less than this share count as equally long, so that rotating the mesh does not change
+/// the choice.
 constexpr double kTie = 1e-9;
 
-/// The edges across which no tree of faces can grow: neither crossed by it nor in the tree of paths, one for each
-/// handle's two ways round and for each boundary loop but one. The tree of faces takes those first whose detour by
-/// the sources is longest, so that the shortest are left; so are forbidden edges, and those that no path leads to, but
-/// they do not count.
+/// Returns the edges that are neither crossed by the tree of faces nor in the tree of paths: two for each handle, and
+/// one for each boundary loop but one. The tree of faces crosses edges with the longest detour by the sources first, so
+/// that the shortest are left. It crosses forbidden and unreachable edges even before; of these, none is returned.
 std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask& forbidden,
                                         const ShortestPaths& paths) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -49,7 +48,7 @@ std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask&
   return left_over;
 }
 
-/// Takes back cuts that end inside the surface, which open nothing.
+/// Removes cuts that end inside the surface, because they open nothing.
 void prune(const HalfEdgeMesh& mesh, CutMask& cut) {
   std::vector<VertexHandle> queue;
   for (const VertexHandle v : mesh.vertices()) queue.push_back(v);

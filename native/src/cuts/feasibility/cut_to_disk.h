@@ -5,10 +5,10 @@
 
 namespace wirewarp {
 
-/// Cuts through all handles and between all boundary loops, after which the chart is a disk: the shortest such cuts by
-/// a tree of shortest paths and a tree of faces (Erickson, Har-Peled 2004). On a closed surface the shortest found from
-/// some points of it. Nothing for a disk, and for a closed surface without handles. No cut runs along a forbidden edge:
-/// what these leave no way through stays closed.
+/// Returns cuts through all handles and between all boundary loops, which leave a disk. They are the shortest such cuts
+/// that a tree of shortest paths and a tree of faces give (Erickson, Har-Peled 2004); on a closed surface, the shortest
+/// from a few base points. For a disk and for a closed surface without handles, nothing is cut. No cut runs along a
+/// forbidden edge, so handles and loops that forbidden edges block stay uncut.
 CutMask cut_to_disk(const HalfEdgeMesh& mesh, const CutMask& forbidden);
 
 }  // namespace wirewarp

@@ -9,7 +9,7 @@
 namespace wirewarp {
 namespace {
 
-/// How far each vertex is from the plane, times two, with a sign for its side; scene units.
+/// Returns twice the signed distance of each vertex from the plane in scene units.
 std::vector<double> distances_across(const HalfEdgeMesh& mesh, const std::vector<VertexHandle>& image) {
   OpenMesh::Vec3d across(0, 0, 0);
   std::vector<double> distances;
@@ -39,7 +39,7 @@ MirroredCuts::MirroredCuts(const Chart& chart, const std::vector<VertexHandle>& 
   }
 }
 
-void MirroredCuts::forbid_those_without_image(CutMask& forbidden) const {
+void MirroredCuts::forbid_edges_without_image(CutMask& forbidden) const {
   for (std::size_t e = 0; e < image_.size(); ++e) forbidden[e] = forbidden[e] != 0 || has_image_[e] == 0;
 }
 

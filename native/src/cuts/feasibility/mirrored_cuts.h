@@ -8,28 +8,28 @@
 
 namespace wirewarp {
 
-/// Makes cuts of a chart symmetric that a plane mirrors onto itself.
+/// Makes cuts symmetric if a plane mirrors their chart onto itself.
 class MirroredCuts {
  public:
-  /// image: the vertex opposite to each; no entries where there is no such plane: all cuts stay as they are. Edges that
-  /// have none opposite to them are opposite to themselves.
+  /// image: the mirror image of each vertex, or empty if there is no such plane, and then no cut changes. An edge
+  /// without a mirror image counts as its own.
   MirroredCuts(const Chart& chart, const std::vector<VertexHandle>& image);
 
   CutMask with_image(const CutMask& cut) const;
 
-  /// Forbids the edges that have none opposite to them.
-  void forbid_those_without_image(CutMask& forbidden) const;
+  /// Forbids the edges without a mirror image.
+  void forbid_edges_without_image(CutMask& forbidden) const;
 
-  /// What of a cut lies on the one side of the plane, and opposite to that, and what lies on the other.
+  /// Returns two symmetric cuts: each is the part of the cut on one side of the plane together with its mirror image.
   std::vector<CutMask> both_ways(const CutMask& cut) const;
 
-  /// Runs of edges in the plane, each by itself, and all of them.
+  /// Returns all edges in the plane as one cut, then each connected run of them.
   std::vector<CutMask> lines_in_plane() const;
 
  private:
   const HalfEdgeMesh& mesh_;
-  std::vector<EdgeHandle> image_;  // of each edge; no entries: no plane
-  std::vector<int> side_;          // of each edge: -1, 1, or 0 in the plane and across it
+  std::vector<EdgeHandle> image_;  // of each edge; empty: no plane
+  std::vector<int> side_;          // of each edge: -1 or 1; 0 if it is in the plane or crosses it
   CutMask has_image_, is_in_plane_;
 };
 

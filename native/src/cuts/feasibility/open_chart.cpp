@@ -24,23 +24,23 @@
 namespace wirewarp {
 namespace {
 
-/// Levels of parts of parts: eight parts, as many as a garment has. Of 64 meshes of garments, shoes, cushions, toys and
-/// figures, 41 were opened at once, 8 needed one more level, none two.
+/// Number of times that parts are cut again: three levels give eight parts, as in a garment. Of 64 meshes of garments,
+/// shoes, cushions, toys and figures, 41 were flat after one cut, 8 needed one more level, and none needed two.
 constexpr int kMostDepth = 3;
 
-/// Cuts of one chart whose parts are judged: with 2, garments fall into more pieces, 5 are not better.
+/// Number of cuts of one chart that are judged. With 2, garments are cut into more pieces; 5 are no better.
 constexpr int kMostJudged = 3;
 
-/// What distortion costs, in cut length over the square root of the area: a cushion is cut around its edge (2.8,
-/// distortion 0.02) and not open along one line (1.2, distortion 0.3), a skirt open along one (0.7, 0.014) and not
-/// into two (1.3, 0.01). On 43 garments, shoes, cushions and toys all lie flat in the end whatever it is; with 3, 10,
-/// 30, 100 the cuts sum up to 86, 97, 100, 103 and the distortions to 3.5, 0.9, 0.6, 0.5.
+/// Cost of distortion in cut length over the square root of the area. It makes a cushion be cut around its edge (length
+/// 2.8, distortion 0.02) and not open along one line (1.2, 0.3), but a skirt open along one line (0.7, 0.014) and not
+/// into two pieces (1.3, 0.01). All of 43 garments, shoes, cushions and toys become flat at any value: with 3, 10, 30
+/// and 100, the cuts add up to 86, 97, 100 and 103, and the distortions to 3.5, 0.9, 0.6 and 0.5.
 constexpr double kPriceOfDistortion = 10;
 
-/// Shares of the area and prices that differ by less are equal: free maps are found to about this.
+/// Shares of the area and costs that differ by less count as equal: free maps are about this exact.
 constexpr double kSamePrice = 1e-6;
 
-/// How a chart lies when no length is held.
+/// The free map of a chart, which has no fixed lengths.
 struct Proxy {
   double covered = 0;     // area of faces that are flipped or overlap others, scene units squared
   double distortion = 0;  // E of Eq. (4), scene units squared
@@ -57,16 +57,16 @@ Proxy evaluate_proxy(const Chart& chart) {
   return proxy;
 }
 
-/// A cut, and what comes of it.
+/// A cut and its parts.
 struct Division {
   CutMask cut;
   std::vector<Chart> pieces;
   std::vector<Proxy> proxies;  // of the pieces
-  double price = 0;            // the smaller, the better
-  double covered = 0;          // of the area
+  double price = 0;            // lower is better
+  double covered = 0;          // share of the area
 };
 
-/// From the boundary, or on a closed surface from one far end, to the vertex farthest from there.
+/// Cuts from the boundary (on a closed surface, from a far end) to the vertex farthest from there.
 CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   std::vector<VertexHandle> starts = boundary_vertices(mesh);
   const bool is_closed = starts.empty();
@@ -74,13 +74,13 @@ CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   const ShortestPaths paths = shortest_paths(mesh, starts, around(mesh, forbidden));
   const std::vector<HalfedgeHandle> path = path_back(mesh, paths, farthest_vertex(paths));
   CutMask cut(mesh.n_edges(), 0);
-  // Both sides of a single edge inside a closed surface would be one loop of two edges between the same vertices.
+  // Cutting a single edge of a closed surface would leave a loop of two edges between the same vertices.
   if (is_closed && path.size() == 1) return cut;
   for (const HalfedgeHandle h : path) cut[mesh.edge_handle(h).idx()] = 1;
   return cut;
 }
 
-/// Cuts are masks of the whole chart's edges, and parts have its sources.
+/// Cuts are masks of the whole chart's edges, and parts keep its sources.
 class OpeningSearch {
  public:
   OpeningSearch(const Chart& whole, const std::function<bool(const Chart&)>& lies_flat, const StopToken& stop,
@@ -118,7 +118,7 @@ std::vector<Chart> OpeningSearch::pieces_of(const Chart& piece, const CutMask& c
   return pieces;
 }
 
-/// Opens the pieces that do not lie flat as they are.
+/// Cuts a piece, and opens those of its parts that are folded.
 Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   Division division{std::move(cut), {}, {}, 0, 0};
   bool opens_more = false;
@@ -151,7 +151,7 @@ Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   return division;
 }
 
-/// Candidates, each its own mirror image where the whole chart has one.
+/// Returns candidates for cuts; if the whole chart has a mirror image, they are symmetric.
 std::vector<CutMask> OpeningSearch::cuts_through(const Chart& piece) const {
   const CutMask forbidden = map_.on_part(piece, places_.forbidden);
   std::vector<CutMask> drawn = bisections(piece.mesh, forbidden);
@@ -222,7 +222,7 @@ CutMask OpeningSearch::open(const Chart& piece, int depth) const {
   CutMask cut = best->cut;
   for (const std::size_t p : failing) {
     const Chart& part = best->pieces[p];
-    const bool is_cut = !is_empty(map_.on_part(part, cut));  // as the mirror image of one before it
+    const bool is_cut = !is_empty(map_.on_part(part, cut));  // by the mirror image of an earlier cut
     if (depth > 0 && !is_cut && part.mesh.n_faces() > 1) unite(cut, open(part, depth - 1));
   }
   return cut;

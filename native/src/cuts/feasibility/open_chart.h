@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where to cut a chart that cannot lie flat.
+// Finds where to cut a chart that has no good flat shape.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,14 @@ namespace wirewarp {
 
 /// Where cuts may run.
 struct CutPlaces {
-  CutMask forbidden;                // edges that no cut follows; no entries: none
-  std::vector<VertexHandle> image;  // the mirror image of each vertex, which cuts have too; no entries: there is none
+  CutMask forbidden;                // edges that no cut may follow; empty: none
+  std::vector<VertexHandle> image;  // mirror image of each vertex, to make cuts symmetric; empty: none
 };
 
-/// A cut under which a chart lies flat that has no good flat shape without: it is opened if it is a tube or has
-/// handles, slit, or cut in two, and parts that still do not lie flat are cut again. All candidates are flattened
-/// without any length held, then the best of them are judged by lies_flat, a few for each chart. If none works, the
-/// best of them. Of those that work, the shortest with the least distortion. Empty if it is stopped, or if no edge is
-/// left to cut.
+/// Returns a cut that gives a chart without a good flat shape one. Tubes and handles are opened, and charts are slit or
+/// cut in two; parts without a flat shape are cut again. All candidates are flattened without any fixed length; then
+/// lies_flat judges the best few for each chart. The shortest successful cut with the least distortion is returned, or
+/// the best one if none succeeds. The result is empty if the search is stopped, or if no edge is left to cut.
 CutMask open_chart(const Chart& chart, const std::function<bool(const Chart& part)>& lies_flat, const StopToken& stop,
                    CutPlaces places = {});
 

@@ -9,25 +9,25 @@
 
 namespace wirewarp {
 
-/// Carries cuts between a chart, its parts, and the vertices that all of them come from.
+/// Converts cuts between a chart, its parts, and their common source vertices.
 class PartMap {
  public:
   explicit PartMap(const Chart& chart);
 
-  /// The inner edge of the chart between two sources, either way round; not valid if there is none.
+  /// Returns the inner edge of the chart between two source vertices, in either order; not valid if there is none.
   EdgeHandle edge_between(VertexPair ends) const;
 
-  /// The inner edges of the chart among edges given by their sources.
+  /// Returns the inner edges of the chart among these edges, given by their source vertices.
   CutMask mask_of(const std::vector<VertexPair>& edges) const;
 
-  /// A cut of a part, as a cut of the chart.
+  /// Converts a cut of a part to a cut of the chart.
   CutMask on_chart(const Chart& part, const CutMask& cut) const;
 
-  /// The share of a cut of the chart that lies inside a part.
+  /// Returns the part of the chart's cut that is inside a part.
   CutMask on_part(const Chart& part, const CutMask& cut) const;
 
  private:
-  std::vector<std::pair<VertexPair, EdgeHandle>> edges_;  // the inner ones, sorted
+  std::vector<std::pair<VertexPair, EdgeHandle>> edges_;  // inner edges, sorted
   std::size_t num_edges_;                                 // of the chart
 };
 

@@ -5,8 +5,8 @@
 
 namespace wirewarp {
 
-/// The rank of each value, from 0 for the lowest. Values no more than `same` above the next lower one share its rank,
-/// so that rounding decides no order. None of them may be NaN.
+/// Returns the rank of each value, from 0 for the lowest. Values at most `same` above the next lower one share its
+/// rank, so that rounding does not decide the order. Values must not be NaN.
 std::vector<int> ranks_of(const std::vector<double>& values, double same);
 
 }  // namespace wirewarp

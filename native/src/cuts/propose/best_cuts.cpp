@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Searches the pieces one after the other for the best of all their cuts.
+// Searches one piece after the other for the best cuts of all pieces.
 #include "cuts/propose/best_cuts.h"
 
 #include <algorithm>
@@ -19,13 +19,13 @@
 namespace wirewarp {
 namespace {
 
-/// A piece is larger only if it is so by more than rounding makes of its area when the input is turned.
+/// A piece counts as larger only by more than the rounding of its area when the input is rotated.
 constexpr double kClearlyLarger = 1 + 1e-9;
 
-/// By how much a cut lowers the most strain of all pieces, and by how much that of its own piece.
+/// How much a cut lowers the largest strain of all pieces, and how much that of its own piece.
 using Gain = std::pair<double, double>;
 
-/// The best by gain, mirror images by their new places. A pair counts once.
+/// Returns the cuts with the largest gains, with DartProposal::twin as an index into this list. A mirrored pair counts as one.
 std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, const std::vector<Gain>& gains,
                                   int count) {
   std::vector<int> order(proposals.size());
@@ -45,10 +45,10 @@ std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, co
   return best;
 }
 
-/// Below 0 for an error.
+/// Returns the strain of a piece, or -1 if it has an error.
 double strain_of(const FlatPiece& piece) { return piece.error ? -1 : piece.strain; }
 
-/// The gain if only this strain is left of a piece.
+/// Returns the gain if a piece is left with this strain.
 Gain gain_of(const FlatPieces& pieces, int piece, double left) {
   double others = 0;
   for (std::size_t c = 0; c < pieces.size(); ++c) {
@@ -99,7 +99,8 @@ std::vector<DartProposal> search_piece(const FlatPieces& pieces, int piece, CutK
   return darts;
 }
 
-/// Searches the pieces, the one with most strain first, until the rest have less to gain than what is found.
+/// Searches the pieces, starting with the most strained, until the remaining pieces cannot gain more than the cuts
+/// found.
 std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, const CutOptions& cut_options,
                                         const ExactEvaluation& exact) {
   std::vector<int> order(pieces.size());
@@ -134,7 +135,7 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
   throw *first_refusal;
 }
 
-/// The piece to cut, if it has no flat shape because it lacks seams; of all pieces the largest of these.
+/// Returns the largest piece (or the requested one) that has no flat shape because it lacks seams.
 std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutOptions& cut_options) {
   std::optional<std::size_t> largest;
   double most = 0;

@@ -10,14 +10,14 @@
 
 namespace wirewarp {
 
-/// Throws invalid_option.
+/// Throws invalid_option if an option is out of range.
 void check_cut_options(const CutOptions& cut_options, const FlattenInput& input, std::size_t num_pieces);
 
-/// The piece lacks seams: it is closed, has handles, or its outline cannot hold it. Neither the mesh nor its wires are
-/// at fault.
+/// Whether the piece has no flat shape because it lacks seams: it is closed, has handles, or its outline cannot enclose
+/// it. The mesh and its wires are not at fault.
 bool lacks_seams(const FlatPiece& piece);
 
-/// What propose_darts() and propose_seams() propose for these pieces. Throws their errors, and Stopped.
+/// Returns what propose_darts() and propose_seams() propose for these pieces. Throws their errors, and Stopped.
 std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, const CutOptions& cut_options,
                                     const ExactEvaluation& exact, CutProgress& progress);
 

@@ -14,21 +14,22 @@
 namespace wirewarp {
 namespace {
 
-/// Lengths over the root of the area, and angles in radians, that differ by less are equal: a thousand times what
-/// rounding makes of them when the input is turned, and far less than what the edges of a large outline differ by.
+/// Lengths (over the root of the area) and angles (in radians) that differ by less count as equal. This is a thousand
+/// times the rounding when the input is rotated, and far below the differences between edges of a large outline.
 constexpr double kSame = 1e-9;
 
-/// Where a numbering begins, and whether it goes around vertices backwards.
+/// The first half-edge of a numbering, and whether it goes clockwise around vertices.
 struct Start {
   HalfedgeHandle first;
   bool backwards = false;
 };
 
-/// A vertex of the outline and the edge after it, as they look from anywhere: ranks of the edge's length and of the
-/// angle inside, and the number of edges.
+/// A vertex of the outline and the edge after it, described without positions: the rank of the edge's length, the rank
+/// of the angle inside, and the number of edges.
 using OutlineStep = std::array<int, 3>;
 
-/// The walk around the outer loop with the chart on the left, and the walk backwards, both from the same vertex.
+/// Returns the walk around the outer loop with the chart on the left, and the walk in the opposite direction, both from
+/// the same vertex.
 std::array<std::vector<OutlineStep>, 2> walk_outline(const Chart& chart) {
   const HalfEdgeMesh& mesh = chart.mesh;
   const HalfEdgeChain& loop = chart.boundary_loops.front();
@@ -64,8 +65,8 @@ bool comes_before(const std::vector<OutlineStep>& a, std::size_t a_start, const 
   return false;
 }
 
-/// Where the least of all rotations begins, in linear time: two candidates are compared, and where they first differ
-/// the greater one is given up with all starts that it has passed (J. P. Duval, Factorizing words over an ordered
+/// Returns the start of the lexicographically least rotation, in linear time: compares two candidates, and at the first
+/// difference drops the greater one with all starts that it has passed (J. P. Duval, Factorizing words over an ordered
 /// alphabet, 1983).
 std::size_t least_rotation(const std::vector<OutlineStep>& ring, WorkMeter& work) {
   const std::size_t count = ring.size();
@@ -93,10 +94,10 @@ Start start_on_outline(const Chart& chart, WorkMeter& work) {
   return {mesh.opposite_halfedge_handle(loop[loop.size() - 1 - backwards]), true};
 }
 
-/// Numbers vertices, nearest neighbors first: each one's in their order around it.
+/// Numbers vertices breadth first; the neighbors of each follow in their order around it.
 class SurfaceWalk {
  public:
-  /// rank: -1 for each vertex; set to its number, and back once the walk is over.
+  /// rank: -1 for each vertex. Holds the vertices' numbers during the walk, and is reset to -1 afterwards.
   SurfaceWalk(const HalfEdgeMesh& mesh, Start start, std::vector<int>& rank)
       : mesh_(mesh), backwards_(start.backwards), rank_(rank) {
     find(mesh.from_vertex_handle(start.first), start.first);
@@ -107,7 +108,7 @@ class SurfaceWalk {
   SurfaceWalk(const SurfaceWalk&) = delete;
   SurfaceWalk& operator=(const SurfaceWalk&) = delete;
 
-  /// The next half-edge, around one vertex after the other; not valid where all have been seen.
+  /// Returns the next half-edge around one vertex after the other; not valid at the end.
   HalfedgeHandle step() {
     if (!next_.is_valid()) {
       if (at_ == order_.size()) return next_;
@@ -138,7 +139,7 @@ class SurfaceWalk {
   const bool backwards_;
   std::vector<int>& rank_;
   std::vector<VertexHandle> order_;
-  std::vector<HalfedgeHandle> leaving_;  // where to begin around each
+  std::vector<HalfedgeHandle> leaving_;  // first half-edge around each vertex
   std::size_t at_ = 0;
   HalfedgeHandle next_;
 };
@@ -150,8 +151,8 @@ std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, Start start) {
   return walk.order();
 }
 
-/// At one of the longest edges. Mostly there are few, and they differ after a few steps; on a surface of revolution
-/// there are as many as segments, and each takes a walk of the whole surface.
+/// Starts at one of the longest edges. Usually there are few, and their walks differ after a few steps. A surface of
+/// revolution has as many as segments, and each takes a walk over the whole surface.
 Start start_on_closed(const HalfEdgeMesh& mesh, const StopToken& stop) {
   double longest = 0;
   for (const EdgeHandle e : mesh.edges()) longest = std::max(longest, edge_length(mesh, mesh.halfedge_handle(e, 0)));

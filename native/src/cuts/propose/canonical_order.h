@@ -6,10 +6,10 @@
 
 namespace wirewarp {
 
-/// The chart with its vertices and faces numbered by its shape alone: however the input is numbered, turned or
-/// mirrored, a loop over them visits the same places in the same order. A symmetric chart has several such numberings,
-/// of which this is one. Vertices and faces keep their sources; a wire part's index is that of the chart's own part.
-/// Throws Stopped.
+/// Returns the chart with its vertices and faces numbered by its shape alone: loops over them visit the same places in
+/// the same order, however the input is numbered, rotated or mirrored. A symmetric chart has several such numberings;
+/// one of them is chosen. Vertices and faces keep their sources, and the index of a wire part becomes that of the
+/// chart's own part. Throws Stopped.
 Chart in_canonical_order(const Chart& chart, const StopToken& stop);
 
 }  // namespace wirewarp

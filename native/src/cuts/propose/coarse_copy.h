@@ -8,13 +8,13 @@
 
 namespace wirewarp {
 
-/// A chart with few faces, on which cuts are tried quickly. Super-elastic wires are left out.
+/// A chart with few faces, for quick evaluations of cuts. It has no super-elastic wires.
 struct CoarseCopy {
   Chart chart;
-  std::vector<VertexHandle> fine_vertex;  // of each vertex
+  std::vector<VertexHandle> fine_vertex;  // of each coarse vertex
 };
 
-/// About half as many faces as are asked for; the chart itself where it has few. Throws Stopped.
+/// Returns a copy with about half as many faces as requested, or the chart itself if it has few. Throws Stopped.
 CoarseCopy coarse_copy(const Chart& chart, double faces, const StopToken& stop);
 
 }  // namespace wirewarp

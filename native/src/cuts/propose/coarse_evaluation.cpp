@@ -14,30 +14,30 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kDoesNotLieFlat = std::numeric_limits<double>::infinity();
+constexpr double kHasNoFlatShape = std::numeric_limits<double>::infinity();
 
-/// Good cuts take 3 to 8; pieces that take many have wires that hardly fit.
+/// Good cuts take 3 to 8. Pieces that take many have wires that almost contradict one another.
 constexpr int kMaxFactorizations = 20;
 
-/// Energy of the uncut shape over its area, below which the cut pieces start from it, in half the time that the starts
-/// of refine_chart() take. On a hat (.04) and a cushion (.26) it leads to folds in every third trial, on seven panels
-/// of garments (.0006 to .01) in none of the best.
+/// Energy of the uncut shape over its area, below which cut pieces start from it, which takes half the time of
+/// refine_chart()'s starts. On a hat (0.04) and a cushion (0.26), this start leads to folds in every third evaluation;
+/// on seven panels of garments (0.0006 to 0.01), in none of the best.
 constexpr double kNearFlat = 0.02;
 
 InternalOptions brief(InternalOptions options) {
   options.max_factorizations = kMaxFactorizations;
-  options.mends_folds = false;  // a cut that folds the piece is not a good one, and to fix it takes as long as ten
+  options.mends_folds = false;  // a cut that folds the piece is bad, and fixing folds takes as long as ten cuts
   options.target = Target::rough;
-  options.cloth.reset();  // takes about twice as long, and exact evaluations decide
+  options.cloth.reset();  // a fabric takes about twice as long, and exact evaluations follow
   return options;
 }
 
 double energy_of(const Chart& piece, const Solution& found) {
   const bool lies_flat = found.is_exact() && find_folded_faces(piece.mesh, found.shape.uv).empty();
-  return lies_flat ? ShapeError(piece).energy(found.shape.uv) : kDoesNotLieFlat;
+  return lies_flat ? ShapeError(piece).energy(found.shape.uv) : kHasNoFlatShape;
 }
 
-/// From the shape of the whole chart: without forces in the wires, so that the first step opens the cut.
+/// Starts from the shape of the whole chart without forces in the wires, so that the first step opens the cut.
 Solution refine_from(const Positions2& whole, const Chart& piece, const InternalOptions& options,
                      const StopToken& stop) {
   const Problem problem(piece, options.fairness);
@@ -61,7 +61,7 @@ CoarseEvaluation::CoarseEvaluation(const Chart& chart, const InternalOptions& op
 double CoarseEvaluation::energy_when_cut(const CutMask& cut, const StopToken& stop) const {
   double energy = 0;
   for (const Chart& piece : cut_apart(chart_, cut)) {
-    if (piece.error) return kDoesNotLieFlat;
+    if (piece.error) return kHasNoFlatShape;
     Solution flat;
     if (start_) flat = refine_from(*start_, piece, options_, stop);
     if (!flat.is_exact()) flat = refine_chart(piece, options_, stop);

@@ -10,24 +10,24 @@
 
 namespace wirewarp {
 
-/// The coarse evaluation of cuts of one chart, mostly of a coarse copy: a few Newton steps. In any thread.
+/// Evaluates cuts of a chart, which is usually a coarse copy, by a few Newton steps. May be used in any thread.
 class CoarseEvaluation {
  public:
-  /// The chart must outlive the trials. Throws Stopped.
+  /// The chart must outlive this object. Throws Stopped.
   CoarseEvaluation(const Chart& chart, const InternalOptions& options, const StopToken& stop);
 
-  /// E of Eq. (4) of the chart as it is, by the refined method, scene units squared; infinite where it does not lie
-  /// flat.
+  /// Returns E of Eq. (4) of the uncut chart by the refined method, in scene units squared; infinite if it has no flat
+  /// shape.
   double energy_uncut() const { return uncut_; }
 
-  /// The same for the chart cut along some of its edges. Throws Stopped.
+  /// Returns the same for the chart with a cut. Throws Stopped.
   double energy_when_cut(const CutMask& cut, const StopToken& stop) const;
 
  private:
   const Chart& chart_;
   InternalOptions options_;
   double uncut_ = 0;
-  std::optional<Positions2> start_;  // the uncut shape, where that is near those of the cut chart
+  std::optional<Positions2> start_;  // the uncut shape, if it is near the shapes of cut charts
 };
 
 }  // namespace wirewarp

@@ -14,23 +14,23 @@
 namespace wirewarp {
 namespace {
 
-/// Share of the outline to each side in which a way is the shortest of its neighborhood: together about as much as lies
-/// between two of the points that are spread along the outline.
+/// Share of the outline to each side in which a landing must have the shortest path. Both sides together are about as
+/// long as the distance between two points spread along the outline.
 constexpr double kWindow = 1.0 / 24;
 
-/// The outline has a corner where it turns by more (radians): a ring of twelve edges turns by as much at each vertex.
+/// The outline has a corner if it turns by more (radians). A ring of twelve edges turns by this much at each vertex.
 constexpr double kCorner = kPi / 6;
 
-/// A point is sharper or farther only if it is so by more than rounding makes of it when the input is turned.
+/// A point counts as sharper or farther only by more than the rounding when the input is rotated.
 constexpr double kClearly = 1 + 1e-9;
 
-/// Ends of cuts that lie farther apart, over the root of the area, are not beside each other: a little less than the
-/// fifth by which the points inside are apart.
+/// Ends of cuts that are farther apart, relative to the root of the area, are not beside each other: slightly less than
+/// the distance of 0.2 between points inside.
 constexpr double kApart = 0.15;
 
 struct OutlinePoint {
   VertexHandle vertex;
-  double at = 0;    // length of the loop up to it
+  double at = 0;    // position along the loop, scene units
   double turn = 0;  // of the outline, radians
 };
 
@@ -49,8 +49,8 @@ OutlineLoop measure_loop(const Chart& chart, const HalfEdgeChain& half_edges) {
   return loop;
 }
 
-/// Where the paths to a loop are shorter than to all points of it near by.
-void take_landings(const OutlineLoop& loop, double length, const SmoothPaths& paths, std::vector<VertexHandle>& taken) {
+/// Adds the landings on a loop: the points with a shorter path than all points of the loop nearby.
+void add_landings(const OutlineLoop& loop, double length, const SmoothPaths& paths, std::vector<VertexHandle>& taken) {
   const auto cost_at = [&](std::size_t i) {
     const HalfedgeHandle h = paths.arrival[loop[i].vertex.idx()];
     return h.is_valid() ? paths.cost[h.idx()] : std::numeric_limits<double>::infinity();
@@ -68,7 +68,7 @@ void take_landings(const OutlineLoop& loop, double length, const SmoothPaths& pa
   }
 }
 
-/// So many vertices at most, each as far as can be from the sources and those before.
+/// Returns at most `count` vertices, each as far as possible from the sources and the earlier ones.
 std::vector<VertexHandle> spread(const Chart& chart, std::vector<VertexHandle> sources,
                                  const std::vector<char>& may_take, int count) {
   std::vector<VertexHandle> taken;
@@ -87,7 +87,7 @@ std::vector<VertexHandle> spread(const Chart& chart, std::vector<VertexHandle> s
   return taken;
 }
 
-/// Points spread along the outline: corners first, then any.
+/// Returns points spread along the outline: corners first, then any vertices.
 std::vector<VertexHandle> spread_on_outline(const Chart& chart, const std::vector<OutlineLoop>& loops,
                                             const SmoothPathFinder& paths, int count) {
   std::vector<char> is_corner(chart.mesh.n_vertices(), 0), is_on_outline = is_corner;
@@ -120,7 +120,7 @@ std::vector<VertexHandle> spread_inside(const Chart& chart, const SmoothPathFind
   return spread(chart, boundary_vertices(chart.mesh), may_take, count);
 }
 
-/// A seam has two ends on the outline, alike in all: the one with the lower number first.
+/// The two ends of a seam are interchangeable, so the one with the lower number comes first.
 CutEnds in_one_order(const Chart& chart, CutEnds cut) {
   const bool is_seam = chart.mesh.is_boundary(cut.start) && chart.mesh.is_boundary(cut.end);
   return is_seam && cut.end < cut.start ? CutEnds{cut.end, cut.start} : cut;
@@ -141,7 +141,7 @@ std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder&
       if (from_end.arrival[start.idx()].is_valid()) starts.push_back(start);
     }
     for (std::size_t l = 0; l < loops.size(); ++l) {
-      take_landings(loops[l], length_of(chart.mesh, chart.boundary_loops[l]), from_end, starts);
+      add_landings(loops[l], length_of(chart.mesh, chart.boundary_loops[l]), from_end, starts);
     }
     for (const VertexHandle start : starts) {
       cuts.insert(in_one_order(chart, {start, end}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a chart could be cut.
+// Candidates for cuts of a chart.
 #pragma once
 
 #include <vector>
@@ -16,30 +16,32 @@ enum class CutKind {
 /// A line along which to cut, given by its ends.
 struct CutEnds {
   VertexHandle start;  // on the outline
-  VertexHandle end;    // inside, or of a seam on the outline
+  VertexHandle end;    // inside; for a seam, on the outline
 
   bool operator==(const CutEnds& other) const { return start == other.start && end == other.end; }
   bool operator<(const CutEnds& other) const { return start == other.start ? end < other.end : start < other.start; }
 };
 
-/// Numbers of points that cuts begin and end at.
+/// Numbers of points that cuts start and end at.
 struct CandidatePoints {
   int inside;
-  int on_outline;  // half of them at corners, where there are so many
+  int on_outline;  // half of them at corners, if there are enough
 };
 
-/// Darts: from points spread over the inside to points spread along the outline, and to where ways to it are the
-/// shortest of their neighborhood. Seams in the same way, from points spread along the outline.
+/// Returns candidates. Darts lead from points spread over the inside to points spread along the outline, and to
+/// landings, which are the points of the outline with the shortest path in their neighborhood. Seams start at points
+/// spread along the outline in the same way.
 std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder& paths, CutKind kind,
                                      CandidatePoints count);
 
-/// Cuts with one end moved to a neighboring vertex.
+/// Returns the cuts with one end moved to a neighboring vertex.
 std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& paths, CutEnds cut);
 
-/// Whether both ends are near those of the other: the same cut to a tailor. size: root of the chart's area.
+/// Whether both ends of the cuts are near each other, so that a tailor would see one cut. size: root of the chart's
+/// area.
 bool are_beside(const HalfEdgeMesh& mesh, double size, CutEnds a, CutEnds b);
 
-/// The edges of a cut, from its start. Empty where no way leads along.
+/// Returns the edges of a cut from its start to its end; empty if no path exists.
 HalfEdgeChain chain_of(const SmoothPathFinder& paths, CutEnds cut);
 
 }  // namespace wirewarp

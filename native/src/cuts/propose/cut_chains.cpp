@@ -4,7 +4,7 @@
 namespace wirewarp {
 namespace {
 
-/// The cut half-edges that leave a vertex, and were not taken yet.
+/// Returns the half-edges along remaining cut edges that leave a vertex.
 HalfEdgeChain left_at(const HalfEdgeMesh& mesh, const CutMask& left, VertexHandle v) {
   HalfEdgeChain leaving;
   for (const HalfedgeHandle h : mesh.voh_range(v)) {

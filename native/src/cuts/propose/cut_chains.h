@@ -6,7 +6,8 @@
 
 namespace wirewarp {
 
-/// The sections of a cut: each from a vertex where cuts end or meet to the next such vertex, then the rings.
+/// Returns the sections of a cut: first those from one vertex where cuts end or meet to the next such vertex, then
+/// closed rings.
 std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& cut);
 
 }  // namespace wirewarp

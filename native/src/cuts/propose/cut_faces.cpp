@@ -15,7 +15,7 @@ struct WireRun {
   int begin;  // its first edge
 };
 
-/// Some faces of an input with numbers of their own, in the same order.
+/// Some faces of an input as an input of its own, with vertices and faces in the same order.
 class PartOfInput {
  public:
   PartOfInput(const FlattenInput& whole, const std::vector<int>& faces, const std::vector<VertexPair>& seams)
@@ -46,7 +46,7 @@ class PartOfInput {
   }
 
  private:
-  /// The place of a vertex in the part; -1: none of its faces has it.
+  /// Returns the index of a vertex in the part, or -1 if none of the faces has it.
   int place_of(int vertex) const {
     const auto found = std::lower_bound(vertices_.begin(), vertices_.end(), vertex);
     return found != vertices_.end() && *found == vertex ? static_cast<int>(found - vertices_.begin()) : -1;
@@ -74,7 +74,7 @@ class PartOfInput {
     }
   }
 
-  /// Each run of its edges that the part has; the run of a closed wire may pass the vertex where its list begins.
+  /// Adds each run of the wire's edges in the part. The run of a closed wire may pass the vertex where its list starts.
   void take_wire(int index) {
     const Wire& wire = whole_.wires[index];
     const int count = static_cast<int>(wire.vertices.size()) - 1;

@@ -8,8 +8,8 @@
 
 namespace wirewarp {
 
-/// The charts that some faces of an input make between these seams and their own outline, as cut_into_charts() has them
-/// for the whole input: their sources are its vertices, faces and wires. Wire parts are numbered anew. faces: sorted.
+/// Cuts some faces of an input along seams and along their own outline, as cut_into_charts() does for the whole input.
+/// The sources of the charts are the input's vertices, faces and wires; wire parts get new numbers. faces: sorted.
 /// Throws Stopped.
 Charts cut_faces(const FlattenInput& input, const std::vector<int>& faces, const std::vector<VertexPair>& seams,
                  const StopToken& stop);

@@ -9,14 +9,15 @@
 
 namespace wirewarp {
 
-/// Reports the stage "cuts" of a search, in the thread that made it alone. How long a search takes is not known
-/// beforehand: each poll is a share of what is left, unless the search says how far it is.
+/// Reports the progress of a search as stage "cuts", only in the thread that created this object. The duration of a
+/// search is unknown, so each poll advances by a share of the remaining progress, unless the search reports its
+/// progress.
 class CutProgress {
  public:
-  /// rounds: searches after one another, at most.
+  /// rounds: largest number of consecutive searches.
   explicit CutProgress(const Progress& progress, int rounds = 1) : report_(progress), rounds_(rounds) {}
 
-  /// For any thread.
+  /// Returns a token that may be used in any thread.
   StopToken token() {
     return StopToken([this](const char*) {
       if (std::this_thread::get_id() != caller_) return !report_.is_cancelled();
@@ -27,13 +28,13 @@ class CutProgress {
     });
   }
 
-  /// So many rounds are over.
+  /// Sets the number of finished rounds.
   void finish_rounds(int count) {
     num_done_ = count;
     enter(0, 1);
   }
 
-  /// The round is now between these shares of it. What has been reached stays.
+  /// Continues between these shares of the round. Reported progress never decreases.
   void enter(double from, double to) {
     from_ = from;
     to_ = to;
@@ -41,7 +42,7 @@ class CutProgress {
   }
 
  private:
-  /// The search for darts in a piece of some thousand triangles polls about as often.
+  /// The search for darts in a piece of a few thousand triangles polls about this often.
   static constexpr int kTypicalPolls = 2000;
 
   ProgressReport report_;

@@ -22,45 +22,46 @@
 namespace wirewarp {
 namespace {
 
-/// What woven cloth takes at most: where nothing else is asked for, pieces with no more are not cut again.
+/// The most strain that woven fabric takes. By default, pieces with at most this strain are not cut again.
 constexpr double kTargetStrain = 0.05;
 
-/// Cuts and their mirror images after those that open the piece: two for each of twenty parts, as a plush animal has.
+/// Largest number of cuts (with their mirror images) after the opening: two for each of the twenty parts of a plush
+/// animal.
 constexpr std::size_t kMostCuts = 40;
 
-/// Places of the best cuts of each kind, and candidates that are evaluated exactly in a round. On a koala the first of
-/// the candidates served in each of forty rounds.
+/// Number of places with best cuts of each kind, and of candidates that are evaluated exactly in a round. On a koala,
+/// the first candidate was good enough in each of forty rounds.
 constexpr int kPlaces = 2;
 constexpr std::size_t kMostTrials = 5;
 
-/// A cut that takes less than this share of the energy of its part is not worth the sewing, nor a set whose strain is
-/// less by no more.
+/// A cut must remove at least this share of its part's energy to be worth sewing, and a set must lower the strain by
+/// more than this share to be listed.
 constexpr double kWorthSewing = 0.02;
 
-/// Lower strains count as this one: ratios to them say nothing.
+/// Lower strains count as this one, because their ratios are meaningless.
 constexpr double kFlat = 1e-4;
 
-/// A set with more pieces than one with less strain has to be so much shorter to be worth a row.
+/// A set with more pieces than a less strained one is listed only if it is shorter by this factor.
 constexpr double kMuchShorter = 0.9;
 
 /// Shares of the time after which a cow and a penguin were opened, and cut finely enough.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
-/// Sets that are made of the last one by merging, and the ratio of the strains that they are allowed: from 5%, which
-/// woven fabric takes, to 10% and the 20% that plush and knits take.
+/// Number of sets made by merging sections of the last one, and the ratio of their allowed strains: from 5% for woven
+/// fabric to 10%, and to 20% for plush and knits.
 constexpr int kMergedSets = 3;
 constexpr double kStrainStep = 2;
 
-/// Cuts that take this share come before those that take more for their length: many small darts are slow to sew, and
-/// slow to find. From 0 to 0.5 the sets of a ball, a head and a penguin have about the same length and strain; with 0.5
-/// they are found in two thirds of the time of 0, but are longer by a tenth.
+/// Cuts that remove at least this share of the energy come before those that remove more for their length, because many
+/// small darts are slow to sew and to find. With 0 to 0.5, the sets of a ball, a head and a penguin have about the same
+/// length and strain; with 0.5 they are found in two thirds of the time of 0, but are a tenth longer.
 constexpr double kLargeGain = 0.25;
 
 FlattenError no_set(const Chart& chart, ErrorArguments arguments) {
   return FlattenError(ErrorCode::no_proposal, std::move(arguments), {{}, {}, chart.source_face});
 }
 
-FlattenError none_serves(const Chart& chart, const CutOptions& cut_options) {
+FlattenError none_found(const Chart& chart, const CutOptions& cut_options) {
   return no_set(chart, {{"reason", "no_set"}, {"is_restricted", cut_options.no_seam.rows() > 0}});
 }
 
@@ -85,7 +86,7 @@ CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const Cu
       target_(cut_options.strain.value_or(kTargetStrain)),
       exact_(exact),
       progress_(progress) {
-  mirrored_.forbid_those_without_image(forbidden_);
+  mirrored_.forbid_edges_without_image(forbidden_);
 }
 
 std::vector<VertexPair> CutSetSearch::edges_of(const CutMask& cut) const {
@@ -96,7 +97,7 @@ std::vector<VertexPair> CutSetSearch::edges_of(const CutMask& cut) const {
   return edges;
 }
 
-/// Cuts under which the piece lies flat, as far as they were found without its neighbors. Throws Stopped.
+/// Returns cuts that make the piece flat when it is solved without its neighbors. Throws Stopped.
 CutMask CutSetSearch::opening() const {
   const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, exact_.options(), exact_.stop()); };
   CutMask cut = open_chart(chart_, lies_flat_alone, exact_.stop(), {forbidden_, image_});
@@ -130,12 +131,12 @@ CutSetSearch::CutSet CutSetSearch::with_figures(CutMask cut, FlatPieces pieces) 
   return set;
 }
 
-/// before: with some of the cuts.
+/// before: the pieces with some of the cuts.
 CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutMask& cut) const {
   return with_figures(cut, exact_.with_cut(before, edges_of(cut)));
 }
 
-/// Darts and seams of one of its parts.
+/// Adds darts and seams of one part of the set.
 void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   CutOptions cut_options;
   cut_options.count = kPlaces;
@@ -155,8 +156,8 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   }
 }
 
-/// Bisections of one of its parts: they help where no single line does. A part that folds when it is solved quickly has
-/// no figure without a cut: then the shortest come first, and exact evaluations show what they gain.
+/// Adds bisections of one part, which help where no single line does. A part that folds in the coarse evaluation has no
+/// energy without a cut; then the shortest bisections come first, and exact evaluations measure their gain.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[set.parts[part]]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
@@ -175,7 +176,7 @@ void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vect
                [](const Candidate& candidate) { return candidate.gain >= kWorthSewing; });
 }
 
-/// Of a part; if the piece has a mirror image, each in the two ways that are symmetric.
+/// Returns the bisections of a part; if the piece has a mirror image, each in its two symmetric versions.
 std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
   const Chart ordered = in_canonical_order(part, exact_.stop());
   std::vector<CutMask> cuts;
@@ -211,15 +212,16 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
     if (is_known || length_of_cut(chart_.mesh, cut) > cut_options_.longest) continue;
     tried.push_back(cut);
     CutSet more = evaluate(set.pieces, cut);
-    // The strain may rise on the way, where the parts have more outline to hold than the whole.
+    // The strain may rise meanwhile, because parts have more outline to fix than the whole.
     const double before = set.figures[worst].energy;
     if (more.lies_flat && figures_of(more.pieces, part).energy <= (1 - kWorthSewing) * before) return more;
   }
   return std::nullopt;
 }
 
-/// sets: the shortest first. Those that are hardly better than a shorter one are left out, and those longer than one
-/// that meets the target. The longest comes first; of too many, those whose strains are about evenly apart, as ratios.
+/// Selects the sets to propose. sets: the shortest first. Drops sets that are hardly better than a shorter one, and
+/// sets longer than one that meets the target. The longest comes first; of too many, those with about evenly spaced
+/// strains, as ratios, remain.
 std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
@@ -247,7 +249,7 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
   return chosen;
 }
 
-/// From the last one, sets with fewer sections for the same strain, and for more and more.
+/// Adds sets with fewer sections than the last one: with the same allowed strain, and with higher and higher ones.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_);
   double most_strain = std::max(target_, sets.back().proposal.strain);
@@ -260,7 +262,7 @@ void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   }
 }
 
-/// Cuts lower the strain by about the same ratio each.
+/// Reports progress on a logarithmic scale, because each cut lowers the strain by about the same ratio.
 void CutSetSearch::report_strain(double first, double now) {
   const double least = std::max(target_, kFlat);
   const double share = first > least ? std::clamp(std::log(first / now) / std::log(first / least), 0.0, 1.0) : 1;
@@ -270,10 +272,10 @@ void CutSetSearch::report_strain(double first, double now) {
 std::vector<DartProposal> CutSetSearch::search() {
   progress_.enter(0, kOpened);
   const CutMask opened = opening();
-  if (is_empty(opened)) throw none_serves(input_chart_, cut_options_);
+  if (is_empty(opened)) throw none_found(input_chart_, cut_options_);
   std::vector<CutSet> sets{evaluate(pieces_, opened)};
   const DartProposal& least = sets.front().proposal;
-  if (!sets.front().lies_flat) throw none_serves(input_chart_, cut_options_);
+  if (!sets.front().lies_flat) throw none_found(input_chart_, cut_options_);
   if (least.length > cut_options_.longest) throw too_long(input_chart_, least.length, cut_options_.longest);
   while (sets.size() <= kMostCuts && sets.back().proposal.strain > target_) {
     report_strain(sets.front().proposal.strain, sets.back().proposal.strain);

@@ -14,16 +14,16 @@
 
 namespace wirewarp {
 
-/// The search for sets of cuts in one piece that has no flat shape: first a cut under which all of it lies flat, then
-/// one cut after the other through the part with most strain. Of the cuts that take much of its distortion, lines and
-/// bisections alike, the one is taken that takes most for its length.
+/// Searches for sets of cuts of one piece that has no flat shape. First it finds a cut that makes all of the piece
+/// flat, then it cuts the part with most strain, one cut after the other. Candidates are lines and bisections; of those
+/// that remove much of the distortion, it takes the one that removes most for its length.
 class CutSetSearch {
  public:
   /// piece: one of the pieces. All references are kept.
   CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
                CutProgress& progress);
 
-  /// The set with most cuts first; without piece. Throws no_proposal.
+  /// Returns the sets, the longest first, without piece. Throws no_proposal.
   std::vector<DartProposal> search();
 
  private:
@@ -31,7 +31,7 @@ class CutSetSearch {
   struct CutSet {
     CutMask cut;
     FlatPieces pieces;                  // of the whole input
-    std::vector<std::size_t> parts;     // those made of the piece
+    std::vector<std::size_t> parts;     // indices of the parts of the piece
     std::vector<PieceFigures> figures;  // of the parts
     DartProposal proposal;
     bool lies_flat = false;
@@ -40,7 +40,7 @@ class CutSetSearch {
   /// A further cut.
   struct Candidate {
     CutMask cut;      // symmetric
-    double gain = 0;  // share of the energy of the part that it takes
+    double gain = 0;  // share of the part's energy that it removes
     double gain_for_length = 0;
   };
 

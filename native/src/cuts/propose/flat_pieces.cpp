@@ -56,10 +56,10 @@ bool has_outline_edge(const Chart& chart, const std::set<VertexPair>& edges) {
 }  // namespace
 
 FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges) {
-  const std::set<VertexPair> wanted = undirected(edges);
+  const std::set<VertexPair> given_edges = undirected(edges);
   FlatPieces beside;
   for (const std::shared_ptr<const FlatPiece>& piece : pieces) {
-    if (has_outline_edge(piece->chart, wanted)) beside.push_back(piece);
+    if (has_outline_edge(piece->chart, given_edges)) beside.push_back(piece);
   }
   return beside;
 }
@@ -92,7 +92,7 @@ double most_strain(const FlatPieces& pieces) {
 }
 
 bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart) {
-  constexpr double kRounding = 1e-6;  // to which shapes are found
+  constexpr double kRounding = 1e-6;  // precision of shapes
   const double most = most_strain(before);
   return std::any_of(after.begin(), after.end(), [&](const std::shared_ptr<const FlatPiece>& piece) {
     if (is_part_of(piece->chart, chart) || std::find(before.begin(), before.end(), piece) != before.end()) return false;
@@ -107,7 +107,7 @@ bool is_part_of(const Chart& part, const Chart& chart) {
   return std::binary_search(chart.source_face.begin(), chart.source_face.end(), part.source_face.front());
 }
 
-/// Which of the pieces, by their index.
+/// A choice of pieces, by index.
 struct ExactEvaluation::Selection {
   std::vector<char> is_chosen;
 
@@ -132,7 +132,7 @@ ExactEvaluation::ExactEvaluation(const SurfaceToCut& surface, const InternalOpti
   options_.with_proposals = false;
 }
 
-/// And all pieces that elastic seams couple with these.
+/// Adds all pieces that elastic seams couple with the chosen ones.
 ExactEvaluation::Selection ExactEvaluation::coupled(const FlatPieces& pieces, Selection chosen) const {
   std::set<std::pair<int, int>> shared;  // wire and part
   for (bool has_grown = true; has_grown;) {
@@ -153,7 +153,7 @@ ExactEvaluation::Selection ExactEvaluation::coupled(const FlatPieces& pieces, Se
   return chosen;
 }
 
-/// And all pieces that share an edge of their outline with these, with all that are coupled.
+/// Adds all pieces that share an edge of their outline with the chosen ones, and all pieces coupled with these.
 ExactEvaluation::Selection ExactEvaluation::with_neighbors(const FlatPieces& pieces, const Selection& chosen) const {
   std::set<VertexPair> outline;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -197,7 +197,7 @@ FlatPieces ExactEvaluation::uncut() const {
   return flatten_along_seams(cut_into_charts(input_, edges, stop_));
 }
 
-/// Those that a cut runs through or that lie beside a seam that is opened, and all that are coupled with them.
+/// Chooses the pieces that a cut runs through or that are beside an opened seam, and all pieces coupled with them.
 ExactEvaluation::Selection ExactEvaluation::changed_pieces(const FlatPieces& before,
                                                            const std::vector<VertexPair>& edges,
                                                            const std::vector<VertexPair>& opened) const {
@@ -222,7 +222,7 @@ FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector
   Selection changed = changed_pieces(before, edges, opened), solved = changed;
   if (is_stretched(options_)) {
     changed = with_neighbors(before, changed);
-    solved = with_neighbors(before, changed);  // what the lengths of the changed ones depend on
+    solved = with_neighbors(before, changed);  // includes the pieces that the lengths of changed ones depend on
   }
   FlatPieces after;
   for (std::size_t i = 0; i < before.size(); ++i) {

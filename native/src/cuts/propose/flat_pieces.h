@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact evaluation of cuts: what flatten() makes of the pieces that a cut changes.
+// The exact evaluation of cuts: flattens the pieces that a cut changes, as flatten() does.
 #pragma once
 
 #include <memory>
@@ -20,41 +20,42 @@ struct FlatPiece {
   Chart chart;    // its sources are the input's vertices and faces
   PartMap edges;  // of the chart
   std::optional<FlattenError> error;
-  double energy = 0;              // Eq. (4), or of the cloth, scene units squared
+  double energy = 0;              // E of Eq. (4), or of the fabric, scene units squared
   double area = 0;                // in 3D, scene units squared
   double strain = 0;              // DartProposal::strain
-  Eigen::VectorXd face_strain{};  // the same of each face of the chart
+  Eigen::VectorXd face_strain{};  // the same for each face of the chart
 };
 
-/// All pieces of an input, as flatten() numbers them. Pieces that no further cut changes are shared.
+/// All pieces of an input, in flatten()'s order. States of a search share the pieces that a cut does not change.
 using FlatPieces = std::vector<std::shared_ptr<const FlatPiece>>;
 
 /// Figures of a piece, or of all its parts together.
 struct PieceFigures {
   double energy = 0;  // over the 3D area
-  double strain = 0;  // of the part with most
+  double strain = 0;  // of the most strained part
   double area = 0;    // in 3D, scene units squared
   int num_pieces = 0;
   std::optional<FlattenError> error;  // of any part
 };
 
-/// The figures of all pieces. If one has no flat shape, energy and strain are infinite.
+/// Returns the figures of all pieces. If one has no flat shape, energy and strain are infinite.
 PieceFigures figures_of(const FlatPieces& pieces);
 
-/// The figures of those pieces that are made of faces of a chart.
+/// Returns the figures of the pieces that consist of faces of a chart.
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
 
-/// Whether a cut of a chart leaves another piece without a flat shape, or with more strain than any piece had: elastic
-/// seams and a stretched cloth make lengths depend on those of neighbors. before, after: of the whole input.
+/// Whether a cut of a chart leaves another piece without a flat shape, or with more strain than any piece had before.
+/// This can happen because elastic seams and stretched fabric couple the lengths of neighbors. before, after: all
+/// pieces of the input.
 bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart);
 
-/// Most strain of the pieces that lie flat; 0 if none does.
+/// Returns the largest strain of the pieces with a flat shape; 0 if there are none.
 double most_strain(const FlatPieces& pieces);
 
-/// Whether a chart is made of faces of another one. Both have their sources in the input, in increasing order.
+/// Whether a chart consists of faces of another one. The sources of both are in the input, in increasing order.
 bool is_part_of(const Chart& part, const Chart& chart);
 
-/// The pieces that have one of these edges on their outline.
+/// Returns the pieces with one of these edges on their outline.
 FlatPieces pieces_beside(const FlatPieces& pieces, const std::vector<VertexPair>& edges);
 
 class ExactEvaluation {
@@ -62,20 +63,20 @@ class ExactEvaluation {
   /// surface: kept by reference. stop: polled in any thread.
   ExactEvaluation(const SurfaceToCut& surface, const InternalOptions& options, StopToken stop);
 
-  /// The input along its own seams. Throws Stopped.
+  /// Returns the pieces of the input with its own seams. Throws Stopped.
   FlatPieces uncut() const;
 
-  /// The same with edges as further seams, and without some seams: only the pieces that these run through or lie beside
-  /// are flattened, those coupled with them by elastic seams, and where a cloth is stretched their neighbors, which
-  /// share the lengths of seams. In any thread. Throws Stopped.
+  /// Returns the pieces with more seams along `edges`, and without the seams `opened`. Flattens only the pieces that
+  /// these run through or along, those coupled with them by elastic seams and, if the fabric is stretched, their
+  /// neighbors, which share the lengths of seams. May be called in any thread. Throws Stopped.
   FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
                       const std::vector<VertexPair>& opened = {}) const;
 
-  /// The charts of the pieces that such a cut changes. Throws Stopped.
+  /// Returns the charts of the pieces that such a cut changes. Throws Stopped.
   std::vector<Chart> changed_charts(const FlatPieces& before, const std::vector<VertexPair>& edges,
                                     const std::vector<VertexPair>& opened) const;
 
-  /// The error of a piece, with the seams or tolerances that flatten() proposes. Throws Stopped.
+  /// Returns the error of a piece with the seams or tolerances that flatten() proposes. Throws Stopped.
   FlattenError explain(const FlatPieces& pieces, int piece) const;
 
   const SurfaceToCut& surface() const { return surface_; }
@@ -94,7 +95,7 @@ class ExactEvaluation {
                     const std::vector<VertexPair>& opened) const;
 
   const SurfaceToCut& surface_;
-  const FlattenInput& input_;  // the middle of the surface
+  const FlattenInput& input_;  // in the middle of the material
   const NeededStretch needed_;
   InternalOptions options_;
   StopToken stop_;

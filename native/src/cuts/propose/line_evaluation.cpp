@@ -13,10 +13,11 @@
 namespace wirewarp {
 namespace {
 
-/// Around a tip, over the root of the piece's area: about 10 mm of a front of 30 by 40 cm, where a puckered tip shows.
+/// Radius around a tip, over the root of the piece's area: about 10 mm on a front of 30 by 40 cm, where a puckered tip
+/// shows.
 constexpr double kAroundTip = 0.03;
 
-/// None if the piece does not have this vertex.
+/// Returns the mean strain of the area around a tip; none if the piece does not have this vertex.
 std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double radius) {
   const HalfEdgeMesh& mesh = piece.chart.mesh;
   const std::vector<int>& sources = piece.chart.source_vertex;
@@ -39,7 +40,7 @@ std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double
   return strained / area;
 }
 
-/// The last vertices of its paths; none if paths meet.
+/// Returns the last vertices of the paths; none if paths meet.
 std::vector<int> tips_of(const CutMesh& cut) {
   std::map<int, int> count;
   for (const VertexPair& edge : cut.edges) {
@@ -62,7 +63,7 @@ FlattenInput with_mesh_of(const FlattenInput& input, const CutMesh& cut) {
   return {cut.vertices, cut.faces, input.seams, input.wires, input.eases};
 }
 
-/// The piece on the cut mesh, before its cut: to be cut, not to be looked at.
+/// Returns the piece on the cut mesh before its cut. It is only to be cut: its figures are those of the original mesh.
 FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const CutMesh& cut, const StopToken& stop) {
   const std::vector<int>& faces_before = piece.chart.source_face;
   std::vector<int> faces;
@@ -107,7 +108,7 @@ SurfacePath on_input(const FlattenInput& input, const Chart& chart, const MeshPa
 }
 
 std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<VertexPair>& edges) {
-  std::map<int, std::pair<int, int>> corner_at;  // of vertices of the lines: a face and its corner
+  std::map<int, std::pair<int, int>> corner_at;  // keyed by vertex of the lines: a face and its corner there
   for (const VertexPair& edge : edges) {
     for (const int v : edge) corner_at[v] = {-1, 0};
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exact evaluation of cuts along lines that cross triangles: what flatten() makes of the mesh that is cut along
-// them.
+// The exact evaluation of cuts along lines that cross triangles: cuts the mesh along the lines, and flattens it as
+// flatten() does.
 #pragma once
 
 #include <optional>
@@ -12,25 +12,26 @@
 
 namespace wirewarp {
 
-/// A path on a chart, as a path on the input.
+/// Converts a path on a chart to a path on the input.
 SurfacePath on_input(const FlattenInput& input, const Chart& chart, const MeshPath& path);
 
-/// Edges of the input, one line after the other, as paths: one for each line.
+/// Converts edges of the input, listed line after line, to paths: one for each line.
 std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<VertexPair>& edges);
 
 struct LineFigures {
   PieceFigures figures;
-  double tip_strain = 0;          // of the tip with most: mean of the area around it
+  double tip_strain = 0;          // mean strain around the most strained tip
   std::vector<VertexPair> edges;  // of the lines, if they all run along edges
 };
 
 class LineEvaluation {
  public:
-  /// piece: one of the pieces, the one that lines cut. All are kept by reference.
+  /// piece: index of the piece that lines cut. All references are kept.
   LineEvaluation(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact);
 
-  /// Lines from outlines to tips inside; none if they meet, if a part then has no flat shape, or if they spoil other
-  /// pieces. They divide no edge on a wire or outline. In any thread. Throws Stopped.
+  /// Returns the figures with cuts along lines from outlines to tips inside; none if the lines meet, if a part has no
+  /// flat shape then, or if other pieces are spoiled. Lines divide no edge on a wire or outline. May be called in any
+  /// thread. Throws Stopped.
   std::optional<LineFigures> figures_along(const std::vector<SurfacePath>& lines) const;
 
  private:

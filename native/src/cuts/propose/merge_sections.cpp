@@ -23,31 +23,31 @@
 namespace wirewarp {
 namespace {
 
-/// Lengths of sections that differ by less, as a share of the longest, are equal: the same order however the input is
-/// turned.
+/// Lengths of sections that differ by less, relative to the longest, count as equal, so that the order does not depend
+/// on the input's orientation.
 constexpr double kSameLength = 1e-9;
 
-/// With 20, no section goes from the finest set of a penguin, where with 40 a third of its length does.
+/// With 20, no section can be removed from the finest set of a penguin; with 40, a third of its length can.
 constexpr int kMergeFactorizations = 40;
 
-/// When no length is held, a piece has about the strain that it needs at least. Of 90 unions that were accepted on a
-/// cow and a penguin, this was up to 1.09 of the strain that was allowed, and up to 2.1% of the area was flipped or
-/// overlapped. By these limits three fourths of the time for all unions are saved.
+/// A free map, which has no fixed lengths, needs about the least strain. For 90 accepted unions on a cow and a penguin,
+/// it was at most 1.09 times the allowed strain, and at most 2.1% of the area was folded. These limits save three
+/// quarters of the time for all unions.
 constexpr double kMostFreeStrain = 1.1;
 constexpr double kMostFolded = 0.025;
 
-/// Strains below are rounding: to about this, shapes are found.
+/// Lower strains are rounding, because shapes are about this exact.
 constexpr double kFlatStrain = 1e-6;
 
-constexpr double kCannotLieFlat = std::numeric_limits<double>::infinity();
+constexpr double kNoFlatShape = std::numeric_limits<double>::infinity();
 
-/// With an infinite limit, pieces still have to lie flat.
-bool is_allowed(double strain, double limit) { return strain < kCannotLieFlat && strain <= limit; }
+/// Pieces must have a flat shape even with an infinite limit.
+bool is_allowed(double strain, double limit) { return strain < kNoFlatShape && strain <= limit; }
 
-/// A lower estimate of the strain that a chart needs: that of its free map, divided by kMostFreeStrain. Infinite if too
-/// much of the free map is folded.
+/// Estimates the least strain of a chart: that of its free map, divided by kMostFreeStrain; infinite if too much of the
+/// free map is folded.
 double least_strain(const Chart& chart, const StopToken& stop) {
-  if (chart.error || is_outline_too_short(chart)) return kCannotLieFlat;
+  if (chart.error || is_outline_too_short(chart)) return kNoFlatShape;
   const auto free = attempt([&] { return std::optional(free_boundary_arap(chart, kFreeSteps, {}, stop)); });
   if (!free) return 0;
   const ShapeError shape(chart);
@@ -63,7 +63,7 @@ double least_strain(const Chart& chart, const StopToken& stop) {
     area += triangle.area;
   }
   for (const int f : find_folded_faces(chart.mesh, free->uv)) folded += areas[f];
-  return folded > kMostFolded * area ? kCannotLieFlat : widespread(areas, strains) / kMostFreeStrain;
+  return folded > kMostFolded * area ? kNoFlatShape : widespread(areas, strains) / kMostFreeStrain;
 }
 
 bool is_part_of(const Chart& part, const FlatPieces& pieces) {
@@ -82,11 +82,11 @@ InternalOptions without_long_runs(InternalOptions options) {
   return options;
 }
 
-/// A section that turns by more has a corner: a box's does so where three of its sides meet, a jagged one of triangles
-/// with equal sides by 60 degrees.
+/// A section has a corner if it turns by more. Sections of a box do where three of its sides meet, and jagged sections
+/// of regular triangles turn by 60 degrees.
 constexpr double kCornerCosine = 0.45;
 
-/// Where the second half of a section begins.
+/// Returns the index where the second half of a section starts.
 std::size_t middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
   const double half = length_of(mesh, section) / 2;
   double passed = 0;
@@ -96,7 +96,7 @@ std::size_t middle_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
   return i;
 }
 
-/// Where the section begins that follows the sharpest corner; 0 if there is no corner.
+/// Returns the index after the sharpest corner of a section; 0 if there is no corner.
 std::size_t sharpest_corner_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
   double least = kCornerCosine;
   std::size_t corner = 0;
@@ -110,7 +110,7 @@ std::size_t sharpest_corner_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& se
   return corner;
 }
 
-/// Both halves of a section, and what lies before and behind its sharpest corner; none of a single edge.
+/// Returns both halves of a section, and the parts before and behind its sharpest corner; nothing for a single edge.
 std::vector<HalfEdgeChain> halves_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
   const std::size_t middle = middle_of(mesh, section), corner = sharpest_corner_of(mesh, section);
   std::vector<HalfEdgeChain> halves;
@@ -123,7 +123,7 @@ std::vector<HalfEdgeChain> halves_of(const HalfEdgeMesh& mesh, const HalfEdgeCha
   return halves;
 }
 
-/// The longest first.
+/// Sorts sections by length, the longest first.
 std::vector<HalfEdgeChain> sorted_by_length(const HalfEdgeMesh& mesh, std::vector<HalfEdgeChain> sections) {
   std::vector<double> lengths;
   for (const HalfEdgeChain& section : sections) lengths.push_back(length_of(mesh, section));
@@ -154,8 +154,8 @@ void SectionMerger::run(double most_strain, const std::function<void(double)>& r
   while (open_one(false) || open_one(true)) continue;
 }
 
-/// Whether one more section, or half of one, could go. Several are evaluated at a time; the first that may go is taken
-/// if it may also go after long runs.
+/// Removes one more section, or half of one; returns false if none can be removed. Evaluates several at a time. The
+/// first that is allowed is removed if it is still allowed after more factorizations.
 bool SectionMerger::open_one(bool is_half) {
   const std::vector<CutMask> candidates = list_candidates(is_half);
   const std::size_t at_once = num_cores();
@@ -184,7 +184,7 @@ bool SectionMerger::open_one(bool is_half) {
   return false;
 }
 
-/// Each its own mirror image. Those that need more strain beside the same pieces are left out.
+/// Returns symmetric candidates. Drops those that were rejected beside the same pieces.
 std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) const {
   std::vector<HalfEdgeChain> sections;
   for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {
@@ -216,25 +216,25 @@ std::vector<VertexPair> SectionMerger::edges_of(const CutMask& mask) const {
   return edges;
 }
 
-/// The strain that may be left where there are these pieces now.
+/// Returns the allowed strain of the union of these pieces.
 double SectionMerger::allowed_beside(const FlatPieces& pieces) const {
   return std::max({kFlatStrain, most_strain_, most_strain(pieces)});
 }
 
-/// Whether a piece of the state that has this chart has no flat shape.
+/// Whether the piece of the state that contains this chart has no flat shape.
 bool SectionMerger::had_error(const Chart& chart) const {
   return std::any_of(state_.pieces.begin(), state_.pieces.end(),
                      [&](const auto& piece) { return piece->error && is_part_of(chart, piece->chart); });
 }
 
-/// Of free maps, up to the first piece that needs more than is allowed.
+/// Estimates the least strain from free maps; stops at the first piece that needs more than is allowed.
 double SectionMerger::least_strain_without(const CutMask& mask, double allowed) const {
   double needed = 0;
   const FlatPieces joined = beside(mask);
   for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(mask))) {
     if (!is_part_of(chart, joined) && had_error(chart)) continue;
     const double least = least_strain(chart, exact_.stop());
-    if (least == kCannotLieFlat || !has_other_measure_) needed = std::max(needed, least);
+    if (least == kNoFlatShape || !has_other_measure_) needed = std::max(needed, least);
     if (!is_allowed(needed, allowed)) break;
   }
   return needed;
@@ -248,12 +248,12 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, const ExactEval
   for (const std::shared_ptr<const FlatPiece>& piece : after.pieces) {
     if (std::find(state_.pieces.begin(), state_.pieces.end(), piece) != state_.pieces.end()) continue;
     if (piece->error && !is_part_of(piece->chart, joined) && had_error(piece->chart)) continue;
-    trial.strain = std::max(trial.strain, piece->error ? kCannotLieFlat : piece->strain);
+    trial.strain = std::max(trial.strain, piece->error ? kNoFlatShape : piece->strain);
   }
   return trial;
 }
 
-/// Looks at what the new pieces need when no length is held before they are flattened.
+/// Flattens the new pieces only if their free maps need no more than the allowed strain.
 SectionMerger::Trial SectionMerger::try_without(const CutMask& mask) const {
   const double allowed = allowed_beside(beside(mask)), least = least_strain_without(mask, allowed);
   return is_allowed(least, allowed) ? without(mask, quick_) : Trial{least, {}};

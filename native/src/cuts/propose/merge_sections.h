@@ -18,32 +18,32 @@ struct CutState {
   FlatPieces pieces;
 };
 
-/// The move "merge": takes sections of seams out of a cut, the longest first, until none is left that may go. If no
-/// whole one may, it tries halves, and what lies before or behind the sharpest corner. A section goes with its mirror
-/// image, after an exact evaluation of the pieces beside it: what they become must have a flat shape, and no more
-/// strain than is allowed or than one of them had. Other pieces that had no flat shape before do not count.
+/// Removes sections of seams from a cut, the longest first, until no more can be removed. If no whole section can go,
+/// it tries halves, and the parts before and behind the sharpest corner. A section and its mirror image are removed
+/// together, after an exact evaluation of the pieces beside them: the new pieces must have a flat shape, and at most
+/// the allowed strain or that of one of the old pieces. Other pieces that had no flat shape before are ignored.
 class SectionMerger {
  public:
-  /// chart, mirrored and exact are kept by reference. state: a cut of the chart.
+  /// chart, mirrored and exact are kept by reference. state: a cut of the chart, and the pieces with it.
   SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact);
 
-  /// Goes on from the state. report: called with the share of the candidates that were tried. Throws Stopped; then the
-  /// state is the last one that was accepted.
+  /// Continues from the state. report: called with the share of candidates that were tried. Throws Stopped; then the
+  /// state is the last accepted one.
   void run(double most_strain, const std::function<void(double)>& report);
 
-  /// With the figures of exact, as all states on the way.
+  /// The state, evaluated exactly.
   const CutState& state() const { return state_; }
 
  private:
-  /// What comes of opening a section.
+  /// The result of opening a section.
   struct Trial {
-    double strain;   // that is needed at least
+    double strain;   // lower bound of the needed strain
     CutState after;  // valid if the strain is allowed
   };
 
   struct Rejected {
     FlatPieces beside;
-    double strain;  // that is needed at least
+    double strain;  // lower bound of the needed strain
   };
 
   bool open_one(bool is_half);
@@ -59,9 +59,9 @@ class SectionMerger {
   CutState state_;
   const Chart& chart_;
   const MirroredCuts& mirrored_;
-  const bool has_other_measure_;  // strain is that of threads, or beyond eases: free maps say nothing of it
+  const bool has_other_measure_;  // strain is of threads or beyond eases, which free maps cannot estimate
   const ExactEvaluation& exact_;
-  const ExactEvaluation quick_;  // without long runs
+  const ExactEvaluation quick_;  // with fewer factorizations
   double most_strain_ = 0;
   std::function<void(double)> report_;
   std::map<CutMask, Rejected> rejected_;

@@ -10,15 +10,15 @@
 namespace wirewarp {
 namespace {
 
-/// Over the root of the area: meshes of single precision, modeled in halves, keep to that.
+/// Relative to the root of the area. Meshes in single precision that were modeled in halves are symmetric to this.
 constexpr double kSamePlace = 1e-4;
 
-constexpr double kClearlyLonger = 1 + 1e-9;  // longer: the same plane however the mesh is turned
+constexpr double kClearlyLonger = 1 + 1e-9;  // so that the mesh's orientation does not change the choice
 
-/// Of a surface of revolution the others are like them.
+/// Largest number of planes that are compared: a surface of revolution has more, but all are alike.
 constexpr int kMostPlanes = 16;
 
-/// Vertices by their place along one direction, so that those at one point are near each other.
+/// Vertices sorted along one direction, to find those near a point.
 class VerticesInOrder {
  public:
   explicit VerticesInOrder(const Positions3& points)
@@ -27,7 +27,7 @@ class VerticesInOrder {
     std::sort(order_.begin(), order_.end(), [&](int a, int b) { return along_[a] < along_[b]; });
   }
 
-  /// The nearest within a distance; -1 if none is.
+  /// Returns the nearest vertex within a distance, or -1.
   int at(const Eigen::RowVector3d& point, double distance) const {
     const double along = point.dot(direction());
     const auto first = std::lower_bound(order_.begin(), order_.end(), along - distance,
@@ -43,7 +43,7 @@ class VerticesInOrder {
   }
 
  private:
-  /// Along it few vertices of a mesh are at one place.
+  /// A direction along which few vertices of a mesh coincide.
   static Eigen::Vector3d direction() { return Eigen::Vector3d(1, 0.618, 0.414).normalized(); }
 
   const Positions3& points_;
@@ -51,7 +51,7 @@ class VerticesInOrder {
   std::vector<int> order_;
 };
 
-/// Of a surface around its middle.
+/// Searches for planes through the center that mirror a surface onto itself.
 class MirrorSearch {
  public:
   explicit MirrorSearch(const Chart& chart)
@@ -59,8 +59,8 @@ class MirrorSearch {
     tolerance_ = kSamePlace * std::sqrt(surface_area(mesh_));
   }
 
-  /// By the plane along which edges run longest. No plane has all corners of a face and the middle in it but that of a
-  /// flat piece, so one of them moves.
+  /// Returns the image by the plane with the longest edges in it. Except for a flat piece, no plane contains the center
+  /// and all corners of a face, so each plane moves a corner of the first face.
   std::vector<VertexHandle> best_image(const StopToken& stop) const {
     std::vector<VertexHandle> best;
     double longest = -1;
@@ -91,7 +91,7 @@ class MirrorSearch {
     return points;
   }
 
-  /// Of the edges that lie in the plane, scene units.
+  /// Returns the length of the edges in the plane in scene units.
   double length_in_plane(const std::vector<VertexHandle>& image) const {
     double length = 0;
     for (const EdgeHandle e : mesh_.edges()) {
@@ -102,7 +102,7 @@ class MirrorSearch {
     return length;
   }
 
-  /// Empty where the plane across a direction does not mirror the surface.
+  /// Returns the mirror image by the plane with this normal; empty if it does not mirror the surface.
   std::vector<VertexHandle> across(const Eigen::RowVector3d& normal) const {
     std::vector<VertexHandle> image;
     for (Eigen::Index v = 0; v < points_.rows(); ++v) {
@@ -120,7 +120,7 @@ class MirrorSearch {
   double tolerance_ = 0;
 };
 
-/// The faces that have a point of a path as a corner or on an edge.
+/// Returns the faces that have a point of a path as a corner or on an edge.
 std::vector<FaceHandle> faces_at(const HalfEdgeMesh& mesh, const PathPoint& point) {
   std::vector<FaceHandle> faces;
   if (point.is_vertex()) {
@@ -162,7 +162,7 @@ MeshPath mirrored(const Chart& chart, const std::vector<VertexHandle>& image, co
       result.push_back(PathPoint::at_vertex(image[point.vertex.idx()]));
       continue;
     }
-    // The mirror image of the face that the path leaves is on the other side of the edge.
+    // In the mirror image, the face that the path leaves is on the other side of the edge.
     const HalfedgeHandle h = chart.mesh.find_halfedge(image[chart.mesh.to_vertex_handle(point.half_edge).idx()],
                                                       image[chart.mesh.from_vertex_handle(point.half_edge).idx()]);
     if (!h.is_valid()) return {};

@@ -9,14 +9,15 @@
 
 namespace wirewarp {
 
-/// The mirror image of each vertex of a chart that a plane mirrors onto itself; no entries if no plane does. Of several
-/// planes it is the one along which edges run longest: cuts may follow it. Throws Stopped.
+/// Returns the mirror image of each vertex if a plane mirrors the chart onto itself, otherwise nothing. Of several
+/// planes, it chooses the one with the longest edges in it, because cuts may follow them. Throws Stopped.
 std::vector<VertexHandle> mirror_image(const Chart& chart, const StopToken& stop);
 
-/// A chain's mirror image. Empty where the edges are not mirrored with their vertices.
+/// Returns the mirror image of a chain; empty if its edges are not mirrored with their vertices.
 HalfEdgeChain mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const HalfEdgeChain& chain);
 
-/// A path's mirror image. Empty if the edges and faces that it crosses are not mirrored with their vertices.
+/// Returns the mirror image of a path; empty if the edges and faces that it crosses are not mirrored with their
+/// vertices.
 MeshPath mirrored(const Chart& chart, const std::vector<VertexHandle>& image, const MeshPath& path);
 
 }  // namespace wirewarp

@@ -11,18 +11,18 @@
 namespace wirewarp {
 namespace {
 
-/// A flat triangle without area has no strain that is a number.
+/// Replaces NaN by infinity: a flat triangle without area has no finite strain.
 Eigen::ArrayXd as_numbers(const Eigen::VectorXd& strains) {
   return strains.array().isFinite().select(strains.array(), std::numeric_limits<double>::infinity());
 }
 
-/// Per face: how far the fabric must stretch beyond what eases ask for, in the worst direction. To be compressed counts
-/// as the stretch that would undo it.
+/// Returns how far the fabric must stretch in each face beyond the eases, in the worst direction. Compression counts as
+/// the stretch that would undo it.
 Eigen::VectorXd worst_direction(const Metrics& metrics, double wanted_stretch, double wanted_compression) {
   const Eigen::ArrayXd weft = 1 + as_numbers(metrics.face_weft_strain), warp = 1 + as_numbers(metrics.face_warp_strain);
   Eigen::VectorXd worst(weft.size());
   for (Eigen::Index f = 0; f < worst.size(); ++f) {
-    // Threads of lengths p, q at a right angle less γ have the metric (p², p q sin γ; p q sin γ, q²).
+    // Threads with lengths p and q at an angle of π/2 − γ have the metric (p², p q sin γ; p q sin γ, q²).
     const double p = weft[f], q = warp[f];
     const double middle = (p * p + q * q) / 2;
     const double spread = std::hypot((p * p - q * q) / 2, p * q * std::sin(metrics.face_shear_angle[f]));
@@ -48,7 +48,7 @@ NeededStretch::NeededStretch(const FlattenInput& input, bool has_cloth) : input_
   }
 }
 
-/// The least and the largest ease of the lines of a piece, and 0.
+/// Returns the least and the largest ease of the piece's lines, at most and at least 0.
 std::pair<double, double> NeededStretch::range_of_eases(const Piece& piece) const {
   std::pair<double, double> range{0, 0};
   const auto add = [&](double ease) { range = {std::min(range.first, ease), std::max(range.second, ease)}; };

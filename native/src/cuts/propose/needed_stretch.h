@@ -9,19 +9,20 @@
 
 namespace wirewarp {
 
-/// No fabric stretches to twice its length: what still needs as much is not proposed.
+/// No fabric stretches to twice its length, so cuts that leave more strain are not proposed.
 constexpr double kMostStrain = 1;
 
-/// DartProposal::strain: how far the fabric must stretch in a piece, as reports and verdicts have it.
+/// Computes DartProposal::strain: how far the fabric must stretch in a piece, as in reports and verdicts.
 class NeededStretch {
  public:
-  /// input: as the user gave it, kept by reference.
+  /// input: as given by the user; kept by reference.
   NeededStretch(const FlattenInput& input, bool has_cloth);
 
-  /// Of a piece with a layout.
+  /// Returns the strain of a piece with a layout.
   double of(const Piece& piece) const;
 
-  /// Of each face of a piece with a layout: what 99% of the area stay below is that of the piece.
+  /// Returns the strain of each face of a piece with a layout. The piece's strain is the one that 99% of the area do
+  /// not exceed.
   Eigen::VectorXd of_faces(const Piece& piece) const;
 
  private:

@@ -17,31 +17,31 @@
 namespace wirewarp {
 namespace {
 
-/// The coarse copy may mistake the order of cuts that are nearly as good: they are flattened in more places than are
-/// asked for, and so are others, up to this part of all that were tried on the copy.
+/// The coarse copy may rank almost equal cuts wrongly. So cuts in more places than requested are evaluated exactly, and
+/// others up to this share of all that were tried on the copy.
 constexpr int kMorePlaces = 3;
-constexpr double kShareInFull = 0.05;
+constexpr double kShareEvaluated = 0.05;
 
-/// Less than this part of the energy and of the strain is not worth a cut and the sewing of it.
+/// A smaller gain of energy and strain, as a share, is not worth the sewing.
 constexpr double kLeastGain = 0.02;
 
-/// Strain of pieces that are left as they are where nothing else is asked for: no cloth shows it.
+/// By default, pieces with at most this strain are not cut, because it does not show in any fabric.
 constexpr double kMayStay = 0.005;
 
-/// A way on the fine mesh may be longer than on the coarse one, by this factor: along two sides of a rectangle where
-/// its diagonal is forbidden, and a little more. Where it is longer, wires forbid it.
+/// A path on the fine mesh may be longer than on the coarse one by this factor: along two sides of a rectangle with a
+/// forbidden diagonal, and a little more. If it is longer still, wires block it.
 constexpr double kDetour = 1.5;
 
-/// How the search begins.
+/// The first points and the coarse copy of a search.
 struct Grid {
   CandidatePoints points;
-  double faces;  // asked for of the coarse copy
+  double faces;  // requested for the coarse copy
 };
 
-/// Points inside are about a fifth of the piece's width apart, those of a short piece's outline a width. With half the
-/// faces the order of the best cuts is no longer that of the piece itself: on a hat the best dart of all was the
-/// eleventh. On the way to a set each cut is one of many, and the next one makes up for it: about half of all
-/// points and faces lead to sets as good in a fourth of the time.
+/// Points inside are about a fifth of the piece's width apart; those on the outline of a short piece, about a width.
+/// With half the faces, the copy ranks the best cuts in another order than the piece: on a hat, the best dart was only
+/// the eleventh. In a set, each cut is one of many and the next one corrects it, so about half of the points and faces
+/// give equally good sets in a quarter of the time.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
 FlattenError no_proposal(const Chart& chart, ErrorArguments arguments) {
@@ -61,7 +61,7 @@ FlattenError no_room(const Chart& chart, CutKind kind, const CutOptions& cut_opt
       chart, {{"reason", "no_room"}, {"kind", name_of(kind)}, {"is_restricted", cut_options.no_seam.rows() > 0}});
 }
 
-/// Vertices on wires inside a chart.
+/// Returns the vertices inside a chart that are on wires.
 std::vector<char> vertices_on_wires(const Chart& chart) {
   std::vector<char> is_on_wire(chart.mesh.n_vertices(), 0);
   for (const WirePart& part : chart.wire_parts) {
@@ -75,7 +75,7 @@ std::vector<char> vertices_on_wires(const Chart& chart) {
   return is_on_wire;
 }
 
-/// Edges that are to have no seam, and vertices on wires or with no other edges.
+/// Forbids edges that may have no seam, vertices on wires, and vertices with no other edges.
 Forbidden find_forbidden(const Chart& chart, const VertexPairs& no_seam) {
   Forbidden forbidden{vertices_on_wires(chart), PartMap(chart).mask_of(as_list(no_seam))};
   std::vector<char> has_way(chart.mesh.n_vertices(), 0);
@@ -90,8 +90,7 @@ Forbidden find_forbidden(const Chart& chart, const VertexPairs& no_seam) {
   return forbidden;
 }
 
-/// What is forbidden in the chart, in its coarse copy: there edges stand for others, but for those that were left as
-/// they are.
+/// Transfers what is forbidden to the coarse copy. Coarse edges are forbidden only if they are edges of the chart.
 Forbidden on_copy(const CoarseCopy& copy, const HalfEdgeMesh& mesh, const Forbidden& forbidden) {
   const HalfEdgeMesh& coarse = copy.chart.mesh;
   Forbidden result{std::vector<char>(coarse.n_vertices(), 0), std::vector<char>(coarse.n_edges(), 0)};
@@ -113,7 +112,7 @@ bool have_same_edges(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const Hal
   return of_a == of_b;
 }
 
-/// The way along a cut; where none runs on smoothly, from the vertex of the outline nearest to its start that has one.
+/// Returns the chain along a cut. If there is no smooth one, starts at the nearest vertex of the outline that has one.
 HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& paths, CutEnds cut) {
   HalfEdgeChain chain = chain_of(paths, cut);
   if (!chain.empty()) return chain;
@@ -127,7 +126,7 @@ HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& pa
   return nearest.is_valid() ? chain_of(paths, {nearest, cut.end}) : HalfEdgeChain{};
 }
 
-/// Together they cut the piece otherwise than each alone: two darts become a seam.
+/// Two darts with a common vertex form a seam, which cuts the piece differently than each alone.
 bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
   const auto vertices_of = [&](const HalfEdgeChain& chain) {
     std::set<VertexHandle> vertices{mesh.from_vertex_handle(chain.front())};
@@ -141,7 +140,7 @@ bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const 
 }  // namespace
 
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain) {
-  std::set<int> wires;  // that hold the piece
+  std::set<int> wires;  // with fixed or elastic lengths
   for (const WirePart& part : chart.wire_parts) {
     if (part.kind == WireKind::rigid || part.kind == WireKind::elastic) wires.insert(part.wire_index);
   }
@@ -183,7 +182,7 @@ HalfEdgeChain PieceSearch::image_of(const HalfEdgeChain& chain) const {
   return is_forbidden ? HalfEdgeChain{} : image;
 }
 
-/// The best cuts of the coarse copy, on the chart.
+/// Returns the best cuts of the coarse copy as chains of the chart.
 std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   const SmoothPathFinder paths(chart_, forbidden_);
   const Grid grid = grid_of(effort_);
@@ -194,7 +193,7 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   std::vector<HalfEdgeChain> chains;
   bool is_way = false;
   const CutLimits limits = effort_ == Effort::thorough
-                               ? CutLimits{cut_options_.count + kMorePlaces, kShareInFull, cut_options_.longest}
+                               ? CutLimits{cut_options_.count + kMorePlaces, kShareEvaluated, cut_options_.longest}
                                : CutLimits{cut_options_.count, 0, cut_options_.longest};
   const std::vector<RankedCut> ranked =
       rank_cuts(copy.chart, coarse_paths, candidates, exact_.options(), limits, exact_.stop());
@@ -212,7 +211,7 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   return chains;
 }
 
-/// The first of those that lie beside each other's mirror images.
+/// Keeps the first of the chains that are beside each other's mirror images.
 std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<HalfEdgeChain>& chains) const {
   std::vector<HalfEdgeChain> kept, images;
   for (const HalfEdgeChain& chain : chains) {
@@ -225,7 +224,8 @@ std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<
   return kept;
 }
 
-/// One for each chain; none if it is empty, if a part then has no flat shape, or if it spoils other pieces.
+/// Returns the figures of each chain; none if the chain is empty, if a part has no flat shape then, or if other pieces
+/// are spoiled.
 std::vector<std::optional<PieceFigures>> PieceSearch::evaluate(const std::vector<HalfEdgeChain>& chains) const {
   std::vector<std::optional<PieceFigures>> found(chains.size());
   run_in_threads(
@@ -247,7 +247,7 @@ bool PieceSearch::is_worth_sewing(const PieceFigures& after) const {
   return has_less_energy && after.strain <= (1 - kLeastGain) * before_.strain && after.strain < kMostStrain;
 }
 
-/// Those that help by themselves or with their mirror images, the best first, none beside another.
+/// Returns the chains that help alone or with their mirror images, the best first, none beside another.
 std::vector<PieceSearch::Helpful> PieceSearch::find_helpful(const std::vector<HalfEdgeChain>& chains) const {
   const std::vector<std::optional<PieceFigures>> alone = evaluate(chains);
   std::vector<HalfEdgeChain> images(chains.size()), pairs(chains.size());

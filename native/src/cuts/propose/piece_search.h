@@ -11,46 +11,48 @@
 
 namespace wirewarp {
 
-/// How much is evaluated exactly.
+/// How much a search evaluates exactly.
 enum class Effort {
-  thorough,  // what the coarse copy may have mistaken, too, and mirror images
-  quick,     // the best alone: of several cuts on the way to a set
+  thorough,  // also cuts that the coarse copy may rank wrongly, and mirror images
+  quick,     // only the best cuts, because each is one of many in a set
 };
 
-/// That no cut of a piece with this strain helps.
+/// The error that no cut helps a piece with this strain.
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
 
-/// The search in one piece: candidates are ranked on a coarse copy, and the best of them evaluated exactly.
+/// Searches one piece: ranks candidates on a coarse copy, and evaluates the best of them exactly.
 class PieceSearch {
  public:
-  /// piece: one of the pieces. All references are kept.
+  /// piece: index of the piece. All references are kept.
   PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort, const CutOptions& cut_options,
               const ExactEvaluation& exact);
 
-  /// The best first; without piece. Throws no_proposal.
+  /// Returns the best cuts first, without piece. Throws no_proposal.
   std::vector<DartProposal> search() const;
 
-  /// The best of some chains first; without piece. Empty if none helps.
+  /// Returns the best of some chains first, without piece; empty if none helps.
   std::vector<DartProposal> best_of(const std::vector<HalfEdgeChain>& chains) const;
 
   /// Throws no_proposal if the piece is flat enough.
   void check_strain() const;
 
-  /// The best cuts of the coarse copy, on the chart; of mirror images one. Throws no_proposal if there is no room.
+  /// Returns the best cuts of the coarse copy as chains of the chart, one of each mirrored pair. Throws no_proposal if
+  /// there is no room.
   std::vector<HalfEdgeChain> candidates() const { return without_mirror_images(best_chains()); }
 
-  /// The mirror image; empty if there is none but the chain itself, or if it would cut a wire or a forbidden line.
+  /// Returns the mirror image of a chain; empty if it is the chain itself, or would cut a wire or a forbidden edge.
   HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
 
-  /// The mirror image of a path along or beside a chain that has one; empty if the edges it crosses have none.
+  /// Returns the mirror image of a path along or beside a chain that has one; empty if the edges that it crosses have
+  /// none.
   MeshPath image_of(const MeshPath& path) const { return mirrored(chart_, image_, path); }
 
-  /// Whether both ends are near those of the other.
+  /// Whether both ends of the chains are near each other.
   bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
     return are_beside(chart_.mesh, size_, ends_of(a), ends_of(b));
   }
 
-  /// Whether figures of a cut gain enough.
+  /// Whether a cut with these figures gains enough.
   bool is_worth_sewing(const PieceFigures& after) const;
 
   /// In canonical order.
@@ -62,9 +64,9 @@ class PieceSearch {
  private:
   struct Helpful {
     HalfEdgeChain chain;
-    HalfEdgeChain image;  // its mirror image; empty: none
+    HalfEdgeChain image;  // mirror image; empty: none
     PieceFigures alone;
-    std::optional<PieceFigures> with_image;  // none unless that is better
+    std::optional<PieceFigures> with_image;  // set if this is better
 
     double strain() const { return with_image ? with_image->strain : alone.strain; }
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts to be taken together, towards a target in numbers: with the best of each round the next one begins.
+// Plans several cuts to reach a target: each round starts with the best cut of the last one.
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
@@ -22,7 +22,7 @@ class PlanOfCuts {
   PlanOfCuts(const FlatPieces& pieces, CutKind kind, const CutTarget& target, const ExactEvaluation& exact,
              CutProgress& progress)
       : pieces_(pieces), kind_(kind), target_(target), exact_(exact), progress_(progress) {
-    if (target.piece) asked_ = pieces[*target.piece];
+    if (target.piece) requested_ = pieces[*target.piece];
   }
 
   std::vector<DartProposal> make() {
@@ -43,10 +43,10 @@ class PlanOfCuts {
     return left;
   }
 
-  bool may_be_cut(const FlatPiece& piece) const { return !asked_ || is_part_of(piece.chart, asked_->chart); }
+  bool may_be_cut(const FlatPiece& piece) const { return !requested_ || is_part_of(piece.chart, requested_->chart); }
 
-  /// Those that lack seams, the largest first, as far as seams are looked for; then those that lie flat, the one with
-  /// most strain first: no cut of another one lowers that.
+  /// Returns the pieces to try. For seams, those that lack seams come first, the largest first. Then come the
+  /// pieces with a flat shape, the most strained first, because cuts of other pieces do not lower the largest strain.
   std::vector<int> pieces_in_order() const {
     struct Place {
       bool lacks_seams;
@@ -69,7 +69,7 @@ class PlanOfCuts {
     return order;
   }
 
-  /// Of the first piece that a cut helps; empty if none does, but there are cuts.
+  /// Returns the proposals for the first piece that a cut helps; empty if none does, but there are cuts already.
   std::vector<DartProposal> propose_next() const {
     CutOptions cut_options;
     cut_options.piece = target_.piece;
@@ -103,7 +103,7 @@ class PlanOfCuts {
     return comes_with_mirror_image(cut, proposals) ? *cut.strain_with_twin : cut.strain;
   }
 
-  /// Not so if it does by its mirror image alone, which may not be taken.
+  /// Whether the cut lowers the strain. It does not if only its mirror image does, which may not be taken.
   bool helps(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
     return strain_if_taken(cut, proposals) < cut.strain_before;
   }
@@ -137,7 +137,7 @@ class PlanOfCuts {
     progress_.finish_rounds(static_cast<int>(cuts_.size()));
   }
 
-  /// Of the pieces that lie flat.
+  /// Returns the largest strain of the pieces with a flat shape.
   double most_strain_left() const {
     double most = -1;
     for (const auto& piece : pieces_) {
@@ -147,12 +147,12 @@ class PlanOfCuts {
     return most;
   }
 
-  FlatPieces pieces_;  // with the cuts that are taken
+  FlatPieces pieces_;  // with the cuts so far
   const CutKind kind_;
   const CutTarget& target_;
   const ExactEvaluation& exact_;
   CutProgress& progress_;
-  std::shared_ptr<const FlatPiece> asked_;  // the piece asked for, as it was
+  std::shared_ptr<const FlatPiece> requested_;  // the requested piece before any cut
   std::vector<DartProposal> cuts_;
 };
 

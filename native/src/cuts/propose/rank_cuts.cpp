@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-/// Part of the energy by which a step of an end must lower it to be followed by another: exact evaluations show finer
-/// differences. With 2% the second and third best cuts get worse.
+/// Share of the energy by which a step of an end must lower it to be followed by another; exact evaluations compare
+/// finer differences. With 2%, the second and third best cuts become worse.
 constexpr double kLeastStep = 0.01;
 
 class CutSearch {
@@ -36,8 +36,8 @@ class CutSearch {
   const CoarseEvaluation coarse_;
   const double longest_;
   const StopToken& stop_;
-  std::map<VertexHandle, SmoothPaths> paths_from_;  // where cuts that were tried start
-  std::map<CutEnds, double> energies_;              // of all cuts that were tried
+  std::map<VertexHandle, SmoothPaths> paths_from_;  // keyed by the start of tried cuts
+  std::map<CutEnds, double> energies_;              // of all tried cuts
 };
 
 void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
@@ -61,7 +61,7 @@ void CutSearch::try_all(const std::vector<CutEnds>& cuts) {
   for (std::size_t i = 0; i < fresh.size(); ++i) energies_[fresh[i]] = energies[i];
 }
 
-/// Goes to the best neighbor as long as that is clearly better.
+/// Moves to the best neighbor as long as it is clearly better.
 RankedCut CutSearch::improve(RankedCut cut) {
   while (true) {
     const std::vector<CutEnds> neighbors = neighbors_of(chart_, paths_, cut.ends);

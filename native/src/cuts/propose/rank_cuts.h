@@ -11,17 +11,17 @@ namespace wirewarp {
 
 struct RankedCut {
   CutEnds ends;
-  double energy = 0;  // E of Eq. (4) when cut so, scene units squared
+  double energy = 0;  // E of Eq. (4) with the cut, scene units squared
 };
 
 struct CutLimits {
-  int places;      // where cuts are, none of them beside another
-  double share;    // of all cuts that were tried: beside those others that are as good, for the finer mesh to choose
-  double longest;  // of one, scene units
+  int places;      // number of places with cuts, none beside another
+  double share;    // share of all tried cuts that are returned, so that the fine mesh decides between almost equal ones
+  double longest;  // length of one cut, scene units
 };
 
-/// The best candidates of a chart with their ends moved to where they serve best, and others that are as good, the best
-/// first; none that does not lower E. stop: polled in any thread. Throws Stopped.
+/// Returns the best candidates of a chart with their ends moved to the best places, and others that are almost as good,
+/// the best first; only cuts that lower E. stop: polled in any thread. Throws Stopped.
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const StopToken& stop);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Leaves out seams that a user or another tool has made.
+// Removes seams that a user or another tool has made, and that the model does not need.
 #include <algorithm>
 #include <deque>
 #include <functional>
@@ -21,12 +21,12 @@
 namespace wirewarp {
 namespace {
 
-/// Share of the progress after which the seams of the input are flattened.
+/// Share of the progress when the input is flattened with all its seams.
 constexpr double kFlattened = 0.1;
 
 VertexPair sorted(const VertexPair& ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
 
-/// A part of the model between the seams that have to remain, in canonical order.
+/// A part of the model between the seams that must stay, in canonical order.
 struct Part {
   Part(const Chart& given, const VertexPairs& seams, const StopToken& stop)
       : chart(in_canonical_order(given, stop)),
@@ -43,7 +43,7 @@ struct Part {
 
   const Chart chart;
   const MirroredCuts mirrored;
-  CutMask cut;  // the seams that remain of those that may be left out
+  CutMask cut;  // the remaining ones of the seams that may be removed
 };
 
 class SeamSimplifier {
@@ -89,7 +89,7 @@ class SeamSimplifier {
   }
 
  private:
-  /// The edges that are seams, each once. Notes those that have to remain.
+  /// Returns the edges that are seams, each once, and adds those that must stay to kept_.
   std::vector<VertexPair> list_seams() {
     std::set<VertexPair> eased, known;
     for (const Ease& ease : input_.eases) {
@@ -111,7 +111,7 @@ class SeamSimplifier {
     return length;
   }
 
-  /// Throws Stopped; what has been left out by then stays so.
+  /// Throws Stopped; seams removed by then stay removed.
   void merge() {
     FlattenInput undivided = input_;
     undivided.seams = as_pairs(kept_);

@@ -18,26 +18,26 @@
 namespace wirewarp {
 namespace {
 
-/// No dart has an elbow (radians): a geodesic has none but where it is pressed against a wire or the outline. One of 30
-/// degrees catches the eye on the flat piece.
+/// No dart may have an elbow that turns by more (radians). A geodesic has elbows only where it touches a wire or the
+/// outline. One of 30 degrees catches the eye on the flat piece.
 constexpr double kElbow = kPi / 12;
 
-/// A line that is longer than the straight one by less than this part has no bend that one sees: with 2% it is a tenth
-/// of its length aside in the middle. One with bends, which is harder to sew, has to lower the strain by a part more.
+/// A line that is longer than the straight one by less than this share has no visible bend: with 2%, its middle is a
+/// tenth of its length aside. A bent line is harder to sew, so it must lower the strain by this share more.
 constexpr double kBend = 0.02, kGainOfBends = 0.05;
 
-/// By how much the ends of a line are moved, over the root of the area, first and last: half of the distance between
-/// the points that were tried on the coarse copy, and what one sees of a dart.
+/// The first and last distance by which the ends of a line are moved, over the root of the area: half of the distance
+/// between the points tried on the coarse copy, and the smallest change that one sees.
 constexpr double kFirstMove = 0.1, kLastMove = 0.05;
 
-/// Lines whose ends are moved: the best, and two more that may overtake it. With two, the best pair of a gathered skirt
-/// leaves 5.4% instead of 4.2%.
+/// Number of lines whose ends are moved: the best, and two more that may overtake it. With two lines, the best pair of
+/// a gathered skirt leaves 5.4% instead of 4.2%.
 constexpr std::size_t kMoved = 3;
 
-/// A move that lowers the strain by less than this part is not followed by another.
+/// A move that lowers the strain by less than this share is not followed by another.
 constexpr double kLeastMove = 0.01;
 
-/// Around a tip, fabric may be strained as much as anywhere in the piece without the dart, or by this, which every
+/// The fabric around a tip may be strained as much as anywhere in the uncut piece, or by this strain, which every
 /// fabric takes.
 constexpr double kAnyFabric = 0.03;
 
@@ -45,7 +45,7 @@ constexpr double kAnyFabric = 0.03;
 enum class Course { straight, bent };
 
 struct SmoothLine {
-  HalfEdgeChain chain;  // a way along edges with the same ends
+  HalfEdgeChain chain;  // edges with the same ends
   MeshPath line;
   SurfacePath path;
 };
@@ -54,7 +54,7 @@ struct SmoothDart {
   SmoothLine line;
   Course course;
   std::optional<SmoothLine> image;  // its mirror image, if both can be cut
-  LineFigures found;                // of both; of the dart alone if it has no image, or if a tip puckers with both
+  LineFigures found;                // of both, or of the dart alone: without an image, or if a tip puckers with both
   bool are_both = false;
 
   double strain() const { return found.figures.strain; }
@@ -113,8 +113,8 @@ class SmoothDartSearch {
   std::map<WayKey, std::optional<SmoothDart>> evaluated_;
 };
 
-/// A smooth line with the ends of a chain; none if it has an elbow, touches a wire or the outline, or is too long, or
-/// if a bent one does not differ from the straight one.
+/// Returns a smooth line with the ends of a chain; none if it has an elbow, touches a wire or the outline, is too long,
+/// or is bent but does not differ from the straight one.
 std::optional<SmoothLine> SmoothDartSearch::line_along(const Way& way) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
   std::vector<VertexHandle> vertices{mesh.from_vertex_handle(way.chain.front())};
@@ -129,14 +129,14 @@ std::optional<SmoothLine> SmoothDartSearch::line_along(const Way& way) const {
   return smooth;
 }
 
-/// After its start.
+/// Whether a path touches a wire, a forbidden edge or the outline after its start.
 bool SmoothDartSearch::touches_lines(const MeshPath& path) const {
   return std::any_of(path.begin() + 1, path.end(), [&](const PathPoint& point) {
     return point.is_vertex() ? lines_.has(point.vertex) : lines_.has(chart_.mesh.edge_handle(point.half_edge));
   });
 }
 
-/// A geodesic beside the mirrored chain may pass a hill on the other side, so the line itself is mirrored.
+/// Mirrors the line itself, because a geodesic beside the mirrored chain may pass a hill on the other side.
 std::optional<SmoothLine> SmoothDartSearch::image_of(const SmoothLine& line) const {
   SmoothLine image{search_.image_of(line.chain), {}, {}};
   if (image.chain.empty()) return {};
@@ -146,7 +146,7 @@ std::optional<SmoothLine> SmoothDartSearch::image_of(const SmoothLine& line) con
   return image;
 }
 
-/// With its mirror image, unless both would meet and so cut the piece otherwise than each alone.
+/// Evaluates a dart with its mirror image, unless both would meet, and so cut the piece differently than each alone.
 std::optional<SmoothDart> SmoothDartSearch::dart_along(const Way& way) const {
   std::optional<SmoothLine> line = line_along(way);
   if (!line) return {};
@@ -164,7 +164,7 @@ std::optional<SmoothDart> SmoothDartSearch::dart_along(const Way& way) const {
   return dart;
 }
 
-/// Those that have figures, in order, each once.
+/// Returns the darts that have figures, in order, each once.
 std::vector<SmoothDart> SmoothDartSearch::evaluate(const std::vector<Way>& ways) {
   const auto key_of = [&](const Way& way) {
     const HalfEdgeMesh& mesh = chart_.mesh;
@@ -195,7 +195,7 @@ std::vector<SmoothDart> SmoothDartSearch::evaluate(const std::vector<Way>& ways)
   return found;
 }
 
-/// Straight darts, and those that follow the bends of chains if they gain clearly more than straight ones.
+/// Returns straight darts, and bent ones that gain clearly more than the straight ones.
 std::vector<SmoothDart> SmoothDartSearch::best_courses(const std::vector<HalfEdgeChain>& chains) {
   std::vector<Way> ways;
   for (const HalfEdgeChain& chain : chains) {
@@ -214,7 +214,8 @@ std::vector<SmoothDart> SmoothDartSearch::best_courses(const std::vector<HalfEdg
   return best;
 }
 
-/// Ways whose start or tip lies about a step away: along the outline, and on, back and to both sides.
+/// Returns darts whose start or tip is moved by about a step: the start along the outline, the tip forwards, backwards
+/// and to both sides.
 std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dart, double step) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
   const VertexHandle start = dart.line.line.front().vertex, tip = dart.line.line.back().vertex;
@@ -235,7 +236,7 @@ std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dar
   for (const HalfEdgeMesh::Point& way : {along, -along, aside, -aside}) {
     ends.insert({start, nearest(at + way * (step * size_), false)});
   }
-  const HalfedgeHandle out = mesh.halfedge_handle(start);  // along the outline: it has no face
+  const HalfedgeHandle out = mesh.halfedge_handle(start);  // runs along the outline, without a face
   for (const HalfEdgeMesh::Point& way : {mesh.point(mesh.to_vertex_handle(out)) - from,
                                          mesh.point(mesh.from_vertex_handle(mesh.prev_halfedge_handle(out))) - from}) {
     ends.insert({nearest(from + way.normalized() * (step * size_), true), tip});
@@ -249,7 +250,7 @@ std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dar
   return ways;
 }
 
-/// To the best neighbor as long as that is clearly better, by shorter and shorter steps.
+/// Moves to the best neighbor as long as it is clearly better, with shorter and shorter steps.
 SmoothDart SmoothDartSearch::move_ends(SmoothDart dart) {
   for (double step = kFirstMove; step >= kLastMove;) {
     std::vector<SmoothDart> neighbors = evaluate(moved(dart, step));
@@ -270,7 +271,7 @@ bool SmoothDartSearch::puckers(const LineFigures& found) const {
   return found.tip_strain > std::max(search_.before().strain, kAnyFabric);
 }
 
-/// Darts that pucker come last, so that none displaces a good one.
+/// Ranks darts with puckering tips last, so that they do not displace good ones.
 bool SmoothDartSearch::is_better(const SmoothDart& a, const SmoothDart& b) const {
   return std::pair(puckers(a.found), a.strain()) < std::pair(puckers(b.found), b.strain());
 }
@@ -292,7 +293,7 @@ DartProposal SmoothDartSearch::proposal_of(const SmoothLine& line, const LineFig
   return proposal;
 }
 
-/// Adds darts and their mirror images if they are worth it: together, or each alone where two are no better.
+/// Adds darts and their mirror images if they are worth sewing: together, or alone if the pair is no better.
 void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector<DartProposal>& proposals) const {
   std::vector<std::array<std::optional<LineFigures>, 2>> each(darts.size());
   run_in_threads(

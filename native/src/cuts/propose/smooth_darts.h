@@ -7,9 +7,10 @@
 
 namespace wirewarp {
 
-/// The darts of a piece as smooth lines across triangles: geodesics from the outline to a tip. Chains of edges are
-/// straightened, and ends of the best lines moved as long as that helps, every time by an exact evaluation. The strain
-/// of the piece counts, and a tip must not pucker. Any number, the best first, without piece. Empty if none helps.
+/// Returns the darts of a piece as smooth lines across triangles, which are geodesics from the outline to a tip. It
+/// straightens chains of edges, and moves the ends of the best lines as long as exact evaluations improve. Darts are
+/// compared by the strain of the piece, and those with a puckering tip are dropped. Returns any number, the best first,
+/// without piece; empty if none helps.
 std::vector<DartProposal> smooth_darts(const PieceSearch& search, const std::vector<HalfEdgeChain>& chains,
                                        const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                                        const ExactEvaluation& exact);

@@ -13,12 +13,12 @@
 namespace wirewarp {
 namespace {
 
-/// Of an angle δ (radians) from the bisector of the outline, over δ² and the root of the area: with 45°, a way that is
-/// 3 % of the piece longer is taken instead.
+/// Cost of an angle δ (radians) from the outline's bisector, over δ² and the root of the area: for 45°, a path that is
+/// longer by 3% of the piece is preferred.
 constexpr double kPriceOfLanding = 0.05;
 
-/// A leg that turns more at one vertex (radians) has a corner, which nobody sews as a dart: less than along two sides
-/// of a square, more than between the edges of regular triangles.
+/// A path that turns by more at one vertex (radians) has a corner, which cannot be sewn as a dart: less than a square's
+/// corner, more than between edges of regular triangles.
 constexpr double kSharpTurn = 80 * kPi / 180;
 
 }  // namespace
@@ -30,7 +30,7 @@ SmoothPathFinder::SmoothPathFinder(const Chart& chart, Forbidden forbidden)
       direction_(chart.mesh.n_halfedges(), 0),
       full_turn_(chart.mesh.n_vertices(), 0) {
   for (const VertexHandle v : mesh_.vertices()) {
-    // The one that leaves a vertex of the outline has no face; counter-clockwise it is the last.
+    // At a vertex of the outline, the half-edge without a face is the last one counter-clockwise.
     const HalfedgeHandle last = mesh_.halfedge_handle(v);
     const bool is_on_outline = mesh_.is_boundary(v);
     const HalfedgeHandle first =
@@ -104,7 +104,8 @@ HalfEdgeChain SmoothPathFinder::path_to(const SmoothPaths& paths, VertexHandle e
   HalfEdgeChain path;
   for (HalfedgeHandle h = paths.arrival[end.idx()]; h.is_valid(); h = paths.before[h.idx()]) path.push_back(h);
   std::reverse(path.begin(), path.end());
-  // Where it may not turn sharply, the cheapest way to a half-edge may make a loop, which would cut out what is inside.
+  // Because sharp turns are forbidden, the cheapest path to a half-edge may contain a loop, which would cut out its
+  // inside.
   std::vector<VertexHandle> passed;
   for (const HalfedgeHandle h : path) passed.push_back(mesh_.to_vertex_handle(h));
   std::sort(passed.begin(), passed.end());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths along edges that are short, run on smoothly, and land on the outline squarely.
+// Paths along edges that are short and smooth, and land on the outline squarely.
 //
-// A turn by τ makes the edges beside it (1 + τ²) times as long. So a zigzag costs what it is long, however fine the
-// mesh, and a curve costs less the finer it is. Turns are shares of the angle around the vertex: on a cone straight on
-// is where both sides have the same angle.
+// A turn by τ makes the edges beside it (1 + τ²) times as expensive. A zigzag costs a multiple of its length on every
+// mesh, but a curve costs less on finer meshes. Turns are measured relative to the full angle around the vertex: on a
+// cone, a straight path has the same angle on both sides.
 #pragma once
 
 #include <vector>
@@ -12,30 +12,30 @@
 
 namespace wirewarp {
 
-/// Where no path may run.
+/// Vertices and edges that paths must avoid.
 struct Forbidden {
-  std::vector<char> vertices;  // per vertex of the chart; such as those on wires
+  std::vector<char> vertices;  // per vertex of the chart, such as on wires
   std::vector<char> edges;     // per edge of the chart
 };
 
 /// The cheapest paths from one vertex.
 struct SmoothPaths {
-  std::vector<double> cost;             // per half-edge: of the path that ends with it; infinite where none does
-  std::vector<HalfedgeHandle> before;   // per half-edge: the one before it; not valid at the start
-  std::vector<HalfedgeHandle> arrival;  // per vertex: where the cheapest path arrives; not valid where none does
+  std::vector<double> cost;             // per half-edge: of the path that ends with it; infinite: none
+  std::vector<HalfedgeHandle> before;   // per half-edge: the previous one; not valid at the start
+  std::vector<HalfedgeHandle> arrival;  // per vertex: last half-edge of the cheapest path; not valid: none
 };
 
 class SmoothPathFinder {
  public:
   SmoothPathFinder(const Chart& chart, Forbidden forbidden);
 
-  /// Paths that meet the outline at their ends alone, squarely where there is a choice.
+  /// Returns the cheapest paths that touch the outline only at their ends, squarely if possible.
   SmoothPaths paths_from(VertexHandle start) const;
 
-  /// From the start to a vertex; empty where no path leads, or the cheapest passes a vertex twice.
+  /// Returns the path from the start to a vertex; empty if there is none, or if the cheapest passes a vertex twice.
   HalfEdgeChain path_to(const SmoothPaths& paths, VertexHandle end) const;
 
-  /// Root of the area, scene units.
+  /// Returns the root of the area in scene units.
   double size() const { return size_; }
 
   bool is_forbidden(VertexHandle v) const { return forbidden_.vertices[v.idx()] != 0; }
@@ -48,7 +48,7 @@ class SmoothPathFinder {
   const HalfEdgeMesh& mesh_;
   double size_;
   Forbidden forbidden_;
-  std::vector<double> direction_;  // per half-edge: angle around the vertex it leaves
+  std::vector<double> direction_;  // per half-edge: angle around the vertex that it leaves
   std::vector<double> full_turn_;  // per vertex: the sum of its angles
 };
 

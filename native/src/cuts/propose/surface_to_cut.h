@@ -7,13 +7,13 @@
 
 namespace wirewarp {
 
-/// A checked input in the middle of its material.
+/// A checked input, moved to the middle of its material.
 class SurfaceToCut {
  public:
-  /// input: kept by reference. Throws what flatten() throws.
+  /// input: kept by reference. Throws the errors of flatten().
   SurfaceToCut(const FlattenInput& input, const Options& options);
 
-  /// As the user gave it.
+  /// The input as the user gave it.
   const FlattenInput& given() const { return input_; }
 
   const FlattenInput& middle() const { return middle_ ? *middle_ : input_; }
