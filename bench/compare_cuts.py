@@ -26,7 +26,7 @@ from tables import table
 from text import wrap
 from which_commit import commit
 
-AIMS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about the first; 5% is the default target of cut sets
+TARGETS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about the first; 5% is the default target of cut sets
 LADDER = 60  # number of requested proposals; more than a cut set has cuts
 FEWEST = 2  # sets to which darts are added; sets with more cuts gave longer cuts in the end
 DARTS = 20  # maximum number; half as many as a cut set has cuts
@@ -72,16 +72,16 @@ def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
     seams = np.zeros((0, 2), dtype=int)
     if uncut := flat(vertices, faces, seams):
         return [(seams, uncut)]
-    for aim in AIMS:
+    for target in TARGETS:
         sets = []
-        proposals = wirewarp.propose_seams(vertices, faces, strain=aim, count=LADDER)
+        proposals = wirewarp.propose_seams(vertices, faces, strain=target, count=LADDER)
         for proposal in sorted(proposals, key=lambda proposal: proposal.length):
             if figures := flat(vertices, faces, proposal.edges):
                 sets.append((proposal.edges, figures))
                 if figures.energy <= BOUND:
                     return sets
     if not sets:
-        raise ValueError("no set of first cuts lies flat without overlaps")
+        raise ValueError("no cut set is flat without overlaps")
     return sets
 
 
@@ -228,8 +228,8 @@ the cuts, in mm per m. *s* are seconds of processor time on one core, at most {L
 
 **Comparison.** For WireWarp, we take the shortest cuts found that keep the energy below {BOUND}. A surface with no
 flat shape is cut by `propose_seams`, which proposes cut sets, each shorter than the one before, for a target strain
-of {100 * AIMS[0]:.0f}%, and if none of these is below the bound, of
-{", ".join(f"{100 * aim:.0f}%" for aim in AIMS[1:])}. The column *without darts* has the shortest set below the bound.
+of {100 * TARGETS[0]:.0f}%, and if none of these is below the bound, of
+{", ".join(f"{100 * target:.0f}%" for target in TARGETS[1:])}. The column *without darts* has the shortest set below the bound.
 To the {FEWEST} sets with fewest cuts, and to a surface that is flat without cuts, darts are added: of {CHOICE} by
 `propose_darts` each time the one with the largest decrease of energy for its length, until the energy is below the
 bound. The shorter result counts. WireWarp keeps the length of every cut and outline, so that the sides of a cut can

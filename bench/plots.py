@@ -58,7 +58,7 @@ def plot_lengths(comparison: Comparison, path: Path) -> None:
         axes.set_ylabel("distortion: ARAP energy over area")
         axes.set_ylim(bottom=0)
         axes.axvline(1e-9, color=INK, linewidth=0.8, linestyle=":")
-        axes.text(1.5e-9, 0.97, "promised: 1e-9", transform=axes.get_xaxis_transform(), va="top", color=FAINT_INK)
+        axes.text(1.5e-9, 0.97, "guaranteed: 1e-9", transform=axes.get_xaxis_transform(), va="top", color=FAINT_INK)
 
 
 @contextmanager

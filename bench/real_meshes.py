@@ -76,7 +76,7 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("output", type=Path)
     parser.add_argument("counts", type=Path)
-    parser.add_argument("--panels", type=int, help="only so many of them")
+    parser.add_argument("--panels", type=int, help="number of panels, for a shorter run")
     arguments = parser.parse_args()
 
     os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})

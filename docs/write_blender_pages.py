@@ -170,14 +170,14 @@ def fabrics_page() -> list[str]:
     rows = []
     for name in cloth.presets():
         across, along = (f"{100 * share:.3g}%" for share in cloth.preset(name).limits)
-        told = cloth.about(name)
+        texts = cloth.about(name)
         rows.append(
             [
-                f"**{told['label']}**",
+                f"**{texts['label']}**",
                 across,
                 along,
-                sentence(told["description"]),
-                sentence(told["source"]),
+                sentence(texts["description"]),
+                sentence(texts["source"]),
                 f"`{name}`",
             ]
         )

@@ -191,7 +191,7 @@ def test_an_ease_of_a_side_that_was_copied_to_the_other_is_told_until_it_is_mark
 
 
 def test_an_ease_of_one_side_of_a_middle_that_a_mirror_merges_is_told_what_to_do(addon):
-    """Both sides of the middle are one face there and its image: only the applied model tells them apart."""
+    """Both sides of the middle are one face there and its image: only the applied model distinguishes them."""
     half = grid("Half", lambda x, y: (x + 1, y, 0))
     mark_seam(half, SEAM)
     half.modifiers.new("Mirror", "MIRROR")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pattern as a file: true to the model, told beforehand, never half written, and refused for other pieces.
+"""The pattern as a file: true to the model, announced before, never half written, and refused for other pieces.
 
 What is read of the pieces for it: test_pattern_parts.py. How it is drawn: tests/bindings.
 """

@@ -103,7 +103,7 @@ def test_a_change_that_blender_was_not_told_of_is_seen_by_the_export(source, tmp
 def test_deleted_pieces_are_not_ready_to_cut(source, addon, tmp_path):
     select_only(source)
     assert READY in draw_panels(addon)
-    bpy.ops.object.duplicate()  # of which there are no pieces
+    bpy.ops.object.duplicate()  # a copy without pieces
     words = draw_panels(addon)
     assert AGAIN.replace("Bump", "Bump.001") in words and READY not in words
     select_only(source)

@@ -114,7 +114,7 @@ def test_of_a_wire_and_its_copy_the_one_chosen_is_the_grain_wire(mode):
 def test_a_grain_wire_that_is_gone_counts_as_none():
     source = two_wires()
     with pytest.raises(RuntimeError):
-        bpy.ops.mesh.wirewarp_grain_wire(edge=0)  # which is no wire
+        bpy.ops.mesh.wirewarp_grain_wire(edge=0)  # this edge is not on a wire
     assert source.data.wirewarp_grain == 0
     source.data.wirewarp_grain = 12345
     flatten(source)

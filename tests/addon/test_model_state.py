@@ -37,7 +37,7 @@ EDITS = {  # of what is selected, all or a line
     "seams cleared": (None, lambda: bpy.ops.mesh.mark_seam(clear=True)),
     "wires cleared": (None, lambda: bpy.ops.mesh.wirewarp_clear()),
     "a wire loosened": (LINE, lambda: bpy.ops.mesh.wirewarp_mark(kind="ELASTIC")),
-    "turned over": (None, lambda: bpy.ops.mesh.flip_normals()),
+    "flipped": (None, lambda: bpy.ops.mesh.flip_normals()),
     "subdivided": (None, lambda: bpy.ops.mesh.subdivide()),
     "a side eased": (OTHER, lambda: bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0)),
 }

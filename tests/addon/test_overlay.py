@@ -344,7 +344,7 @@ def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
 def test_a_closed_model_has_not_failed_but_a_closed_piece_beside_a_good_one_is_in_the_legend(addon):
     corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     source = make_object("Closed", corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
-    assert list(addon.overlay.shown.drawings(view_context())) == []  # for want of marks
+    assert list(addon.overlay.shown.drawings(view_context())) == []  # because it has no marks
     flatten_fails("is closed")
     (drawing,) = addon.overlay.shown.drawings(view_context())
     assert drawing.target == source and drawing.failures.kinds == {"proposed"}

@@ -56,7 +56,7 @@ REFUSED = {  # how a model is spoiled, and the sentence
     "a vertex that is nowhere": (lose_a_vertex, "The coordinates of 1 vertex are not numbers, or far too large. Move"),
     "too large": (enlarge, '"Bump" is more than 1e.18 Blender units wide, too large for true areas: scale it down'),
     "eight UV maps": (eight_maps, "already has 8 UV maps"),
-    "a face turned over": (lambda s: s.data.polygons[0].flip(), "opposite sides.*Mesh > Normals > Recalculate Outside"),
+    "a flipped face": (lambda s: s.data.polygons[0].flip(), "opposite sides.*Mesh > Normals > Recalculate Outside"),
     "a faulty wire": (break_a_wire, 'Bump: Wire "Dart Line" has an invalid tolerance. Click it'),
     "a vertex group": (lambda s: s.vertex_groups.new(name="WireWarp"), f"{NAMED}Vertex Groups.*rename it"),
     "an attribute": (lambda s: s.data.attributes.new("WireWarp", "FLOAT", "POINT"), f"{NAMED}.*rename it"),

@@ -136,7 +136,7 @@ def test_two_marks_of_one_side_are_told_until_it_is_marked_again(source, kind):
 
 @pytest.mark.parametrize("side", [-1, 1])
 def test_between_parts_of_a_face_one_side_is_marked_and_what_was_marked_stays(source, kind, side):
-    """A loop cut copies what tells faces apart."""
+    """A loop cut copies the values that distinguish faces."""
     bpy.ops.object.wirewarp_flatten()
     mark_side(kind, source, 1, kind.first)
     select_edges(source, lambda a, b: min(a.x, b.x) == 0 and max(a.x, b.x) == 0.25)

@@ -27,7 +27,7 @@ def printed(command, *words, code=0):
     with redirect_stdout(output), redirect_stderr(errors):
         try:
             ended = command_run.run(parsed([command, *map(str, words)]))
-        except SystemExit as refusal:  # of words that are none
+        except SystemExit as refusal:  # for invalid arguments
             ended = refusal.code
     assert ended == code, errors.getvalue()
     return [json.loads(line) for line in output.getvalue().splitlines()], errors.getvalue()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Many small models, flattened once in peace, and once with three kill -9 in between: the same files must come out.
+"""Flattens many small models once undisturbed and once with three kill -9 in between: the files must be the same.
 
-python tests/bindings/many_models.py COUNT FOLDER [--jobs N] does all of it and tells the seconds, on Linux.
+python tests/bindings/many_models.py COUNT FOLDER [--jobs N] does all of it and prints the seconds, on Linux.
 """
 
 import argparse
@@ -124,7 +124,7 @@ def contents(folder):
     return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
 
 
-def told(lines):
+def comparable(lines):
     """Return lines by model, without values that may differ."""
     return {line["model"]: {key: line[key] for key in line if key not in ("seconds", "skipped")} for line in lines}
 
@@ -141,8 +141,8 @@ def check_kills(folder, count, jobs):
     lines, killed = run_with_kills(models, folder / "killed", jobs)
     end = time.monotonic()
     assert tuple(killed) == KILLS
-    assert len(once) == len(lines) == len(told(lines)) == count
-    assert told(lines) == told(once)
+    assert len(once) == len(lines) == len(comparable(lines)) == count
+    assert comparable(lines) == comparable(once)
     verdicts = Counter(line["verdict"] for line in lines)
     refused = count // 50
     failed = count // 20 - count // 100  # every 100th is both

@@ -34,11 +34,11 @@ class NoSeam:
 
 @dataclass(frozen=True)
 class Target:
-    """What cuts that are taken together are to reach."""
+    """The target of several cuts together."""
 
     strain: float  # as Cut.strain
-    most: int  # cuts; a set of first cuts counts as one
-    length: float | None  # of all of them on the model, Blender units; None for any
+    most: int  # number of cuts; a cut set counts as one
+    length: float | None  # of all cuts on the model, Blender units; None: any
 
 
 @dataclass(frozen=True)
@@ -48,16 +48,16 @@ class Cut:
     For a target, it includes all cuts from the first to one of them.
     """
 
-    edges: Pairs  # along which it runs; none if a line crosses faces
-    diagonals: Pairs  # those of them that lie across a face of the mesh
-    paths: list[SurfacePath] = field(compare=False)  # the same as lines, for library.cut_mesh
-    segments: Segments = field(compare=False)  # what is drawn
-    piece: int  # as flattening numbers them
-    lengths: list[float]  # of each of them on the model, of a set in all, Blender units
-    strain: float  # what 99% of the piece (of the worst part) must stretch or ease less than, when cut so
-    strain_before: float  # infinite before first cuts
-    num_pieces: int  # that the first of them makes of the piece; of first cuts and seams to clear: in all
-    cleared: Pairs = field(default_factory=list)  # seams that go; then nothing is cut
+    edges: Pairs  # edges of the cut; none if a line crosses faces
+    diagonals: Pairs  # the edges across faces of the mesh
+    paths: list[SurfacePath] = field(compare=False)  # the same cut as lines, for library.cut_mesh
+    segments: Segments = field(compare=False)  # drawn lines
+    piece: int  # number of the piece in the flattening
+    lengths: list[float]  # of each line on the model; of a cut set together; Blender units
+    strain: float  # 99% of the piece (of the worst part) stretch or ease less with the cut
+    strain_before: float  # infinite for a cut set
+    num_pieces: int  # pieces after the first line; after all lines of a cut set, or without the cleared seams
+    cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
     width: float | None = None  # of a set: narrowest width of the pieces, Blender units; None until it is measured
     is_narrow: bool = False  # this leaves no room for two allowances
 
@@ -91,7 +91,7 @@ class Wish:
 def suggest_cuts(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, wish: Wish, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """Return cuts, the best first, or the steps to a target. Sets of first cuts go from few pieces to little stretch.
+    """Return cuts, the best first, or the steps to a target. Cut sets go from few pieces to little stretch.
 
     Raises ObjectError, also if there is nothing to gain.
     """
@@ -165,7 +165,7 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
 
 
 def from_few_pieces(sets: Sequence[Cut]) -> list[Cut]:
-    """Return sets of first cuts by their number of pieces, without those that stretch as far with more pieces."""
+    """Return cut sets by their number of pieces, without those that stretch as far with more pieces."""
     kept: list[Cut] = []
     for each in sorted(sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
         if not kept or each.strain < kept[-1].strain:
@@ -174,9 +174,9 @@ def from_few_pieces(sets: Sequence[Cut]) -> list[Cut]:
 
 
 def set_for(sets: Sequence[Cut], limit: float) -> int:
-    """Return which set to show: the fewest pieces within the maximum stretch, else the least stretch.
+    """Return which set to show: the fewest pieces within the maximum stretch, otherwise the least stretch.
 
-    One with narrow pieces is shown if there is no other.
+    A set with narrow pieces is shown only if there is no other.
     """
     wide = [index for index, each in enumerate(sets) if not each.is_narrow] or list(range(len(sets)))
     return next((index for index in wide if sets[index].strain <= limit), wide[-1])
@@ -265,7 +265,7 @@ def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
 def cut_text(cut: Cut, text: LengthText) -> str:
     """Return "stretch 12 → 6.0%, 140 mm"; for mirror images "2×140 mm".
 
-    For first cuts, return "3 pieces, stretch 6.0%, seams 1.40 m"; for seams to clear "4 pieces, stretch 5.0 → 9.5%, 270
+    For a cut set, return "3 pieces, stretch 6.0%, seams 1.40 m"; for seams to clear "4 pieces, stretch 5.0 → 9.5%, 270
     mm of seams less".
     """
     if cut.cleared:

@@ -110,7 +110,7 @@ def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
 
 
 def _shown_first(search: Search, cuts: list[Cut]) -> int:
-    """All cuts for a target; of sets that for the fabric; else the best cut."""
+    """Return the index of the cut to show: the last for a target, the set for the fabric, or else the best cut."""
     if search.wish.target:
         return len(cuts) - 1
     if not cuts[0].is_set:

@@ -139,5 +139,5 @@ def _lines_along(edges: list[list[int]]) -> list[list[int]]:
 
 
 def _if_finite(figure: float) -> float | None:
-    """Return None for infinity, which JSON lacks: it stands for a piece without a flat shape."""
+    """Return None for infinity, which JSON lacks: infinity means a piece without a flat shape."""
     return figure if math.isfinite(figure) else None
