@@ -229,7 +229,8 @@ the cuts, in mm per m. *s* are seconds of processor time on one core, at most {L
 **Comparison.** For WireWarp, we take the shortest cuts found that keep the energy below {BOUND}. A surface with no
 flat shape is cut by `propose_seams`, which proposes cut sets, each shorter than the one before, for a target strain
 of {100 * TARGETS[0]:.0f}%, and if none of these is below the bound, of
-{", ".join(f"{100 * target:.0f}%" for target in TARGETS[1:])}. The column *without darts* has the shortest set below the bound.
+{", ".join(f"{100 * target:.0f}%" for target in TARGETS[1:])}. The column *without darts* has the shortest set
+below the bound.
 To the {FEWEST} sets with fewest cuts, and to a surface that is flat without cuts, darts are added: of {CHOICE} by
 `propose_darts` each time the one with the largest decrease of energy for its length, until the energy is below the
 bound. The shorter result counts. WireWarp keeps the length of every cut and outline, so that the sides of a cut can

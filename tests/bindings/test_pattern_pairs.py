@@ -173,7 +173,7 @@ def test_a_piece_on_the_fold_is_one_half_to_the_fold(angle):
     area = cut_polygon(whole.pieces[0]).area
     (cut,) = piece.of_role("cut")
     assert shapely.Polygon(cut.points).area == pytest.approx(area / 2, rel=1e-6)
-    # The fold runs from one cutting line to the other: 110 mm of the piece and an allowance at both ends, wider if slanted.
+    # The fold has 110 mm of the piece and an allowance at both ends, which is wider where it is slanted.
     slant = 8.0 / np.cos(np.arctan2(30, 150))
     assert np.linalg.norm(fold.points[1] - fold.points[0]) == pytest.approx(110 + 8 + slant, abs=1e-3)
     wires = {line.name: line for line in piece.of_role("wire")}

@@ -7,9 +7,10 @@ import tokenize
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+PYTHON = ("addon", "bench", "blend_samples", "docs", "python", "results", "tests", "tools")
 READ = (
     "*.md",
-    *(f"{folder}/**/*.py" for folder in ("addon", "bench", "blend_samples", "docs", "python", "results", "tests", "tools")),
+    *(f"{folder}/**/*.py" for folder in PYTHON),
     *(f"{folder}/**/*.{kind}" for folder in ("native", "tests") for kind in ("cpp", "h")),
     "docs/**/*.md",
     "*/README.md",

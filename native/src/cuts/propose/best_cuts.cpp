@@ -25,7 +25,8 @@ constexpr double kClearlyLarger = 1 + 1e-9;
 /// How much a cut lowers the largest strain of all pieces, and how much that of its own piece.
 using Gain = std::pair<double, double>;
 
-/// Returns the cuts with the largest gains, with DartProposal::twin as an index into this list. A mirrored pair counts as one.
+/// Returns the cuts with the largest gains, with DartProposal::twin as an index into this list. A mirrored pair counts
+/// as one.
 std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, const std::vector<Gain>& gains,
                                   int count) {
   std::vector<int> order(proposals.size());
