@@ -120,8 +120,8 @@ def in_limited_time(mesh: Path) -> tuple[CutFigures, float | None]:
 def ours(mesh: Path, results: Path) -> Outcome:
     kept = results / f"{mesh.stem}.ours.json"
     if kept.exists():
-        told = json.loads(kept.read_text())
-        return Outcome(**told | {"figures": told["figures"] and CutFigures(**told["figures"])})
+        stored = json.loads(kept.read_text())
+        return Outcome(**stored | {"figures": stored["figures"] and CutFigures(**stored["figures"])})
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     without, figures, set_length = "", None, None
     try:

@@ -39,10 +39,10 @@ def limit_processor_time() -> None:
 
 
 def kept_run(program: Path, mesh: Path, folder: Path) -> PeerRun:
-    told = folder / f"{mesh.stem}.json"
-    if not told.exists():
-        told.write_text(json.dumps(asdict(run(program, mesh, folder))), encoding="utf-8")
-    return PeerRun(**json.loads(told.read_text()))
+    stored = folder / f"{mesh.stem}.json"
+    if not stored.exists():
+        stored.write_text(json.dumps(asdict(run(program, mesh, folder))), encoding="utf-8")
+    return PeerRun(**json.loads(stored.read_text()))
 
 
 def run(program: Path, mesh: Path, folder: Path) -> PeerRun:

@@ -220,7 +220,7 @@ def use_everything(addon, name, mode, folder, commands):
 
 
 def export_dialog(addon, **settings):
-    """The dialog with these settings, all others as they are at first."""
+    """Return the export dialog with these settings and the defaults of all others."""
     module, properties = addon.export, bpy.ops.object.wirewarp_export.get_rna_type().properties
     defaults = {each.identifier: each.default for each in properties if hasattr(each, "default")}
     defaults["drawn"] = module.operators.ALL_DRAWN

@@ -18,12 +18,12 @@ def pairs(edges):
 
 
 def needed(addon, source):
-    """The stretch that 99% of the worst piece stays below, when the model is flattened as it is now."""
+    """Flatten the model, and return the stretch that 99% of the worst piece stay below."""
     bpy.ops.object.wirewarp_flatten()
     return max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
 
 
 def are_mirrored(source, edges):
-    """Whether the edges are their own mirror image across x = 0."""
+    """Return whether the edges are their own mirror image across x = 0."""
     middles = read(source.data.vertices, "co", np.float32, 3)[np.array(edges)].mean(axis=1).round(4)
     return {tuple(middle) for middle in middles.tolist()} == {(-x, y, z) for x, y, z in middles.tolist()}

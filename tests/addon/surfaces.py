@@ -128,7 +128,7 @@ def flatten(source: bpy.types.Object, **settings: object) -> None:
 
 
 def flatten_fails(match: str, **settings: object) -> None:
-    """What is selected, with an error that matches."""
+    """Flatten the selection, which must fail with an error that matches."""
     with pytest.raises(RuntimeError, match=match):
         bpy.ops.object.wirewarp_flatten(**settings)
 

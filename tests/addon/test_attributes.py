@@ -49,7 +49,7 @@ def joined_into_one_without_marks(marked):
 
 
 @pytest.mark.parametrize("how", ["saved", "appended", "duplicated", "joined"])
-def test_marks_and_names_go_where_the_mesh_goes(marked, tmp_path, how):
+def test_marks_and_names_stay_with_the_mesh(marked, tmp_path, how):
     before, path = wire_marks(marked.data), tmp_path / "marked.blend"
     after = {
         "saved": lambda: saved(path),
@@ -141,7 +141,7 @@ def test_a_mirror_is_applied_and_the_copies_are_wires_of_their_own(marked, addon
 
 
 @pytest.mark.parametrize("use_modifiers", [False, True])
-def test_a_copy_of_a_wire_is_called_as_its_original_everywhere(addon, use_modifiers):
+def test_a_copy_of_a_wire_has_the_name_of_its_original(addon, use_modifiers):
     """A wire that ends before the edge of a half, and its copy on the other half."""
     source = grid("Half", lambda x, y: (x + 1, y, 0.2 * x * x))
     mark(source, lambda a, b: ALONG(a, b) and min(a.x, b.x) > 0.4)
@@ -170,15 +170,15 @@ def test_a_copy_of_a_wire_is_called_as_its_original_everywhere(addon, use_modifi
         ("wirewarp_piece", "INT on faces", {}),
     ],
 )
-def test_an_attribute_of_our_name_that_is_not_ours_is_refused(name, kind, command):
+def test_a_foreign_attribute_with_our_name_is_refused(name, kind, command):
     source = grid("Bump", bump)
     source.data.attributes.new(name, "FLOAT_VECTOR", "POINT")
-    told = f'attribute "{name}" of mesh "Bump" is not of type {kind}'
-    if name != "wirewarp_allowance":  # which Export reads
-        with pytest.raises(RuntimeError, match=told):
+    expected = f'attribute "{name}" of mesh "Bump" is not of type {kind}'
+    if name != "wirewarp_allowance":  # Export reads this one
+        with pytest.raises(RuntimeError, match=expected):
             bpy.ops.object.wirewarp_flatten()
     select_edges(source, on_line(0, -1.0))
     for operator, settings in command.items():
-        with pytest.raises(RuntimeError, match=told):
+        with pytest.raises(RuntimeError, match=expected):
             getattr(bpy.ops.mesh, f"wirewarp_{operator}")(**settings)
     assert source.mode == "EDIT" and "Bump Flat" not in bpy.data.objects

@@ -50,13 +50,13 @@ def answer_of(addon, tmp_path, formats=("svg",)):
     return answer
 
 
-def test_blender_ends_with_whoever_has_started_it(addon, tmp_path):
+def test_blender_ends_with_the_process_that_started_it(addon, tmp_path):
     mark(grid("Bag", bump), on_line(1, 0.0))
     folder, code = run_script(addon, tmp_path, ["svg"], subprocess.DEVNULL)
     assert code == 1 and not (folder / ".answer.json").exists()
 
 
-def test_what_is_marked_is_flattened_by_the_settings_in_the_file(addon, tmp_path):
+def test_marked_models_are_flattened_by_the_settings_in_the_file(addon, tmp_path):
     sheet = grid("Bag", bump)
     mark(sheet, on_line(1, 0.0), kind="ELASTIC", tolerance=0.05)
     grid("Without marks", bump)

@@ -48,7 +48,7 @@ OF_ANOTHER_FILE = {"linked": "is linked from another file", "override": "is a li
 
 
 @pytest.mark.parametrize("kind", OF_ANOTHER_FILE)
-def test_what_is_of_another_file_is_made_local_first(library, addon, kind):
+def test_linked_objects_must_be_made_local_first(library, addon, kind):
     target = other_file(library, kind, "Bump")
     refusal, other = f'"Bump" {OF_ANOTHER_FILE[kind]}', grid("Other", bump)
     select_only(target, other)
@@ -164,7 +164,7 @@ def notes_after(addon, source, **settings):
     return [note.text for note in addon.state.reports.last_report(source).notes]
 
 
-def test_what_is_shown_but_not_flattened_is_said(addon):
+def test_ignored_modifiers_and_shape_keys_are_reported(addon):
     source = grid("Bump", bump)
     source.shape_key_add(name="Basis")
     key = source.shape_key_add(name="Taller")
@@ -188,7 +188,7 @@ def ignored_after(addon, source):
     return text.removesuffix(" were ignored, so sizes differ from what you see.")
 
 
-def test_modifiers_that_change_nothing_are_not_told(addon):
+def test_modifiers_that_change_nothing_are_not_reported(addon):
     """An armature at rest and an edge split: the verdict is green."""
     source = grid("Bump", bump)
     bpy.ops.object.armature_add()
@@ -222,7 +222,7 @@ def test_shape_keys_are_flattened_with_the_modifiers():
     assert areas[0] == pytest.approx(areas[1], rel=1e-4)
 
 
-def test_an_old_uv_map_is_said_not_to_belong_to_pieces_with_modifiers(addon):
+def test_an_old_uv_map_is_reported_as_not_of_pieces_with_modifiers(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     source.modifiers.new("Smooth", "SUBSURF").levels = 1

@@ -28,7 +28,7 @@ def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
         addon.ui.settings.draw_settings(layout, bpy.context.scene.wirewarp, part)
         return {call.args[1] for call in layout.row.return_value.prop.call_args_list}
 
-    bpy.context.scene.wirewarp.cloth = "CUSTOM"  # the one with the most settings
+    bpy.context.scene.wirewarp.cloth = "CUSTOM"  # has the most settings
     front, main, advanced = map(drawn, addon.state.settings.PARTS)
     assert front == {"cloth", "gives_across", "gives_along"}
     assert advanced == {"thickness", "surface", "method", "node_weight"}
@@ -56,7 +56,7 @@ def give(addon, source, **settings):
         ({"cloth": "CUSTOM", "gives_along": 3.0}, "Fabric"),
     ],
 )
-def test_what_would_make_other_pieces_is_named(addon, source, settings, names, tmp_path, capfd):
+def test_settings_that_would_change_the_pieces_are_named(addon, source, settings, names, tmp_path, capfd):
     assert give(addon, source) == ""
     assert give(addon, source, **settings) == SENTENCE.format(names)
     assert SENTENCE.format(names) in draw_panels(addon)
@@ -67,7 +67,7 @@ def test_what_would_make_other_pieces_is_named(addon, source, settings, names, t
     assert give(addon, source) == ""
 
 
-def test_what_makes_no_difference_is_none(addon, source):
+def test_settings_without_effect_are_not_named(addon, source):
     assert give(addon, source, node_weight="UNIFORM", use_modifiers=True, keep_places=False, orientation="UP") == ""
     source.modifiers.new("Smooth", "SUBSURF")
     bpy.ops.object.wirewarp_flatten()
@@ -78,7 +78,7 @@ def test_what_makes_no_difference_is_none(addon, source):
     assert give(addon, source, method="WIREWARPING", fairness=0.5) == ""
 
 
-def test_a_choice_for_one_run_is_no_error_and_a_failure_says_nothing_of_settings(addon, source):
+def test_a_setting_for_one_run_is_not_an_error_and_failures_do_not_mention_settings(addon, source):
     bpy.ops.object.wirewarp_flatten(fairness=0.2)
     assert give(addon, source) == SENTENCE.format("Smooth Outlines")
     source.data.vertices[6].co.z = float("nan")
@@ -92,11 +92,11 @@ def test_another_grain_wire(addon, source):
     assert give(addon, source) == SENTENCE.format("Grain Wire")
     bpy.ops.object.wirewarp_flatten()
     assert give(addon, source) == ""
-    bpy.ops.object.wirewarp_flatten(orientation="UP")  # so that it was not used
+    bpy.ops.object.wirewarp_flatten(orientation="UP")  # so that the grain wire was not used
     assert give(addon, source, orientation="WIRE") == SENTENCE.format("Upright")
 
 
-def test_pieces_that_lie_over_one_another_are_named_at_the_export(source, tmp_path, capfd):
+def test_overlapping_pieces_are_named_at_the_export(source, tmp_path, capfd):
     source.data.edges.foreach_set("use_seam", [True] * len(source.data.edges))
     bpy.ops.object.wirewarp_flatten()
     path = str(tmp_path / "pattern.svg")

@@ -144,7 +144,7 @@ def test_a_repair_from_edit_mode_of_the_pieces_leaves_it_so_that_undo_has_the_mo
     assert bpy.context.mode == "OBJECT" and len(source.data.vertices) == 25
 
 
-def test_a_good_model_is_not_touched(addon):
+def test_a_good_model_does_not_change(addon):
     source = grid("Bump", bump)
     before = read(source.data.vertices, "co", np.float32, 3)
     assert counts(addon, source) == {}

@@ -25,7 +25,7 @@ def last_report(addon, source):
     return addon.state.reports.last_report(source)
 
 
-def test_the_shape_of_a_cloth_is_the_librarys(source, addon):
+def test_the_shape_for_a_fabric_is_that_of_the_library(source, addon):
     bpy.ops.object.wirewarp_flatten(cloth="DENIM", orientation="UP")
     items = addon.properties.WIREWARP_PG_settings.bl_rna.properties["cloth"].enum_items
     named = [item.identifier.lower() for item in items if item.identifier not in ("NONE", "CUSTOM")]
@@ -47,7 +47,7 @@ def test_the_shape_of_a_cloth_is_the_librarys(source, addon):
         assert found == pytest.approx(wanted[of_flat], abs=1e-5)
 
 
-def test_a_custom_cloth_of_the_same_ratios_is_the_same(source):
+def test_a_custom_fabric_with_the_same_ratios_gives_the_same_pieces(source):
     bpy.ops.object.wirewarp_flatten(cloth="DENIM", keep_places=False)
     denim = flat_places(source)
     bpy.ops.object.wirewarp_flatten(
@@ -58,7 +58,7 @@ def test_a_custom_cloth_of_the_same_ratios_is_the_same(source):
     assert np.abs(flat_places(source) - denim).max() > 1e-3
 
 
-def test_maps_of_threads_are_there_with_a_cloth_alone(source, addon):
+def test_maps_of_threads_need_a_fabric(source, addon):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN")
     flat = flat_of(source).data
     for color_map in addon.solve.maps.CLOTH_MAPS:
@@ -70,7 +70,7 @@ def test_maps_of_threads_are_there_with_a_cloth_alone(source, addon):
     }
 
 
-def test_a_cloth_that_does_not_give_enough_is_told_with_its_place(source, addon, capfd):
+def test_a_fabric_that_does_not_stretch_enough_is_reported_with_the_place(source, addon, capfd):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=1.0, gives_along=1.0)
     report = last_report(addon, source)
     (piece,), (hint,) = report.pieces, [each for each in report.hints if each.code == "beyond_cloth"]
@@ -78,8 +78,8 @@ def test_a_cloth_that_does_not_give_enough_is_told_with_its_place(source, addon,
     assert threads.over and max(threads.across, threads.along) > 0.01
     ways = {"across": threads.across, "along": threads.along}
     needed = " and ".join(f"{addon.core.percent_text(share)} {way}" for way, share in ways.items() if share > 0.01)
-    told = f"Bump must stretch {needed}, but this woven cotton stretches only 1.0%"
-    assert told in capfd.readouterr().out and told in draw_panels(addon)
+    sentence = f"Bump must stretch {needed}, but this woven cotton stretches only 1.0%"
+    assert sentence in capfd.readouterr().out and sentence in draw_panels(addon)
     assert 0 < len(hint.faces) < len(source.data.polygons)
     assert addon.core.verdict(report).kind == "beyond fabric"
     assert bpy.ops.mesh.wirewarp_select_result(what="HINT", index=report.hints.index(hint)) == {"FINISHED"}
@@ -101,7 +101,7 @@ def test_a_fabric_stretches_as_far_as_the_table_says(source, addon, cloth, kind)
         ({"orientation": "BEST"}, "another one without a cloth"),
     ],
 )
-def test_what_does_not_go_together_is_a_sentence(source, settings, said):
+def test_settings_that_contradict_each_other_are_refused(source, settings, said):
     with pytest.raises(RuntimeError, match=said):
         bpy.ops.object.wirewarp_flatten(**settings)
 
@@ -124,7 +124,7 @@ def test_the_grain_angle_turns_the_grain_wire(source, addon, capfd):
     assert grain(source) % 180 == pytest.approx(45, abs=1e-3)
 
 
-def test_the_report_holds_the_cloth_and_is_plain_json(source, addon, tmp_path):
+def test_the_report_contains_the_fabric_and_is_plain_json(source, addon, tmp_path):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=3.0, report_path=str(tmp_path / "report.json"))
     (report,) = json.loads((tmp_path / "report.json").read_text())["objects"]
     assert report["options"]["cloth"]["name"] == "woven" and report["options"]["cloth"]["gives_across"] == 0.03
@@ -136,7 +136,7 @@ def box(source):
     return np.ptp(flat_places(source), axis=0)
 
 
-def test_a_cloth_that_is_worn_stretched_is_cut_smaller(addon):
+def test_stretched_fabric_is_cut_smaller(addon):
     """For a half cylinder with the grain along its axis, the width is divided by 1.2 and the height by 1.1."""
     target = grid("Half", half_cylinder, size=16)
     mark(target, on_line(0, 0.0))
@@ -154,7 +154,7 @@ def test_a_cloth_that_is_worn_stretched_is_cut_smaller(addon):
     assert not piece.threads.over  # the stretch is intended
 
 
-def test_what_is_thick_is_flattened_at_its_middle(addon):
+def test_thick_material_is_flattened_in_its_middle(addon):
     """A half cylinder of radius 1, modeled as the inner surface, is longer by thickness / 2 except at its outermost
     edges.
 

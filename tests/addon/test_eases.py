@@ -37,7 +37,7 @@ def test_an_outline_and_a_wire_inside_are_eased(source):
         assert left + right == pytest.approx((1 + ratio) * spatial, rel=1e-5)
 
 
-def test_clearing_takes_every_ease_away(source):
+def test_clearing_removes_every_ease(source):
     ease(source, SEAM, sides="ALL", ease_percent=2.0)
     ease(source, SEAM, sides="ONE", ease_percent=5.0)
     ease(source, SEAM, sides="NONE")
@@ -48,7 +48,7 @@ def test_clearing_takes_every_ease_away(source):
         bpy.ops.mesh.wirewarp_ease(sides="NONE")
 
 
-def test_clearing_a_wire_takes_its_ease_and_a_new_wire_has_none(source):
+def test_clearing_a_wire_removes_its_ease(source):
     ease(source, SEAM, sides="ALL", ease_percent=2.0)
     mark(source, SEAM, kind="ELASTIC", tolerance=0.01)  # the same wire
     assert set(read(source.data.attributes["wirewarp_ease"].data, "value", np.float32)) == {0, np.float32(0.02)}
@@ -84,13 +84,13 @@ def test_the_list_of_wires_changes_an_ease_and_keeps_it(source, addon):
     assert (changed.tolerance, changed.ease) == (0, -0.05)
 
 
-def test_an_ease_of_edges_that_are_no_wires_is_told(source, addon):
+def test_an_ease_of_edges_without_a_wire_is_reported(source, addon):
     values = source.data.attributes.new("wirewarp_ease", "FLOAT", "EDGE")
     for edge in source.data.edges[:3]:
         values.data[edge.index].value = 0.05
     bpy.ops.object.wirewarp_flatten()
-    told = "3 edges have an ease but are not wires: it was not used. Mark them with Ease."
-    assert addon.core.Note(told, is_warning=True) in addon.state.reports.last_report(source).notes
+    text = "3 edges have an ease but are not wires: it was not used. Mark them with Ease."
+    assert addon.core.Note(text, is_warning=True) in addon.state.reports.last_report(source).notes
     ease(source, lambda *_: True, sides="NONE")
     bpy.ops.object.wirewarp_flatten()
     assert addon.state.reports.last_report(source).notes == []
@@ -104,7 +104,7 @@ def select_all_edges(*targets):
 
 
 @pytest.mark.parametrize("sides", ["ALL", "ONE"])
-def test_of_two_objects_none_is_marked_where_one_is_refused(source, sides):
+def test_neither_of_two_objects_is_marked_if_one_is_refused(source, sides):
     """The outline of the small one is 40 mm long, that of the large one 800 mm."""
     small = grid("Small", lambda x, y: (0.05 * x + 3, 0.05 * y, 0), size=1)
     large = grid("Large", lambda x, y: (x + 6, y, 0), size=1)
@@ -119,7 +119,7 @@ def test_of_two_objects_none_is_marked_where_one_is_refused(source, sides):
 def test_edges_without_a_side_are_left_out_and_counted(source, capfd):
     select_edges(source, SEAM, on_line(1, 0.0))
     assert bpy.ops.mesh.wirewarp_ease(sides="ONE", ease_percent=5.0) == {"FINISHED"}
-    assert "1 line eased: +5%" in (told := capfd.readouterr().out) and "8 selected edges left out" in told
+    assert "1 line eased: +5%" in (text := capfd.readouterr().out) and "8 selected edges left out" in text
     bpy.ops.object.mode_set(mode="OBJECT")
     select_edges(source, on_line(1, 0.0))
     with pytest.raises(RuntimeError, match="select edges on a seam or outline"):
@@ -150,7 +150,7 @@ def test_one_side_is_that_of_the_smaller_piece_on_all_seams(addon):
     assert min(middles) < 0 < max(middles)
 
 
-def test_the_millimeters_of_a_side_are_of_what_it_would_be(source):
+def test_millimeters_of_a_side_refer_to_its_uneased_length(source):
     ease(source, SEAM, sides="ALL", ease_percent=-10.0)
     ease(source, SEAM, sides="ONE", ease_unit="LENGTH", ease_length=12.0)
     bpy.ops.object.wirewarp_flatten()
@@ -159,7 +159,7 @@ def test_the_millimeters_of_a_side_are_of_what_it_would_be(source):
     assert min(shares(source)) == pytest.approx(-0.1, abs=1e-5)
 
 
-def test_a_line_of_which_both_sides_are_cleared_on_flat_pieces_counts_once(source, capfd):
+def test_a_line_with_both_sides_cleared_on_flat_pieces_counts_once(source, capfd):
     ease(source, SEAM, sides="ONE", ease_percent=5.0)
     bpy.ops.object.wirewarp_flatten()
     select_side(source, 0)
@@ -167,8 +167,8 @@ def test_a_line_of_which_both_sides_are_cleared_on_flat_pieces_counts_once(sourc
     assert "Ease cleared on 1 line\n" in capfd.readouterr().out
 
 
-def test_an_ease_of_a_side_that_was_copied_to_the_other_is_told_until_it_is_marked_again(addon):
-    """Half a model that is mirrored and sewn together at its eased edge, which is a seam then."""
+def test_an_ease_that_was_copied_to_the_other_side_is_reported_until_it_is_marked_again(addon):
+    """Half a model is mirrored, and its eased edge becomes a seam."""
     half = grid("Half", lambda x, y: (x + 1, y, 0))
     ease(half, SEAM, sides="ONE", ease_percent=5.0)
     edit = bmesh.new()
@@ -190,8 +190,8 @@ def test_an_ease_of_a_side_that_was_copied_to_the_other_is_told_until_it_is_mark
     assert sorted(shares(half)) == pytest.approx([0.0, 0.05], abs=1e-5)
 
 
-def test_an_ease_of_one_side_of_a_middle_that_a_mirror_merges_is_told_what_to_do(addon):
-    """Both sides of the middle are one face there and its image: only the applied model distinguishes them."""
+def test_an_ease_of_one_side_at_a_mirror_reports_what_to_do(addon):
+    """Both sides of the middle are one face and its mirror image, which only the applied modifier distinguishes."""
     half = grid("Half", lambda x, y: (x + 1, y, 0))
     mark_seam(half, SEAM)
     half.modifiers.new("Mirror", "MIRROR")
@@ -210,7 +210,7 @@ def test_an_ease_of_one_side_of_a_middle_that_a_mirror_merges_is_told_what_to_do
     assert sorted(shares(half)) == pytest.approx([0.0, 0.05], abs=1e-5)
 
 
-def test_an_ease_where_no_side_is_names_its_edges(source, addon):
+def test_an_ease_without_a_side_names_its_edges(source, addon):
     ease(source, SEAM, sides="ONE", ease_percent=5.0)
     select_edges(source, lambda a, b: SEAM(a, b) and a.y + b.y > 1)
     bpy.ops.mesh.mark_seam(clear=True)
@@ -223,7 +223,7 @@ def test_an_ease_where_no_side_is_names_its_edges(source, addon):
 
 
 def arrow(addon, target):
-    """From the edge to the tip; and what is written there."""
+    """Return the vector from the edge to the tip, and the text there."""
     lines = addon.overlay.objects.marked_lines(target, bpy.context.evaluated_depsgraph_get())
     tail, tip, *_ = lines.places["ease"]
     return tail, tip, [name.texts for name in lines.names]
@@ -269,7 +269,7 @@ def test_on_flat_pieces_only_one_side_that_is_selected_is_eased(source, side, si
         ("wirewarp_side_ease", "CORNER", float("inf"), "ease of one side is invalid along 8 edges"),
     ],
 )
-def test_an_ease_that_is_none_names_its_wire_or_its_edges(source, addon, name, domain, value, said):
+def test_an_impossible_ease_names_its_wire_or_its_edges(source, addon, name, domain, value, said):
     mark(source, HEM)
     values = source.data.attributes.new(name, "FLOAT", domain).data
     edges = read(source.data.loops, "edge_index", np.int32) if domain == "CORNER" else range(len(values))
@@ -289,7 +289,7 @@ def eases_of(addon, report, kind):
     return [float(line["Asked ease (%)"]) for line in lines if line["Kind"] == kind]
 
 
-def test_an_eased_outline_is_as_long_as_it_was_to_be(source, addon):
+def test_an_eased_outline_has_its_target_length(source, addon):
     ease(source, HEM, sides="ONE", ease_percent=5.0)
     bpy.ops.object.wirewarp_flatten()
     report = addon.state.reports.last_report(source)
@@ -325,16 +325,16 @@ def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, 
     left, right = shares(source)
     side = "Top Right" if left > right else "Top Left"  # the wearer's left is at +x
     spatial, *_ = lengths(source, SEAM)
-    told = f"{side} {units.rough(longer * spatial)} longer, {how} between notches"
-    assert addon.report_panel.panel.longer_sides(row.sides, units, 0.5) == [told]
-    assert told in draw_panels(addon)
+    text = f"{side} {units.rough(longer * spatial)} longer, {how} between notches"
+    assert addon.report_panel.panel.longer_sides(row.sides, units, 0.5) == [text]
+    assert text in draw_panels(addon)
     assert abs(addon.core.largest_difference([row])) < 1e-6  # no unintended difference
     pieces = made(addon, addon.export.read.read_pattern(bpy.context.scene, source)).pieces
     noted = [piece.name for piece in pieces for line in piece.of_role("sew") if f"longer, {how} between" in line.note]
     assert noted == [side]
 
 
-def test_the_list_of_seams_says_how_much_all_sides_give(source, addon):
+def test_the_list_of_seams_shows_the_change_of_all_sides(source, addon):
     mark(source, SEAM, kind="ELASTIC", tolerance=0.03)
     bpy.ops.object.wirewarp_flatten()
     (row,) = addon.state.reports.last_report(source).tables.seams

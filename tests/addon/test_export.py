@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pattern as a file: true to the model, announced before, never half written, and refused for other pieces.
+"""The pattern as a file: true to the model, described before, never half written, and refused for other pieces.
 
-What is read of the pieces for it: test_pattern_parts.py. How it is drawn: tests/bindings.
+test_pattern_parts.py tests the data read for it, and tests/bindings how it is drawn.
 """
 
 import re
@@ -73,8 +73,8 @@ def test_the_next_export_does_not_start_from_the_last_file():
     assert properties["filepath"].is_skip_save and not properties["notch_spacing"].is_skip_save
 
 
-def told(addon, **settings):
-    """What the dialog says beforehand with these settings."""
+def described(addon, **settings):
+    """Return the dialog's description of the files with these settings."""
     parts = addon.export.read.read_pattern(bpy.context.scene, bpy.context.active_object)
     return [sentence for sentence, _ in export_dialog(addon, **settings).beforehand(parts)]
 
@@ -83,13 +83,13 @@ def pages(path):
     return len(re.findall(rb"/Type /Page\b", path.read_bytes()))
 
 
-def test_sheets_and_sizes_are_told_before_anything_is_written(source, tmp_path, addon):
-    sheets, largest = told(addon, format="PDF", paper="A4", allowance=10.0)
+def test_sheets_and_sizes_are_shown_before_anything_is_written(source, tmp_path, addon):
+    sheets, largest = described(addon, format="PDF", paper="A4", allowance=10.0)
     count = 1 + int(re.fullmatch(r"2 pieces on (\d+) sheets and a first page with the map of A4\.", sheets)[1])
     assert pages(export(tmp_path, "a.pdf", paper="A4")) == count
     wide, high = re.fullmatch(r"Largest piece: Top (?:Left|Right), (\d+) × (\d+) mm\.", largest).groups()
     assert 100 < min(int(wide), int(high)) < 150 and 200 < max(int(wide), int(high)) < 260
-    sheets, _ = told(addon, format="PDF", paper="A4", proof_sheet=True)
+    sheets, _ = described(addon, format="PDF", paper="A4", proof_sheet=True)
     assert sheets.endswith(" sheets, a first page with the map and 1 proof sheet of A4.")
     assert pages(export(tmp_path, "a.pdf", paper="A4", proof_sheet=True)) == count + 1
 
@@ -100,21 +100,21 @@ def test_sheets_and_sizes_are_told_before_anything_is_written(source, tmp_path, 
 )
 def test_the_length_on_a_roll_is_in_the_units_of_the_scene(source, addon, system, roll):
     bpy.context.scene.unit_settings.system = system
-    (sentence,) = told(addon, format="PDF", paper="36IN")
+    (sentence,) = described(addon, format="PDF", paper="36IN")
     assert re.fullmatch(rf"2 pieces on {roll}, 1 page\.", sentence)
 
 
-def test_a_piece_too_large_for_the_roll_is_told_and_leaves_the_file_as_it_was(source, tmp_path, addon):
+def test_a_piece_too_large_for_the_roll_is_reported_and_the_file_stays(source, tmp_path, addon):
     path = export(tmp_path, "a.pdf", paper="36IN")
     before = path.read_bytes()
-    (sentence,) = told(addon, format="PDF", paper="ROLL", roll_width=200.0)
+    (sentence,) = described(addon, format="PDF", paper="ROLL", roll_width=200.0)
     assert "too large for a roll of 200 mm" in sentence
     with pytest.raises(RuntimeError, match="too large for a roll of 200 mm"):
         export(tmp_path, "a.pdf", paper="ROLL", roll_width=200.0)
     assert path.read_bytes() == before and list(tmp_path.iterdir()) == [path]
 
 
-def test_who_measures_in_inches_is_told_sizes_in_inches(source, tmp_path, capfd):
+def test_imperial_scenes_show_sizes_in_inches(source, tmp_path, capfd):
     bpy.context.scene.unit_settings.system = "IMPERIAL"
     bpy.context.scene.unit_settings.scale_length = 0.1
     root = Drawing(export(tmp_path)).root
@@ -123,12 +123,12 @@ def test_who_measures_in_inches_is_told_sizes_in_inches(source, tmp_path, capfd)
     assert said in capfd.readouterr().out
 
 
-def test_a_report_file_that_cannot_be_is_refused_before_the_pattern_is_written(source, tmp_path):
+def test_an_impossible_report_file_is_refused_before_the_pattern_is_written(source, tmp_path):
     said = r'Cannot write ".*none/warnings\.json": there is no folder'
     export_fails(said, tmp_path, report_path=str(tmp_path / "none" / "warnings.json"))
 
 
-def test_a_report_file_that_fails_at_the_end_is_told_beside_the_pattern(source, tmp_path, addon, monkeypatch, capfd):
+def test_a_report_file_that_fails_at_the_end_keeps_the_pattern(source, tmp_path, addon, monkeypatch, capfd):
     def full(path):
         raise OSError(28, "No space left on device")
 
@@ -138,17 +138,17 @@ def test_a_report_file_that_fails_at_the_end_is_told_beside_the_pattern(source, 
     assert 'warnings.json": No space left on device.' in said and '"a.svg": 2 pieces' in said
 
 
-def test_of_many_pieces_over_one_another_the_first_are_named(addon):
+def test_the_first_of_many_overlapping_pieces_are_named(addon):
     module, square = addon.core.pattern, np.array([(0, 0), (9, 0), (9, 9), (0, 9)], dtype=float)
 
-    def told_of(count):
+    def overlap_of(count):
         outlines = [[module.Line("cut", square + k, closed=True)] for k in range(count)]
         pieces = [module.PatternPiece(k, f"P{k}", outline, [], []) for k, outline in enumerate(outlines)]
         return addon.export.steps.crossing_sentence(module.Pattern("Pile", pieces, "none", module.UnitSystem()))
 
-    assert told_of(1) == ""
-    assert "overlap: P0, P1, P2, P3. Move" in told_of(4)
-    assert "overlap: P0, P1, P2, P3 and 2 more. Move" in told_of(6)
+    assert overlap_of(1) == ""
+    assert "overlap: P0, P1, P2, P3. Move" in overlap_of(4)
+    assert "overlap: P0, P1, P2, P3 and 2 more. Move" in overlap_of(6)
 
 
 @pytest.mark.parametrize(("scale", "by_parent"), [((0.9, 0.9, 0.9), False), ((-1, 1, 1), True)])
@@ -163,7 +163,7 @@ def test_pieces_that_are_scaled_as_a_whole_are_refused(source, tmp_path, scale, 
     export(tmp_path)
 
 
-def test_one_of_several_selected_models_is_written_and_that_is_said(source, tmp_path, capfd):
+def test_one_of_several_selected_models_is_written_with_a_message(source, tmp_path, capfd):
     other = grid("Other", bump)
     bpy.ops.object.wirewarp_flatten()
     export(tmp_path)
@@ -173,7 +173,7 @@ def test_one_of_several_selected_models_is_written_and_that_is_said(source, tmp_
     assert 'Print at 100% scale. Exported "Other" only; export the others separately.' in capfd.readouterr().out
 
 
-def test_no_pattern_of_what_has_no_pieces_or_has_changed(source, tmp_path):
+def test_models_without_pieces_or_with_changes_are_refused(source, tmp_path):
     source.data.vertices[40].co.z += 0.1
     export_fails('"Bump" has changed since it was flattened. Flatten it again', tmp_path)
     source.data.vertices[40].co.z -= 0.1
@@ -208,7 +208,7 @@ def forge_a_piece(edit):
 
 
 def rip(edit):
-    """Cuts the piece along a line of edges; nothing moves."""
+    """Cut the piece along a line of edges, without moving anything."""
     inner = next(edge for edge in edit.edges if all(len(vertex.link_faces) == 4 for vertex in edge.verts))
     following = next(
         edge
@@ -219,7 +219,7 @@ def rip(edit):
 
 
 def merge_by_distance(edit):
-    """Two sides of the seam, put over each other, are sewn."""
+    """Merge both sides of the seam after moving one onto the other."""
     piece = edit.faces.layers.int["piece"]
     source_vertex = edit.verts.layers.int["source_vertex"]
     sides = [{v[source_vertex]: v for face in edit.faces if face[piece] == k for v in face.verts} for k in (0, 1)]
@@ -248,7 +248,7 @@ def test_pieces_edited_by_hand_are_not_trusted(source, tmp_path, change):
     export_fails('The pieces in "Bump Flat" were edited by hand', tmp_path)
 
 
-def test_a_seam_that_is_not_found_on_the_pieces_is_a_sentence(source, tmp_path):
+def test_a_seam_that_is_missing_on_the_pieces_is_reported(source, tmp_path):
     sources = flat_of(source).data.attributes["source_vertex"].data
     numbers = read(sources, "value", np.int32)
     inside = np.flatnonzero(np.bincount(numbers) == 2)[3]  # in the middle of the seam: once on either side

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a run leaves where something fails: the other pieces, the report with its places, and red faces."""
+"""The result of a run that fails in part: the other pieces, the report with its places, and red faces."""
 
 import json
 import math
@@ -30,7 +30,7 @@ def bump_and_cube():
     return source
 
 
-def test_one_bad_piece_spares_the_others(tmp_path):
+def test_other_pieces_are_written_if_one_is_bad(tmp_path):
     source = bump_and_cube()
     flatten_fails("Both, Left: .*seam", report_path=str(tmp_path / "r.json"))
     faces = read(flat_of(source).data.attributes["piece"].data, "value", np.int32)
@@ -44,7 +44,7 @@ def test_one_bad_piece_spares_the_others(tmp_path):
     assert (entry["ok"], entry["flat_object"]) == (False, "Both Flat")
 
 
-def test_no_good_piece_leaves_the_file_alone_but_for_the_report(tmp_path):
+def test_without_a_good_piece_only_the_report_is_written(tmp_path):
     source = cube()
     flatten_fails("Error: Cube: ", report_path=str(tmp_path / "report.json"))
     assert "wirewarp_report" not in source and [*bpy.data.objects] == [source] and not source.data.uv_layers
@@ -53,7 +53,7 @@ def test_no_good_piece_leaves_the_file_alone_but_for_the_report(tmp_path):
     assert report["objects"][0]["issues"][0]["code"] == "closed_chart"
 
 
-def test_a_failed_object_spares_the_others():
+def test_other_objects_are_flattened_if_one_fails():
     good, bad = grid("Good", bump), cube("Bad")
     select_only(good, bad)
     flatten_fails("Error: Bad: ")
@@ -61,7 +61,7 @@ def test_a_failed_object_spares_the_others():
     assert "wirewarp_report" not in bad and not bad.data.uv_layers
 
 
-def test_select_issues_selects_what_the_error_speaks_of():
+def test_select_issues_selects_the_elements_of_the_error():
     """The edges of a wire that has no tolerance, and whole faces."""
 
     def selected(elements):
@@ -113,7 +113,7 @@ def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
 
 @pytest.fixture
 def half_failed():
-    """A piece that can be flattened, and a spike so steep that a rigid cross makes WireWarping turn faces over."""
+    """A piece that can be flattened, and a spike so steep that a rigid cross makes WireWarping flip faces."""
     target, other = grid("Both", bump), grid("Spike", lambda x, y: (x + 3, y, 2 * (1 - x * x) * (1 - y * y)))
     mark(other, on_line(0, 3.0), on_line(1, 0.0))
     select_only(target, other)
@@ -147,7 +147,7 @@ def test_only_the_failed_piece_is_red_and_materials_of_the_user_stay(half_failed
     assert "WireWarp Failed Piece" not in flat.materials
 
 
-def test_failed_pieces_are_written_only_if_asked_for(half_failed, tmp_path):
+def test_failed_pieces_are_written_only_on_request(half_failed, tmp_path):
     path = tmp_path / "pattern.svg"
     with pytest.raises(RuntimeError, match="Failed: Top Left. See the report"):
         bpy.ops.object.wirewarp_export_svg(filepath=str(path))

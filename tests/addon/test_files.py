@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files are written to whatever folder and name the system takes, whole or not at all, in every format."""
+"""Files of every format are written to any folder and name that the system allows, completely or not at all."""
 
 import errno
 import json
@@ -38,14 +38,14 @@ def test_patterns_and_reports_go_to_folders_of_any_name(tmp_path, addon, name):
     ("name", "made"),
     [("Front/Back", "Front_Back"), ("/etc", "_etc"), ('a:b\\"c', "a_b__c")],
 )
-def test_the_name_proposed_for_a_pattern_is_one_of_a_file(addon, name, made):
+def test_the_name_proposed_for_a_pattern_is_a_possible_file_name(addon, name, made):
     assert addon.blender.files.file_name(name, " Pattern.svg") == f"{made} Pattern.svg"
     long = addon.blender.files.file_name("ä" * 300, " Pattern.svg")
     assert long.startswith("ää") and long.endswith("ä Pattern.svg") and len(long.encode()) <= 255
 
 
 @pytest.mark.parametrize("name", ["NUL", "com1", "Con.001", "a/b", "<left>"])
-def test_a_name_that_some_system_keeps_for_itself_becomes_another(addon, name):
+def test_a_name_that_a_system_reserves_is_changed(addon, name):
     ending = ".pdf"
     made = addon.blender.files.file_name(name, ending)
     stem = made.removesuffix(ending)
@@ -53,7 +53,7 @@ def test_a_name_that_some_system_keeps_for_itself_becomes_another(addon, name):
     assert not set(stem) & set('<>:"/\\|?*')
 
 
-def test_a_disk_that_is_full_leaves_the_file_that_was_there(addon, tmp_path):
+def test_a_full_disk_keeps_the_old_file(addon, tmp_path):
     path = tmp_path / "pattern.svg"
     path.write_text("of yesterday")
     full = OSError(errno.ENOSPC, "No space left on device")
@@ -63,7 +63,7 @@ def test_a_disk_that_is_full_leaves_the_file_that_was_there(addon, tmp_path):
     assert [(each, each.read_text()) for each in tmp_path.iterdir()] == [(path, "of yesterday")]
 
 
-def test_the_file_that_a_link_leads_to_is_replaced(addon, tmp_path):
+def test_the_target_of_a_link_is_replaced(addon, tmp_path):
     path, link = tmp_path / "pattern.svg", tmp_path / "newest.svg"
     path.write_text("of yesterday")
     link.symlink_to(path)
@@ -84,7 +84,7 @@ def test_a_square_becomes_a_pdf(addon, tmp_path):
     assert (tmp_path / "square.pdf").read_bytes().startswith(b"%PDF-")
 
 
-def test_what_it_needs_comes_with_the_add_on_and_leaves_the_path_alone(addon):
+def test_its_libraries_come_with_the_add_on_and_do_not_change_the_path(addon):
     inside = Path(addon.core.__file__).parent / "_core"
     if inside.is_dir():
         assert {path.name for path in (inside / "libraries").iterdir()} == {"pyclipper", "pydyf", "uharfbuzz"}

@@ -62,7 +62,7 @@ def test_a_sample_beside_the_cube_of_a_new_file_brings_its_fabric_and_in_an_empt
 
 
 @pytest.mark.api
-def test_a_sample_that_is_not_there_is_named(addon, monkeypatch, tmp_path):
+def test_a_missing_sample_is_named(addon, monkeypatch, tmp_path):
     monkeypatch.setattr(addon.report_panel.next_step, "FOLDER", tmp_path)
     with pytest.raises(RuntimeError, match='"cushion.blend" is not installed'):
         bpy.ops.object.wirewarp_open_sample(sample="CUSHION")
@@ -102,7 +102,7 @@ def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
     assert [sized(width)[0] for width in (0.03, 0.2, 2, 4.9)] == [""] * 4  # of common size
 
 
-def test_one_click_makes_the_pattern_as_large_as_the_model_was_meant(addon, sized):
+def test_one_click_gives_the_pattern_the_intended_size(addon, sized):
     sized(77)
     buttons = []
     assert "Was it modeled in another unit?" in draw_panels(addon, buttons)
@@ -115,7 +115,7 @@ def test_one_click_makes_the_pattern_as_large_as_the_model_was_meant(addon, size
     assert flat_of(bpy.data.objects["Chair"]).dimensions.x > 77
 
 
-def test_the_unit_follows_from_the_height_that_the_model_should_have(addon, sized):
+def test_the_unit_follows_from_the_real_height(addon, sized):
     sized(77)
     source, buttons = bpy.data.objects["Chair"], []
     draw_panels(addon, buttons)

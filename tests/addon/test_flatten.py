@@ -43,7 +43,7 @@ def lengths_by_source(source):
 
 
 def on_outline_and_wires(source, *lines):
-    """Edges of the flat object that lie on its outline, and those on one of the lines of the source."""
+    """Return the flat object's edges on its outline, and those on one of the lines of the source."""
     flat = flat_of(source).data
     use = np.bincount(read(flat.loops, "edge_index", np.int32), minlength=len(flat.edges))
     places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)][edge_vertices(flat)]
@@ -88,7 +88,7 @@ def test_an_elastic_wire_stays_within_its_tolerance_and_the_outline_exact(kind, 
     assert_true_lengths(source, wire)
 
 
-def test_a_developable_surface_comes_out_isometric():
+def test_a_developable_surface_becomes_isometric():
     source = grid("Half Cylinder", half_cylinder, size=16)
     bpy.ops.object.wirewarp_flatten()
     flat, space = lengths_by_source(source)
@@ -213,7 +213,7 @@ def test_pieces_come_out_as_seen_from_outside(scale):
     assert (np.cross(b - a, c - a)[2] < 0) == mirrored
 
 
-def test_twice_replaces_and_a_copy_gets_pieces_of_its_own():
+def test_a_second_run_replaces_pieces_and_a_copy_gets_its_own():
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     flat, mesh = flat_of(source), flat_of(source).data
@@ -234,7 +234,7 @@ def test_twice_replaces_and_a_copy_gets_pieces_of_its_own():
     assert flat_of(copy) != flat_of(source)
 
 
-def test_several_objects_and_what_is_not_flattened():
+def test_several_objects_are_flattened_and_others_ignored():
     first, second = grid("First", bump), grid("Second", half_cylinder)
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     bpy.context.scene.collection.objects.link(camera)

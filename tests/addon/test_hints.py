@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What would make good pieces better: darts where cloth is strained, looser wires, finer outlines, joined edges."""
+"""Hints that improve good pieces: darts where fabric is strained, more tolerance, finer outlines, joined edges."""
 
 import math
 
@@ -11,12 +11,12 @@ from surfaces import bump, flat_of, flatten, flatten_fails, grid, join_cube, mak
 
 
 def hints(addon, source, code):
-    """Of the last report."""
+    """Return the hints of the last report."""
     return [hint for hint in addon.state.reports.last_report(source).hints if hint.code == code]
 
 
-def test_the_places_of_most_strain_are_named_largest_first_but_none_of_a_failed_piece(addon):
-    """On a surface that is flat but for two domes, the one on the right higher."""
+def test_the_most_strained_places_of_good_pieces_are_named_largest_first(addon):
+    """A flat surface with two domes, of which the right one is higher."""
 
     def two_domes(x, y):
         return x, y, sum(h * math.exp(-((x - c) ** 2 + y * y) / 0.05) for c, h in ((-0.5, 0.22), (0.5, 0.32)))
@@ -38,7 +38,7 @@ def test_the_places_of_most_strain_are_named_largest_first_but_none_of_a_failed_
     assert set(faces) & set(found[0].faces)
 
 
-def test_places_that_read_alike_are_one_line(addon):
+def test_equal_places_are_one_line(addon):
     """Two equal domes are strained equally."""
     target = grid("Domes", lambda x, y: (x, y, 0.3 * math.exp(-((abs(x) - 0.5) ** 2 + y * y) / 0.05)), size=32)
     flatten(target)
@@ -48,7 +48,7 @@ def test_places_that_read_alike_are_one_line(addon):
     assert across.min() < -0.4 and across.max() > 0.4 and np.abs(across).min() > 0.1
 
 
-def test_where_all_of_a_piece_is_strained_the_worst_is_pointed_at(addon):
+def test_a_piece_that_is_strained_everywhere_shows_its_worst_place(addon):
     target = grid("Dome", lambda x, y: (x, y, 2.5 * (1 - x * x) * (1 - y * y)), size=16)
     flatten(target)
     report = addon.state.reports.last_report(target)
@@ -70,7 +70,7 @@ def test_wires_at_their_limit_are_advised_longest_change_first(addon):
 
 
 def disc(count):
-    """A regular polygon, of quads around a smaller one: two corners of each on the rim."""
+    """Return a regular polygon of quads around a smaller one; each quad has two corners on the rim."""
     angles = [2 * math.pi * k / count for k in range(count)]
     points = [(r * math.cos(a), r * math.sin(a), 0.0) for r in (0.5, 1.0) for a in angles]
     faces = [(k, count + k, count + (k + 1) % count, (k + 1) % count) for k in range(count)] + [tuple(range(count))]
@@ -96,8 +96,8 @@ def test_a_modifier_smooths_the_outline_and_both_sides_of_a_seam(addon):
 
 
 @pytest.mark.api
-def test_how_much_shorter_outlines_become_is_said_and_levels_have_an_end(addon, capfd):
-    """Of 12 sides becomes the B-spline of their corners, nearly a circle of (4 + 2 cos 30°) / 6 of the radius."""
+def test_the_shortening_of_outlines_is_reported_and_levels_are_limited(addon, capfd):
+    """Twelve sides become the B-spline of their corners, almost a circle with (4 + 2 cos 30°) / 6 of the radius."""
     source = disc(12)
     bpy.ops.object.wirewarp_flatten()
     for _ in range(6):
@@ -111,7 +111,7 @@ def test_how_much_shorter_outlines_become_is_said_and_levels_have_an_end(addon, 
 
 
 def split(source, line):
-    """Along a line, each side with vertices of its own."""
+    """Split the mesh along a line, so that each side has its own vertices."""
     select_edges(source, line)
     bpy.ops.mesh.edge_split()
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -124,13 +124,13 @@ def split(source, line):
         (lambda a, b: on_line(0, 0.0)(a, b) and max(a.y, b.y) < 0.1, 8),  # a slit of four edges
     ],
 )
-def test_edges_that_lie_on_each_other_are_told_until_they_are_merged(addon, line, count):
+def test_overlapping_edges_are_reported_until_they_are_merged(addon, line, count):
     source = grid("Bump", bump)
     split(source, line)
     flatten(source)
     (hint,) = hints(addon, source, "torn")
     report = addon.state.reports.last_report(source)
-    assert hint.short == f"{count} edges" and report.notes == []  # for it may be meant
+    assert hint.short == f"{count} edges" and report.notes == []  # because it may be intended
     bpy.ops.mesh.wirewarp_select_result(what="HINT", index=report.hints.index(hint))
     bpy.ops.object.mode_set(mode="OBJECT")
     chosen = [[source.data.vertices[end].co for end in edge.vertices] for edge in source.data.edges if edge.select]
@@ -142,7 +142,7 @@ def test_edges_that_lie_on_each_other_are_told_until_they_are_merged(addon, line
     assert hints(addon, source, "torn") == []
 
 
-def test_panels_that_stand_apart_are_no_tears(addon):
+def test_separate_panels_are_not_tears(addon):
     source = grid("Bump", bump)
     split(source, on_line(0, 0.0))
     edit = bmesh.new()
@@ -155,7 +155,7 @@ def test_panels_that_stand_apart_are_no_tears(addon):
     assert hints(addon, source, "torn") == []
 
 
-def test_a_piece_that_fails_may_do_so_for_its_tears():
+def test_a_failed_piece_with_tears_names_them():
     source = grid("Bump", bump)
     split(source, on_line(0, 0.0))
     source.data.polygons[0].flip()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files edited by hand or by other scripts: everything answers with a result or a sentence, and nothing is lost.
+"""Files edited by hand or by other scripts: every command answers with a result or a sentence, and loses nothing.
 
 Each case spoils one thing for its readers; the six with the most readers meet every command.
 """
@@ -56,7 +56,7 @@ def retype(mesh, attribute, data_type, domain):
 
 
 def rename(model, first):
-    """Piece by piece and wire by wire, beginning with one of TITLES."""
+    """Rename pieces and wires in turn, starting with one of TITLES."""
     for number, entry in enumerate([*model.wirewarp_pieces, *model.data.wirewarp_names], start=first):
         entry.name = TITLES[number % len(TITLES)]
 
@@ -74,9 +74,9 @@ def clear_lists(model):
 
 
 def store(model, first):
-    """One of VALUES in each property, beginning with this one."""
+    """Store one of VALUES in each property, starting with this one."""
     places = [(flat_of(model).data, "wirewarp_flat"), (model.data, "wirewarp_uv_scale")]
-    if bpy.app.version < (5, 0, 0):  # Blender 5 keeps what is below its own properties to itself
+    if bpy.app.version < (5, 0, 0):  # Blender 5 hides data below its own properties
         scene = bpy.context.scene
         scene.wirewarp.spacing = 2.0
         choices = ("method", "spacing", "fairness", "shown_map", "auto_update", "orientation")
@@ -84,7 +84,7 @@ def store(model, first):
         places += [(model, "wirewarp_pieces"), (model, "wirewarp_active_piece")]
         places += [(model.data, "wirewarp_names"), (model.data, "wirewarp_grain")]
     for number, (owner, name) in enumerate(places, start=first):
-        if name in owner:  # for its type is kept
+        if name in owner:  # because its type is kept
             del owner[name]
         owner[name] = VALUES[number % len(VALUES)]
 
@@ -154,7 +154,7 @@ for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_whatever_reads_it_answers(model, everything_answers, case):
+def test_every_reader_of_it_answers(model, everything_answers, case):
     everything_answers(lambda: CASES[case](model), READERS)
 
 
@@ -190,7 +190,7 @@ def edited(**entries):
         edited(schema="wirewarp-report-1"),
     ],
 )
-def test_a_report_that_another_hand_has_changed_is_not_believed(model, addon, edit):
+def test_a_report_edited_by_hand_is_refused(model, addon, edit):
     model["wirewarp_report"] = edit(model["wirewarp_report"])
     select_only(model)
     assert "from another version of WireWarp. Flatten again" in draw_panels(addon)
@@ -198,7 +198,7 @@ def test_a_report_that_another_hand_has_changed_is_not_believed(model, addon, ed
     assert bpy.ops.mesh.wirewarp_select_issues() == {"CANCELLED"}
 
 
-def test_a_flat_face_of_no_such_face_is_said(model):
+def test_a_flat_face_without_its_source_face_is_reported(model):
     flat_of(model).data.attributes["source_face"].data[0].value = 1000
     select_only(model)
     said = answer("mesh.wirewarp_select_result", what="PIECE", index=0)
@@ -206,7 +206,7 @@ def test_a_flat_face_of_no_such_face_is_said(model):
 
 
 @pytest.mark.skipif(bpy.app.version >= (5, 0, 0), reason="Blender 5 keeps what is below properties to itself")
-def test_a_choice_of_another_version_goes_back_to_its_default(addon):
+def test_a_choice_of_another_version_becomes_the_default(addon):
     settings = bpy.context.scene.wirewarp
     settings.spacing = 2.0
     bpy.context.scene["wirewarp"]["method"] = 77
@@ -217,7 +217,7 @@ def test_a_choice_of_another_version_goes_back_to_its_default(addon):
     assert (operator.method, operator.spacing, settings.method) == ("REFINED", 2.0, "REFINED")
 
 
-def test_a_pattern_of_names_that_are_no_text(model, tmp_path):
+def test_a_pattern_with_names_that_are_not_text(model, tmp_path):
     for entry, name in zip(model.wirewarp_pieces, ["\x01 Front", "\ufffe", "Back"], strict=True):
         entry.name = name
     path = tmp_path / "pattern.svg"

@@ -40,7 +40,7 @@ def test_labels_hide_at_most_a_quarter_of_a_piece(addon):
     assert written(addon, *names(80.0), *other) == [*few, "Seam 20"]
 
 
-def test_the_name_of_a_piece_too_small_for_it_stands_beside_it_and_on_no_other(addon):
+def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another(addon):
     arrange, box = addon.overlay.screen.arrange, [(90, 90), (110, 110)]
     (inside,) = arrange([label(addon, "Front", box=box)], size_of)
     assert inside.base > 100
@@ -64,7 +64,7 @@ def test_a_name_at_the_edge_is_not_hidden_by_the_toolbar(addon):
     assert (below_toolbar, free) == (20 - width / 2, 175 - width / 2)
 
 
-def test_a_seam_says_what_it_joins_where_there_is_room_and_what_is_selected_is_written_anywhere(addon):
+def test_a_seam_names_the_joined_pieces_if_there_is_room_and_selected_names_are_always_written(addon):
     texts = ("Seam 4: Left sleeve", "Seam 4")
     assert written(addon, label(addon, *texts, room=400.0)) == [texts[0]]
     assert written(addon, label(addon, *texts, room=120.0)) == [texts[1]]
@@ -100,7 +100,7 @@ def arrows(addon, source, kind):
 
 
 def angles(addon, source):
-    """Of the arrows on pieces without a grain wire, in degrees."""
+    """Return the angles of the arrows on pieces without a grain wire, in degrees."""
     found = arrows(addon, source, "default grain")
     assert np.all(np.linalg.norm(found, axis=1) > 0.1)
     return np.degrees(np.arctan2(found[:, 1], found[:, 0]))

@@ -49,7 +49,7 @@ def test_a_failed_run_leaves_the_report_of_the_pieces(source, addon, tmp_path):
     bpy.ops.object.mode_set(mode="OBJECT")
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert addon.state.reports.last_report(source).ok
-    fail(source)  # which is forgotten with the file
+    fail(source)  # this report is forgotten with the file
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "failed.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "failed.blend"))
     assert addon.state.reports.last_report(bpy.data.objects["Bump"]).ok
@@ -93,7 +93,7 @@ def test_shape_keys_and_groups_of_earlier_pieces_are_gone(source):
     assert np.array_equal(read(shown.vertices, "co", np.float32, 3), places)
 
 
-def test_a_change_that_blender_was_not_told_of_is_seen_by_the_export(source, tmp_path, addon):
+def test_export_notices_a_change_that_blender_was_not_notified_of(source, tmp_path, addon):
     assert READY in draw_panels(addon)  # the panel keeps its findings
     places = read(source.data.vertices, "co", np.float32, 3)
     source.data.vertices.foreach_set("co", (2 * places).ravel())
@@ -114,7 +114,7 @@ def test_deleted_pieces_are_not_ready_to_cut(source, addon, tmp_path):
     assert "no flat pieces" in export(tmp_path)
 
 
-def test_a_copy_of_the_pieces_is_told_from_them(source, addon, tmp_path):
+def test_a_copy_of_the_pieces_is_distinguished_from_them(source, addon, tmp_path):
     select_only(flat_of(source))
     bpy.ops.object.duplicate()
     copy = bpy.context.active_object
@@ -130,7 +130,7 @@ def test_a_copy_of_the_pieces_is_told_from_them(source, addon, tmp_path):
     assert not addon.state.reports.last_report(source).notes
 
 
-def test_the_longest_name_leaves_room_for_what_says_that_these_are_its_pieces():
+def test_the_longest_name_leaves_room_for_the_suffix_of_its_pieces():
     source = grid("ä" * 200, bump, size=4)
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten()

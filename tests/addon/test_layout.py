@@ -46,7 +46,7 @@ def boxes_of(source):
     return [(each.min(axis=0), each.max(axis=0)) for each in own]
 
 
-def test_one_row_stands_on_a_line():
+def test_one_row_is_on_a_line():
     source = grid("Bump", bump)
     for line in (-0.5, 0.0, 0.5):
         mark_seam(source, on_line(0, line))
@@ -77,7 +77,7 @@ def edge_of_wire(source, ends):
     )
 
 
-def test_a_chosen_grain_wire_moves_pieces_that_were_laid_out_otherwise_and_can_be_taken_back():
+def test_a_chosen_grain_wire_turns_pieces_and_can_be_undone():
     source = two_wires()
     flatten(source)
     before = direction_of(source, *ALONG_X)
@@ -96,7 +96,7 @@ def test_a_chosen_grain_wire_moves_pieces_that_were_laid_out_otherwise_and_can_b
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_of_a_wire_and_its_copy_the_one_chosen_is_the_grain_wire(mode):
+def test_the_chosen_one_of_a_wire_and_its_copy_is_the_grain_wire(mode):
     source = two_wires()
     select_edges(source, lambda *_: True)
     bpy.ops.mesh.duplicate_move(TRANSFORM_OT_translate={"value": (0, 5, 0)})
@@ -121,7 +121,7 @@ def test_a_grain_wire_that_is_gone_counts_as_none():
     assert max(abs(direction_of(source, *ends)[1]) for ends in (ALONG_X, ALONG_Y)) == pytest.approx(1, abs=1e-4)
 
 
-def test_while_no_wire_is_the_grain_wire_pieces_stand_as_on_the_model():
+def test_without_a_grain_wire_pieces_are_upright_as_on_the_model():
     source = two_wires()
     source.rotation_euler = (np.pi / 2, 0, 0)  # its y is up
     flatten(source)
@@ -219,7 +219,7 @@ def test_the_gap_counts_from_the_widest_allowance_on_an_outline(mark_widths, wid
     assert gap_of_two(0.5, 1.0, mark_widths) == pytest.approx(0.05 + 2 * widest, abs=1e-5)
 
 
-def test_another_allowance_moves_no_piece_by_itself():
+def test_another_allowance_alone_moves_no_piece():
     source = grid("Plane", lambda x, y: (x, y, 0))
     mark_seam(source, on_line(0, 0.0))
     flatten(source)

@@ -84,7 +84,7 @@ def variations(source):
     return attribute(flat, "length_variation"), on_outline
 
 
-def test_what_is_thick_and_unfolds_changes_no_length(addon):
+def test_thick_material_that_unfolds_changes_no_length(addon):
     """Lengths are those in the middle of its thickness, which is flattened."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Half", half_cylinder, size=16)
@@ -95,7 +95,7 @@ def test_what_is_thick_and_unfolds_changes_no_length(addon):
     assert report.hints == [] and addon.core.verdict(report).kind == "ready for any fabric"
 
 
-def test_the_mirror_image_of_what_is_thick_has_the_same_changes_of_length():
+def test_mirrored_thick_pieces_have_the_same_changes_of_length():
     bpy.context.scene.unit_settings.scale_length = 0.1
     target, found = grid("Bump", bump, faces="triangles"), []
     for mirror in (False, True):
@@ -106,7 +106,7 @@ def test_the_mirror_image_of_what_is_thick_has_the_same_changes_of_length():
     assert found[1] == pytest.approx(found[0], abs=1e-4) and max(found[0].values()) > 0.01
 
 
-def test_what_is_as_long_as_it_was_to_be_has_no_change(addon):
+def test_lines_with_their_target_length_have_no_change(addon):
     """A line may change by its ease, stretched fabric by its stretch."""
     target = grid("Half", half_cylinder, size=16, faces="triangles")
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=20.0, orientation="UP")
@@ -121,7 +121,7 @@ def test_what_is_as_long_as_it_was_to_be_has_no_change(addon):
 
 
 def printed():
-    """Two pieces, each of another material, with a map of their own from above."""
+    """Return two pieces of different materials, each with its own map from above."""
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.0))
     for name in ("Stripes", "Dots"):

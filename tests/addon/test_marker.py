@@ -35,7 +35,7 @@ def outlines(path):
     return [outline * (1, -1) for outline in Drawing(path).outlines()]
 
 
-def test_pieces_lie_within_the_cloth_and_it_says_how_much_that_is(source, tmp_path, capfd):
+def test_pieces_are_on_the_fabric_and_its_length_is_reported(source, tmp_path, capfd):
     found = outlines(export(tmp_path))
     said = capfd.readouterr().out
     assert re.search(r"2 pieces on [\d.]+ m?m of cloth 400 mm wide, \d+% of it used", said)
@@ -60,19 +60,19 @@ def test_the_marker_is_kept_for_other_formats_until_the_pieces_change(source, tm
     assert source["wirewarp_marker"] != kept
 
 
-def test_what_is_no_marker_of_ours_is_left_alone(source, tmp_path, addon):
+def test_foreign_marker_data_does_not_change(source, tmp_path, addon):
     for stored in ("", "{}", "x" * 64 + "{}", 7):
         source["wirewarp_marker"] = stored
         assert addon.export.read.kept_marker(source.get("wirewarp_marker", "")) is None
     export(tmp_path)
 
 
-def test_cloth_that_is_too_narrow_is_a_sentence(source, tmp_path):
+def test_fabric_that_is_too_narrow_is_reported(source, tmp_path):
     with pytest.raises(RuntimeError, match="too large for a roll of 50 mm"):
         export(tmp_path, cloth_width=50.0)
 
 
-def test_the_preview_draws_the_marker_that_is_kept(source, tmp_path, addon):
+def test_the_preview_draws_the_stored_marker(source, tmp_path, addon):
     settings = bpy.context.scene.wirewarp
     for name, value in CLOTH.items():
         setattr(settings, name, value)
@@ -92,7 +92,7 @@ def test_the_preview_draws_the_marker_that_is_kept(source, tmp_path, addon):
 
 
 @pytest.mark.parametrize("has_search", [False, True])
-def test_the_share_of_an_export_grows_through_every_stage_of_the_library(addon, has_search):
+def test_the_progress_of_an_export_grows_through_every_stage_of_the_library(addon, has_search):
     stages = sorted(addon.core.pattern.STAGES, key=addon.core.pattern.STAGES.get)
     if has_search:
         stages.insert(stages.index("writing"), "nesting")

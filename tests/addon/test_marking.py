@@ -74,7 +74,7 @@ def test_marking_a_part_of_a_wire_makes_a_wire_of_its_own():
     assert len({wire for wire, _ in wire_marks(target.data)}) == 2
 
 
-def test_clear_takes_the_marks_and_the_name_away():
+def test_clear_removes_the_marks_and_the_name():
     target = grid("Bump", bump)
     mark(target, EAST_WEST, NORTH_SOUTH)
     select_edges(target, EAST_WEST)
@@ -97,7 +97,7 @@ def two_in_edit_mode(line):
 
 
 @pytest.mark.parametrize("operator", ["mark", "clear"])
-def test_of_several_objects_all_or_none_are_written(operator):
+def test_all_or_none_of_several_objects_are_marked(operator):
     first, second = two_in_edit_mode(EAST_WEST)
     bpy.ops.mesh.wirewarp_mark()
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -121,7 +121,7 @@ def test_of_several_objects_all_or_none_are_written(operator):
         ([EAST_WEST], {"kind": "ELASTIC", "tolerance": math.nan}, "needs a tolerance above 0"),
     ],
 )
-def test_what_cannot_be_marked_is_told(lines, settings, said):
+def test_edges_that_cannot_be_marked_are_reported(lines, settings, said):
     target = grid("Bump", bump)
     select_edges(target, *lines)
     with pytest.raises(RuntimeError, match=said):
@@ -158,7 +158,7 @@ def test_an_edge_without_a_face_is_not_marked_and_one_that_lost_it_is_left_out(a
 
 
 @pytest.mark.parametrize("command", ["mark", "clear", "seams_from_uv_islands", "smooth_seam"])
-def test_what_is_marked_on_models_is_refused_on_flat_pieces(command):
+def test_marks_of_models_are_refused_on_flat_pieces(command):
     source = grid("Bump", bump)
     select_only(source)
     bpy.ops.object.wirewarp_flatten()
@@ -175,7 +175,7 @@ def test_what_is_marked_on_models_is_refused_on_flat_pieces(command):
         bpy.ops.mesh.wirewarp_mark()
 
 
-def test_a_model_is_marked_from_nothing_selected(addon):
+def test_mark_this_model_starts_with_nothing_selected(addon):
     """In an imported model, everything is selected."""
     source = grid("Bump", bump, size=4)
     bpy.ops.object.mode_set(mode="EDIT")

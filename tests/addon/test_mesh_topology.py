@@ -45,7 +45,7 @@ def mesh(addon, request):
         yield current
 
 
-def test_what_is_read(addon, mesh):
+def test_all_data_is_read(addon, mesh):
     for name, (elements, field, columns) in READERS.items():
         found = getattr(addon.blender.mesh, name)(mesh)
         assert found.dtype == np.int32, name

@@ -32,7 +32,7 @@ def move_a_vertex(source):
     bmesh.update_edit_mesh(source.data)
 
 
-EDITS = {  # of what is selected, all or a line
+EDITS = {  # edits of the selection, which is everything or a line
     "a vertex moved": (None, lambda: move_a_vertex(bpy.context.object)),
     "seams cleared": (None, lambda: bpy.ops.mesh.mark_seam(clear=True)),
     "wires cleared": (None, lambda: bpy.ops.mesh.wirewarp_clear()),
@@ -72,7 +72,7 @@ def test_scale_is_seen_and_place_does_not_matter(source, has_changed):
 def test_selecting_naming_modifiers_and_a_shape_key_in_edit_mode_change_nothing(source, has_changed):
     source.data.wirewarp_names[0].name = "Bust"
     source.data.uv_layers.new(name="Mine")
-    source.modifiers.new("Wave", "WAVE")  # which pieces without modifiers do not have
+    source.modifiers.new("Wave", "WAVE")  # which pieces without modifiers ignore
     select_edges(source, LINE)
     assert not has_changed()
     bpy.ops.object.mode_set(mode="OBJECT")
@@ -214,7 +214,7 @@ def test_another_frame_of_an_animated_modifier_is_a_change(addon, smooth):
     assert addon.state.changes.has_changed(smooth, report.model_state)
 
 
-def test_a_hidden_model_with_modifiers_is_to_be_shown_first(smooth, tmp_path):
+def test_a_hidden_model_with_modifiers_must_be_shown_first(smooth, tmp_path):
     path = tmp_path / "pattern.svg"
     select_only(flat_of(smooth))
     smooth.hide_set(True)
@@ -224,7 +224,7 @@ def test_a_hidden_model_with_modifiers_is_to_be_shown_first(smooth, tmp_path):
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
 
 
-def test_what_was_tried_in_edit_mode_is_tried_again_when_its_modifiers_change(addon, smooth):
+def test_a_model_tried_in_edit_mode_is_tried_again_after_its_modifiers_change(addon, smooth):
     bpy.ops.object.mode_set(mode="EDIT")
     move_a_vertex(smooth)
     bpy.context.view_layer.update()

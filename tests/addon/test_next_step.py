@@ -90,7 +90,7 @@ def test_a_fault_is_fixed_and_the_model_flattened_with_one_click(addon, make, sa
         MEND(**step.settings)
 
 
-def test_ignored_modifiers_turn_the_verdict_amber_and_are_taken_from_then_on(addon):
+def test_ignored_modifiers_turn_the_verdict_amber_and_are_used_afterwards(addon):
     source = grid("Bump", bump, size=4)
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     bpy.ops.object.wirewarp_flatten()
@@ -112,7 +112,7 @@ def test_ignored_modifiers_turn_the_verdict_amber_and_are_taken_from_then_on(add
     assert "Lengths are exact" in draw_panels(addon)
 
 
-def test_what_only_can_be_looked_at_is_shown(addon):
+def test_places_without_a_remedy_are_shown(addon):
     """The button shows the worst place of a strained piece, or a failure without a remedy."""
     source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6)
     bpy.ops.object.wirewarp_flatten()
@@ -127,7 +127,7 @@ def test_what_only_can_be_looked_at_is_shown(addon):
     assert step_of(addon, source).text == "Show Failed Place"
 
 
-def test_a_piece_strained_too_evenly_for_a_place_is_suggested_a_cut(addon):
+def test_an_evenly_strained_piece_gets_a_suggested_cut(addon):
     """It needs more than every fabric allows, but nowhere enough for a hint."""
     source = grid("Low", lambda x, y: (x, y, 0.3 * (1 - x * x) * (1 - y * y)), size=6)
     bpy.ops.object.wirewarp_flatten()
@@ -137,7 +137,7 @@ def test_a_piece_strained_too_evenly_for_a_place_is_suggested_a_cut(addon):
     assert shown == 2  # beside the verdict; in a narrow and in a wide sidebar
 
 
-def test_nothing_to_mend_is_said(addon):
+def test_the_button_is_refused_without_a_fault(addon):
     source = grid("Bump", bump)
     with pytest.raises(RuntimeError, match="has not been flattened yet"):
         MEND(what="SEAMS")
@@ -147,7 +147,7 @@ def test_nothing_to_mend_is_said(addon):
     assert len(seams_of(source)) == 0
 
 
-def test_flat_pieces_stand_for_their_model(addon):
+def test_flat_pieces_represent_their_model(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     mark(source, on_line(0, 0.0))
@@ -160,7 +160,7 @@ def test_flat_pieces_stand_for_their_model(addon):
     assert flat_of(source).mode == "EDIT"
 
 
-def test_edges_proposed_for_twins_are_counted_once(addon):
+def test_edges_proposed_for_mirror_images_are_counted_once(addon):
     """Each of two sleeves has an issue that proposes the seams of both."""
     source = joined(tube(place=-2.0), tube("Other", place=2.0))
     flatten_fails(CUT)
@@ -169,7 +169,7 @@ def test_edges_proposed_for_twins_are_counted_once(addon):
     assert step_of(addon, source).sentence == "Suggested seam: 12 edges."
 
 
-def test_what_flatten_refuses_is_refused(addon):
+def test_refusals_of_flatten_are_reported(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     source.hide_set(True)
@@ -179,7 +179,7 @@ def test_what_flatten_refuses_is_refused(addon):
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_modifiers_are_applied_so_that_what_is_proposed_can_be_marked(addon, mode):
+def test_modifiers_are_applied_so_that_proposed_edges_can_be_marked(addon, mode):
     source = tube()
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     bpy.context.scene.wirewarp.use_modifiers = True
@@ -200,7 +200,7 @@ def test_modifiers_are_applied_so_that_what_is_proposed_can_be_marked(addon, mod
     assert ready(addon, source)
 
 
-def test_modifiers_of_a_shared_mesh_are_left_alone(addon):
+def test_modifiers_of_a_shared_mesh_are_not_applied(addon):
     source = tube()
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     twin = source.copy()
@@ -238,7 +238,7 @@ def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
     assert offered and others and {*offered, *others} == set(limits)
     labels = [addon.state.settings.fabric_label(name) for name in [*offered, *others]]
     assert all(label in draw_panels(addon) for label in labels)
-    bpy.context.scene.wirewarp.gives_along = 2.0  # of another fabric
+    bpy.context.scene.wirewarp.gives_along = 2.0  # left from another fabric
     assert MEND(what="FABRIC", cloth=offered[0].upper()) == {"FINISHED"}
     assert bpy.context.scene.wirewarp.cloth == offered[0].upper()
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready

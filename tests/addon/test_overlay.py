@@ -89,7 +89,7 @@ def test_edit_mode_shows_the_same_lines_and_names(addon, source, flat):
     assert sorted(name.texts[-1] for name in during.names) == sorted(texts)
 
 
-def test_a_twin_shows_its_lines_while_the_mesh_is_edited(addon, source):
+def test_an_object_with_the_same_mesh_shows_its_lines_in_edit_mode(addon, source):
     before = lines_of(addon, source)
     select_only(source)
     bpy.ops.object.duplicate(linked=True)
@@ -102,7 +102,7 @@ def test_a_twin_shows_its_lines_while_the_mesh_is_edited(addon, source):
     assert (shown[twin].failures, shown[twin].surface) == (None, None)
 
 
-def test_names_are_those_of_the_report_and_stand_on_what_they_name(addon, source):
+def test_names_are_those_of_the_report_and_are_on_their_lines(addon, source):
     on_model = [name.texts[-1] for name in lines_of(addon, source).names]
     assert sorted(on_model) == ["Seam 1", "Waist", "Wire 2 ±5%", "Wire 3"]
     on_pieces = [name.texts[-1] for name in lines_of(addon, flat_of(source)).names]
@@ -185,7 +185,7 @@ def test_every_map_can_be_shown(addon, source):
         assert surface_of(addon, source, color_map).colors.shape == (3 * 128, 4)
 
 
-def test_only_models_and_pieces_are_drawn_and_only_what_is_wanted(addon, source):
+def test_only_models_and_pieces_are_drawn_with_the_chosen_layers(addon, source):
     grid("Bystander", bump)
     mark_seam(bpy.data.objects["Bystander"], SEAM)
     drawings, settings = addon.overlay.shown.drawings, bpy.context.scene.wirewarp
@@ -276,21 +276,21 @@ def test_all_names_of_the_piece_that_is_chosen_in_the_list_are_written(addon):
 
 @pytest.fixture
 def notes(addon):
-    """What is said of the map with this name."""
+    """Return a function for the notes about the map with this name."""
 
-    def told(shown_map, of="missing_maps"):
+    def notes_of(shown_map, of="missing_maps"):
         addon.state.drawings.forget()
         bpy.context.scene.wirewarp.shown_map = shown_map
         shown, context = addon.overlay.shown, view_context()
         return getattr(shown, of)(list(shown.drawings(context)), shown.shown_map(context))
 
-    return told
+    return notes_of
 
 
-def test_a_map_says_its_figure_and_why_it_is_missing(addon, source, notes):
+def test_a_map_shows_its_figure_or_why_it_is_missing(addon, source, notes):
     needed = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
     figure = f"99% of the area: up to {addon.core.percent_text(needed)} in the worst direction"
-    assert notes("STRETCH_COLOR", "map_notes") == [figure]  # that of the verdict, which no other map has
+    assert notes("STRETCH_COLOR", "map_notes") == [figure]  # the verdict's figure, which no other map has
     assert notes("LENGTH_VARIATION_COLOR", "map_notes") == []
     assert notes("STRETCH_COLOR") == []
     assert notes("WEFT_STRAIN_COLOR") == ["No fabric was chosen: no such map"]
@@ -302,7 +302,7 @@ def test_a_map_says_its_figure_and_why_it_is_missing(addon, source, notes):
     assert notes("STRETCH_COLOR") == ["Not flattened: no map", "Changed since: flatten again"]
 
 
-def test_what_failed_is_drawn_on_the_model_on_the_pieces_and_in_the_map(addon, notes):
+def test_failed_elements_are_drawn_on_model_pieces_and_map(addon, notes):
     source = grid("Spike", lambda x, y: (x, y, 2 * (1 - x * x) * (1 - y * y)))
     mark(source, on_line(0, 0.0))
     mark(source, on_line(1, 0.0))
@@ -315,7 +315,7 @@ def test_what_failed_is_drawn_on_the_model_on_the_pieces_and_in_the_map(addon, n
     centers = addon.overlay.failures.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
     expected = [source.data.polygons[face].center for face in sorted(faces)]
     assert np.linalg.norm(centers[:, :2] - np.array(expected)[:, :2], axis=1).max() < 0.1
-    source.data.vertices[0].co = source.data.vertices[1].co  # of bad input there are edges alone
+    source.data.vertices[0].co = source.data.vertices[1].co  # bad input has only edges
     source.data.update()
     bpy.context.view_layer.update()
     flatten_fails("no area")
@@ -328,7 +328,7 @@ def test_what_failed_is_drawn_on_the_model_on_the_pieces_and_in_the_map(addon, n
     assert notes("STRETCH_COLOR") == ["Not flattened: no map"]  # it has not changed since
 
 
-def test_around_a_failed_piece_there_are_lines_and_none_within(addon):
+def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
     bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
     tube = bpy.context.active_object
     flatten_fails("tube")

@@ -27,13 +27,13 @@ def source():
 
 @pytest.fixture
 def at_once(addon, monkeypatch):
-    """What has changed is built at once, however long it takes."""
+    """Build changed drawings at once, however long that takes."""
     monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
     monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
 
 
 def drawn(addon):
-    """By target."""
+    """Return the drawings by target."""
     bpy.context.view_layer.update()
     return {drawing.target: drawing for drawing in addon.overlay.shown.drawings(view_context())}
 
@@ -54,7 +54,7 @@ def test_nothing_is_built_again_until_something_changes(addon, source, at_once):
     assert changed[flat_of(source)].lines is first[flat_of(source)].lines
 
 
-def test_allowances_are_laid_anew_only_where_they_are_others(addon, source, at_once, monkeypatch):
+def test_allowances_are_computed_again_only_if_they_change(addon, source, at_once, monkeypatch):
     """They take longest to compute, and the model changes far more often."""
     shown, laid = addon.overlay.shown, []
     cut_lines = shown.cut_lines
@@ -157,7 +157,7 @@ def clock(addon, monkeypatch):
 
 
 def slowly(addon, clock, owner, seconds, source=None):
-    """Draws versions that take so long to build; and those that were built."""
+    """Return a function that draws versions which take this long to build, and a list of the built ones."""
     built = []
 
     def build(version):
@@ -186,7 +186,7 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, clock):
 
 
 @pytest.mark.parametrize("of_pieces", [False, True])
-def test_what_is_slow_to_build_waits_in_edit_mode_until_the_user_rests(addon, source, timers, clock, of_pieces):
+def test_slow_drawings_wait_in_edit_mode_until_the_user_pauses(addon, source, timers, clock, of_pieces):
     """This also holds for drawings over its pieces."""
     drawing, built = slowly(addon, clock, flat_of(source) if of_pieces else source, 0.25, source)
     assert drawing(0) == 0
@@ -224,7 +224,7 @@ class Space:
         self.drawn.remove(draw)
 
 
-def test_handlers_and_timers_leave_with_the_add_on(addon, timers, monkeypatch):
+def test_handlers_and_timers_are_removed_with_the_add_on(addon, timers, monkeypatch):
     before, space = handlers_of(addon), Space()
     spaces, draws, stages = zip(*addon.overlay._HANDLERS, strict=True)
     assert list(spaces) == 2 * [bpy.types.SpaceView3D] + 2 * [bpy.types.SpaceImageEditor]
@@ -246,7 +246,7 @@ def test_handlers_and_timers_leave_with_the_add_on(addon, timers, monkeypatch):
     assert handlers_of(addon) == before
 
 
-def test_what_was_kept_of_removed_objects_goes(addon, source):
+def test_data_of_removed_objects_is_freed(addon, source):
     """Large models would keep their arrays and batches until another file is opened. With a new name it stays."""
     drawn(addon)
     flat = flat_of(source)
@@ -279,7 +279,7 @@ def among_others():
 
 @pytest.fixture
 def asked(addon, monkeypatch):
-    """The objects that are asked whether they concern us."""
+    """Return the objects that are checked for our data."""
     names = []
     ask = addon.overlay.shown.concerns_us
     monkeypatch.setattr(addon.overlay.shown, "concerns_us", lambda each: names.append(each.name) or ask(each))
@@ -291,7 +291,7 @@ def names_drawn(addon):
     return {target.name for target in drawn(addon)}
 
 
-def test_objects_are_asked_again_only_when_they_change(addon, among_others, asked):
+def test_objects_are_checked_again_only_when_they_change(addon, among_others, asked):
     assert names_drawn(addon) == set()
     assert len(asked) == OTHERS + 1
     asked.clear()
@@ -302,7 +302,7 @@ def test_objects_are_asked_again_only_when_they_change(addon, among_others, aske
     assert asked == ["Other 7"]
 
 
-def test_what_is_marked_flattened_renamed_and_removed_is_seen(addon, among_others, asked):
+def test_marking_flattening_renaming_and_removing_are_noticed(addon, among_others, asked):
     assert names_drawn(addon) == set()
     mark(among_others, on_line(1, 0.0))
     assert names_drawn(addon) == {"Bump"}

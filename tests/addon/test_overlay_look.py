@@ -28,7 +28,7 @@ def lab(srgb, vision):
 
 
 @pytest.mark.parametrize("vision", list(VISIONS))
-def test_everybody_tells_the_lines_apart(addon, vision):
+def test_everybody_distinguishes_the_lines(addon, vision):
     styles = addon.overlay.lines.STYLES
     for (first, a), (second, b) in combinations(styles.items(), 2):
         if "grain" in first + second or {"page", "ease"} & {first, second}:
@@ -37,7 +37,7 @@ def test_everybody_tells_the_lines_apart(addon, vision):
         assert distance > 30, (first, second)  # 2.3 is just noticeable side by side
 
 
-def test_kinds_of_wires_are_told_apart_without_color(addon):
+def test_kinds_of_wires_are_distinguished_without_color(addon):
     styles = addon.overlay.lines.STYLES
     rigid, elastic, free = (styles[kind] for kind in ("rigid", "elastic", "free"))
     assert rigid.dash is None
@@ -60,7 +60,7 @@ def dash_lengths(addon, points, dash, gap):
 
 
 @pytest.mark.parametrize("count", [1, 3, 1000])
-def test_dashes_are_as_long_whatever_the_edges_are(addon, count):
+def test_dashes_are_equally_long_for_all_edges(addon, count):
     line = [(x, 0, 0) for x in np.linspace(0, 10, count + 1)]
     assert dash_lengths(addon, line, 2, 1) == pytest.approx([2, 2, 2, 1], abs=1e-4)
 
@@ -72,7 +72,7 @@ def test_lines_and_their_rims_differ(addon, vision):
 
 
 @pytest.mark.parametrize("vision", list(VISIONS))
-def test_equal_steps_of_a_map_are_told_apart_and_in_order(addon, vision):
+def test_equal_steps_of_a_map_are_distinguished_and_in_order(addon, vision):
     surfaces, maps = addon.overlay.gather, addon.solve.maps
     for color_map in maps.COLOR_MAPS:
         steps = color_map.colors(np.linspace(color_map.low, color_map.high, 9))

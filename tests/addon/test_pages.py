@@ -50,8 +50,8 @@ def sheets_in(path):
         ("PROJECTOR", 0, "IN_ROWS"),
     ],
 )
-def test_there_are_as_many_as_the_file_has(addon, source, tmp_path, paper, beside, arrangement):
-    """Except for the map."""
+def test_the_preview_has_as_many_pages_as_the_file(addon, source, tmp_path, paper, beside, arrangement):
+    """The map is not counted."""
     pages = preview(addon, source, paper=paper, arrangement=arrangement)
     path = tmp_path / "a.pdf"
     bpy.ops.object.wirewarp_export(filepath=str(path), paper=paper, arrangement=arrangement)
@@ -117,7 +117,7 @@ def test_they_follow_allowances_and_the_unit(addon, source):
     assert len(preview(addon, source, paper="A4").names) > 2
 
 
-def test_what_does_not_fit_is_a_sentence(addon, source):
+def test_pieces_that_do_not_fit_are_reported(addon, source):
     pages = preview(addon, source, paper="ROLL", roll_width=200.0)
     assert not pages.is_good and "too large for a roll of 200 mm" in pages.sentence
     assert not pages.places

@@ -67,7 +67,7 @@ def test_pieces_are_named_after_their_side_as_the_object_is_turned(source):
     assert sorted(flatten(source)) == ["Front Left", "Front Right"]
 
 
-def test_a_tube_turned_inside_out_keeps_front_and_back_and_is_told():
+def test_a_tube_turned_inside_out_keeps_front_and_back_and_is_reported():
     around = [(math.cos(turn), math.sin(turn)) for turn in TURN]
     tube = make_object("Tube", [(x, y, z) for z in (0, 1) for x, y in around], TUBE_FACES)
     mark_seam(tube, on_line(1, 0.0))
@@ -96,7 +96,7 @@ def test_the_six_sides_of_a_cube():
         assert middle_of(target, name) == pytest.approx(place)
 
 
-def test_what_winds_around_is_named_after_its_place():
+def test_a_piece_that_winds_around_is_named_after_its_place():
     sleeves = [
         make_object(f"Tube {x}", [(x + math.cos(a), math.sin(a), z) for z in (0, 3) for a in TURN], TUBE_FACES)
         for x in (-4, 4)
@@ -110,7 +110,7 @@ def test_what_winds_around_is_named_after_its_place():
     assert middle_of(sleeves[0], "Left")[0] > 3
 
 
-def test_a_model_of_one_piece_is_called_as_the_model_until_it_is_cut():
+def test_the_only_piece_has_the_name_of_the_model_until_it_is_cut():
     source = grid("Sleeve", bump)
     assert flatten(source) == ["Sleeve"]
     source.data.vertices[40].co = source.data.vertices[41].co
@@ -120,7 +120,7 @@ def test_a_model_of_one_piece_is_called_as_the_model_until_it_is_cut():
     assert sorted(flatten(source)) == HALVES
     other = grid("Other", bump)
     flatten(other)
-    other.wirewarp_pieces[0].name = "Arm"  # which was given, so it stays
+    other.wirewarp_pieces[0].name = "Arm"  # given by the user, so it stays
     mark_seam(other, on_line(0, 0.5))
     assert "Arm" in flatten(other)
 
@@ -171,7 +171,7 @@ def test_more_than_two_of_one_side_are_numbered():
 
 
 @pytest.mark.parametrize("kind", ["group", "material", "attribute"])
-def test_two_pieces_of_one_region_are_called_by_it_and_their_side(kind):
+def test_two_pieces_of_one_region_are_named_by_it_and_their_side(kind):
     target = grid("Bump", bump)
     mark_seam(target, on_line(0, -0.5))
     mark_seam(target, on_line(0, 0.5))
@@ -221,7 +221,7 @@ def test_a_name_given_by_the_user_stays_when_the_model_is_reshaped_and_subdivide
     assert middle_of(source, "Sleeve")[0] > 0
 
 
-def test_of_two_parts_of_a_piece_the_larger_keeps_the_name_and_gives_it_to_both(source):
+def test_the_larger_of_two_parts_keeps_the_name(source):
     flatten(source)
     rename(source, "Top Left", "Sleeve")
     mark_seam(source, on_line(0, 0.75))
@@ -302,7 +302,7 @@ def test_objects_that_share_a_mesh_keep_their_own_names(source):
     assert sorted(flatten(other)) == ["Cuff", "Top Right"]
 
 
-def test_a_forged_id_below_zero_is_none(source):
+def test_a_forged_negative_id_counts_as_none(source):
     flatten(source)
     ids = source.data.attributes["wirewarp_piece"]
     ids.data.foreach_set("value", [-7] * len(source.data.polygons))

@@ -42,7 +42,7 @@ def source():
 
 
 def vertices_of(source, name):
-    """Of the piece, in the flat mesh."""
+    """Return the piece's vertices in the flat mesh."""
     flat = flat_of(source).data
     piece_id = next(entry.piece_id for entry in source.wirewarp_pieces if entry.name == name)
     ids = read(flat.attributes["wirewarp_piece"].data, "value", np.int32)
@@ -57,7 +57,7 @@ def places_of(source):
 
 
 def farthest(now, then):
-    """By how much vertices lie elsewhere, at most."""
+    """Return the largest distance that vertices have moved."""
     return max(np.linalg.norm(now[key] - then[key]) for key in then if key in now)
 
 
@@ -149,7 +149,7 @@ def test_several_new_pieces_do_not_overlap(source):
     assert len(crowded) <= 1  # boxes of the two that stayed may overlap, because the pieces may be rotated
 
 
-def test_a_piece_that_grew_into_another_goes_beside_it_and_that_is_said(source, notes):
+def test_a_piece_that_grew_into_another_is_moved_beside_it_with_a_message(source, notes):
     before = places_of(source)
     for vertex in source.data.vertices:
         vertex.co.x *= 3.0 if vertex.co.x > 0 else 1.0
@@ -177,7 +177,7 @@ def flip_one(source):
     max(source.data.polygons, key=lambda each: each.center.x).flip()
 
 
-def test_a_piece_that_failed_comes_back_to_its_place_or_beside_another_that_lies_there(source, addon):
+def test_a_failed_piece_returns_to_its_place_or_beside_another_one_there(source, addon):
     move(source, "Top Left", angle=0.5, by=(3, 4))
     before = places_of(source)
     for _ in range(2):
@@ -201,7 +201,7 @@ def test_a_piece_that_failed_comes_back_to_its_place_or_beside_another_that_lies
 
 
 @pytest.mark.parametrize("is_selected", [True, False])
-def test_only_the_active_model_is_laid_out_anew(source, is_selected):
+def test_only_the_active_model_is_rearranged(source, is_selected):
     other = grid("Other", bump)
     mark_seam(other, SEAM)
     flatten(other)
@@ -219,11 +219,11 @@ def test_only_the_active_model_is_laid_out_anew(source, is_selected):
         bpy.ops.object.wirewarp_flatten(keep_places=False, only_active=True)
 
 
-def test_a_model_that_is_turned_leaves_its_pieces_as_they_stand_and_that_is_said(source, notes):
+def test_a_rotated_model_keeps_its_pieces_with_a_message(source, notes):
     before = places_of(source)
     source.rotation_euler.z = 1.0
     flatten(source)
-    assert notes() == []  # what is up stays that
+    assert notes() == []  # the same direction is up
     source.rotation_euler.x = math.radians(90)
     for _ in range(2):
         flatten(source)
@@ -252,7 +252,7 @@ def test_a_dart_does_not_confuse_the_fit():
 
 
 @pytest.mark.parametrize("settings", [{"keep_places": False}, {"spacing": 160.0}, {"mirror": True}])
-def test_laid_out_anew_where_that_is_wanted(source, settings):
+def test_pieces_are_rearranged_without_keep_places(source, settings):
     flatten(source, **settings)
     laid_out = places_of(source)
     move(source, "Top Left", by=(3, 4))
@@ -261,13 +261,13 @@ def test_laid_out_anew_where_that_is_wanted(source, settings):
     flatten(source)
     height = source.data.vertices[40].co.z
     source.data.vertices[40].co.z = math.nan
-    flatten_fails("Bump: ", **settings)  # which does not count
+    flatten_fails("Bump: ", **settings)  # a failed run does not count
     source.data.vertices[40].co.z = height
     flatten(source, **settings)
     assert_same_places(places_of(source), laid_out)
 
 
-def test_the_list_opens_at_the_worst_piece_and_then_stays_where_the_user_is(source, addon):
+def test_the_list_opens_at_the_worst_piece_and_then_keeps_the_users_choice(source, addon):
     report = addon.state.reports.last_report(source)
     worst = max(report.pieces, key=lambda piece: piece.needed).index
     assert source.wirewarp_active_piece == worst
@@ -276,7 +276,7 @@ def test_the_list_opens_at_the_worst_piece_and_then_stays_where_the_user_is(sour
     assert source.wirewarp_active_piece == 1 - worst
 
 
-def test_the_button_that_lays_out_anew_is_there_where_places_are_kept(source, addon):
+def test_the_button_that_rearranges_is_shown_if_places_are_kept(source, addon):
     def buttons():
         found = []
         draw_panels(addon, found)

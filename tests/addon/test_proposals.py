@@ -38,7 +38,7 @@ def seams_of(target):
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_a_tube_lies_flat_once_the_proposed_seam_is_marked(addon, mode):
+def test_a_tube_is_flat_once_the_proposed_seam_is_marked(addon, mode):
     source = tube()
     flatten_fails(CUT)
     bpy.ops.object.mode_set(mode=mode)
@@ -67,7 +67,7 @@ def test_one_proposal_leaves_the_others_good():
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 
-def test_two_sleeves_are_mended_at_once_as_mirror_images(addon):
+def test_two_sleeves_are_fixed_at_once_as_mirror_images(addon):
     """By its own proposal, the second sleeve would get its seam on the same side as the first."""
     source, other = tube(place=-2.0), tube("Other", place=2.0)
     for target in (source, other):  # narrower on one side, which makes that the best place for a seam
@@ -82,7 +82,7 @@ def test_two_sleeves_are_mended_at_once_as_mirror_images(addon):
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 
-def test_twins_without_mirrored_meshes_are_mended_at_once_each_by_its_own_seam():
+def test_pairs_without_mirrored_meshes_are_fixed_at_once_each_by_its_own_seam():
     source, other = tube(), tube("Other", place=4.0)
     other.data.transform(Matrix.Rotation(0.1, 4, "Z"))  # about the world's axis: not a mirror image in X, Y or Z
     joined(source, other)
@@ -91,7 +91,7 @@ def test_twins_without_mirrored_meshes_are_mended_at_once_each_by_its_own_seam()
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 
-def test_the_flat_pieces_of_the_others_take_it_to_the_model():
+def test_the_button_works_from_the_flat_pieces():
     source = joined(tube(), grid("Bump", bump))
     flatten_fails(CUT)
     select_only(flat_of(source))
@@ -102,7 +102,7 @@ def test_the_flat_pieces_of_the_others_take_it_to_the_model():
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_a_model_that_has_changed_is_left_alone(mode):
+def test_a_changed_model_is_not_marked(mode):
     source = tube()
     flatten_fails(CUT)
     source.data.vertices[20].co.x += 0.01
@@ -114,7 +114,7 @@ def test_a_model_that_has_changed_is_left_alone(mode):
     assert len(seams_of(source)) == 0
 
 
-def test_a_report_of_the_mesh_with_modifiers_is_of_other_edges(addon):
+def test_a_report_of_the_mesh_with_modifiers_is_not_used(addon):
     source = tube()
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     flatten_fails(CUT, use_modifiers=True)
@@ -125,7 +125,7 @@ def test_a_report_of_the_mesh_with_modifiers_is_of_other_edges(addon):
     assert not {"mesh.wirewarp_take_proposal", "mesh.wirewarp_select_result"} & set(buttons)
 
 
-def test_there_is_nothing_to_take():
+def test_without_proposals_the_button_is_refused():
     grid("Bump", bump)
     with pytest.raises(RuntimeError, match='"Bump" has not been flattened yet'):
         take()
@@ -220,7 +220,7 @@ def inside(a, b):
     return not any(abs(a[k]) > 1 - 1e-6 and abs(a[k] - b[k]) < 1e-6 for k in (0, 1))
 
 
-def test_wires_of_twins_are_loosened_at_once(addon):
+def test_tolerances_of_mirror_images_are_widened_at_once(addon):
     saddles = [grid(name, lambda x, y: (x, y, 0.25 * x * y), size=4, faces="triangles") for name in ("Left", "Right")]
     saddles[1].data.transform(Matrix.Scale(-1, 4, (1, 0, 0)))
     saddles[1].data.flip_normals()
@@ -250,7 +250,7 @@ def test_a_wire_that_must_be_free_is_proposed_as_free(addon, tmp_path):
     assert math.inf in tolerances
 
 
-def test_what_is_no_wire_any_more_gets_no_tolerance(loosen):
+def test_a_cleared_wire_gets_no_tolerance(loosen):
     loosen.data.attributes.remove(loosen.data.attributes["wirewarp_wire"])
     assert take("TOLERANCES") == {"CANCELLED"}
     assert np.all(tolerances_on(loosen, 0.0) == 0)

@@ -44,7 +44,7 @@ def eight_maps(source, count=8):
 
 
 def break_a_wire(source):
-    """As a file edited by hand may have it."""
+    """Mark a wire as a file edited by hand may have it."""
     mark(source, on_line(1, 0.0))
     source.data.attributes["wirewarp_tolerance"].data.foreach_set("value", [math.nan] * len(source.data.edges))
     source.data.wirewarp_names[0].name = "Dart Line"
@@ -78,7 +78,7 @@ SETTINGS = [
 
 @pytest.mark.api
 @pytest.mark.parametrize("case", REFUSED)
-def test_a_model_that_is_refused_leaves_the_file_as_it_was(source, case):
+def test_a_refused_model_does_not_change_the_file(source, case):
     spoil, sentence = REFUSED[case]
     spoil(source)
     select_only(source)
@@ -87,7 +87,7 @@ def test_a_model_that_is_refused_leaves_the_file_as_it_was(source, case):
 
 
 @pytest.mark.parametrize(("settings", "sentence"), SETTINGS)
-def test_a_setting_that_is_refused_leaves_the_file_as_it_was(source, settings, sentence):
+def test_a_refused_setting_does_not_change_the_file(source, settings, sentence):
     source.modifiers.new("Mask", "MASK").vertex_group = source.vertex_groups.new(name="Nothing").name
     flatten_fails(sentence, **settings)
     assert nothing_written(source)
@@ -105,7 +105,7 @@ def test_a_report_file_that_cannot_be_written_is_refused(source, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["report.json"]
 
 
-def test_a_map_of_our_name_is_written_beside_what_has_the_name(source):
+def test_the_map_gets_another_name_if_ours_is_taken(source):
     bpy.ops.object.wirewarp_flatten()
     source.vertex_groups.new(name="WireWarp")
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
@@ -141,7 +141,7 @@ def test_other_modes(source, addon, mode):
 
 
 @pytest.mark.parametrize("active", ["a camera", "nothing", "hidden", "the model, not selected"])
-def test_what_is_active_does_not_matter(source, addon, active):
+def test_the_active_object_does_not_matter(source, addon, active):
     objects = bpy.context.view_layer.objects
     if active == "a camera":
         camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
@@ -162,7 +162,7 @@ def test_what_is_active_does_not_matter(source, addon, active):
     assert [each.name for each in bpy.data.objects if each.name.endswith("Flat")] == ["Bump Flat"]
 
 
-def test_what_was_free_when_read_is_asked_again_before_writing(source, addon):
+def test_objects_are_checked_again_before_writing(source, addon):
     read, settings = addon.flatten.read, bpy.context.scene.wirewarp
     models = read.read_models(bpy.context, [source], settings)
     eight_maps(source)
@@ -176,7 +176,7 @@ def test_what_was_free_when_read_is_asked_again_before_writing(source, addon):
 
 
 def in_another_scene(data):
-    """Makes a scene with one object of this mesh the one that is worked in."""
+    """Switch to a new scene with one object of this mesh."""
     scene, other = bpy.data.scenes.new("Other"), bpy.data.objects.new("Other", data)
     scene.collection.objects.link(other)
     view_layer = scene.view_layers[0]
@@ -204,7 +204,7 @@ def test_flat_pieces_that_are_edited_in_another_scene(source, addon):
         addon.export.read.read_pattern(bpy.context.scene, source)
 
 
-def test_no_file_of_ours_takes_the_place_of_a_blender_file(source, tmp_path):
+def test_no_export_replaces_a_blender_file(source, tmp_path):
     path = tmp_path / "model.blend"
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
     before = path.read_bytes()

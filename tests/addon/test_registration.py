@@ -145,7 +145,7 @@ def test_papers_keep_the_numbers_that_files_store():
     assert items[-1].identifier == "ROLL"  # behind all papers of the library
 
 
-def test_what_the_caller_leaves_out_is_taken_from_the_scene(addon):
+def test_missing_arguments_come_from_the_scene(addon):
     settings = bpy.context.scene.wirewarp
     settings.mirror, settings.spacing = True, 0.5
     given = SimpleNamespace(is_property_set=lambda name: name == "spacing")

@@ -72,7 +72,7 @@ def test_the_report_states_lengths_in_blender_units_and_meters(source, tmp_path)
         ("ELASTIC", 0.001, "REFINED", "; at its limit of ±0.1%"),
     ],
 )
-def test_the_row_of_a_wire_says_what_became_of_its_tolerance(source, addon, kind, tolerance, method, note):
+def test_the_row_of_a_wire_shows_the_use_of_its_tolerance(source, addon, kind, tolerance, method, note):
     mark(source, WIRE, kind=kind, tolerance=tolerance)
     bpy.ops.object.wirewarp_flatten(method=method)
     report = addon.state.reports.last_report(source)
@@ -99,7 +99,7 @@ def test_a_sentence_is_broken_where_it_fills_the_sidebar(addon):
         assert (counts[0] > 5, counts[-1]) == (True, 1)
 
 
-def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
+def test_a_canceled_piece_with_exact_lengths_reports_it(addon):
     target = grid("Bump", bump)
     arrays = addon.state.read_model.object_to_arrays(target, addon.state.marked_mesh.marked_mesh(target), None)
     identities = [addon.solve.identity.PieceIdentity(1, "Top")]
@@ -131,7 +131,7 @@ def test_a_cancelled_piece_that_keeps_its_lengths_says_so(addon):
     assert [(addon.core.note_text(stopped, note), note.is_warning) for note in stopped.notes] == [(text, True)]
 
 
-def test_what_is_only_good_to_know_is_no_warning(addon, source):
+def test_notes_are_not_warnings(addon, source):
     """It is only in the message after a run, together with possible faults of the pieces."""
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
@@ -187,7 +187,7 @@ def test_lengths_and_areas_are_shown_in_the_scenes_units(addon, system, unit, sc
     assert (text(0.57123), text.area(0.57123)) == (length, area)
 
 
-def test_the_report_says_what_stood_upright(source, tmp_path):
+def test_the_report_names_the_upright_direction(source, tmp_path):
     """Without a grain wire, the report names what is up, whatever was requested."""
 
     def upright(**settings):
@@ -234,7 +234,7 @@ def test_the_report_is_parsed_and_its_rows_are_made_once(addon, source):
     assert report.tables.seams[0].note == "Front – Top Left"
 
 
-def test_the_table_for_spreadsheets_is_in_the_scenes_units_and_told_from_a_true_one(addon, source, capfd):
+def test_the_table_for_spreadsheets_is_in_the_scenes_units(addon, source, capfd):
     settings = bpy.context.scene.unit_settings
     with pytest.raises(RuntimeError, match='"Bump" has not been flattened yet'):
         bpy.ops.object.wirewarp_copy_report()

@@ -23,16 +23,16 @@ def solving(addon, *sources):
     return addon.flatten.models.solve_models(addon.core.library(), read_models(addon, *sources), choices, 1.0)
 
 
-def test_a_run_tells_how_far_it_is(addon):
-    told = []
-    outcomes = addon.solve.steps.in_one_go(solving(addon, grid("First", bump), grid("Second", bump)), told.append)
+def test_a_run_reports_its_progress(addon):
+    reported = []
+    outcomes = addon.solve.steps.in_one_go(solving(addon, grid("First", bump), grid("Second", bump)), reported.append)
     assert [outcome.report.object for outcome in outcomes] == ["First", "Second"]
     assert all(outcome.report.ok for outcome in outcomes)
-    assert told == sorted(told)
-    assert {0.5, 1.0} <= set(told)
+    assert reported == sorted(reported)
+    assert {0.5, 1.0} <= set(reported)
 
 
-def test_a_run_that_is_given_up_is_cancelled_in_the_core_too(addon, started):
+def test_an_abandoned_run_is_canceled_in_the_core_too(addon, started):
     steps = solving(addon, grid("First", bump, size=200), grid("Second", bump))
     assert 0 <= next(steps) < 0.5
     (reference,) = started
@@ -121,7 +121,7 @@ def test_blender_ends_during_a_run(addon, tmp_path):
 
 @pytest.fixture
 def begun(addon):
-    """A run of these steps in the window, one of them done."""
+    """Return a run of these steps in the window after its first step."""
 
     def begin(steps):
         window_run = addon.ui.window_run
@@ -133,7 +133,7 @@ def begun(addon):
     assert not addon.ui.window_run.is_running()
 
 
-def test_a_run_that_is_done_may_still_be_cancelled(addon, begun):
+def test_a_finished_run_may_still_be_canceled(addon, begun):
     """An update may wait for the mouse."""
     run = begun(solving(addon))
     assert run.is_done
@@ -142,7 +142,7 @@ def test_a_run_that_is_done_may_still_be_cancelled(addon, begun):
         run.result()
 
 
-def test_extra_work_that_is_canceled_leaves_the_result_that_was_there(addon, begun):
+def test_canceled_extra_work_keeps_the_result(addon, begun):
     def with_extra():
         yield 0.5
         try:
@@ -150,7 +150,7 @@ def test_extra_work_that_is_canceled_leaves_the_result_that_was_there(addon, beg
         except addon.solve.steps.CanceledError:
             return "the pieces"
 
-    run = begun(addon.solve.steps.told_as(with_extra(), lambda share: share))
+    run = begun(addon.solve.steps.reported_as(with_extra(), lambda share: share))
     run.go_on()
     addon.ui.window_run.cancel()
     assert run.is_done and run.result() == "the pieces"
@@ -169,8 +169,8 @@ def failing():
 
 
 @pytest.mark.parametrize(("work", "error"), [(stubborn, OSError), (failing, MemoryError)])
-def test_what_the_work_raises_is_raised_where_the_result_is_asked_for(addon, begun, work, error):
-    """Also by one that cannot clean up after it was canceled."""
+def test_exceptions_of_the_work_are_raised_with_the_result(addon, begun, work, error):
+    """This includes work that cannot clean up after it was canceled."""
     run = begun(work())
     if work is stubborn:
         addon.ui.window_run.cancel()
@@ -199,7 +199,7 @@ def move_a_vertex(source):
     source.data.update()
 
 
-def test_only_what_changed_and_has_pieces_is_made_again(addon, source):
+def test_only_changed_models_with_pieces_are_updated(addon, source):
     """In Edit Mode too."""
     grid("Never Flattened", bump)
     assert taken(addon) == []
@@ -217,7 +217,7 @@ def test_only_what_changed_and_has_pieces_is_made_again(addon, source):
     assert taken(addon) == ["Bump"]
 
 
-def test_nothing_is_made_again_after_undo_until_something_changes(addon, source):
+def test_nothing_is_updated_after_undo_until_something_changes(addon, source):
     scene, auto = bpy.context.scene, addon.flatten.auto_update
     scene.wirewarp.auto_update = True
     move_a_vertex(source)
@@ -233,7 +233,7 @@ def test_nothing_is_made_again_after_undo_until_something_changes(addon, source)
     assert taken(addon) == ["Bump"]
 
 
-def test_there_is_no_second_run_beside_another(addon, source, monkeypatch):
+def test_a_second_run_is_refused(addon, source, monkeypatch):
     assert bpy.ops.object.wirewarp_update.poll()
     monkeypatch.setattr(addon.ui.window_run, "is_running", lambda: True)
     assert not bpy.ops.object.wirewarp_update.poll()
@@ -270,7 +270,7 @@ def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source):
     assert canceled not in draw_panels(addon)
 
 
-def test_what_goes_wrong_while_the_pieces_are_made_leaves_the_file_as_it_was(addon, source, monkeypatch):
+def test_an_exception_while_pieces_are_made_does_not_change_the_file(addon, source, monkeypatch):
     flatten(source)
     flat, meshes = flat_of(source), {mesh.name for mesh in bpy.data.meshes}
     before = read(flat.data.vertices, "co", np.float32, 3), source["wirewarp_report"], flat.data.name
@@ -286,7 +286,7 @@ def test_what_goes_wrong_while_the_pieces_are_made_leaves_the_file_as_it_was(add
     assert (source["wirewarp_report"], flat.data.name) == before[1:]
 
 
-def test_another_grain_wire_is_due_once_and_a_model_that_cannot_be_read_is_tried_once(addon, source):
+def test_another_grain_wire_updates_once_and_an_unreadable_model_is_tried_once(addon, source):
     assert taken(addon) == []
     bpy.ops.mesh.wirewarp_grain_wire(edge=addon.state.identities.find_wires(source)[0].edges[0])
     assert taken(addon) == ["Bump"]

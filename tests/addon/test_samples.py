@@ -33,7 +33,7 @@ def test_there_is_one_file_for_each_shape():
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_the_file_holds_what_the_script_makes(name):
+def test_the_file_contains_what_the_script_makes(name):
     shape, mesh = SAMPLES[name], open_sample(name).data
     assert read(mesh.vertices, "co", np.float32, 3) == pytest.approx(shape.vertices, abs=1e-7)
     assert [tuple(polygon.vertices) for polygon in mesh.polygons] == shape.faces
@@ -51,7 +51,7 @@ def test_the_file_holds_what_the_script_makes(name):
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_the_file_holds_eases_and_cloth(name, addon):
+def test_the_file_contains_eases_and_fabric(name, addon):
     shape, mesh = SAMPLES[name], open_sample(name).data
     starts = read(mesh.loops, "vertex_index", np.int32)
     ends = np.concatenate([np.roll(starts[list(polygon.loop_indices)], -1) for polygon in mesh.polygons])
@@ -99,7 +99,7 @@ def test_flatten_keeps_every_length_and_the_verdict_is_good(name, addon, tmp_pat
     assert [wire["name"] for wire in report["wires"]] == [wire.name for wire in SAMPLES[name].wires]
 
 
-def test_the_sleeves_of_the_top_are_called_sleeves(tmp_path):
+def test_the_sleeves_of_the_top_are_named_sleeves(tmp_path):
     open_sample("fitted_top")
     names = [piece["name"] for piece in flatten_as_the_file_says(tmp_path)["pieces"]]
     assert sorted(names) == ["Back", "Front", "Left sleeve", "Right sleeve"]

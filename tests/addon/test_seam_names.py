@@ -63,7 +63,7 @@ def test_a_seam_keeps_its_name_through_edits(addon, source, tmp_path):
     assert set(seams(addon, bpy.data.objects["Bump"])) == {"Side", "Seam 2"}
 
 
-def test_of_a_seam_that_is_cut_in_two_the_longer_keeps_the_name(addon, source):
+def test_the_longer_part_of_a_divided_seam_keeps_the_name(addon, source):
     mark_seam(source, lambda a, b: on_line(1, 0.5)(a, b) and min(a[0], b[0]) > 0.4)
     flatten(source)
     found = seams(addon, source)
@@ -71,7 +71,7 @@ def test_of_a_seam_that_is_cut_in_two_the_longer_keeps_the_name(addon, source):
     assert sorted(found) == ["Seam 1", "Seam 2", "Seam 3"]
 
 
-def test_a_seam_that_ends_inside_its_piece_is_a_dart_and_one_that_opens_a_tube_is_none(addon):
+def test_a_seam_that_ends_inside_is_a_dart_and_one_that_opens_a_tube_is_not(addon):
     target = grid("Bump", bump)
     mark_seam(target, lambda a, b: DOWN(a, b) and max(a[1], b[1]) < 0.1)
     flatten(target)

@@ -89,7 +89,7 @@ def test_the_active_one_of_several_maps_is_read_and_ours_if_there_is_no_other(ca
     with pytest.raises(RuntimeError, match='"Bare" has no UV map'):
         bpy.ops.mesh.wirewarp_seams_from_uv_islands()
     bpy.ops.object.mode_set(mode="OBJECT")
-    assert seam_edges(target.data) == set()  # of both or of none
+    assert seam_edges(target.data) == set()  # in both or in neither
     other = grid("Bump", bump)
     mark_seam(other, CUT)
     flatten(other)
@@ -163,7 +163,7 @@ def test_seams_of_a_map_that_lowers_the_stretch_are_offered_for_a_model_without_
     assert uv_seams_of(addon, source) is None
 
 
-def test_who_cancels_while_the_seams_of_the_map_are_tried_has_the_pieces(addon, monkeypatch):
+def test_canceling_while_the_seams_of_the_map_are_tried_keeps_the_pieces(addon, monkeypatch):
     """The bar never goes backwards."""
     source, scene, solver = with_islands(), bpy.context.scene, addon.flatten.models
     flatten_arrays, runs, fractions = solver.flatten_arrays, [], []

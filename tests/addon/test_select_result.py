@@ -60,7 +60,7 @@ def select_fails(match, **what):
         bpy.ops.mesh.wirewarp_select_result(**what)
 
 
-def test_what_cannot_be_shown_leaves_the_user_where_he_was(source, addon):
+def test_places_that_cannot_be_shown_do_not_change_the_view(source, addon):
     flat, other = flat_of(source), grid("Other", bump)
     select_only(source, other)
     bpy.ops.object.mode_set(mode="EDIT")
@@ -75,7 +75,7 @@ def test_what_cannot_be_shown_leaves_the_user_where_he_was(source, addon):
     assert (bpy.context.active_object, set(bpy.context.selected_objects)) == (source, {source, other})
 
 
-def test_what_is_not_there_is_said(source):
+def test_missing_places_are_reported(source):
     select_fails("That line is gone. Flatten again", what="SEAM", index=1)
     select_fails("That line is gone", what="OUTLINE", index=2)
     bpy.data.objects.remove(flat_of(source))
@@ -84,13 +84,13 @@ def test_what_is_not_there_is_said(source):
     select_fails('"Other" has not been flattened yet. Press Flatten first', what="PIECE", index=0)
 
 
-def test_a_model_that_has_changed_is_said(source):
+def test_a_changed_model_is_reported(source):
     source.data.vertices.add(1)
     source.data.update()
     select_fails('"Bump" has changed since it was flattened', what="SEAM", index=0)
 
 
-def test_of_a_mesh_with_modifiers_the_flat_pieces_are_shown():
+def test_with_modifiers_the_flat_pieces_are_shown():
     target = grid("Other", bump)
     mark_seam(target, SEAM)
     target.modifiers.new("Finer", "SUBSURF").levels = 1
@@ -125,7 +125,7 @@ def test_a_wire_on_the_model_and_on_the_flat_pieces(wired, what):
     assert np.array_equal(edges, np.flatnonzero(ids))
 
 
-def test_an_open_edge_is_one_stretch_of_one_piece(source, addon):
+def test_an_outline_is_one_section_of_one_piece(source, addon):
     report = addon.state.reports.last_report(source)
     for index, (_, _, chain) in enumerate(addon.core.open_edges(report)):
         select_only(source)
@@ -142,7 +142,7 @@ def test_an_open_edge_is_one_stretch_of_one_piece(source, addon):
 
 
 @pytest.mark.parametrize("what", ["STRETCH", "EASE"])
-def test_where_the_cloth_is_strained_most(source, addon, what):
+def test_the_most_strained_place_is_selected(source, addon, what):
     piece = addon.state.reports.last_report(source).pieces[1]
     bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
     faces = selected(source, "polygons")
@@ -156,7 +156,7 @@ def test_where_the_cloth_is_strained_most(source, addon, what):
 
 
 def test_one_of_several_issues(model):
-    select_only(flat_of(model))  # where the cube is not
+    select_only(flat_of(model))  # which have no cube
     bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
     assert len(selected(model, "polygons")) == 6
     model["wirewarp_report"] = "{}"  # of another version

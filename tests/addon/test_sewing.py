@@ -54,7 +54,7 @@ def evaluated(target):
     return target.evaluated_get(bpy.context.evaluated_depsgraph_get())
 
 
-def test_sewing_edges_join_what_is_one_on_the_model_and_a_shape_key_folds_it_there(source):
+def test_sewing_edges_join_equal_vertices_and_a_shape_key_folds_the_pieces(source):
     numbers = read(flat_of(source).data.attributes["source_vertex"].data, "value", np.int32)
     target = sewing_of(source)
     joined = loose_edges(target)
@@ -63,7 +63,7 @@ def test_sewing_edges_join_what_is_one_on_the_model_and_a_shape_key_folds_it_the
     assert set(numbers[joined[:, 0]].tolist()) == set(np.flatnonzero(copies > 1).tolist())
     assert (
         len(joined) == (copies[copies > 1] - 1).sum() + 1
-    )  # where the dart opens, each of the three is joined to both others
+    )  # at the opening of the dart, each of three vertices is joined to both others
     assert len(edge_vertices(target.data)) == len(edge_vertices(flat_of(source).data)) + len(joined)
     target.data.shape_keys.key_blocks["On the Model"].value = 1.0  # which folds the pieces onto the model
     bpy.context.view_layer.update()
@@ -89,7 +89,7 @@ def test_a_cloth_simulation_sews_the_pieces_together(source):
     assert gaps().max() < 0.05 * before.mean()
 
 
-def test_it_is_no_flat_object_and_carries_no_marks(source, addon):
+def test_the_copy_is_not_a_flat_object_and_has_no_marks(source, addon):
     target = sewing_of(source)
     assert target.users_collection == flat_of(source).users_collection
     names = [attribute.name for attribute in target.data.attributes]
@@ -97,7 +97,7 @@ def test_it_is_no_flat_object_and_carries_no_marks(source, addon):
     assert not addon.overlay.shown.concerns_us(target)
 
 
-def test_without_pieces_it_is_a_sentence():
+def test_it_is_refused_without_pieces():
     source = grid("Bump", bump)
     with pytest.raises(RuntimeError, match='"Bump" has no flat pieces'):
         bpy.ops.object.wirewarp_sewing()
@@ -115,14 +115,14 @@ def move_to_another_scene(flat):
 
 
 @pytest.mark.parametrize("put_away", [hide_collection, move_to_another_scene])
-def test_it_is_to_be_seen_where_the_pieces_are_not(source, put_away):
+def test_the_copy_is_visible_although_the_pieces_are_hidden(source, put_away):
     select_only(source)
     put_away(flat_of(source))
     target = sewing_of(source)
     assert bpy.context.view_layer.objects.active == target and target.visible_get()
 
 
-def test_a_seam_of_a_piece_that_has_no_layout_is_left_out():
+def test_seams_of_a_piece_without_a_layout_are_ignored():
     """A ring beside the others with one cut is a tube and has no flat shape."""
     source = grid("Bump", bump)
     bpy.ops.mesh.primitive_torus_add(location=(4, 0, 0), major_segments=12, minor_segments=8)

@@ -5,15 +5,15 @@ import bpy
 import numpy as np
 import pytest
 from surfaces import flat_of, grid, mark, mark_seam, on_line, read, select_edges, select_only
-from two_sided import HEM, SEAM, ease, join_split_and_turn_over, made, select_side, shares, two_pieces, widths_at_seam
+from two_sided import HEM, SEAM, ease, join_split_and_flip, made, select_side, shares, two_pieces, widths_at_seam
 
 
 class Eases:
-    """Measured on the flat pieces, as shares of the length on the model."""
+    """Eases, measured on the flat pieces as fractions of the length on the model."""
 
     attribute = "wirewarp_side_ease"
     first, second, unmarked = 0.05, 0.02, 0.0
-    both = 0.0, 0.02  # once each side was marked: an ease of one side takes the place of the other's
+    both = 0.0, 0.02  # after each side was marked: the ease of one side replaces that of the other
     stored, rounding = 1.0, 1e-5
     twice = 'Edges of "Bump" have two eases of one side.*mark their ease again'
 
@@ -21,7 +21,7 @@ class Eases:
         self.addon, self.marks = addon, addon.state.allowances.SIDE_EASES
 
     def mark_again(self, source):
-        mark(source, HEM)  # which goes on as ever
+        mark(source, HEM)  # this mark is not affected
         ease(source, SEAM, sides="ONE", ease_percent=5.0)
 
     def mark_selected(self, value):
@@ -31,13 +31,13 @@ class Eases:
         ease(source, line, sides="ONE" if side < 0 else "OTHER", ease_percent=50.0)
 
     def at_seam(self, source):
-        """Of the left and the right side."""
+        """Return the values of the left and the right side."""
         bpy.ops.object.wirewarp_flatten()
         return shares(source)
 
 
 class Allowances:
-    """As the pattern has them, in millimeters."""
+    """Allowances, as in the pattern, in millimeters."""
 
     attribute = "wirewarp_side_allowance"
     first, second, unmarked = 15.0, 6.0, 10.0
@@ -77,7 +77,7 @@ def kind(request, addon):
 
 
 def mark_side(kind, source, side, value):
-    """On the piece that lies left (-1) or right (1) of the seam."""
+    """Mark the side of the piece that is left (-1) or right (1) of the seam."""
     select_side(source, side)
     assert kind.mark_selected(value) == {"FINISHED"}
     assert flat_of(source).mode == "EDIT"
@@ -90,7 +90,7 @@ def check(kind, source, left, right):
 
 
 def write_corners(kind, source, left, right):
-    """On the corners at which edges of the seam begin."""
+    """Write values on the corners where edges of the seam begin."""
     mesh = source.data
     sides = mesh.attributes.get(kind.attribute) or mesh.attributes.new(kind.attribute, "FLOAT", "CORNER")
     places = read(mesh.vertices, "co", np.float32, 3)
@@ -102,13 +102,13 @@ def write_corners(kind, source, left, right):
 
 
 def test_a_side_marked_on_its_piece_survives_what_wires_survive(source, kind):
-    """Splitting edges, turning faces over, joining, another unit and a mirrored object."""
+    """These are splitting edges, flipping faces, joining, another unit and a mirrored object."""
     bpy.ops.object.wirewarp_flatten()
     mark_side(kind, source, -1, kind.first)
     check(kind, source, kind.first, kind.unmarked)
     mark_side(kind, source, 1, kind.second)
     check(kind, source, *kind.both)
-    join_split_and_turn_over(source)
+    join_split_and_flip(source)
     bpy.ops.scene.wirewarp_set_unit(meters=0.1)
     source.scale.x = -1
     check(kind, source, *kind.both)
@@ -121,21 +121,21 @@ def test_scripts_may_write_a_side_on_corners(source, kind):
     check(kind, source, kind.first, kind.second)
 
 
-def test_two_marks_of_one_side_are_told_until_it_is_marked_again(source, kind):
+def test_two_marks_of_one_side_are_reported_until_it_is_marked_again(source, kind):
     bpy.ops.object.wirewarp_flatten()
     mark_side(kind, source, -1, kind.first)
     write_corners(kind, source, kind.second, 0.0)
-    with pytest.raises((RuntimeError, kind.addon.issues.ObjectError), match=kind.twice) as told:
+    with pytest.raises((RuntimeError, kind.addon.issues.ObjectError), match=kind.twice) as caught:
         kind.at_seam(source)
-    if told.type is RuntimeError:  # of Flatten, which keeps a report
+    if caught.type is RuntimeError:  # Flatten keeps a report
         (issue,) = kind.addon.state.reports.last_report(source).issues
         assert len(issue.edges) == 8
-    kind.mark_again(source)  # which takes the other away
+    kind.mark_again(source)  # which removes the other mark
     assert sorted(kind.at_seam(source)) == pytest.approx(sorted([kind.first, kind.unmarked]), abs=kind.rounding)
 
 
 @pytest.mark.parametrize("side", [-1, 1])
-def test_between_parts_of_a_face_one_side_is_marked_and_what_was_marked_stays(source, kind, side):
+def test_between_parts_of_a_face_one_side_is_marked_and_other_marks_stay(source, kind, side):
     """A loop cut copies the values that distinguish faces."""
     bpy.ops.object.wirewarp_flatten()
     mark_side(kind, source, 1, kind.first)

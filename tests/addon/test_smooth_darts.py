@@ -14,7 +14,7 @@ pytestmark = pytest.mark.api
 
 
 def choose_smooth(addon, source):
-    """Suggests darts and chooses the best that crosses faces."""
+    """Suggest darts and choose the best one that crosses faces."""
     assert SUGGEST["DARTS"]() == {"FINISHED"}
     cuts = found(addon, source).cuts
     index = next(index for index, cut in enumerate(cuts) if not cut.edges)
@@ -23,7 +23,7 @@ def choose_smooth(addon, source):
 
 
 def drawn_on(addon, target):
-    """The ends of each drawn segment (k,2,3)."""
+    """Return the ends of each drawn segment (k,2,3)."""
     lines = addon.overlay.failures.suggested_lines(target, bpy.context.evaluated_depsgraph_get())
     return lines.reshape(-1, 2, 3).astype(float)
 
@@ -152,7 +152,7 @@ def test_lines_that_cross_in_a_face_are_refused(addon):
     assert np.array_equal(places(source), before)
 
 
-def test_a_piece_that_no_dart_helps_is_told_in_one_sentence(addon, monkeypatch):
+def test_a_piece_that_no_dart_helps_is_reported_in_one_sentence(addon, monkeypatch):
     source = grid("Bump", bump)
     mark(source, on_line(0, -0.75))
     bpy.ops.object.wirewarp_flatten()

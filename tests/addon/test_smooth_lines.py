@@ -101,7 +101,7 @@ def test_painted_faces_are_not_entered():
     assert len(free.polygons) > SIZE * SIZE + 5
 
 
-def test_the_new_line_is_selected_and_the_old_one_is_no_seam_any_more():
+def test_the_new_line_is_selected_and_the_old_one_is_not_a_seam():
     source = grid("Bump", bump)
     stairs(source)
     old = pairs(seams_of(source))
@@ -115,7 +115,7 @@ def test_the_new_line_is_selected_and_the_old_one_is_no_seam_any_more():
     assert old - new  # except for parts that both follow
 
 
-def test_wires_other_seams_and_eases_are_met_where_they_were_and_stay(addon):
+def test_wires_other_seams_and_eases_are_met_at_the_same_places(addon):
     source = grid("Bump", bump)
     mark(source, on_line(0, 0.25))
     mark_seam(source, on_line(1, 0.5))
@@ -133,7 +133,7 @@ def test_wires_other_seams_and_eases_are_met_where_they_were_and_stay(addon):
         mark_allowance_and_smooth(source)
     assert len(source.data.vertices) == count
     assert smooth(source, lambda a, b: max(a[1], b[1]) < 0.45) == {"FINISHED"}
-    assert len(crossed) == 2 and crossed == on_the_wire(source)  # of the stairs, and of the unchanged seam
+    assert len(crossed) == 2 and crossed == on_the_wire(source)  # of the stairs and of the other seam
     marked = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.count_nonzero(marked) == np.count_nonzero(wires)
     eases = read(source.data.attributes["wirewarp_side_ease"].data, "value", np.float32)
@@ -155,7 +155,7 @@ def mark_allowance_and_smooth(source):
         bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def test_what_cannot_be_smoothed_is_told_and_left(addon):
+def test_lines_that_cannot_be_smoothed_are_reported_and_stay(addon):
     source = grid("Bump", bump)
     with pytest.raises(RuntimeError, match="Nothing to smooth: select edges of a seam first"):
         smooth(source)
@@ -173,7 +173,7 @@ def test_what_cannot_be_smoothed_is_told_and_left(addon):
     assert not bpy.ops.mesh.wirewarp_smooth_seam.poll()
 
 
-def test_where_a_second_line_fails_the_first_is_not_cut_either(addon, monkeypatch):
+def test_if_a_second_line_fails_the_first_is_not_cut(addon, monkeypatch):
     source = grid("Bump", bump)
     stairs(source)
     mark_seam(source, on_line(1, 0.75))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested cuts: towards a target, of models that are closed or have modifiers, and where no cut may run."""
+"""Suggested cuts: up to a target, for models that are closed or have modifiers, and areas without cuts."""
 
 from itertools import pairwise
 
@@ -24,7 +24,7 @@ def ball():
     return source
 
 
-def test_a_closed_model_gets_sets_of_first_cuts_of_which_one_is_marked(addon, capfd):
+def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
     source = ball()
     buttons = []
     with pytest.raises(RuntimeError):
@@ -73,7 +73,7 @@ def test_sets_with_pieces_narrower_than_two_allowances_come_last(addon):
 
 
 @pytest.mark.parametrize("lines", ["SMOOTH", "EDGES"])
-def test_a_cut_of_what_modifiers_make_applies_them_when_it_is_marked(addon, lines):
+def test_a_cut_of_a_modified_mesh_applies_the_modifiers_when_it_is_marked(addon, lines):
     source = grid("Bump", bump, size=4)
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     settings = bpy.context.scene.wirewarp
@@ -94,7 +94,7 @@ def test_a_cut_of_what_modifiers_make_applies_them_when_it_is_marked(addon, line
     assert cut.strain < before
 
 
-def test_a_cut_that_is_refused_applies_no_modifiers(addon, monkeypatch):
+def test_a_refused_cut_applies_no_modifiers(addon, monkeypatch):
     source = grid("Bump", bump, size=4)
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     settings = bpy.context.scene.wirewarp
@@ -125,14 +125,14 @@ def test_faces_split_apart_need_no_cut_and_modifiers_that_cannot_be_applied_are_
 
 
 def paint(source, data_type="BOOLEAN", domain="FACE"):
-    """All that there is."""
+    """Paint all vertices."""
     attribute = source.data.attributes.new("wirewarp_no_seam", data_type, domain)
     attribute.data.foreach_set("value", np.ones(len(attribute.data), dtype=np.int32))
     source.data.update()
     bpy.context.view_layer.update()
 
 
-def test_cuts_go_when_their_way_is_painted(addon):
+def test_cuts_disappear_if_their_path_is_painted(addon):
     source = grid("Bump", bump, size=6)
     SUGGEST["DARTS"]()
     source.vertex_groups.new(name="Keep Whole").add([0], 1.0, "REPLACE")
@@ -170,7 +170,7 @@ def test_an_attribute_of_another_kind_is_refused(data_type, domain):
 
 
 @pytest.mark.parametrize("kind", ["FACES", "GROUP"])
-def test_no_cut_runs_where_none_is_wanted(addon, kind):
+def test_no_cut_enters_a_painted_area(addon, kind):
     source = grid("Bump", bump, size=6, faces="triangles")
     bpy.context.scene.wirewarp.dart_lines = "EDGES"
     SUGGEST["DARTS"]()
@@ -188,7 +188,7 @@ def test_no_cut_runs_where_none_is_wanted(addon, kind):
         assert not pairs(cut) & pairs(other.edges)
 
 
-def test_a_painted_closed_model_has_no_first_cuts():
+def test_a_painted_closed_model_has_no_cut_sets():
     source = ball()
     source.vertex_groups.new(name="wirewarp_no_seam").add(range(len(source.data.vertices)), 1.0, "REPLACE")
     with pytest.raises(RuntimeError, match='no seams were found.* Seams are also not allowed where "wirewarp_no_seam"'):
@@ -196,7 +196,7 @@ def test_a_painted_closed_model_has_no_first_cuts():
 
 
 @pytest.mark.parametrize("data_type", ["INT8", "INT", "FLOAT"])
-def test_a_painted_model_leaves_no_way(data_type):
+def test_a_fully_painted_model_has_no_cuts(data_type):
     paint(grid("Bump", bump, size=6), data_type)
     with pytest.raises(
         RuntimeError, match='no room for a dart.*Seams are also not allowed where "wirewarp_no_seam" is painted'
@@ -213,7 +213,7 @@ def settings():
 
 
 @pytest.mark.parametrize("row", [0, 1])
-def test_a_row_is_marked_with_all_before_it_and_leaves_what_it_says(addon, settings, row):
+def test_a_row_is_marked_with_all_earlier_ones_and_leaves_its_stretch(addon, settings, row):
     source = grid("Bump", bump, size=6, faces="triangles")
     before = needed(addon, source)
     SUGGEST["DARTS"]()
@@ -243,7 +243,7 @@ def test_seams_divide_the_piece_and_its_parts(addon, settings):
     assert len(pieces) == 3 and all(piece.ok for piece in pieces)
 
 
-def test_of_any_piece_the_figures_are_those_of_the_worst_one(addon, settings):
+def test_figures_of_the_model_are_those_of_its_worst_piece(addon, settings):
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.25))
     bpy.ops.object.wirewarp_flatten()
@@ -270,7 +270,7 @@ def test_mirror_images_are_one_row(addon, settings):
     assert "2 darts: " in draw_panels(addon)
 
 
-def test_the_target_reaches_the_search_and_what_is_missing_is_said(addon, settings, capfd):
+def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(addon, settings, capfd):
     """How a plan keeps to its target is tested in tests/bindings."""
     source = grid("Bump", bump, size=6)
     SUGGEST["DARTS"]()
@@ -291,7 +291,7 @@ def test_the_target_reaches_the_search_and_what_is_missing_is_said(addon, settin
         SUGGEST["DARTS"]()
 
 
-def test_first_cuts_meet_the_target(addon, settings):
+def test_cut_sets_meet_the_target(addon, settings):
     source = ball()
     settings.aim_stretch = 30.0
     SUGGEST["SEAMS"]()

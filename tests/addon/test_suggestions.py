@@ -73,7 +73,7 @@ def test_mirror_images_are_one_suggestion_and_the_least_strain_is_first(addon):
     assert "2×" in draw_panels(addon)
 
 
-def test_the_list_is_of_the_chosen_piece_and_goes_when_the_model_changes(addon, capfd):
+def test_the_list_belongs_to_the_chosen_piece_and_is_cleared_when_the_model_changes(addon, capfd):
     source = grid("Bump", bump, size=6)
     mark_seam(source, on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
@@ -142,7 +142,7 @@ def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, monkeypatch):
         assert not operator.poll()
 
 
-def test_it_is_taken_in_edit_mode(addon):
+def test_it_is_marked_in_edit_mode(addon):
     """How it is undone is seen in the window: tests/window/suggest_tours.py."""
     source = grid("Bump", bump, size=6)
     bpy.ops.object.mode_set(mode="EDIT")
@@ -163,7 +163,7 @@ def test_it_is_taken_in_edit_mode(addon):
         (bpy.ops.mesh.primitive_cube_add, "closed"),
     ],
 )
-def test_why_there_is_nothing_to_suggest(make, said):
+def test_without_suggestions_the_reason_is_reported(make, said):
     make()
     with pytest.raises(RuntimeError, match=said):
         SUGGEST["DARTS"]()
@@ -180,18 +180,18 @@ def test_a_model_that_became_a_curve_gets_no_suggestion(addon):
         suggest.keep_found(search, cuts)
 
 
-def test_other_settings_are_told(addon, capfd):
+def test_other_settings_are_reported(addon, capfd):
     source = grid("Bump", bump, size=6)
     mark(source, on_line(0, 0.0))
     settings = bpy.context.scene.wirewarp
     SUGGEST["DARTS"]()
-    assert "suggested; for Piece 1: stretch" in capfd.readouterr().out  # which has no name to quote yet
+    assert "suggested; for Piece 1: stretch" in capfd.readouterr().out  # the piece has no name yet
     settings.spacing, settings.mirror, settings.layout_kind = 50, True, "ROW"
     settings.orientation, settings.grain_angle, settings.gives_across = "BOUNDARY", 0.5, 10
     assert "Suggest again" not in draw_panels(addon)  # the figures are the same
     settings.fairness = 0.2
     assert "Settings changed since (Smooth Outlines). Suggest again." in draw_panels(addon)
-    settings.cloth, settings.orientation = "WOVEN", "WIRE"  # which has a grain
+    settings.cloth, settings.orientation = "WOVEN", "WIRE"  # woven fabric has a grain
     SUGGEST["DARTS"]()
     source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
     assert "Settings changed since (Grain Wire). Suggest again." in draw_panels(addon)

@@ -42,7 +42,7 @@ def disable(source):
         (disable, "is disabled in viewports"),
     ],
 )
-def test_select_issues_where_the_model_cannot_be_shown(hide, sentence):
+def test_select_issues_if_the_model_cannot_be_shown(hide, sentence):
     source = failed_source()
     flat = flat_of(source)
     hide(source)
@@ -77,7 +77,7 @@ def test_flattening_again_makes_the_size_true_and_keeps_the_place(addon):
 
 
 def are_apart(first, second):
-    """Seen from above."""
+    """Return whether the boxes are apart, seen from above."""
     (low, high), (bottom, top) = world_box(first), world_box(second)
     return bool(np.any((high <= bottom) | (top <= low)))
 
@@ -88,7 +88,7 @@ def neighbor(x, bottom, top, size=0.5):
     return bpy.context.object
 
 
-def test_new_pieces_lie_clear_of_what_stands_beside_the_model():
+def test_new_pieces_do_not_overlap_objects_beside_the_model():
     standing = [neighbor(2.0, 0.0, 1.0), neighbor(4.6, -1.0, 1.0)]
     source = grid("Bump", bump)
     flatten(source)
@@ -96,7 +96,7 @@ def test_new_pieces_lie_clear_of_what_stands_beside_the_model():
     place = tuple(flat_of(source).location)
     neighbor(*flat_of(source).location[:1], 0.0, 1.0)
     flatten(source)
-    assert tuple(flat_of(source).location) == place  # their place, or the user's, from now on
+    assert tuple(flat_of(source).location) == place  # pieces keep this place
 
 
 @pytest.mark.parametrize(
@@ -104,7 +104,7 @@ def test_new_pieces_lie_clear_of_what_stands_beside_the_model():
     [(-1.0, 0.0, 0.5), (0.5, 1.0, 0.5), (-1.0, 8.0, 30.0)],
     ids=["below the floor", "hanging", "a room around all"],
 )
-def test_pieces_do_not_give_way_to_what_is_not_in_their_way(bottom, top, size):
+def test_pieces_do_not_avoid_objects_elsewhere(bottom, top, size):
     source = grid("Bump", bump)
     flatten(source)
     expected = flat_of(source).location.x
@@ -120,7 +120,7 @@ def parented(flat):
     parent.scale = (2, 2, 2)
 
 
-SAID = {  # what was done with the pieces, and what is said of them
+SAID = {  # change of the pieces, and the message
     "parent": (parented, '"Bump Flat" is not shown in actual size'),
     "disabled": (disable, '"Bump Flat" is hidden: it is disabled in viewports'),
     "excluded": (
@@ -135,13 +135,13 @@ SAID = {  # what was done with the pieces, and what is said of them
 
 
 @pytest.mark.parametrize("how", SAID)
-def test_pieces_that_stay_out_of_sight_or_size_are_said(addon, how):
+def test_pieces_that_stay_hidden_or_scaled_are_reported(addon, how):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source)
     flat.hide_set(True)
     flatten(source)
-    assert flat.visible_get() and notes(addon, source) == []  # what the eye hides comes back
+    assert flat.visible_get() and notes(addon, source) == []  # objects hidden by the eye are shown again
     change, said = SAID[how]
     change(flat)
     flatten(source)

@@ -58,7 +58,7 @@ def test_names_kinds_and_tolerances_are_changed_from_the_list(addon, source, mod
     assert source.mode == mode
 
 
-def test_a_wire_that_lost_its_middle_is_two(addon, source):
+def test_a_wire_without_its_middle_becomes_two(addon, source):
     in_edit_mode(source, lambda a, b: EAST_WEST(a, b) and abs(a.x + b.x) < 1, bpy.ops.mesh.wirewarp_clear)
     assert listed(addon, source) == [("Bust", 0, 2), ("Middle", 0.05, 8), ("Bust (2)", 0, 2)]
     assert [entry.name for entry in source.data.wirewarp_names] == ["Bust", "Middle", "Bust (2)"]
@@ -110,7 +110,7 @@ def test_joined_copies_are_wires_of_their_own(addon, source):
     assert len(wire_marks(flat.data)) == 4
 
 
-def test_what_was_marked_last_is_chosen_in_the_list(source):
+def test_the_last_marked_wire_is_chosen_in_the_list(source):
     """The buttons below the list apply to it."""
     names = source.data.wirewarp_names
     mark(source, on_line(0, 0.5))
@@ -119,7 +119,7 @@ def test_what_was_marked_last_is_chosen_in_the_list(source):
     assert names[source.data.wirewarp_active_wire].name == names[0].name
 
 
-def test_what_is_no_wire_is_not_changed_or_selected(source):
+def test_edges_without_a_wire_are_not_changed_or_selected(source):
     for command in (bpy.ops.mesh.wirewarp_change_wire, bpy.ops.mesh.wirewarp_select_wire):
         with pytest.raises(RuntimeError, match='Edge 0 of "Bump" is not part of a wire. Choose one'):
             command(edge=0)
@@ -146,14 +146,14 @@ def test_a_whole_wire_is_selected(addon, source, by):
     assert selected == [row for row, ends in enumerate(ends_of(source)) if NORTH_SOUTH(*ends)]
 
 
-def test_wires_of_one_id_each_get_one_of_their_own(addon):
+def test_wires_with_a_common_id_get_their_own(addon):
     own_ids, last = addon.state.marked_mesh.own_ids, addon.solve.identity.MAX_ID
     assert own_ids([5, 9, 5, 5, 6]) == [5, 9, 7, 8, 6]
     assert own_ids([last, last]) == [last, 1]
 
 
 def row_of(addon, target, entry, width=600):
-    """The words of an entry in the list."""
+    """Return the words of an entry in the list."""
     select_only(target)
     layout = AnyLayout([], [])
     kind = addon.marks.wire_list.WIREWARP_UL_wires
@@ -173,11 +173,11 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
         vertex.co *= 2
     source.data.update()
     bpy.context.view_layer.update()
-    addon.state.drawings.forget()  # what changes soon after the last time is drawn late
+    addon.state.drawings.forget()  # because changes in quick succession are drawn late
     assert row_of(addon, source, source.data.wirewarp_names[1]) == ["Middle", f"±5%  {200 * length:.3f} cm"]
 
 
-def test_what_has_no_row_of_its_own_stands_below_and_what_is_gone_nowhere(addon, source):
+def test_unlisted_wires_are_below_the_list_and_cleared_ones_are_gone(addon, source):
     """A wire cut in two by hand without Mark, and one whose edges a script cleared."""
     wires = dict(addon.state.identities.listed_wires(source))
     for row in wires["Bust"].edges[3:5]:

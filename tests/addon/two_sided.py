@@ -17,7 +17,7 @@ def two_pieces():
     return target
 
 
-def join_split_and_turn_over(source):
+def join_split_and_flip(source):
     """Make edits that marks survive: join another mesh, split edges, flip all faces."""
     other = grid("Other", lambda x, y: (x + 3, y, 0))
     select_only(source, other)
@@ -79,7 +79,7 @@ def select_side(source, side, line=SEAM):
 
 
 def widths_at_seam(addon, source):
-    """The allowances that the pattern has on the left and the right side of the seam, in millimeters; 0 at a fold."""
+    """Return the pattern's allowances on the left and the right side of the seam in millimeters; 0 at a fold."""
     parts = addon.export.read.read_pattern(bpy.context.scene, source)
     pieces = {piece.name: piece for piece in made(addon, parts).pieces}
     sides = [line for name in ("Top Right", "Top Left") for line in pieces[name].of_role("sew", "fold")]
@@ -87,6 +87,6 @@ def widths_at_seam(addon, source):
 
 
 def made(addon, parts, allowance=10.0):
-    """The pattern of these parts."""
+    """Return the pattern of these parts."""
     choices = {"allowance": allowance, "notch_spacing": 100.0, "darts": "close"}
     return addon.solve.steps.in_one_go(parts.making(choices))

@@ -22,7 +22,7 @@ f 1/1 2/2 5/3 4/4\nf 2/5 3/6 6/7 5/8\n"""
 
 
 def printed(command, *words, code=0):
-    """The lines that are printed, and what is said besides."""
+    """Return the printed lines, and the text on standard error."""
     output, errors = io.StringIO(), io.StringIO()
     with redirect_stdout(output), redirect_stderr(errors):
         try:

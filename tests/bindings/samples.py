@@ -36,7 +36,7 @@ def flatten(shape: Shape, tolerance: float | None = None, eases=(), **options) -
 
 
 def flattened(name: str, tolerance: float | None = None, **options) -> wirewarp.FlattenResult:
-    """The same result whenever it is asked for."""
+    """Return the flattened sample, which is computed once."""
     return _flattened(name, tolerance, tuple(sorted(({"method": "refined"} | options).items())))
 
 

@@ -44,7 +44,7 @@ def refused(code, **arguments):
     return caught.value
 
 
-# By name: the argument of flatten() or measure(), the error says all the words.
+# Keyed by code: an argument of flatten() or measure(), a bad value, and words of the error.
 REFUSED = {
     wirewarp.ErrorCode.invalid_shape: [
         ("vertices", np.zeros((4, 2)), "(4, 2)"),
@@ -77,12 +77,12 @@ REFUSED = {
         ("seams", [[0, 1], [7, 2**35]], "Seam edge 1 (7-34359738368)"),
     ],
     wirewarp.ErrorCode.non_finite_coordinates: [("vertices", np.vstack([[[np.nan] * 3], VERTICES[1:]]), "vertex 0")],
-    wirewarp.ErrorCode.empty_mesh: [("faces", np.zeros((0, 3)), "")],  # numpy's dtype of no faces is not one of indices
+    wirewarp.ErrorCode.empty_mesh: [("faces", np.zeros((0, 3)), "")],  # numpy makes it an array of floats
 }
 
 
 @pytest.mark.parametrize("code", REFUSED, ids=str)
-def test_what_cannot_be_flattened_is_named(code):
+def test_bad_arguments_are_named(code):
     for name, value, words in REFUSED[code]:
         arguments = {"vertices": VERTICES, "faces": FACES, name: value}
         with pytest.raises(wirewarp.FlattenError) as caught:
@@ -93,7 +93,7 @@ def test_what_cannot_be_flattened_is_named(code):
         assert caught.value.faces == ((1,) if (name, code) == ("faces", "vertex_out_of_range") else ())
 
 
-def test_what_an_array_like_raises_is_not_swallowed():
+def test_exceptions_of_array_likes_are_not_swallowed():
     class Broken:
         def __array__(self, *args, **kwargs):
             raise OSError("the disk is gone")

@@ -37,7 +37,7 @@ runpy.run_module("wirewarp", run_name="__main__")
 
 
 def run_apart(*words, **how):
-    """The command in a process of its own, and what it says besides its lines; how: of subprocess.run."""
+    """Run the command in its own process; return its lines and its other output. how: arguments of subprocess.run."""
     command = [sys.executable, "-m", "wirewarp", "batch", *map(str, words)]
     done = subprocess.run(command, stderr=subprocess.PIPE, text=True, **{"stdout": subprocess.PIPE} | how)
     assert done.returncode == 2, done.stderr
@@ -68,7 +68,7 @@ def test_models_of_folders_keep_their_places_and_are_done_once(models, tmp_path)
     assert ["skipped" in line for line in run(*words)[0]] == [True, False]
 
 
-def test_what_a_killed_run_has_left_of_a_model_that_is_done_goes_with_the_next_run(models, tmp_path):
+def test_the_next_run_removes_leftovers_of_a_killed_run(models, tmp_path):
     words = (models, "--out", tmp_path / "out", "--format", "svg")
     run(*words)
     done = {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")}
@@ -93,19 +93,19 @@ def test_each_command_has_its_own_number_of_jobs(models):
     assert jobs == [1, os.cpu_count()]
 
 
-def test_parts_of_a_farm_have_every_model_once(models):
+def test_the_parts_of_a_render_farm_process_every_model_once(models):
     parts = [parsed(["batch", str(models), "--out", "out", "--part", f"{part}/3"]).requests for part in (1, 2, 3)]
     whole = parsed(["batch", str(models), "--out", "out"]).requests
     assert [len(part) for part in parts] == [1, 1, 0] and [*parts[0], *parts[1]] == whole
 
 
 @pytest.mark.parametrize("part", ["0/3", "4/3", "3", "1/0"])
-def test_a_part_that_is_none_is_one_sentence(models, tmp_path, part):
+def test_an_invalid_part_is_refused_in_one_sentence(models, tmp_path, part):
     errors = run(models, "--out", tmp_path / "out", "--part", part, code=2)[1]
     assert f"'{part}' is not a part: give 1/20 to 20/20" in errors.splitlines()[-1]
 
 
-def test_what_was_done_is_known_wherever_it_lies_and_whichever_blender_there_is(models, tmp_path, monkeypatch):
+def test_finished_models_are_recognized_in_any_folder_and_with_any_blender(models, tmp_path, monkeypatch):
     (models / "cuts.json").write_text("[[1, 4]]")
     monkeypatch.chdir(tmp_path)
     words = ("--out", tmp_path / "out", "--format", "svg", "--seams")
@@ -130,14 +130,14 @@ def test_what_was_done_is_known_wherever_it_lies_and_whichever_blender_there_is(
         ('{"model": "a.obj", "unit": "ft"}', "line 1: argument --unit: invalid choice: 'ft'"),
     ],
 )
-def test_what_cannot_be_meant_is_one_sentence_and_nothing_is_begun(tmp_path, content, said):
+def test_impossible_arguments_are_refused_in_one_sentence_before_anything_starts(tmp_path, content, said):
     given = tmp_path / ("empty" if content is None else "list.jsonl")
     given.mkdir() if content is None else given.write_text(content)
     _, errors = run(given, "--out", tmp_path / "out", code=2)
     assert said in errors.splitlines()[-1] and not (tmp_path / "out").exists()
 
 
-def test_two_models_with_one_name_are_refused_and_the_others_done(models, tmp_path):
+def test_two_models_with_one_name_are_refused_and_others_processed(models, tmp_path):
     (models / "a.ply").write_text("another a")
     lines, errors = run(models, "--out", tmp_path / "out", "--format", "svg", code=2)
     assert [line["verdict"] for line in lines] == ["refused", "refused", "ready to cut"] and errors == ""
@@ -146,7 +146,7 @@ def test_two_models_with_one_name_are_refused_and_the_others_done(models, tmp_pa
     assert files(tmp_path / "out") == ["deep/er/a.json", "deep/er/a.svg"]
 
 
-def test_one_that_crashes_spares_the_others():
+def test_other_models_are_processed_if_one_crashes():
     numbers = [*range(12, 16)]
     results = dict(each_apart(square_or_crash, numbers, 2, NEVER, command_run.MODULES))
     assert [results[0], results[3]] == [12**2, 15**2]
@@ -156,7 +156,7 @@ def test_one_that_crashes_spares_the_others():
     assert results[2].sentence == "Its process ended with code 1."
 
 
-def test_what_hangs_ends_with_what_it_has_started(tmp_path):
+def test_a_hanging_model_is_stopped_with_its_child_processes(tmp_path):
     path = tmp_path / "pid"
     running = each_apart(hang_or_wait, [("hang", path), ("wait", path)], 2, NEVER, command_run.MODULES)
     assert next(running) == (1, None)
@@ -209,7 +209,7 @@ def test_ctrl_c_while_the_server_loads_is_no_traceback(tmp_path):
         assert process.stderr.read() == "stopped\n"
 
 
-def test_what_hangs_is_stopped_in_time(tmp_path):
+def test_a_hanging_model_is_stopped_at_the_time_limit(tmp_path):
     results = dict(
         each_apart(hang_or_wait, [("wait", tmp_path / "never")], 1, Limits(0.0, 10**12), command_run.MODULES)
     )
@@ -248,7 +248,7 @@ def test_kills_lose_nothing_and_do_nothing_twice(tmp_path):
 
 
 @posix
-def test_a_full_disk_is_one_sentence_and_leaves_what_was_there(models, tmp_path):
+def test_a_full_disk_is_one_sentence_and_keeps_old_files(models, tmp_path):
     import resource
 
     words = (models / "a.obj", "--out", tmp_path / "out", "--format", "svg")
@@ -263,14 +263,14 @@ def test_a_full_disk_is_one_sentence_and_leaves_what_was_there(models, tmp_path)
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
-def test_lines_that_cannot_be_printed_are_one_sentence(models, tmp_path):
+def test_unprintable_lines_are_one_sentence(models, tmp_path):
     with Path("/dev/full").open("w") as full:
         _, errors = run_apart(models, "--out", tmp_path / "out", "--format", "svg", stdout=full)
     assert errors == "The lines cannot be printed: No space left on device\n"
 
 
 @posix
-def test_models_that_cannot_be_read_are_refused_each(tmp_path):
+def test_unreadable_models_are_refused_one_by_one(tmp_path):
     (tmp_path / "models").mkdir()
     (tmp_path / "models" / "lost.obj").symlink_to(tmp_path / "nowhere.obj")
     (tmp_path / "models" / "text.glb").write_text("no mesh")
@@ -324,7 +324,7 @@ def blender(tmp_path):
 
 
 @posix
-def test_files_of_blender_are_flattened_there(blender, tmp_path):
+def test_blend_files_are_flattened_in_blender(blender, tmp_path):
     for name in ("bag", "crashes", "empty"):
         (tmp_path / f"{name}.blend").write_bytes(b"BLENDER")
     paths = [tmp_path / f"{name}.blend" for name in ("bag", "crashes", "empty")]
@@ -350,14 +350,14 @@ def test_a_model_of_several_that_failed_as_a_whole_makes_the_file_not_ready(blen
     assert (line["says"][0], line["problems"]) == ("Do not cut: Empty bag failed", ["Empty bag: It has no faces."])
 
 
-def test_no_figure_stands_for_seams_of_which_one_has_no_length():
+def test_seams_without_a_length_have_no_figure():
     for mismatches, figure in {(None, 0.1): None, (0.1, None): None, (0.1, 0.2): 0.2, (): 0.0}.items():
         report = Report(seams=[SimpleNamespace(mismatch=mismatch) for mismatch in mismatches])
         assert figures_of([report])["seam_mismatch_m"] == figure
 
 
 @posix
-def test_of_what_is_stopped_nothing_is_left(blender, tmp_path):
+def test_a_stopped_model_leaves_no_files(blender, tmp_path):
     (tmp_path / "hangs.blend").write_bytes(b"BLENDER")
     words = (tmp_path / "hangs.blend", "--out", tmp_path / "out", "--blender", blender)
     ((line,), _) = run(*words, "--time-limit", 0, code=3)
@@ -366,7 +366,7 @@ def test_of_what_is_stopped_nothing_is_left(blender, tmp_path):
 
 
 @posix
-def test_nobody_who_reads_is_one_sentence_and_nothing_hidden_is_left(models, blender, tmp_path):
+def test_a_closed_pipe_is_one_sentence_and_leaves_no_hidden_files(models, blender, tmp_path):
     """`| head` closes the pipe: the second model hangs when the line of the first cannot be printed."""
     (models / "b hangs").mkdir()
     (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
@@ -380,7 +380,7 @@ def test_nobody_who_reads_is_one_sentence_and_nothing_hidden_is_left(models, ble
 
 
 @posix
-def test_ctrl_c_ends_all_and_nothing_hidden_is_left(models, blender, tmp_path):
+def test_ctrl_c_ends_everything_and_leaves_no_hidden_files(models, blender, tmp_path):
     (models / "b hangs").mkdir()
     (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")
     words = ["batch", models, "--out", tmp_path / "out", "--format", "svg", "--blender", blender, "--jobs", "2"]
@@ -394,7 +394,7 @@ def test_ctrl_c_ends_all_and_nothing_hidden_is_left(models, blender, tmp_path):
     assert all(not path.name.startswith(".") for path in (tmp_path / "out").rglob("*"))
 
 
-def test_without_blender_that_is_told(tmp_path):
+def test_a_missing_blender_is_reported(tmp_path):
     (tmp_path / "a.blend").write_bytes(b"BLENDER")
     ((line,), _) = run(tmp_path, "--out", tmp_path / "out", "--blender", "no-such-blender", code=2)
     assert line["problems"] == ['There is no Blender at "no-such-blender": give --blender PATH.']

@@ -45,8 +45,8 @@ def test_tasks_of_hyperqueue_do_all_models(tmp_path):
 def test_the_job_type_of_flamenco_makes_a_task_of_each_part():
     script = FLAMENCO + (EXAMPLES / "wirewarp_batch.js").read_text() + COMPILE
     done = subprocess.run(["node", "-e", script], capture_output=True, text=True, check=True)
-    told = json.loads(done.stdout)
+    job = json.loads(done.stdout)
     words = ["-m", "wirewarp", "batch", "/a b/models", "--out", "/out", "--part", "2/2", "--seams", "uv"]
-    assert told["keys"] == ["models", "patterns", "options", "parts"]
-    assert len(told["tasks"]) == 2
-    assert told["tasks"][1]["commands"] == [{"name": "exec", "exe": "{python}", "args": words}]
+    assert job["keys"] == ["models", "patterns", "options", "parts"]
+    assert len(job["tasks"]) == 2
+    assert job["tasks"][1]["commands"] == [{"name": "exec", "exe": "{python}", "args": words}]

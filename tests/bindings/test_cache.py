@@ -120,14 +120,14 @@ CHANGED = {
 
 
 @pytest.mark.parametrize("name", Options().to_dict())
-def test_options_of_the_solver_count_and_those_of_the_layout_do_not(sheet, name):
+def test_solver_options_matter_and_layout_options_do_not(sheet, name):
     value, reused = CHANGED[name]
     cache = Cache()
     run_again(cache, sheet, 0)
     run_again(cache, sheet | {"options": Options(**{name: value})}, reused)
 
 
-def test_an_error_is_reused_only_where_it_names_the_same():
+def test_an_error_is_reused_only_if_it_names_the_same_elements():
     vertices, faces = grid(8, 8, lambda u, v: (u, v, 5 * math.sin(math.pi * u) * math.sin(math.pi * v)))
     cache = Cache()
     first = run_again(cache, {"vertices": vertices, "faces": faces}, 0)
@@ -148,7 +148,7 @@ def test_a_cancelled_piece_is_solved_next_time(sheet):
     run_again(cache, sheet, cache.size)
 
 
-def test_a_cancelled_run_does_not_lose_what_it_did_not_need_to_solve(sheet):
+def test_a_canceled_run_keeps_reused_pieces(sheet):
     cache = Cache()
     run_again(cache, sheet, 0)
     vertices = sheet["vertices"].copy()

@@ -8,7 +8,7 @@ from surfaces import column_chain, spherical_patch
 from wirewarp import Cloth, Options, Wire, flatten
 
 
-def test_metrics_tell_the_strain_of_threads_with_and_without_a_cloth():
+def test_metrics_have_the_strain_of_threads_with_and_without_a_fabric():
     vertices, faces = spherical_patch()
     marked = [Wire(column_chain(8, 8, 4))]
     plain = flatten(vertices, faces, wires=marked).pieces[0].metrics
@@ -23,7 +23,7 @@ def test_metrics_tell_the_strain_of_threads_with_and_without_a_cloth():
     assert np.square(woven.face_weft_strain).sum() < np.square(plain.face_weft_strain).sum()
 
 
-def test_a_piece_that_only_the_stretch_spoils_is_cut_at_its_stretched_lengths():
+def test_seams_are_proposed_for_a_piece_that_only_the_stretch_makes_infeasible():
     """A slim triangle is joined to a square by a seam that runs across the grain of one and along that of the other.
 
     The stretch leaves a fifth of the triangle's legs, but three times as much of the seam.

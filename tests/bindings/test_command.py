@@ -68,7 +68,7 @@ def test_the_same_result_as_through_python(tmp_path, name):
     assert next(energies) == pytest.approx(next(energies), rel=1e-6)
 
 
-def test_islands_of_the_map_are_pieces_and_the_files_are_read_back(model, tmp_path):
+def test_uv_islands_become_pieces_and_the_files_are_read_again(model, tmp_path):
     ((line,), _) = run(model, "--out", tmp_path / "out", "--seams", "uv", "--page", "letter", "--allowance", "3/8in")
     assert line["pieces"] == 2 and line["problems"] == []
     names = {path.name for path in (tmp_path / "out").iterdir()}
@@ -139,7 +139,7 @@ def test_the_picture_shows_the_pieces_in_scale(model, tmp_path):
     assert bar == pytest.approx(0.1 / across * (columns[-1] - columns[0]), rel=0.02)
 
 
-def test_without_pillow_that_is_told(model, tmp_path, monkeypatch):
+def test_a_missing_pillow_is_reported(model, tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "wirewarp.command.picture", None)
     (request,) = parsed(["flatten", str(model), "--out", str(tmp_path / "out"), "--picture"]).requests
     (problem,) = flatten_model(request)["problems"]
@@ -158,7 +158,7 @@ def test_the_strain_of_a_stretched_square():
     assert strain(square, flat) == pytest.approx([0.2, 0.2])
 
 
-def test_what_was_done_before_is_left_out_until_something_changes(model, tmp_path):
+def test_finished_models_are_skipped_until_something_changes(model, tmp_path):
     words = (model, "--out", tmp_path / "out", "--seams", "uv", "--resume")
     assert "skipped" not in run(*words)[0][0]
     before = (tmp_path / "out" / "Folded.pdf").stat().st_mtime_ns
@@ -190,7 +190,7 @@ def test_a_model_of_several_files_has_changed_when_one_of_them_has(tmp_path):
     assert run(*words)[0][0]["skipped"]
 
 
-def test_what_is_refused_leaves_what_was_done_before(model, tmp_path):
+def test_a_refused_model_keeps_its_earlier_files(model, tmp_path):
     words = (model, "--out", tmp_path / "out", "--format", "svg,pdf")
     run(*words)
     before = {path: path.read_bytes() for path in (tmp_path / "out").iterdir()}
@@ -201,7 +201,7 @@ def test_what_is_refused_leaves_what_was_done_before(model, tmp_path):
 
 
 @pytest.mark.parametrize("words", [("--marker", "2cm"), ("--marker", "6m"), ("--page", "120mm")])
-def test_what_is_refused_leaves_no_new_file(model, tmp_path, words):
+def test_a_refused_model_leaves_no_new_file(model, tmp_path, words):
     """The width of the roll or of the paper is out of range."""
     refused = (model, "--out", tmp_path / "out", "--format", "svg,pdf", "--seconds", 0, *words)
     run(*refused, "--picture", code=2)
@@ -246,7 +246,7 @@ def test_files_of_two_runs_are_never_mixed(model, tmp_path, monkeypatch, number,
 
 
 @pytest.mark.parametrize("name", ["Folded.svg", "Folded.json"])
-def test_files_of_others_stay_as_they_are(model, tmp_path, name):
+def test_files_of_other_programs_do_not_change(model, tmp_path, name):
     theirs = tmp_path / "out" / name
     theirs.parent.mkdir()
     theirs.write_text("{}")
@@ -261,7 +261,7 @@ def test_files_of_others_stay_as_they_are(model, tmp_path, name):
     assert set(contents(tmp_path / "out")) == {"Folded.json", "Folded.pdf", "Folded.svg"}
 
 
-def test_a_report_speaks_of_no_files_elsewhere(model, tmp_path):
+def test_a_report_names_no_files_in_other_folders(model, tmp_path):
     (tmp_path / "out").mkdir()
     report = {"line": {"files": ["Folded.json", "../Folded.obj"], "made_of": ""}}
     (tmp_path / "out" / "Folded.json").write_text(json.dumps(report))
@@ -269,7 +269,7 @@ def test_a_report_speaks_of_no_files_elsewhere(model, tmp_path):
     assert model.exists()
 
 
-def test_what_was_done_before_is_found_from_any_folder(model, tmp_path, monkeypatch):
+def test_finished_models_are_recognized_from_any_folder(model, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     run(model, "--out", "out")
     monkeypatch.chdir(tmp_path / "out")
@@ -283,7 +283,7 @@ def test_any_name_can_be_printed_on_any_console(model, tmp_path):
     assert (done.returncode, done.stderr) == (0, b"") and json.loads(done.stdout)["model"] == str(named)
 
 
-def test_no_old_pattern_stays_of_a_model_that_is_not_ready_to_cut(tmp_path):
+def test_the_old_pattern_of_a_model_that_is_not_ready_is_removed(tmp_path):
     path, words = tmp_path / "ball.ply", ("--out", tmp_path / "out", "--format", "svg")
     ball = trimesh.creation.icosphere(2, 0.1)
     ball.submesh([np.flatnonzero(ball.triangles_center[:, 2] > 0)], append=True).export(path)
@@ -294,7 +294,7 @@ def test_no_old_pattern_stays_of_a_model_that_is_not_ready_to_cut(tmp_path):
     assert [file.name for file in (tmp_path / "out").iterdir()] == ["ball.json"]
 
 
-def test_a_file_that_is_off_when_read_again_is_refused_and_does_not_end_the_batch(model, tmp_path, monkeypatch):
+def test_a_file_that_differs_when_read_again_is_refused_and_the_batch_continues(model, tmp_path, monkeypatch):
     monkeypatch.setattr("wirewarp.pattern.formats.read_back.WORST", -1.0)
     (request,) = parsed(["flatten", str(model), "--out", str(tmp_path / "out")]).requests
     line = flatten_model(request)
@@ -363,12 +363,12 @@ def test_bad_input_is_one_sentence(tmp_path, monkeypatch, name, content, words, 
         (("Folded.stl",), "would both write"),
     ],
 )
-def test_bad_words_are_one_sentence(model, tmp_path, words, said):
+def test_bad_arguments_are_one_sentence(model, tmp_path, words, said):
     assert said in run(model, *words, "--out", tmp_path, code=2)[1].splitlines()[-1]
 
 
 @pytest.mark.parametrize("option", ["--seams", "--wires"])
-def test_what_is_read_is_never_overwritten_by_the_report(model, tmp_path, option):
+def test_the_report_never_overwrites_an_input(model, tmp_path, option):
     lines = tmp_path / "Folded.json"
     lines.write_text("[]")
     (tmp_path / "other").mkdir()

@@ -36,11 +36,11 @@ def test_the_same_proposals_as_through_python(dome, kind, function):
     expected = function(model.vertices, model.faces, count=2)
     assert (line["model"], line["verdict"], line["cut"]) == (str(dome), "proposed", kind)
     assert len(line["proposals"]) == len(expected)
-    for told, proposal in zip(line["proposals"], expected, strict=True):
-        assert np.array_equal(edges(told["lines"][0]), proposal.edges)
-        assert told["length_m"] == pytest.approx(proposal.length / 1000)
-        assert (told["piece"], told["strain"]) == (1, pytest.approx(proposal.strain, rel=1e-6))
-        assert told["twin"] == (None if proposal.twin is None else proposal.twin + 1)
+    for listed, proposal in zip(line["proposals"], expected, strict=True):
+        assert np.array_equal(edges(listed["lines"][0]), proposal.edges)
+        assert listed["length_m"] == pytest.approx(proposal.length / 1000)
+        assert (listed["piece"], listed["strain"]) == (1, pytest.approx(proposal.strain, rel=1e-6))
+        assert listed["twin"] == (None if proposal.twin is None else proposal.twin + 1)
 
 
 def test_a_line_is_a_seam_of_flatten(dome, tmp_path):
@@ -48,11 +48,11 @@ def test_a_line_is_a_seam_of_flatten(dome, tmp_path):
     first = line["proposals"][0]
     (tmp_path / "seams.json").write_text(json.dumps(first["lines"]))
     words = (dome, "--out", tmp_path / "out", "--unit", "mm", "--seams", tmp_path / "seams.json", "--format", "svg")
-    ((told,), _) = commands.flatten(*words)
-    assert told["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
+    ((listed,), _) = commands.flatten(*words)
+    assert listed["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
 
 
-def test_first_cuts_of_a_closed_model_are_lines_of_flatten(tmp_path):
+def test_cut_sets_of_a_closed_model_are_lines_of_flatten(tmp_path):
     trimesh.creation.icosphere(subdivisions=1).export(tmp_path / "ball.obj")
     (line,) = propose(tmp_path / "ball.obj", "--cut", "seam", "--strain", "25%")
     model, first = read_model(tmp_path / "ball.obj"), line["proposals"][0]
@@ -63,12 +63,12 @@ def test_first_cuts_of_a_closed_model_are_lines_of_flatten(tmp_path):
     assert first["narrowest_width_m"] / first["length_m"] == pytest.approx(width / expected.length, rel=1e-6)
     (tmp_path / "seams.json").write_text(json.dumps(first["lines"]))
     words = (tmp_path / "ball.obj", "--out", tmp_path / "out", "--seams", tmp_path / "seams.json", "--format", "svg")
-    ((told,), _) = commands.flatten(*words)
-    assert told["codes"] == []
-    assert told["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
+    ((listed,), _) = commands.flatten(*words)
+    assert listed["codes"] == []
+    assert listed["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
 
 
-def test_cuts_to_be_taken_together_are_those_of_the_plan(dome):
+def test_cuts_with_together_are_those_of_the_plan(dome):
     (line,) = propose(dome, "--together", 2, "--strain", "1%", "--unit", "mm")
     model = read_model(dome)
     expected = plan_cuts(model.vertices, model.faces, most=2, strain=0.01)
@@ -76,7 +76,7 @@ def test_cuts_to_be_taken_together_are_those_of_the_plan(dome):
     assert [edges(cut["lines"][0]).tolist() for cut in line["proposals"]] == [cut.edges.tolist() for cut in expected]
 
 
-def test_seams_to_leave_out_are_those_of_python(dome, tmp_path):
+def test_fewer_seams_are_those_of_python(dome, tmp_path):
     columns = [column_chain(8, 8, column) for column in (2, 4, 6)]
     (tmp_path / "seams.json").write_text(json.dumps([[int(v) for v in column] for column in columns]))
     words = ("--seams", tmp_path / "seams.json", "--cut", "fewer", "--strain", "20%", "--unit", "mm")
@@ -84,14 +84,14 @@ def test_seams_to_leave_out_are_those_of_python(dome, tmp_path):
     model = read_model(dome)
     seams = np.concatenate([chain_edges(column) for column in columns])
     expected = simplify_seams(model.vertices, model.faces, seams=seams, strain=0.2)
-    (told,) = line["proposals"]
+    (listed,) = line["proposals"]
     assert (line["verdict"], line["cut"]) == ("proposed", "fewer")
-    assert [edge for each in told["lines"] for edge in edges(each).tolist()] == expected.edges.tolist()
-    assert (told["pieces_before"], told["pieces"]) == (4, expected.num_pieces)
+    assert [edge for each in listed["lines"] for edge in edges(each).tolist()] == expected.edges.tolist()
+    assert (listed["pieces_before"], listed["pieces"]) == (4, expected.num_pieces)
     width = min(map(piece_width, flatten(model.vertices, model.faces, seams=expected.edges).pieces))
-    assert told["narrowest_width_m"] == pytest.approx(width / 1000, rel=1e-6)
-    assert told["length_before_m"] == pytest.approx(expected.length_before / 1000)
-    assert told["strain"] == pytest.approx(expected.strain, rel=1e-6)
+    assert listed["narrowest_width_m"] == pytest.approx(width / 1000, rel=1e-6)
+    assert listed["length_before_m"] == pytest.approx(expected.length_before / 1000)
+    assert listed["strain"] == pytest.approx(expected.strain, rel=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -101,7 +101,7 @@ def test_seams_to_leave_out_are_those_of_python(dome, tmp_path):
         ([4], "0%", "Every seam is needed for this strain."),
     ],
 )
-def test_why_no_seam_is_left_out(dome, tmp_path, columns, strain, problem):
+def test_the_reason_for_removing_no_seam_is_reported(dome, tmp_path, columns, strain, problem):
     seams = [[int(v) for v in column_chain(8, 8, column)] for column in columns]
     (tmp_path / "seams.json").write_text(json.dumps(seams))
     words = ("--seams", tmp_path / "seams.json", "--cut", "fewer", "--strain", strain)
@@ -115,18 +115,18 @@ def test_fewer_needs_seams_and_makes_no_cuts(dome, words):
     assert lines == [] and "--cut fewer" in said
 
 
-def test_no_cut_is_longer_or_runs_where_it_may_not(dome, tmp_path):
+def test_cuts_keep_the_limits_on_length_and_place(dome, tmp_path):
     (line,) = propose(dome, "--count", 1, "--unit", "mm")
     barred = line["proposals"][0]["lines"][0]
     (tmp_path / "front.json").write_text(json.dumps([barred]))
     (line,) = propose(dome, "--no-seam", tmp_path / "front.json", "--longest", "6cm", "--unit", "mm")
     taken = {tuple(sorted(pair)) for pair in edges(barred).tolist()}
-    for told in line["proposals"]:
-        assert told["length_m"] <= 0.06
-        assert not taken & {tuple(sorted(pair)) for pair in edges(told["lines"][0]).tolist()}
+    for listed in line["proposals"]:
+        assert listed["length_m"] <= 0.06
+        assert not taken & {tuple(sorted(pair)) for pair in edges(listed["lines"][0]).tolist()}
 
 
-def test_what_is_wrong_is_told_in_its_line(dome, tmp_path):
+def test_errors_are_in_the_line_of_their_model(dome, tmp_path):
     trimesh.Trimesh(*half_cylinder(), process=False).export(tmp_path / "half.ply")
     trimesh.creation.box().export(tmp_path / "box.stl")  # twelve triangles, closed
     lines = propose(tmp_path / "half.ply", dome, tmp_path / "box.stl", tmp_path / "top.blend", "--jobs", 2, code=2)
@@ -144,12 +144,12 @@ def test_the_energy_is_that_of_the_cloth(dome):
     assert first["energy"] == pytest.approx(cut.pieces[0].metrics.cloth_energy, rel=1e-6)
 
 
-def test_cuts_taken_together_are_of_no_chosen_piece(dome):
+def test_together_allows_no_chosen_piece(dome):
     assert "without --piece and --count" in commands.propose(dome, "--together", 2, "--piece", 1, code=2)[1]
 
 
 @pytest.mark.parametrize("text", ["[" * 100_000, "[[0, 18446744073709551616]]"])
-def test_a_file_of_lines_that_is_none_is_refused_and_the_next_model_read(dome, tmp_path, text):
+def test_an_invalid_file_of_lines_is_refused_and_the_next_model_read(dome, tmp_path, text):
     (tmp_path / "lines.json").write_text(text)
     first, second = propose(dome, dome, "--no-seam", tmp_path / "lines.json", code=2)
     assert first["verdict"] == second["verdict"] == "refused"

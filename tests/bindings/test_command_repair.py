@@ -27,14 +27,14 @@ def areas(model):
     return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 
 
-def test_a_good_mesh_is_left_as_it_is():
+def test_a_good_mesh_does_not_change():
     model = model_of(SQUARE, [(0, 1, 2), (0, 2, 3)])
     found = repaired(model)
     assert found.done == [] and len(found.seams) == 0
     assert np.array_equal(found.model.faces, model.faces)
 
 
-def test_vertices_closer_than_files_write_them_become_one_and_keep_their_numbers():
+def test_vertices_closer_than_the_precision_of_files_are_merged_and_keep_their_numbers():
     apart = [*SQUARE, (1 + 1e-6, 0, 0), (2, 0, 0), (1, 1 + 1e-6, 0)]
     found = repaired(model_of(apart, [(0, 1, 2), (0, 2, 3), (4, 5, 6)]))
     assert found.done == ["2 overlapping vertices merged"]
@@ -46,7 +46,7 @@ def test_vertices_that_are_merely_near_stay_apart():
     assert found.done == []
 
 
-def test_a_face_without_area_goes_and_its_neighbor_is_cut_there():
+def test_a_face_without_area_is_removed_and_its_neighbor_divided():
     """A square whose right triangle has a vertex in the middle of its long edge, which the left one does not use."""
     vertices = [*SQUARE, (0.5, 0.5, 0)]
     uv = np.array([SQUARE[list(face), :2] for face in [(0, 2, 3)]] + [np.zeros((3, 2))] * 3)
@@ -60,7 +60,7 @@ def test_a_face_without_area_goes_and_its_neighbor_is_cut_there():
             assert found.model.corner_uv[row, corner] == pytest.approx(np.array(vertices[vertex])[:2])
 
 
-def test_two_flat_faces_between_two_others_leave_them_joined():
+def test_two_faces_without_area_are_removed_and_their_neighbors_joined():
     """A pair of needles on one line: each has a vertex on the long edge of the other."""
     vertices = [(0, 0, 0), (3, 0, 0), (1, 0, 0), (2, 0, 0), (1, 1, 0), (1, -1, 0)]
     faces = [(0, 1, 2), (1, 0, 3), (0, 2, 4), (2, 1, 4), (0, 5, 3), (3, 5, 1)]
@@ -73,7 +73,7 @@ def test_two_flat_faces_between_two_others_leave_them_joined():
     assert areas(found.model).sum() == pytest.approx(3.0)
 
 
-def test_a_strip_with_one_side_is_left_as_it_is():
+def test_a_moebius_strip_does_not_change():
     count = 12
     angles = np.pi * np.arange(count) / count  # half a turn of the strip for one round
     middle = np.column_stack([np.cos(2 * angles), np.sin(2 * angles), np.zeros(count)])
@@ -101,13 +101,13 @@ def test_lines_of_the_file_are_translated():
     assert flipped.sides(np.array([(2, 4), (0, 1)])).tolist() == [[4, 2], [0, 1]]
 
 
-def test_duplicates_go_whichever_way_they_face():
+def test_duplicates_are_removed_whichever_way_they_face():
     found = repaired(model_of(SQUARE, [(0, 1, 2), (2, 1, 0), (0, 2, 3)]))
     assert found.done == ["1 duplicate face removed"]
     assert len(found.model.faces) == 2
 
 
-def test_the_lesser_part_is_flipped_to_face_as_the_rest():
+def test_the_smaller_part_is_flipped_to_match_the_rest():
     grid = np.array([(x, y, 0) for y in range(3) for x in range(3)], dtype=float)
     faces = [(a, a + 1, a + 4) for a in (0, 1, 3, 4)] + [(a, a + 4, a + 3) for a in (0, 1, 3, 4)]
     faces[5] = faces[5][::-1]
@@ -147,7 +147,7 @@ def test_suggested_seams_are_marked_on_request(tmp_path):
     assert line["repairs"] == ["1 suggested edge marked as seams"]
 
 
-def test_of_several_suggested_tolerances_the_widest_counts_once(monkeypatch):
+def test_the_widest_of_several_suggested_tolerances_is_used_once(monkeypatch):
     def result(*suggested):
         errors = [SimpleNamespace(proposed_seams=[], proposed_tolerances=[pair]) for pair in suggested]
         return SimpleNamespace(pieces=[SimpleNamespace(error=error) for error in errors])

@@ -26,7 +26,7 @@ def across(columns: int, at: float, end: float) -> wirewarp.SurfacePath:
     return wirewarp.SurfacePath(faces, coordinates)
 
 
-def test_attributes_of_vertices_faces_and_corners_are_taken_over() -> None:
+def test_attributes_of_vertices_faces_and_corners_are_kept() -> None:
     vertices, faces = grid(4, 4, lambda u, v: (u, v, u * v))
     of_vertices = np.column_stack([vertices, vertices @ [1.0, 2, 3]])
     of_faces = np.arange(len(faces))
@@ -70,7 +70,7 @@ POINTS = np.eye(3)[:2]  # two, at corners
         ([0, 10**12], POINTS, "invalid_option", "The option SurfacePath faces is a list with 1000000000000: it"),
     ],
 )
-def test_what_is_no_path_is_refused(faces: object, coordinates: object, code: str, said: str) -> None:
+def test_invalid_paths_are_refused(faces: object, coordinates: object, code: str, said: str) -> None:
     with pytest.raises(wirewarp.FlattenError) as caught:
         wirewarp.SurfacePath(faces, coordinates)
     assert caught.value.code == code
@@ -87,7 +87,7 @@ def test_what_is_no_path_is_refused(faces: object, coordinates: object, code: st
         ([wirewarp.SurfacePath([0, 99], POINTS)], 0.05, "invalid_option", "The option paths[0] is a line in"),
     ],
 )
-def test_what_cannot_be_cut_is_refused(paths: Lines, snap: float, code: str, said: str) -> None:
+def test_faulty_meshes_are_refused(paths: Lines, snap: float, code: str, said: str) -> None:
     vertices, faces = spherical_patch(4, 4)
     with pytest.raises(wirewarp.FlattenError) as caught:
         wirewarp.cut_mesh(vertices, faces, paths, snap=snap)

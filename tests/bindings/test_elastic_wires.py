@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic and free wires through Python. Native tests, and test_refined_method.py, have what holds of tolerances."""
+"""Elastic and free wires through Python. Native tests and test_refined_method.py test tolerances."""
 
 import math
 
@@ -15,7 +15,7 @@ MERIDIAN = list(range(4, 81, 9))
 
 
 def flatten(*tolerances: float, **options) -> wirewarp.Piece:
-    """The patch with its meridian and its parallel at these tolerances."""
+    """Flatten the patch with these tolerances of its meridian and its parallel."""
     chains = zip((MERIDIAN, PARALLEL), tolerances, strict=True)
     wires = [wirewarp.Wire(chain, tolerance) for chain, tolerance in chains]
     (piece,) = wirewarp.flatten(*PATCH, wires=wires, options=wirewarp.Options(**options)).pieces
@@ -54,7 +54,7 @@ def test_each_part_of_a_wire_has_its_own_length(method):
     assert whole.variation == pytest.approx(whole.length_2d / whole.length_3d - 1, rel=1e-9)
 
 
-def test_what_was_done_is_counted():
+def test_the_work_is_counted():
     rigid, elastic = (flatten(0.0, tolerance, method="wirewarp++").report for tolerance in (0.0, 0.05))
     assert rigid.outer_iterations == rigid.gradient_evaluations == 0
     assert elastic.gradient_evaluations > elastic.outer_iterations > 0

@@ -132,7 +132,7 @@ def test_proposed_seams_can_be_passed_as_seams():
     assert all(piece.error is None for piece in result.pieces)
 
 
-def test_a_bad_chart_carries_its_error_and_spares_the_others():
+def test_a_bad_chart_has_its_error_and_does_not_affect_others():
     vertices, faces = half_cylinder()
     ball_vertices, ball_faces = tetrahedron()
     result = flatten(np.vstack([vertices, ball_vertices + 5]), np.vstack([faces, ball_faces + len(vertices)]))
@@ -154,7 +154,7 @@ def test_a_bad_chart_carries_its_error_and_spares_the_others():
     assert result.report["failed_pieces"] == 1
 
 
-def test_the_package_can_be_carried_inside_another(tmp_path, monkeypatch):
+def test_the_package_works_inside_another_one(tmp_path, monkeypatch):
     """An add-on may contain the package; its errors are separate."""
     shutil.copytree(Path(wirewarp.__file__).parent, tmp_path / "carrier" / "wirewarp")
     monkeypatch.syspath_prepend(tmp_path)

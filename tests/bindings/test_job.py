@@ -47,7 +47,7 @@ def test_a_job_fills_its_cache():
     assert wirewarp.start(*half_cylinder(), cache=cache).result().report["reused_pieces"] == 1
 
 
-def test_a_cancelled_job_says_so():
+def test_a_canceled_job_reports_it():
     job = wirewarp.start(*spherical_patch(300, 300))
     job.cancel()
     assert [piece.error.code for piece in job.result().pieces] == [wirewarp.ErrorCode.cancelled]
@@ -98,7 +98,7 @@ def test_proposals_are_found_in_a_job(start, find, limits):
     assert caught.value.code == wirewarp.ErrorCode.cancelled
 
 
-def test_a_job_that_nobody_holds_is_cancelled():
+def test_a_job_without_references_is_canceled():
     cache = wirewarp.Cache()
     job = wirewarp.start(*spherical_patch(300, 300), cache=cache)
     del job

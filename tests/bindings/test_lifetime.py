@@ -96,7 +96,7 @@ def test_a_process_pool_returns_errors():
 
 
 @pytest.mark.parametrize("cls", COMPILED)
-def test_an_object_without_a_value_is_no_object(cls):
+def test_an_object_without_a_value_is_refused_by_its_methods(cls):
     hollow = cls.__new__(cls)
     uses = [repr, copy.copy, pickle.dumps, lambda one: one.to_dict(), lambda one: one.size, lambda one: one.vertices]
     for use in uses:

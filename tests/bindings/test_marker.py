@@ -66,7 +66,7 @@ def test_squares_fill_the_cloth():
     assert marker.efficiency == pytest.approx(12 * 100**2 / (435 * marker.length))
 
 
-def test_every_copy_is_there_mirrored_ones_too(engine):
+def test_every_copy_is_placed_including_mirrored_ones(engine):
     paired = sample("Fitted top", pairs=True).with_quantities({1: (2, 1)})
     marker = paired.nested(1400, times=2, seconds=1)
     counts = {(p, m): 0 for p in (1, 2, 3) for m in (False, True)}
@@ -82,7 +82,7 @@ def test_a_piece_of_two_folds_cannot_be_opened():
         two.nested(400, seconds=0)
 
 
-def test_texts_beside_a_small_piece_make_it_no_other_piece():
+def test_texts_beside_a_small_piece_do_not_change_the_piece():
     marked = Pattern.from_result(rectangle(20, 2), folds=[(0, 3)], allowance=0, piece_names=["Cuff"])
     assert marked.pieces[0].of_role("card leader")
     marker = marked.nested(400, seconds=0)
@@ -99,7 +99,7 @@ def test_texts_in_a_piece_stay_on_a_marker():
         assert any(piece.name in text.lines for text in piece.texts)
 
 
-def test_an_opened_piece_has_no_texts_that_were_left_out():
+def test_an_opened_piece_has_no_omitted_texts():
     sewn = grid([0, 100, 200], [0, 60], seams=[(1, 4)])
     named = Pattern.from_result(sewn, folds=[(0, 3)]).with_only(["sew", "line names"])
     laid = named.laid_on(named.nested(400, seconds=0))
@@ -129,7 +129,7 @@ def test_sheets_are_filled_one_after_the_other(tmp_path):
     assert marker.sentence(pattern.units) == "10 pieces on 3 sheets of 210 mm x 210 mm, 76% of it used"
 
 
-def test_a_marker_is_kept_as_json_and_fits_no_other_pieces():
+def test_a_marker_is_stored_as_json_and_refuses_other_pieces():
     pattern = sample("Hat")
     marker = pattern.nested(1400, seconds=0)
     again = Marker.from_dict(json.loads(json.dumps(marker.to_dict())))
@@ -149,14 +149,14 @@ def dented(x, y):
 
 
 @pytest.mark.parametrize("other", [(50, 45), (60, 40)])
-def test_a_marker_fits_no_pieces_of_the_same_size_with_another_outline(other):
+def test_a_marker_refuses_pieces_of_the_same_size_with_another_outline(other):
     pattern, changed = (Pattern.from_pieces([dented(*point)], [], allowance=0) for point in ((50, 40), other))
     assert changed.pieces[0].size == pytest.approx(pattern.pieces[0].size)
     with pytest.raises(wirewarp.FlattenError, match="have changed since the marker was made"):
         changed.laid_on(pattern.nested(400, seconds=0))
 
 
-def test_a_marker_holds_wherever_the_pieces_lie():
+def test_a_marker_does_not_depend_on_the_place_of_the_pieces():
     pattern = sample("Toy")
     marker = pattern.nested(1000, grain="free", seconds=0)
     moved = replace(
@@ -179,10 +179,10 @@ def test_better_markers_are_shown_and_a_stop_keeps_the_best(engine):
     assert marker.placements == shown[-1].placements
     lengths = [each.length for each in shown]
     assert lengths == sorted(lengths, reverse=True) and len(set(lengths)) == len(lengths)
-    assert [fraction for fraction in asked if fraction >= 0.02] == asked[-1:]  # it stopped at the first no
+    assert [fraction for fraction in asked if fraction >= 0.02] == asked[-1:]  # it stopped at the first refusal
 
 
-def test_what_spyrrow_stumbles_over_is_told_and_pieces_are_packed_all_the_same(monkeypatch):
+def test_errors_of_spyrrow_are_reported_and_pieces_are_packed_without_it(monkeypatch):
     pytest.importorskip("spyrrow")
     bow_tie = [[0.0, 0.0], [50.0, 50.0], [50.0, 0.0], [0.0, 50.0]]
     described, searched = wirewarp.pattern.nest.spyrrow_nesting._described, wirewarp.pattern.nest.nesting.searched
@@ -218,7 +218,7 @@ def searches(monkeypatch):
     return started
 
 
-def test_no_process_searches_on_where_progress_raises(searches):
+def test_the_search_process_ends_if_progress_raises(searches):
     def progress(*_):
         if searches:
             raise ZeroDivisionError
@@ -229,7 +229,7 @@ def test_no_process_searches_on_where_progress_raises(searches):
     assert search.returncode is not None and not Path(search.args[-1]).parent.exists(), raised
 
 
-def test_a_search_ends_with_the_process_that_was_killed(tmp_path):
+def test_a_search_ends_if_its_parent_is_killed(tmp_path):
     pytest.importorskip("spyrrow")
     code = "from patterns import sample; sample('Toy').nested(1000, times=4, seconds=3600)"  # for more than a minute
     temporary = dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(tmp_path))
@@ -276,7 +276,7 @@ def test_bad_input_is_one_sentence(options, words):
     assert str(raised.value).count(". ") == 0
 
 
-def test_who_measures_in_inches_is_told_in_inches(tmp_path):
+def test_imperial_units_are_reported_in_inches(tmp_path):
     pattern = Pattern.from_result(rectangle(254, 254), allowance=0, units="imperial")
     with pytest.raises(wirewarp.FlattenError, match=r"is 10.00 in x 10.00 in: too large for a roll of 9 in"):
         pattern.nested(9 * 25.4)
@@ -287,7 +287,7 @@ def test_who_measures_in_inches_is_told_in_inches(tmp_path):
 
 
 @pytest.mark.parametrize("quantities", [{2: (1, 0)}, {1: (0, 0)}, {1: (1, -1)}, {1: (1.5, 0)}, {1: (1, 2, 3)}])
-def test_quantities_that_cannot_be_are_one_sentence(quantities):
+def test_impossible_quantities_are_one_sentence(quantities):
     with pytest.raises(wirewarp.FlattenError, match=r"Piece 2 does not exist|The quantity of piece 1"):
         Pattern.from_result(rectangle(100, 100)).with_quantities(quantities)
 
@@ -333,7 +333,7 @@ def test_a_marker_on_sheets_of_paper_stays_as_it_is(tmp_path):
     assert written.sheets == len(laid.page_sizes("a3")) > 3
 
 
-def test_simplified_outlines_are_as_near_as_asked():
+def test_simplified_outlines_keep_the_requested_distance():
     turn = np.linspace(0, 2 * math.pi, 400, endpoint=False)
     circle = 100 * np.column_stack([np.cos(turn), np.sin(turn)])
     found = simplified(circle, 0.2, [0, 100, 200, 300])

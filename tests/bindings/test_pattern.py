@@ -15,7 +15,7 @@ from wirewarp.pattern.geometry import innermost_point
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_the_cut_line_lies_at_the_width_from_every_sew_line(name):
+def test_the_cutting_line_is_at_the_width_from_every_stitching_line(name):
     for piece in sample(name, darts="cut").pieces:
         cut, outline = cut_polygon(piece), sew_polygon(piece)
         assert cut.is_valid and cut.contains_properly(outline)
@@ -34,7 +34,7 @@ def test_the_cut_line_lies_at_the_width_from_every_sew_line(name):
 
 
 @pytest.mark.parametrize("name", ["Fitted top", "Carnival mask", "Toy"])
-def test_sew_lines_are_what_was_flattened(name):
+def test_stitching_lines_are_the_flattened_outlines(name):
     for piece, flat in zip(sample(name).pieces, flattened(name).pieces, strict=True):
         boundaries = sorted(boundary.length_2d * 1000 for boundary in flat.boundaries)
         lengths = sorted(line_string(line).length for line in piece.of_role("sew"))
@@ -46,7 +46,7 @@ def test_sew_lines_are_what_was_flattened(name):
             assert line_string(line).length == pytest.approx(wire.length_2d * 1000, rel=1e-12)
 
 
-def test_cut_lines_of_different_pieces_lie_apart():
+def test_cutting_lines_of_different_pieces_are_apart():
     cuts = [cut_polygon(piece) for piece in sample("Toy").pieces]
     tree = shapely.STRtree(cuts)
     for index, cut in enumerate(cuts):
@@ -54,7 +54,7 @@ def test_cut_lines_of_different_pieces_lie_apart():
 
 
 @pytest.mark.parametrize("name", ["Fitted top", "Hat", "Jeans", "Wetsuit upper body"])
-def test_notches_begin_on_the_cut_line_and_end_before_the_sew_line(name):
+def test_notches_begin_on_the_cutting_line_and_end_before_the_stitching_line(name):
     for piece in sample(name, hem=30.0).pieces:
         cut, outline = cut_polygon(piece), sew_polygon(piece)
         for point in piece.points:
@@ -180,7 +180,7 @@ def test_a_dart_is_closed_cut_out_or_slit():
     assert gap.contains(shapely.Point(hole.at))  # in the fold of the dart, where the seam hides it
 
 
-def test_no_notch_leaps_to_a_cut_line_far_away():
+def test_no_notch_starts_on_a_distant_cutting_line():
     # Between the legs of a narrow cut-out dart, the allowances merge and cannot be notched.
     (piece,) = Pattern.from_result(dart(40, 100), darts="cut").pieces
     outline = sew_polygon(piece)
@@ -219,7 +219,7 @@ def test_an_inward_corner_is_clipped():
     assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # from the corner of the cut line
 
 
-def test_allowances_that_differ_make_no_pair():
+def test_pieces_with_different_allowances_are_not_a_pair():
     points = [(0, 0), (100, 0), (100, 50), (0, 80), (200, 0), (300, 0), (300, 80), (200, 50)]
     result = quads(points, [(0, 1, 2, 3), (4, 5, 6, 7)])
     (pair,) = Pattern.from_result(result, pairs=True, on_fold=True).pieces
@@ -227,7 +227,7 @@ def test_allowances_that_differ_make_no_pair():
     assert len(Pattern.from_result(result, pairs=True, allowances=[(0, 1, 20)]).pieces) == 2
 
 
-def test_what_the_allowance_swallows_is_told():
+def test_holes_filled_by_their_allowance_are_reported():
     assert sample("Carnival mask", allowance=25.0).warnings == [
         '"Piece 1": the allowance fills 2 of 2 holes; they are not cut.'
     ]
@@ -271,7 +271,7 @@ def test_a_piece_of_the_wrong_unit_is_one_sentence(size):
         Pattern.from_result(result)
 
 
-def test_a_piece_that_breaks_a_promise_is_no_pattern():
+def test_a_piece_that_breaks_a_guarantee_is_refused():
     result = wirewarp.flatten(*tetrahedron())
     with pytest.raises(wirewarp.FlattenError, match='"Piece 1" is not ready to cut'):
         Pattern.from_result(result)
@@ -296,7 +296,7 @@ def test_a_fold_must_be_an_edge_that_is_not_sewn():
         Pattern.from_result(rectangle(100, 60), folds=[0, 3])
 
 
-def test_a_crooked_fold_is_told():
+def test_a_crooked_fold_is_reported():
     points = [(0, 0), (100, 0), (100, 60), (0, 60), (3, 30)]
     vertices = np.array([(x / 1000, y / 1000, 0) for x, y in points])
     result = wirewarp.flatten(vertices, np.array([(0, 1, 4), (1, 2, 4), (2, 3, 4)]))
@@ -318,7 +318,7 @@ def test_room_for_text_is_found_in_a_ring_and_beside_its_wires():
     assert center[1] == pytest.approx(30, abs=1.5)
 
 
-def test_the_date_stands_on_every_piece():
+def test_the_date_is_on_every_piece():
     pattern = Pattern.from_result(flattened("Hat"), title="Hat", date="22 November 2026")
     assert all(piece.texts[0].lines[0] == "Hat, 22 November 2026" for piece in pattern.pieces)
     assert Pattern.from_result(rectangle(100, 60), date="2026").pieces[0].texts[0].lines[0] == "2026"
@@ -349,7 +349,7 @@ def test_a_notch_is_half_as_deep_as_the_allowance_and_at_most_5_mm(allowance):
         assert sew_polygon(piece).distance(shapely.LineString(point.stroke)) > allowance / 2 - 1e-6
 
 
-def test_a_seam_that_opens_nothing_is_named():
+def test_a_seam_without_an_opening_is_named():
     with pytest.raises(wirewarp.FlattenError, match='Edge 5-6 is a seam inside "Piece 1" that opens nothing') as error:
         Pattern.from_result(grid([0, 10, 20, 30], [0, 10, 20], seams=[(5, 6)]))
     assert list(error.value.edges) == [(5, 6)]

@@ -38,7 +38,7 @@ def random_sections(random: np.random.Generator) -> list[Section]:
 
 @settings(max_examples=max(300, settings.default.max_examples))  # 2 s
 @given(seed=st.integers(0, 2**32 - 1))
-def test_any_widths_round_any_outline_make_one_loop_at_these_widths(seed):
+def test_any_widths_around_any_outline_make_one_loop(seed):
     loop = random_sections(np.random.default_rng(seed))
     outline = shapely.Polygon(np.concatenate([section.points[:-1] for section in loop]))
     assume(outline.is_valid)
@@ -155,7 +155,7 @@ def test_a_gap_that_the_allowance_closes_is_a_pocket():
     )
 
 
-def test_no_allowance_leaves_every_point_as_it_was():
+def test_without_an_allowance_no_point_moves():
     points = np.random.default_rng(1).uniform(0, 1, (3, 2)) + [[0, 0], [100, 0], [0, 100]]
     (outer,) = cut_lines([[Section(np.concatenate([points, points[:1]]), 0.0)]]).outer
     assert np.array_equal(outer, points)

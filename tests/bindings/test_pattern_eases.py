@@ -62,7 +62,7 @@ def test_notches_of_an_eased_seam_are_at_equal_sewn_lengths(tmp_path, eased):
     assert np.interp(walk.notches[1], ends_below, np.arange(COUNT + 1) * step) == pytest.approx(walk.notches[0])
 
 
-def test_the_longer_side_says_so_on_its_line_and_on_the_proof():
+def test_the_longer_side_is_named_on_its_line_and_on_the_proof():
     pattern = Pattern.from_result(two_strips([(0, COUNT, 0.03)]), piece_names=["Above", "Below"])
     notes = {
         piece.name: {line.note for line in piece.of_role("sew") if line.seam is not None} for piece in pattern.pieces
@@ -74,7 +74,7 @@ def test_the_longer_side_says_so_on_its_line_and_on_the_proof():
     assert "Seam 1: Above, 12 mm longer, ease between notches" in texts and "Seam 1: Below" in texts
 
 
-def test_much_longer_sides_are_gathered_and_alike_ones_are_not_told():
+def test_much_longer_sides_are_gathered_and_equal_ones_have_no_text():
     for eased, expected in (([(0, COUNT, 0.5)], "200 mm longer, gather between notches"), ([], "")):
         pattern = Pattern.from_result(two_strips(eased), piece_names=["Above", "Below"])
         (note,) = [line.note for line in pattern.pieces[1].of_role("sew") if line.seam is not None]

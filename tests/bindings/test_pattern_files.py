@@ -84,7 +84,7 @@ def test_names_in_any_script(tmp_path, no_fonts, ending):
         assert labels[1:6] == names[:5]
 
 
-def test_without_texts_no_line_leads_to_one(tmp_path):
+def test_without_texts_there_are_no_leader_lines(tmp_path):
     pattern = Pattern.from_result(rectangle(20, 2), allowance=0, piece_names=["Cuff"])
     plain = pattern.with_only(["sew", "grain"])
     assert pattern.pieces[0].of_role("card leader") and not plain.pieces[0].of_role("card leader")
@@ -223,7 +223,7 @@ def test_a_failure_leaves_the_old_file_as_it_was(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
-def test_a_file_that_came_out_wrong_takes_no_place(tmp_path, monkeypatch, ending):
+def test_a_wrong_file_replaces_nothing(tmp_path, monkeypatch, ending):
     pattern = sample("Hat")
     written = pattern.write(tmp_path / f"hat.{ending}")
     assert written.off < 0.02 and "3 pieces on" in str(written) and "read again: 0.0" in str(written)
@@ -246,7 +246,7 @@ def test_a_stop_leaves_the_old_file(tmp_path, monkeypatch, ending):
     monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
     path, pattern = tmp_path / f"hat.{ending}", sample("Hat")
     asked: list[tuple[str, float]] = []
-    pattern.write(path, progress=lambda *told: asked.append(told))
+    pattern.write(path, progress=lambda *reported: asked.append(reported))
     assert asked[-1][0] == "reading again" and all(0 <= fraction < 1 for _, fraction in asked)
     begins = [STAGES[stage] for stage, _ in asked]
     assert begins == sorted(begins)
@@ -263,7 +263,7 @@ def test_a_stop_leaves_the_old_file(tmp_path, monkeypatch, ending):
         assert path.read_bytes() == old and list(tmp_path.iterdir()) == [path]
 
 
-def test_what_progress_raises_leaves_the_old_file(tmp_path, monkeypatch):
+def test_exceptions_of_progress_keep_the_old_file(tmp_path, monkeypatch):
     monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
     path = tmp_path / "hat.pdf"
     path.write_bytes(b"old")
@@ -298,7 +298,7 @@ def test_paths_that_cannot_be_written(tmp_path):
         pattern.write(tmp_path / "folder.svg")
 
 
-def test_what_is_left_out_is_in_no_file(tmp_path):
+def test_omitted_kinds_of_lines_are_in_no_file(tmp_path):
     pattern = sample("Hat")
     plain = pattern.with_only(["notches"])
     plain.write(tmp_path / "plain.svg")
@@ -313,7 +313,7 @@ def test_what_is_left_out_is_in_no_file(tmp_path):
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
-def test_dialogs_are_told_every_option_of_a_format(tmp_path, suffix):
+def test_formats_list_every_option_for_dialogs(tmp_path, suffix):
     """They offer exactly the writer's options; paper and keep_places belong to pages."""
     chosen = FORMATS[suffix]
     pages = ["paper", "keep_places"] if chosen.has_pages else []

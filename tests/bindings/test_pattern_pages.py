@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is reported of pages before they are written is true of the written pages."""
+"""Reports about pages before they are written are true of the written pages."""
 
 import re
 from dataclasses import replace
@@ -27,7 +27,7 @@ from wirewarp.pattern.make.outline import flat_piece
         ("projector", (None, None)),
     ],
 )
-def test_the_pages_are_told_before_they_are_written(tmp_path, paper, sides):
+def test_the_pages_are_reported_before_they_are_written(tmp_path, paper, sides):
     pattern = sample("Hat")
     sizes = pattern.page_sizes(paper)
     written = pattern.write(tmp_path / "pages.pdf", paper=paper)
@@ -40,7 +40,7 @@ def test_the_pages_are_told_before_they_are_written(tmp_path, paper, sides):
 
 @pytest.mark.parametrize("keep_places", [False, True])
 @pytest.mark.parametrize(("paper", "margin"), [("a4", 10.0), ("a3", 10.0), (2500.0, 0.0), ("projector", 0.0)])
-def test_the_pages_show_the_pattern_where_they_are_said_to(tmp_path, paper, margin, keep_places):
+def test_the_pages_show_the_reported_parts_of_the_pattern(tmp_path, paper, margin, keep_places):
     """Every point of a cut line is dark on the pages that show it, and on at least one."""
     pattern = sample("Hat").with_only([])
     apart = np.array([[0.0, 0.0], [33.0, 21.0]])[np.arange(len(pattern.pieces)) % 2]
@@ -75,7 +75,7 @@ def whole_and_alone():
 
 @pytest.mark.parametrize("keep_places", [False, True])
 @pytest.mark.parametrize("paper", ["a4", "a3", "36in"])
-def test_lines_to_cut_alone_have_the_same_pages(paper, keep_places):
+def test_cutting_lines_alone_have_the_same_pages(paper, keep_places):
     assert all(piece.of_role("card leader") for piece in whole_and_alone()[0].pieces)
     drawn = [(each if keep_places else each.arranged()).pages(paper, keep_places) for each in whole_and_alone()]
     assert len({len(pages) for _, pages in drawn}) == 1
@@ -107,7 +107,7 @@ def straps(count):
     return [flat_piece(piece, f"Strap {number}", 1000.0) for number, piece in enumerate(result.pieces, start=1)]
 
 
-def test_what_keeps_its_places_and_is_too_wide_for_a_roll_is_told():
+def test_a_layout_that_is_too_wide_for_the_roll_is_reported():
     pattern = Pattern.from_result(rectangle(600, 100))
     (piece,) = pattern.pieces
     pattern = replace(pattern, pieces=[piece, replace(piece.moved(np.array([1200.0, 0.0])), number=2)])

@@ -65,12 +65,12 @@ def test_the_gores_of_a_ball_are_one_piece():
     assert gore.quantity == (6, 0) and "Cut 6" in gore.texts[0].lines
 
 
-def test_pieces_cut_mirrored_alone_say_so():
+def test_pieces_that_are_only_cut_mirrored_have_a_text():
     (piece,) = Pattern.from_result(rectangle(300, 200)).with_quantities({1: (0, 2)}).pieces
     assert "Cut 2 mirrored" in piece.texts[0].lines
 
 
-def test_holes_must_fit_too():
+def test_holes_must_match_too():
     (mask,) = sample("Carnival mask", allowance=2.0, on_fold=True).pieces
     assert len(mask.of_role("inner_cut")) == 1 and mask.on_fold
     points = [(0, 0), (100, 0), (100, 60), (0, 60), (20, 20), (40, 20), (40, 35), (20, 35)]

@@ -11,7 +11,7 @@ from patterns import MILLIMETER, SCALE, dark, extent, quads, rectangle, sample
 from wirewarp.pattern import Pattern
 
 
-def test_what_is_printed_has_its_true_size(tmp_path):
+def test_prints_have_the_actual_size(tmp_path):
     # Without marks and texts, the outermost lines are the cut line of a rectangle, 0.5 mm wide.
     pattern = Pattern.from_result(rectangle(150, 700), allowance=10.0)
     pattern.write(tmp_path / "strip.pdf", paper=1000)
@@ -97,7 +97,7 @@ def test_layers_are_named_and_the_grid_is_hidden(tmp_path):
         (200, "too large for a roll of 200 mm"),
     ],
 )
-def test_papers_that_do_not_do(tmp_path, paper, words):
+def test_impossible_papers_are_refused(tmp_path, paper, words):
     with pytest.raises(wirewarp.FlattenError, match=words):
         Pattern.from_result(rectangle(300, 300)).write(tmp_path / "x.pdf", paper=paper)
     assert list(tmp_path.iterdir()) == []

@@ -45,11 +45,11 @@ def two_squares(**options):
     return Pattern.from_result(grid([0, 200, 400], [0, 200], seams=[(1, 4)]), **options)
 
 
-def test_allowances_are_told_where_no_sew_lines_are_drawn(tmp_path):
+def test_allowances_are_listed_if_no_stitching_lines_are_drawn(tmp_path):
     assert "10 mm" in proof_words(two_squares().with_only(["notches"]), tmp_path / "a.pdf")
 
 
-def test_the_proof_says_where_notches_stand(tmp_path):
+def test_the_proof_lists_the_places_of_notches(tmp_path):
     pattern = two_squares(notch_spacing=50.0)
     (walk,) = pattern.walks
     assert walk.notches == (pytest.approx((40, 90, 140)), pytest.approx((40, 90, 140)))  # none in the middle
@@ -67,7 +67,7 @@ def test_the_proof_says_where_notches_stand(tmp_path):
     assert "Notches at " + ", ".join(f"{place:.1f} mm" for place in walk.notches[0]) in text
 
 
-def test_the_proof_of_a_marker_says_what_cloth_it_takes(tmp_path):
+def test_the_proof_of_a_marker_states_the_fabric_that_it_needs(tmp_path):
     pattern = sample("Fitted top")
     laid = pattern.laid_on(pattern.nested(1400, seconds=0))
     text = proof_words(laid, tmp_path / "a.pdf")
@@ -81,6 +81,6 @@ def test_sides_of_pieces_with_one_name_have_their_own_allowances(tmp_path):
     assert text.count("200.0 mm 10 mm") == text.count("200.0 mm 5 mm") == 1
 
 
-def test_who_measures_in_inches_reads_no_millimeters(tmp_path):
+def test_imperial_proofs_have_no_millimeters(tmp_path):
     text = proof_words(two_squares(units="imperial"), tmp_path / "a.pdf")
     assert "7.87 in 3/8 in 0.0000 in" in text and " mm" not in text

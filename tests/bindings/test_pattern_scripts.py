@@ -79,12 +79,12 @@ def boxes(text):
     return sorted((min(across), max(across) - min(across)) for across in found)
 
 
-def test_letters_stand_side_by_side(folder):
+def test_letters_are_placed_side_by_side(folder):
     assert boxes("ж袖") == [(0, 600), (600, 1000)]
     assert glyphs.line_of("ж袖").width == pytest.approx(1.6)
 
 
-def test_what_is_read_from_the_right_begins_there(folder):
+def test_right_to_left_text_starts_at_the_right(folder):
     assert boxes("من") == [(0, 300), (300, 400)]
     assert boxes("ж من") == [(0, 600), (850, 300), (1150, 400)]
     # The line starts with the Arabic word, so the other one is to its left.
@@ -96,13 +96,13 @@ def test_digits_of_arabic_script_run_from_the_left(folder):
     assert boxes("م ٢٣") == [(0, 200), (200, 350), (800, 400)]
 
 
-def test_brackets_are_mirrored_where_they_are_read_from_the_right(folder):
+def test_brackets_are_mirrored_in_right_to_left_text(folder):
     assert boxes("(م)") == [(0, 150), (150, 400), (550, 450)]
     assert boxes("م(ن)") == [(0, 150), (150, 300), (450, 450), (900, 400)]
 
 
 @given(st.text("aжאبم12١٢+-.,:$% ()[]!<>«»\u0301", max_size=14))
-def test_letters_of_both_directions_stand_as_another_program_has_them(text):
+def test_letters_of_both_directions_are_placed_as_by_another_program(text):
     own = levels(text)
     assert "".join(in_visual_order(text, own)) == get_display(text)
 
@@ -130,7 +130,7 @@ def longest(dark):
 
 
 @pytest.mark.parametrize(("name", "letter"), [("袂", "袂"), ("袖👗", NO_OUTLINE)])
-def test_a_letter_that_no_font_draws_is_told(folder, name, letter):
+def test_a_letter_that_no_font_has_is_reported(folder, name, letter):
     pattern = Pattern.from_result(rectangle(300, 200), piece_names=[name])
     assert pattern.write(folder / "x.pdf").warnings == [
         f'"{name}" is left out of the PDF: no font with the letter "{letter}" was found.'

@@ -36,7 +36,7 @@ def drawn(tmp_path):
     return draw
 
 
-def test_kinds_of_lines_are_told_by_layer_color_and_dashes(drawn):
+def test_kinds_of_lines_differ_by_layer_color_and_dashes(drawn):
     _, drawing = drawn()
     layers = list(drawing.pieces["Left"].findall(f"{SVG}g"))
     assert all(layer.get(GROUPMODE) == "layer" for layer in layers)
@@ -49,7 +49,7 @@ def test_kinds_of_lines_are_told_by_layer_color_and_dashes(drawn):
     assert ["stroke-dasharray" in line.attrib for line in lines] == [False, False, True, True, False, True]
 
 
-def test_every_line_says_itself_how_it_looks(drawn):
+def test_every_line_has_its_own_style_attributes(drawn):
     """Cutters' programs do not read style sheets, and fill lines without attributes with black."""
     root = drawn()[1].root
     lines = list(root.iter(f"{SVG}path"))
@@ -60,7 +60,7 @@ def test_every_line_says_itself_how_it_looks(drawn):
 
 
 @pytest.mark.parametrize(("units", "side", "label"), [("metric", 100, "100 mm"), ("imperial", 101.6, "4 in")])
-def test_page_and_square_are_in_millimeters_and_the_paper_says_the_allowance(drawn, units, side, label):
+def test_page_and_square_are_in_millimeters_and_the_allowance_is_printed(drawn, units, side, label):
     pattern, drawing = drawn(units=units, allowance=0.0)
     width, height = (drawing.root.get(side)[:-2] for side in ("width", "height"))
     assert [float(width), float(height)] == pytest.approx(pattern.svg_size, abs=1e-3)
@@ -76,7 +76,7 @@ def test_page_and_square_are_in_millimeters_and_the_paper_says_the_allowance(dra
     assert np.any(square.min(axis=0) >= pieces.max(axis=0)) or np.any(square.max(axis=0) <= pieces.min(axis=0))
 
 
-def test_groups_are_named_even_where_names_are_no_ids(drawn):
+def test_groups_are_named_even_if_names_are_not_valid_ids(drawn):
     _, drawing = drawn(piece_names=["1 <Ärmel>", "1 >Ärmel<"])
     assert list(drawing.pieces) == ["1 <Ärmel>", "1 >Ärmel<"]
     ids = [element.get("id") for element in drawing.root.iter() if element.get("id")]
@@ -85,7 +85,7 @@ def test_groups_are_named_even_where_names_are_no_ids(drawn):
     assert [group.get(LABEL) for group in drawing.pieces.values()] == list(drawing.pieces)
 
 
-def test_the_text_of_a_piece_is_inside_and_says_name_and_area(drawn):
+def test_the_text_of_a_piece_is_inside_and_has_name_and_area(drawn):
     pattern, drawing = drawn(allowance=0.0)
     for piece in pattern.pieces:
         text = drawing.layer(piece.name, "Text").find(f"{SVG}text")

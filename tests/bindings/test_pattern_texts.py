@@ -50,7 +50,7 @@ def box(text):
     return text.center - half, text.center + half
 
 
-def test_what_a_piece_has_no_room_for_stands_beside_it_with_a_line_to_it():
+def test_texts_without_room_are_beside_the_piece_with_a_leader_line():
     """On a strip of 20 by 2 mm."""
     pattern = Pattern.from_result(rectangle(20, 2), allowance=0, piece_names=["Cuff"])
     (piece,) = pattern.pieces
@@ -127,7 +127,7 @@ def test_names_beside_a_piece_are_clear_of_each_other():
             assert first.disjoint(second)
 
 
-def test_a_seam_says_what_it_is_sewn_to_where_there_is_room():
+def test_a_seam_names_the_other_piece_if_there_is_room():
     names = ["Front", "Back", "Left sleeve", "Right sleeve"]
     pattern = Pattern.from_result(flattened("Fitted top"), piece_names=names)
     lines = [line for piece in pattern.pieces for line in piece.of_role("sew") if line.seam is not None]
@@ -149,7 +149,7 @@ def grain(piece: FlatPiece) -> np.ndarray:
     return way / np.linalg.norm(way)
 
 
-def test_the_grain_runs_as_it_is_told_and_upright_by_itself():
+def test_the_grain_follows_its_setting_and_is_upright_by_default():
     piece = flat_piece(rectangle(200, 100).pieces[0], "Front", 1000.0)
     assert grain(piece) == pytest.approx([0, 1])
     assert grain(replace(piece, grain=np.array([0.6, -0.8]))) == pytest.approx([0.6, -0.8])
@@ -180,7 +180,7 @@ def test_names_lie_inside_narrow_pieces_or_close_beside_and_clear_of_each_other(
         assert len(seams) == (1 if width in (widths[0], widths[-1]) else 2)
 
 
-def test_a_wire_shorter_than_its_name_goes_without_and_others_have_it_in_the_piece():
+def test_a_wire_shorter_than_its_name_has_none_and_others_have_it_inside():
     for name, count in (("Waist", 1), ("Waist, as measured on the fitting day, " * 5, 0)):
         result = grid([0, 200], [0, 100, 200], wires=[wirewarp.Wire([2, 3], name=name)])
         (piece,) = Pattern.from_result(result, allowance=0).pieces
@@ -192,7 +192,7 @@ def test_a_wire_shorter_than_its_name_goes_without_and_others_have_it_in_the_pie
             assert cut_polygon(piece).contains(letters(text))
 
 
-def test_where_a_wire_ends_at_a_seam_its_number_stands_beside():
+def test_the_number_of_a_seam_avoids_the_end_of_a_wire():
     """It would be in the middle otherwise."""
     wire = wirewarp.Wire([3, 4, 5], name="Waist")
     result = grid([-150, 0, 150], [0, 100, 200], seams=[(1, 4), (4, 7)], wires=[wire])

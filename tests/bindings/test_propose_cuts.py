@@ -24,7 +24,7 @@ MIDDLE = column_chain(8, 8, 4)[2:5]
         (Wire(MIDDLE), Options(thickness=0.05)),
     ],
 )
-def test_strain_is_the_figure_of_the_report_and_gets_less(wire, options):
+def test_strain_is_the_figure_of_the_report_and_decreases(wire, options):
     mesh = {"vertices": DOME[0], "faces": DOME[1], "wires": [wire], "options": options}
 
     def needed(seams):
@@ -41,7 +41,7 @@ def test_strain_is_the_figure_of_the_report_and_gets_less(wire, options):
             assert min(proposal.strain, proposal.strain_with_twin or np.inf) < before
 
 
-def test_a_closed_model_gets_first_cuts():
+def test_a_closed_model_gets_cut_sets():
     vertices, faces = tetrahedron()
     first = propose_seams(vertices, faces)[0]
     assert all(piece.error is None for piece in flatten(vertices, faces, seams=first.edges).pieces)
@@ -58,7 +58,7 @@ def test_proposals_are_plain_values():
     assert pickle.loads(pickle.dumps(proposal)).to_dict() == proposal.to_dict()
 
 
-def test_seams_that_are_there_stay():
+def test_existing_seams_stay():
     seams = chain_edges(column_chain(8, 8, 4))
     proposals = propose_darts(*DOME, seams=seams, piece=1)
     assert {proposal.piece for proposal in proposals} == {1}
@@ -66,11 +66,11 @@ def test_seams_that_are_there_stay():
     assert all(set(proposal.edges.ravel()) <= vertices for proposal in proposals)
 
 
-def test_progress_is_told_and_can_cancel():
-    told = []
-    propose_darts(*DOME, count=1, progress=lambda stage, fraction: told.append((stage, fraction)))
-    assert {stage for stage, _ in told} == {"cuts"}
-    fractions = [fraction for _, fraction in told]
+def test_progress_is_reported_and_can_cancel():
+    reported = []
+    propose_darts(*DOME, count=1, progress=lambda stage, fraction: reported.append((stage, fraction)))
+    assert {stage for stage, _ in reported} == {"cuts"}
+    fractions = [fraction for _, fraction in reported]
     assert fractions == sorted(fractions) and fractions[0] >= 0 and fractions[-1] < 1
     with pytest.raises(FlattenError, match="Canceled") as raised:
         propose_darts(*DOME, progress=lambda *_: False)
@@ -96,7 +96,7 @@ def test_wrong_options_are_refused(find, limits, said):
 
 
 @pytest.mark.parametrize("propose", [propose_darts, propose_seams])
-def test_no_cut_runs_along_an_edge_that_is_to_have_none(propose):
+def test_no_cut_runs_along_an_edge_without_seams(propose):
     barred = propose(*DOME, count=1)[0].edges
     taken = {frozenset(pair) for pair in barred.tolist()}
     for proposal in propose(*DOME, no_seam=barred[:, ::-1]):

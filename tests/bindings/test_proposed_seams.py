@@ -21,7 +21,7 @@ def refused(vertices: np.ndarray, faces: np.ndarray) -> FlattenError:
 
 
 @pytest.mark.parametrize("name", TUBES)
-def test_a_tube_is_refused_and_lies_flat_along_its_proposed_seams(name: str):
+def test_a_tube_is_refused_and_is_flat_with_its_proposed_seams(name: str):
     vertices, faces, _ = read_panel(name)
     error = refused(vertices, faces)
     assert len(error.vertices) == 2  # one for each end
@@ -30,7 +30,7 @@ def test_a_tube_is_refused_and_lies_flat_along_its_proposed_seams(name: str):
 
 
 @pytest.mark.parametrize("name", WHOLE)
-def test_a_whole_garment_lies_flat_after_one_proposal(name: str):
+def test_a_whole_garment_is_flat_after_one_proposal(name: str):
     vertices, faces, _ = read_panel(name)
     result = flatten(vertices, faces, seams=refused(vertices, faces).proposed_seams)
     assert [piece.error for piece in result.pieces if piece.error] == []

@@ -67,7 +67,7 @@ def read_case(name: str) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
 
 
 def exact_piece(name: str, tolerance: float = 0.0, **options) -> wirewarp.Piece:
-    """The case flattened with this tolerance of every wire; every length is checked."""
+    """Flatten the case with this tolerance of every wire, check every length, and return the piece."""
     vertices, faces, chains = read_case(name)
     wires = [wirewarp.Wire(chain, tolerance) for chain in chains]
     (piece,) = wirewarp.flatten(vertices, faces, wires=wires, options=wirewarp.Options(**options)).pieces

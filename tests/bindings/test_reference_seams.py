@@ -36,7 +36,7 @@ def seams():
 
 
 @pytest.mark.parametrize(("name", "entry"), entries())
-def test_seams_that_give(name, entry, seams):
+def test_elastic_seams(name, entry, seams):
     expected = json.loads(FIGURES.read_text())[name][entry]
     shape = SAMPLES[name]
     wires = [wirewarp.Wire(wire.vertices, wire.tolerance) for wire in shape.wires]

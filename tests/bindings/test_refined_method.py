@@ -49,7 +49,7 @@ def test_more_tolerance_never_means_more_distortion(name):
 
 @pytest.mark.parametrize("tolerance", [0, 0.05, None], ids=["rigid", "elastic", "as marked"])
 @pytest.mark.parametrize("name", SAMPLES)
-def test_no_shape_with_such_lengths_has_less(name, tolerance):
+def test_no_shape_with_these_lengths_has_a_lower_objective(name, tolerance):
     shape = SAMPLES[name]
     refined, warped = flattened(name, tolerance), flattened(name, tolerance, method="wirewarp++")
     for piece, other in zip(refined.pieces, warped.pieces, strict=True):
@@ -73,7 +73,7 @@ def test_fairness_trades_distortion_for_smooth_wires(fairness):
     assert fairer.metrics.arap_energy + fairness_of(shape, 0, fairer, fairness) > piece.report.objective
 
 
-def test_free_wires_are_as_if_unmarked():
+def test_free_wires_have_no_effect():
     vertices, faces = spherical_patch(columns=8, rows=8)
     chains = [range(36, 45), range(4, 81, 9)]
     free = wirewarp.flatten(vertices, faces, wires=[wirewarp.Wire(chain, math.inf) for chain in chains])

@@ -74,7 +74,7 @@ def test_pieces_are_ready_only_if_there_is_a_fabric_for_them(stretches, limits, 
     assert found.is_ready == all(kind in (Kind.READY, Kind.READY_FOR_ANY) for kind in expected)
 
 
-def test_a_model_that_failed_as_a_whole_keeps_the_others_from_being_ready():
+def test_a_failed_model_makes_the_others_not_ready():
     good, failed = report_of_pieces(0.0, name="A"), failure_report(Issue("no_faces", "It has no faces."), "B")
     for reports in ((good, failed), (failed, good)):
         found = verdict(*reports)
@@ -83,7 +83,7 @@ def test_a_model_that_failed_as_a_whole_keeps_the_others_from_being_ready():
     assert kinds(failed) == [Kind.NOT_FLATTENED]
 
 
-def test_levels_go_with_kinds():
+def test_every_kind_of_verdict_has_its_level():
     assert Kind.READY.level is Kind.READY_FOR_ANY.level is Level.GOOD
     assert Kind.FAILED.level is Kind.NOT_FLATTENED.level is Level.BAD
     others = set(Kind) - {Kind.READY, Kind.READY_FOR_ANY, Kind.FAILED, Kind.NOT_FLATTENED}
@@ -139,7 +139,7 @@ def test_ignored_modifiers_make_no_piece_ready():
     assert as_seen(verdict(report_of_pieces(0.0)), []).is_ready
 
 
-def test_success_says_whether_lengths_were_to_stay():
+def test_success_mentions_exact_lengths_only_if_they_are_fixed():
     (line,) = verdict(report_of("Wetsuit upper body")).lines
     assert line.text.startswith("Lengths are exact or within their tolerance. Cut from fabric")
     report = report_of("Carnival mask")
@@ -149,7 +149,7 @@ def test_success_says_whether_lengths_were_to_stay():
     assert kept_text([replace(report, wires=[wire], method="wirewarping")]) == "every length kept"
 
 
-def test_the_figure_is_that_by_which_suggestions_are_ranked():
+def test_the_figure_is_the_one_that_ranks_suggestions():
     """Computed here from the core's aspect ratios: the least value that 99% of the area does not exceed."""
     shape, result, report = SAMPLES["Fitted top"], flattened("Fitted top"), report_of("Fitted top")
     corners = np.asarray(shape.vertices)[shape.triangles()]
@@ -161,7 +161,7 @@ def test_the_figure_is_that_by_which_suggestions_are_ranked():
     assert kinds(report) == [Kind.NEEDS_STRETCH]
 
 
-def test_what_unfolds_is_ready_for_any_fabric():
+def test_pieces_that_unfold_are_ready_for_any_fabric():
     for name in ("Half cylinder", "Lampshade"):
         report = report_of(name)
         assert kinds(report) == [Kind.READY_FOR_ANY]
@@ -169,18 +169,18 @@ def test_what_unfolds_is_ready_for_any_fabric():
         assert report.hints == []
 
 
-def test_gathers_are_wanted_and_no_strain():
+def test_gathers_are_not_strain():
     """The waist of the sample's skirt is cut twice as long as its band: it is compressed to half by its gathers."""
     shape, result = SAMPLES["Gathered skirt"], flattened_as_made("Gathered skirt")
     mesh, wires = (shape.vertices, shape.triangles()), wires_of(shape)
     gathered = make_report(result, *mesh, wires=wires, eases=eases_of(shape))
-    unwanted = make_report(result, *mesh, wires=wires)  # the same shape, which nobody has asked for
+    unintended = make_report(result, *mesh, wires=wires)  # the same shape without the gathers as its target
     assert max(piece.needed for piece in gathered.pieces) < 0.1
-    assert max(piece.needed for piece in unwanted.pieces) > 0.9
-    assert unwanted.hints and not gathered.hints
+    assert max(piece.needed for piece in unintended.pieces) > 0.9
+    assert unintended.hints and not gathered.hints
 
 
-def test_built_in_stretch_is_wanted():
+def test_intended_stretch_is_no_hint():
     """A cylinder unfolds: its fabric must stretch exactly by its negative ease."""
     shape = SAMPLES["Half cylinder"]
     vertices, faces = shape.vertices, shape.triangles()
@@ -268,7 +268,7 @@ def test_strain_in_words(stretch, ease, words):
     assert strain_text(stretch, ease) == words
 
 
-def test_regions_hang_together_by_edges():
+def test_regions_are_connected_by_edges():
     size = 6
     row = size + 1
     corners = [y * row + x for y in range(size) for x in range(size)]
@@ -316,7 +316,7 @@ def test_unused_tolerances_are_noted():
     assert not note.is_warning and "tolerances were not used" in note.text
 
 
-def test_what_a_piece_does_not_keep_was_asked_for_by_its_eases():
+def test_changes_of_length_follow_from_eases():
     """Three edges of lengths 2, 1 and 1: a wire of length 1.1, and an ease of 1.05 on it and on the next."""
     chain = np.array([0, 1, 2, 3])
     broken = SimpleNamespace(vertices=chain, length_3d=4.0, length_2d=5.0, max_edge_error=0.1)

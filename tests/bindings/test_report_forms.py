@@ -96,7 +96,7 @@ def changed(data, path, value):
         (["pieces", 0], [], "[] at report.pieces"),
     ],
 )
-def test_what_is_no_report_of_this_version_is_a_sentence(path, value, said):
+def test_invalid_reports_are_refused_in_a_sentence(path, value, said):
     written = json.loads(json.dumps(to_dict(report_of("Fitted top"))))
     changed(written, path, value)
     with pytest.raises(ReportError) as caught:
@@ -105,7 +105,7 @@ def test_what_is_no_report_of_this_version_is_a_sentence(path, value, said):
 
 
 @pytest.mark.parametrize("data", [None, [], "report"])
-def test_what_is_no_object_is_no_report(data):
+def test_reports_must_be_json_objects(data):
     with pytest.raises(ReportError):
         from_dict(data, Report)
 
@@ -127,7 +127,7 @@ def test_rows_are_worst_first():
     assert [row.index for row in rows] == [2, 1, 0, 3, 4]  # what its button selects
 
 
-def test_sides_that_read_the_same_are_put_together():
+def test_equal_sides_are_combined():
     def sides(*labels):
         return [Side(label, 1.0, 1.0, 0.0, 0.0, 1.0) for label in labels]
 

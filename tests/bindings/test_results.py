@@ -61,7 +61,7 @@ def test_both_sides_of_a_seam_and_a_wire_keep_their_length_on_a_sphere():
     assert sorted(part.vertices.tolist() for part in parts) == [row[:5], row[4:]]
 
 
-def test_measuring_a_result_gives_its_own_figures():
+def test_measuring_a_result_gives_the_same_figures():
     vertices, faces = spherical_patch()
     wires = [wirewarp.Wire(range(36, 45))]
     made = wirewarp.flatten(vertices, faces, wires=wires)

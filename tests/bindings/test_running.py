@@ -46,7 +46,7 @@ def test_any_other_answer_goes_on(answer):
     assert result.pieces[0].error is None
 
 
-def test_an_exception_in_progress_stops_the_run_and_arrives():
+def test_an_exception_in_progress_stops_the_run_and_is_raised():
     error = RuntimeError("no more")
     calls = []
 
@@ -60,7 +60,7 @@ def test_an_exception_in_progress_stops_the_run_and_arrives():
     assert len(calls) == 1
 
 
-def test_an_answer_that_cannot_be_judged_is_an_exception():
+def test_an_answer_without_a_truth_value_is_an_exception():
     with pytest.raises(ValueError, match="ambiguous"):
         wirewarp.flatten(*half_cylinder(), progress=lambda stage, fraction: np.zeros(2))
 

@@ -55,7 +55,7 @@ def test_proposals_are_plain_values():
     assert pickle.loads(pickle.dumps(fewer)).to_dict() == fewer.to_dict()
 
 
-def test_what_was_reached_is_returned_when_it_is_stopped():
+def test_a_stopped_search_returns_its_best_result():
     fewer = simplify_seams(*DOME, seams=COLUMNS, strain=0.1, progress=lambda _, fraction: fraction < 0.5)
     assert fewer.was_stopped and undirected(fewer.edges) | undirected(fewer.opened) == undirected(COLUMNS)
     with pytest.raises(FlattenError) as raised:

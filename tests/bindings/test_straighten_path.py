@@ -31,7 +31,7 @@ def test_a_dart_gets_shorter_with_the_same_ends_and_can_be_cut_again():
         ([0, 10**12], "vertex_out_of_range", "Path vertex 1 names vertex 1000000000000"),
     ],
 )
-def test_what_is_no_path_is_refused(path, code, sentence):
+def test_invalid_paths_are_refused(path, code, sentence):
     vertices, faces = spherical_patch(4, 4)
     with pytest.raises(wirewarp.FlattenError) as caught:
         wirewarp.straighten_path(vertices, faces, path)

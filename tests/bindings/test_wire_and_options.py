@@ -66,7 +66,7 @@ CHAINS = {
 
 
 @pytest.mark.parametrize("code", CHAINS, ids=str)
-def test_what_is_no_chain_is_refused(code):
+def test_invalid_chains_are_refused(code):
     for vertices in CHAINS[code]:
         assert code_of(lambda vertices=vertices: Wire(vertices)) is code, repr(vertices)
 
@@ -83,7 +83,7 @@ NUMBERS = {
 
 
 @pytest.mark.parametrize("name", NUMBERS)
-def test_a_number_is_one_and_in_its_range(name):
+def test_numbers_are_checked_with_their_ranges(name):
     make, code, outside = NUMBERS[name]
     for value in outside:
         assert code_of(lambda value=value: make(value)) is code, value
@@ -110,7 +110,7 @@ def test_a_wire_name_is_text(name, why):
     assert caught.value.code is ErrorCode.invalid_type
 
 
-def test_what_a_number_raises_is_not_swallowed():
+def test_exceptions_of_numbers_are_not_swallowed():
     class Broken:
         def __index__(self):
             raise OSError("the disk is gone")
@@ -185,7 +185,7 @@ def test_an_unknown_value_is_named_with_the_allowed_ones(name, value, allowed):
     assert options.to_dict() == Options().to_dict()
 
 
-def test_options_that_do_not_go_together_are_refused():
+def test_contradicting_options_are_refused():
     options = Options(cloth="woven")
     with pytest.raises(FlattenError, match="it must be refined"):
         options.method = "wirewarp++"
@@ -243,7 +243,7 @@ def test_a_preset_goes_by_its_name(name):
         ({"locking": [1]}, "locking"),
     ],
 )
-def test_what_is_no_cloth_is_refused(arguments, words):
+def test_invalid_fabrics_are_refused(arguments, words):
     with pytest.raises(FlattenError, match=words):
         Cloth(**arguments)
 

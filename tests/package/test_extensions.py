@@ -168,7 +168,7 @@ def test_no_network_no_threads_no_installers(path):
 
 
 @extensions
-def test_no_tricks_with_paths_and_names(path):
+def test_paths_and_names_are_not_changed(path):
     """sys.path and sys.modules do not change, nothing is written beside the add-on, and it finds itself by __package__,
     whatever its repository is called.
     """

@@ -232,7 +232,7 @@ def test_the_table_has_the_time_of_all(capfd):
     assert [row.split()[-2] for row in capfd.readouterr().out.splitlines() if row.endswith(" s")] == ["3", "4", "5"]
 
 
-def test_without_the_right_to_install_the_command_is_told(monkeypatch):
+def test_without_the_right_to_install_the_command_is_shown(monkeypatch):
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     monkeypatch.setattr(environment, "may_use_sudo", lambda: False)
     with pytest.raises(StepError, match=r"as root.*\n.*apt-get install .* no-such-package$"):

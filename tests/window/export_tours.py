@@ -31,7 +31,7 @@ def browser() -> bpy.types.Area | None:
     return next((area for area in screen.areas if area.type == "FILE_BROWSER"), None)
 
 
-def told(operator: bpy.types.Operator) -> str:
+def described(operator: bpy.types.Operator) -> str:
     """Return the dialog's text above the settings."""
     return " ".join(sentence for sentence, _ in operator._beforehand.sentences)
 
@@ -65,11 +65,11 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
     path = Path(bpy.app.tempdir) / "pattern.pdf"
     yield from open_dialog(path)
     operator = browser().spaces.active.active_operator
-    assert "sheets and a first page with the map of A4." in told(operator)
+    assert "sheets and a first page with the map of A4." in described(operator)
     operator.paper = "A0"  # Blender updates the dialog only after the user does something
-    assert "with the map of A4." in told(operator)
+    assert "with the map of A4." in described(operator)
     yield from tick_failed_pieces()
-    assert operator.failed_pieces and "with the map of A0." in told(operator)
+    assert operator.failed_pieces and "with the map of A0." in described(operator)
     assert source.mode == "EDIT"
     drive.screenshot("dialog")
     yield from press_export()

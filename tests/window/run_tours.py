@@ -95,7 +95,7 @@ def a_failed_piece_opens_no_window() -> drive.Tour:
     drive.screenshot("a_failed_piece")
 
 
-def a_fault_of_the_core_is_told() -> drive.Tour:
+def a_fault_of_the_core_is_reported() -> drive.Tour:
     """Any exception becomes a message; nothing is written."""
 
     def fail(*_: object) -> None:
@@ -167,7 +167,7 @@ def cancel_button() -> drive.Tour:
     drive.screenshot("cancelled")
 
 
-def mending_is_one_undo_step() -> drive.Tour:
+def fixing_is_one_undo_step() -> drive.Tour:
     """Seams and pieces are undone and redone together, in both modes."""
     for mode in ("OBJECT", "EDIT"):
         source = tube(f"Tube {mode}")

@@ -156,7 +156,7 @@ def a_search_ends_under_a_tool() -> drive.Tour:
 def a_fault_of_the_core_ends_the_search() -> drive.Tour:
     """It is reported, and another search can start."""
     source = grid("Bump", bump)
-    run, operators, told = wirewarp_addon.suggest.operators, wirewarp_addon.suggest.operators, []
+    run, operators, sentences = wirewarp_addon.suggest.operators, wirewarp_addon.suggest.operators, []
     suggest_cuts, fault_sentence = run.suggest_cuts, operators.fault_sentence
 
     def fail(*_: object) -> Generator[float, None, object]:
@@ -164,15 +164,15 @@ def a_fault_of_the_core_ends_the_search() -> drive.Tour:
         raise MemoryError("no room for 8 GB")
 
     def tell(*what: object) -> str:
-        told.append(fault_sentence(*what))
-        return told[-1]
+        sentences.append(fault_sentence(*what))
+        return sentences[-1]
 
     drive.replace(run, "suggest_cuts", fail)
     drive.replace(operators, "fault_sentence", tell)
     with drive.in_view():
         bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True)
     yield lambda: not window_run.is_running()
-    (sentence,) = told
+    (sentence,) = sentences
     assert sentence.startswith("The search failed, nothing is suggested: no room for 8 GB.")
     assert current(source) is None
     run.suggest_cuts = suggest_cuts

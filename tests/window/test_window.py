@@ -36,9 +36,9 @@ TOURS = {
         "only_one_run",
         "a_changed_model_is_not_written",
         "a_failed_piece_opens_no_window",
-        "a_fault_of_the_core_is_told",
+        "a_fault_of_the_core_is_reported",
         "cancel_button",
-        "mending_is_one_undo_step",
+        "fixing_is_one_undo_step",
     ],
     "update_tours": [
         "a_tool_begun_during_an_update_goes_on",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The modules of the add-on that know no Blender run here without one, on the installed wheel."""
+"""Modules of the add-on that do not need Blender run here without it, on the installed wheel."""
 
 import importlib
 import sys
@@ -24,7 +24,7 @@ MODULES = (
 
 @pytest.fixture(scope="session")
 def addon() -> ModuleType:
-    """The add-on without its root, which imports Blender."""
+    """Return the add-on without its root, which imports Blender."""
     package = ModuleType("wirewarp_addon")
     package.__path__ = [str(FOLDER)]
     sys.modules[package.__name__] = package

@@ -10,7 +10,7 @@ HIP, BUST = 0, 1
 
 @pytest.fixture
 def said(addon):
-    """The sentence for an error; faces, flipped, overlapping: numbers of the mesh's faces."""
+    """Return the sentence for an error. faces, flipped, overlapping: numbers of the mesh's faces."""
 
     def sentence(code, arguments, faces=0, flipped=0, overlapping=0, **elements):
         error = addon.core.library().FlattenError(code, "The library's sentence.", **elements, arguments=arguments)
@@ -87,11 +87,11 @@ def test_wires_have_their_names(said, proposed, expected):
         ({"reason": "method"}, "Use the method Refined"),
     ],
 )
-def test_what_helps_depends_on_the_reason(said, arguments, expected):
+def test_the_remedy_depends_on_the_reason(said, arguments, expected):
     assert expected in said("infeasible_lengths", arguments)
 
 
-def test_broken_guarantees_are_told_together(said):
+def test_broken_guarantees_are_reported_together(said):
     wrong = {"wires": [HIP], "difference": -0.003, "num_flipped": 1, "num_overlapping": 4, "has_wires": True}
     assert said("lengths_not_kept", wrong, flipped=1, overlapping=2, edges=[(0, 1), (1, 2)]) == (
         'The piece does not keep the length of 2 edges (the worst, on wire "Hip", is 0.3% too short), has 1 flipped '
@@ -128,5 +128,5 @@ def test_broken_guarantees_are_told_together(said):
         ({"reason": "unfolded"}, "is unfolded without distortion."),
     ],
 )
-def test_why_nothing_is_suggested(said, arguments, expected):
+def test_the_reason_for_no_suggestion_is_reported(said, arguments, expected):
     assert expected in said("no_proposal", arguments)

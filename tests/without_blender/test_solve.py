@@ -36,7 +36,7 @@ def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
     ]
 
 
-def test_the_chosen_set_is_of_the_fewest_pieces_that_the_fabric_can_do(addon):
+def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     suggest = addon.solve.suggest
     figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2)  # the last: more pieces than the third, and more stretch
     sets = [suggest.Cut([], [], [], None, 0, [1.0], strain, math.inf, pieces) for pieces, strain in figures]
@@ -45,7 +45,7 @@ def test_the_chosen_set_is_of_the_fewest_pieces_that_the_fabric_can_do(addon):
     assert [suggest.set_for(sets, limit) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
 
 
-def test_twins_without_common_figures_are_one_row(addon):
+def test_mirror_images_without_common_figures_are_one_row(addon):
     def proposal(strain, twin, together):
         edges = np.array([[0, 1]])
         return SimpleNamespace(
@@ -86,20 +86,20 @@ def test_tolerances_are_shown_in_percent(addon, tolerance, text):
     assert addon.core.tolerance_text(tolerance) == text
 
 
-@pytest.mark.parametrize("driver", ["in_one_go", "in_slices", "told_as"])
-def test_steps_are_closed_where_what_hears_of_them_raises(addon, driver):
+@pytest.mark.parametrize("driver", ["in_one_go", "in_slices", "reported_as"])
+def test_steps_are_closed_if_the_listener_raises(addon, driver):
     def working():
         while True:
             yield 0.5
 
-    def fail(_told):
+    def fail(_reported):
         raise ZeroDivisionError
 
-    steps, work = addon.solve.steps, working()  # which this function keeps alive
+    steps, work = addon.solve.steps, working()  # this reference keeps it alive
     drive = {
         "in_one_go": lambda: steps.in_one_go(work, fail),
         "in_slices": lambda: steps.in_one_go(steps.in_slices(work), fail),
-        "told_as": lambda: steps.in_one_go(steps.told_as(work, fail)),
+        "reported_as": lambda: steps.in_one_go(steps.reported_as(work, fail)),
     }
     with pytest.raises(ZeroDivisionError):
         drive[driver]()

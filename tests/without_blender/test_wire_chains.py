@@ -18,7 +18,7 @@ def vertices_of(chains, edges, positions):
 
 
 def star(*degrees):
-    """Vertex 0 and one vertex in each direction."""
+    """Return edges from vertex 0 to one vertex in each direction."""
     return [(0, 0, 0), *((math.cos(math.radians(d)), math.sin(math.radians(d)), 0) for d in degrees)]
 
 
@@ -58,7 +58,7 @@ def test_a_line_that_meets_another_ends_there(chains):
     assert vertices_of(chains, spokes(3), star(0, 90, 180)) == [[0, 2], [1, 0, 3]]
 
 
-def test_where_three_lines_meet_evenly_all_end(chains):
+def test_if_three_lines_meet_evenly_all_end(chains):
     assert vertices_of(chains, spokes(3), star(0, 120, 240)) == [[0, 1], [0, 2], [0, 3]]
 
 

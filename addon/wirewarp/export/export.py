@@ -9,7 +9,7 @@ from typing import Any, Literal, NamedTuple
 
 from ..core import FlattenError, pattern
 from ..issues import object_error
-from ..solve.steps import Steps, T, in_one_go, in_slices, told_as
+from ..solve.steps import Steps, T, in_one_go, in_slices, reported_as
 
 Stages = Generator[tuple[str, float], None, T]  # steps of the library: the stage, and its completed share
 
@@ -138,7 +138,7 @@ def export(parts: PatternParts, choices: ExportChoices, path: Path) -> Steps[Exp
     steps are closed.
     """
     has_search = choices.cloth is not None
-    return in_slices(told_as(_exporting(parts, choices, path), lambda told: _share(*told, has_search)))
+    return in_slices(reported_as(_exporting(parts, choices, path), lambda step: _share(*step, has_search)))
 
 
 def _exporting(parts: PatternParts, choices: ExportChoices, path: Path) -> Stages[Exported]:

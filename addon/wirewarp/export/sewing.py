@@ -123,8 +123,8 @@ class OBJECT_OT_wirewarp_sewing(OnMesh, bpy.types.Operator):
             each.select_set(False)
         target.select_set(True)
         context.view_layer.objects.active = target
-        told = f'"{target.name}" is ready for Physics > Cloth with Shape > Sewing; its shape key "{WORN}" closes it.'
-        self.report({"INFO"}, told)
+        text = f'"{target.name}" is ready for Physics > Cloth with Shape > Sewing; its shape key "{WORN}" closes it.'
+        self.report({"INFO"}, text)
         return {"FINISHED"}
 
 

@@ -22,7 +22,7 @@ from ..solve.identity import (
     ids_by_edge,
 )
 from ..solve.report import Facts, ObjectReport, UvSeams, failure_report, object_report, uv_seams
-from ..solve.steps import CanceledError, Steps, told_as
+from ..solve.steps import CanceledError, Steps, reported_as
 
 MIDDLE = "Lengths on the model are those of the middle of the material's thickness."
 NO_ANGLE = "Grain Angle was not used: it needs Upright: Grain Wire and a grain wire."
@@ -74,12 +74,12 @@ def solve_models(
         return lambda share: (done + share) / (len(models) + len(with_map))
 
     for number, model in enumerate(models):
-        outcomes.append((yield from told_as(_solve(library, model, choices, meters), after(number))))
+        outcomes.append((yield from reported_as(_solve(library, model, choices, meters), after(number))))
     try:
         for number, model in enumerate(with_map, start=len(models)):
             report = outcomes[models.index(model)].report
             trying = _try_uv_seams(library, model, choices, meters, report)
-            report.uv_seams = yield from told_as(trying, after(number))
+            report.uv_seams = yield from reported_as(trying, after(number))
     except CanceledError:
         return outcomes
     return outcomes

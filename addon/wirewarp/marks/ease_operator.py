@@ -71,7 +71,7 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         amount = self._amount(context.scene)
         found = change_edited(context, lambda target: self._plan(target, amount))
-        return self._told(found, length_text(context.scene))
+        return self._reported(found, length_text(context.scene))
 
     def _amount(self, scene: bpy.types.Scene) -> Amount:
         share, length = self.ease_percent / 100, self.ease_length / (1000 * meters_per_blender_unit(scene))
@@ -100,7 +100,7 @@ class MESH_OT_wirewarp_ease(EaseAmount, bpy.types.Operator):
             planned = plan_sides(target, rows, amount, ("ONE", "OTHER").index(self.sides))
         return partial(_write, planned, target.data, 0)
 
-    def _told(self, found: list[Eased], units: LengthText) -> set[str]:
+    def _reported(self, found: list[Eased], units: LengthText) -> set[str]:
         left_out = sum(each.left_out for each in found)
         changes = [change for each in found for change in each.changes]
         if not changes:

@@ -23,7 +23,7 @@ class CanceledError(Exception):
     """The user canceled the work; there is no result unless one existed before."""
 
 
-def told_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[T]:
+def reported_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[T]:
     """Return the same steps. share: converts what they yield to the share of the whole."""
     with closing(steps):
         go_on = partial(next, steps)

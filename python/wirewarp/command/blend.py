@@ -43,15 +43,15 @@ def flatten_blend(request: Request, folder: Path) -> tuple[Line, dict[str, Any]]
     if process.returncode != 0 or not answer.is_file():
         last = said.strip().splitlines()[-1:] or ["it said nothing"]
         raise BlenderError(f"Blender ended with code {process.returncode}: {last[0]}")
-    told = json.loads(answer.read_text(encoding="utf-8"))
+    answered = json.loads(answer.read_text(encoding="utf-8"))
     answer.unlink()
-    if told["refusal"]:
-        raise InputError(told["refusal"])
-    return _told(request, told)
+    if answered["refusal"]:
+        raise InputError(answered["refusal"])
+    return _outcome(request, answered)
 
 
-def _told(request: Request, told: dict[str, Any]) -> tuple[Line, dict[str, Any]]:
-    written = told["report"]["objects"]
+def _outcome(request: Request, answered: dict[str, Any]) -> tuple[Line, dict[str, Any]]:
+    written = answered["report"]["objects"]
     try:
         reports = [from_dict(each, Report) for each in written]
     except ReportError as error:
@@ -70,7 +70,7 @@ def _told(request: Request, told: dict[str, Any]) -> tuple[Line, dict[str, Any]]
         "figures": figures_of(reports),
         "problems": [f"{place_name(report, issue.piece)}: {issue.sentence}" for report, issue in issues],
         "codes": [issue.code for _, issue in issues],
-        "warnings": [*notes, *told["warnings"]],  # those of the export come last
-        "files": [request.report_path.name, *told["files"]],
+        "warnings": [*notes, *answered["warnings"]],  # those of the export come last
+        "files": [request.report_path.name, *answered["files"]],
     }
-    return line, told["report"]
+    return line, answered["report"]

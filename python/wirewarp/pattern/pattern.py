@@ -131,9 +131,9 @@ class Pattern(PatternData):
             first, *others = (seam_names[seam] for seam in by_seam)
             names = [first, *map(short_name, others)]
             partners = [name for seam, own in by_seam.items() for name in joined[seam] if name != laid[own.piece].name]
-            told = [notes.get(id(own), "") for own in by_seam.values()]
-            each = [f"{short_name(name)}: {note}" for name, note in zip(names, told, strict=True) if note]
-            note = told[0] if len(set(told)) == 1 else "; ".join(each)
+            own_notes = [notes.get(id(own), "") for own in by_seam.values()]
+            each = [f"{short_name(name)}: {note}" for name, note in zip(names, own_notes, strict=True) if note]
+            note = own_notes[0] if len(set(own_notes)) == 1 else "; ".join(each)
             return {"name": " / ".join(names), "joins": " – ".join(dict.fromkeys(partners)), "note": note}
 
         done = []

@@ -89,8 +89,8 @@ def _seam_rows(pattern: PatternData) -> list[Row]:
         sides = zip(walk.pieces, walk.lengths, walk.allowances, strict=True)
         for side, (name, length, widths) in enumerate(sides):
             allowance = pattern.units.range_of(widths)
-            told = pattern.units.difference_text(difference) if side == 0 else ""
-            rows.append((walk.name if side == 0 else "", name, pattern.units.measured(length), allowance, told))
+            note = pattern.units.difference_text(difference) if side == 0 else ""
+            rows.append((walk.name if side == 0 else "", name, pattern.units.measured(length), allowance, note))
         eased = zip(walk.pieces, longer_texts(walk.lengths, pattern.units), strict=True)
         rows += [("", f"{name} {text}") for name, text in eased if text]
         rows += _notch_rows(walk, pattern.units)
