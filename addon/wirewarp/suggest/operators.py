@@ -149,7 +149,7 @@ class SuggestCuts(OnMesh, WindowSteps):
     bl_options = {"REGISTER"}
     modes = WORKING_MODES
     refusal = "Select a mesh, in Object Mode or in Edit Mode"
-    kind = ""  # of Wish
+    kind = ""  # "DARTS", "SEAMS" or "FEWER"
 
     piece: IntProperty(
         name="Piece",
