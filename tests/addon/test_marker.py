@@ -38,7 +38,7 @@ def outlines(path):
 def test_pieces_are_on_the_fabric_and_its_length_is_reported(source, tmp_path, capfd):
     found = outlines(export(tmp_path))
     said = capfd.readouterr().out
-    assert re.search(r"2 pieces on [\d.]+ m?m of cloth 400 mm wide, \d+% of it used", said)
+    assert re.search(r"2 pieces on [\d.]+ m?m of fabric 400 mm wide, \d+% of it used", said)
     assert len(found) == 2 and np.ptp(np.concatenate(found), axis=0)[0] <= 400.0
     first, second = found
     assert np.linalg.norm(first[:, None] - second, axis=2).min() > 4.0 - 0.01
@@ -83,7 +83,7 @@ def test_the_preview_draws_the_stored_marker(source, tmp_path, addon):
     assert preview().sentence.startswith("No layout of these pieces on this fabric yet")
     cut = outlines(export(tmp_path))
     pages = preview()
-    assert "of cloth 400 mm wide" in pages.sentence
+    assert "of fabric 400 mm wide" in pages.sentence
     drawn = 100 * pages.places["cut"][:, :2]
     assert np.ptp(drawn, axis=0) == pytest.approx(np.ptp(np.concatenate(cut), axis=0), abs=0.01)
     assert drawn[:, 1].max() < 100 * read(flat_of(source).data.vertices, "co", np.float32, 3)[:, 1].min()

@@ -111,7 +111,7 @@ def test_a_marker_is_one_more_file_of_each_kind_and_is_kept(model, tmp_path):
     marker = ("--marker", "20cm", "--gap", "2mm", "--grain", "both-ways", "--times", 3, "--seconds", 0)
     ((line,), _) = run(*words, *marker)
     assert line["files"] == ["Folded.json", "Folded.pdf", "Folded.plt", "Folded-marker.pdf", "Folded-marker.plt"]
-    assert line["marker"].startswith("6 pieces on ") and " of cloth 200 mm wide" in line["marker"]
+    assert line["marker"].startswith("6 pieces on ") and " of fabric 200 mm wide" in line["marker"]
     kept = Marker.from_dict(json.loads((tmp_path / "out" / "Folded.json").read_text())["marker"])
     assert (kept.width, kept.gap, len(kept.placements)) == (200.0, 2.0, 6)
     page = pypdfium2.PdfDocument((tmp_path / "out" / "Folded-marker.pdf").read_bytes())[0]

@@ -283,7 +283,7 @@ def test_imperial_units_are_reported_in_inches(tmp_path):
     with pytest.raises(wirewarp.FlattenError, match=r"is 10.00 in x 10.00 in: too large for a roll of 9 in"):
         pattern.write(tmp_path / "x.pdf", paper=9 * 25.4)
     marker = pattern.nested(12 * 25.4, seconds=0)
-    assert marker.sentence(pattern.units) == "1 piece on 10 in of cloth 12 in wide, 83% of it used"
+    assert marker.sentence(pattern.units) == "1 piece on 10 in of fabric 12 in wide, 83% of it used"
 
 
 @pytest.mark.parametrize("quantities", [{2: (1, 0)}, {1: (0, 0)}, {1: (1, -1)}, {1: (1.5, 0)}, {1: (1, 2, 3)}])

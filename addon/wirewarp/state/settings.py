@@ -310,7 +310,7 @@ class TargetSettings:
     )
     aim_stretch: number(
         "Max Stretch",
-        "Target: the stretch that 99% of a piece may have. No further cut is suggested for a piece within it",
+        "Target: the stretch that 99% of a piece may have. A piece that meets it gets no further cuts",
         (0.0, 5.0, 25.0, 100.0),  # the library's default
         subtype="PERCENTAGE",
     )

@@ -91,10 +91,10 @@ class Marker:
         return Motion(np.array([placement.x, placement.y + above]), placement.angle, placement.mirrored)
 
     def sentence(self, units: UnitSystem) -> str:
-        """Return "12 pieces on 2.31 m of cloth 1.4 m wide, 71% of it used"."""
+        """Return "12 pieces on 2.31 m of fabric 1.4 m wide, 71% of it used"."""
         pieces, width = counted(len(self.placements), "piece"), units.text(self.width)
         if self.sheet_length is None:
-            where = f"{units.text(self.length)} of cloth {width} wide"
+            where = f"{units.text(self.length)} of fabric {width} wide"
         else:
             where = f"{counted(self.sheets, 'sheet')} of {width} x {units.text(self.sheet_length)}"
         return f"{pieces} on {where}, {100 * self.efficiency:.0f}% of it used"
