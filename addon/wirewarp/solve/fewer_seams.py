@@ -13,7 +13,7 @@ from ..issues import ObjectError, object_error
 from .arrays import MeshArrays
 from .cut_faces import segments_along
 from .flatten import FlattenChoices, issue_of_error, library_arguments, result_of
-from .steps import Steps, told_as
+from .steps import Steps, reported_as
 from .suggest import Cut
 
 LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric takes the first, plush and knits the last
@@ -40,7 +40,7 @@ def fewer_seams(
         for index, limit in enumerate(limits):
             arguments |= {"seams": seams, "strain": limit}
             job = library.start_simplify(arrays.vertices, arrays.triangles, **arguments)
-            fewer = yield from told_as(result_of(job), partial(_of_all, index, len(limits)))
+            fewer = yield from reported_as(result_of(job), partial(_of_all, index, len(limits)))
             if not math.isfinite(fewer.strain):
                 sentence = "A piece has no flat shape. Flatten, and fix the failed pieces before you simplify seams."
                 raise object_error("no_flat_shape", sentence)
