@@ -22,14 +22,14 @@ class Budget {
   int left() const { return left_; }
   int spent() const { return spent_; }
 
-  /// Returns whether the given number may be spent, and remembers a no; so does the whole budget if it is the reason.
+  /// Returns whether this number may be spent. A refusal is remembered, also by the whole budget if that causes it.
   bool allows(int factorizations = 1) {
     if (whole_) whole_->allows(factorizations);
     ran_out_ = ran_out_ || left_ < factorizations;
     return left_ >= factorizations;
   }
 
-  /// Returns whether allows() ever said no: a solver needed more.
+  /// Returns whether allows() ever returned false, so that a solver needed more.
   bool ran_out() const { return ran_out_; }
 
   void spend(int factorizations) {

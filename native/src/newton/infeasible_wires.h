@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Why a chart has no flat shape with all lengths: do they contradict one another, and which tolerances help?
+// Finds out why a chart has no flat shape with all lengths: whether they contradict one another, and which tolerances
+// help.
 #pragma once
 
 #include <vector>

@@ -11,12 +11,12 @@
 namespace wirewarp {
 namespace {
 
-/// Flipped triangles that are not expected to open any more.
+/// Whether flipped triangles are not expected to open any more.
 bool stays_flipped(const NewtonState& state) {
   return state.num_factorizations() >= NewtonConstants::patience && state.objective.count_flips(state.now.uv) > 0;
 }
 
-/// Steps from exact lengths, which all of them keep, to the least f. outcome: of the step to exact lengths.
+/// Takes steps from exact lengths, which all of them keep, to the minimum of f. outcome: of the step to exact lengths.
 SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
   const auto is_enough = [&] {
     return state.stage.target == Target::newton_step && state.objective.count_flips(state.now.uv) == 0;
@@ -25,13 +25,13 @@ SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
   bool try_newton = true;
   while (outcome == StepOutcome::accepted && !state.is_isometric() && !stays_flipped(state) &&
          state.control.may_go_on()) {
-    // 2. f and its gradient at the shape at hand.
+    // 2. Compute f and its gradient at the current shape.
     state.update_gradient();
     ++state.iterations;
-    // 3. A Newton step, where the exact Hessian may be positive on the tangent space of the lengths.
+    // 3. Take a Newton step, if the exact Hessian may be positive on the tangent space of the lengths.
     outcome = try_newton ? take_newton_step(state) : StepOutcome::rejected;
     if (outcome == StepOutcome::accepted && is_enough()) outcome = StepOutcome::converged;
-    // 4. Where it is not, or the step does not go down as predicted: a step in a trust region.
+    // 4. If it is not, or the step does not decrease f as predicted, take a step in a trust region.
     if (outcome == StepOutcome::rejected && state.control.may_go_on()) {
       outcome = trust_region.take_step(state);
       try_newton = trust_region.was_inside();
@@ -46,7 +46,7 @@ SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
 
 Solution minimize(const Problem& problem, const Stage& stage, const Shape& start, const Control& control) {
   NewtonState state(problem, stage, start, control);
-  // 1. Exact lengths.
+  // 1. Reach exact lengths.
   const bool is_near_minimum = start.multipliers.size() > 0;
   const auto outcome = attempt([&] { return std::optional(reach_exact_lengths(state, is_near_minimum)); });
   if (!outcome) return state.solution(control.stop.is_stopped() ? SolutionStatus::cancelled : SolutionStatus::singular);

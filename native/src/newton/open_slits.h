@@ -18,8 +18,8 @@
 
 namespace wirewarp {
 
-/// Returns the better one of the shapes of step 1 and of the last step 3, not exact if the sewn chart has no flat
-/// shape. The chart has one slit or more. solve_sewn: finds the least distorted shape of a chart from scratch.
+/// Returns the better one of the shapes of step 1 and of the last step 3; it is not exact if the sewn chart has no flat
+/// shape. The chart must have a slit. solve_sewn: finds the least distorted shape of a chart from scratch.
 Solution open_slits(Problem& problem, const Stage& stage, const std::function<Solution(Problem& sewn)>& solve_sewn,
                     const Control& control);
 

@@ -15,7 +15,7 @@
 
 namespace wirewarp {
 
-/// What a shape is refined for.
+/// The goal of a refinement: the energy, and the forbidden flips and overlaps.
 struct Stage {
   const Cloth* cloth = nullptr;                 // whose energy f has; null: the shape error of Eq. (4)
   const TargetLengths* lengths = nullptr;       // null: nominal lengths, and the layout is free to turn
@@ -23,29 +23,30 @@ struct Stage {
   Target target = Target::minimum;
 };
 
-/// A chart, and what all its starts and stages derive from it, each computed once. Not for several threads.
+/// A chart and everything that its starts and stages derive from it, each computed once. Must be used in one thread
+/// only.
 class Problem {
  public:
   /// The chart must outlive the problem. fairness: Options::fairness.
   Problem(const Chart& chart, double fairness);
 
-  /// With lengths and angles of its own.
+  /// network: replaces the chart's own lengths and angles.
   Problem(const Chart& chart, HeldNetwork network, double fairness);
 
   const Chart& chart() const { return chart_; }
   const HeldNetwork& network() const { return network_; }
   double fairness() const { return fairness_; }
 
-  /// 3D area.
+  /// The area on the surface.
   double area() const { return area_; }
 
   const std::vector<Slit>& slits();
 
-  /// The free ARAP flattening. Throws Stopped and FactorizationFailed.
+  /// Returns the free ARAP flattening. Throws Stopped and FactorizationFailed.
   const Positions2& free_map(const StopToken& stop);
 
-  /// c and f of a stage. layout: one row per chart vertex; says how large the chart is, and which parts of its outline
-  /// are near each other. It may be empty without a cloth, unless the stage forbids overlaps.
+  /// Return c and f of a stage. layout: one row per chart vertex; it gives the chart's size, and which parts of its
+  /// outline are near each other. It may be empty without a fabric, unless the stage forbids overlaps.
   LengthConstraints constraints(const Stage& stage, const Positions2& layout = {}) const;
   FairShapeError objective(const Stage& stage, const Positions2& layout = {}) const;
 
@@ -54,7 +55,7 @@ class Problem {
   HeldNetwork network_;
   double fairness_;
   double area_;
-  std::optional<std::vector<Slit>> slits_;  // once they were asked for
+  std::optional<std::vector<Slit>> slits_;  // computed on demand
   std::optional<Positions2> free_map_;
 };
 

@@ -11,8 +11,8 @@ namespace wirewarp {
 namespace {
 
 constexpr int kMaxProjectSteps = 10;               // with one factor
-constexpr double kShortestProjectStep = 1.0 / 64;  // below, the lengths are as near as they get from here
-constexpr double kSufficientProjectStep = 0.1;     // share of the decrease of the strain which a step must bring
+constexpr double kShortestProjectStep = 1.0 / 64;  // with shorter steps, lengths get no nearer from here
+constexpr double kSufficientProjectStep = 0.1;  // share of the predicted decrease of the strain that a step must reach
 
 struct Projected {
   Positions2 uv;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The refined method for one chart: its starts, one after the other, until one has exact lengths. All of them together
-// keep to one budget. The status of the solution says how the search ended: nothing is thrown.
+// The refined method for one chart tries its starts, one after the other, until one has exact lengths. All of them
+// share one budget. It throws nothing: the status of the solution says how the search ended.
 #pragma once
 
 #include "base/internal_options.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// If lengths contradict one another, which of them have to change? Every broken length has a price here.
+// Finds which lengths have to change if they contradict one another, by giving every change of a length a cost:
 //
 //   Φ(u, h) = f(u) + Σ_g W_g L_g (√(m_g + σ²) − σ) + Σ_w V L_w (√(x_w² + σ²) − σ)
 //
-//   r_e = |d_e| / l_e − 1 − h_w   what the shared variation h of a wire part leaves of the strain of its edges;
-//                                 of a part of one edge, what is left beyond its tolerance
+//   r_e = |d_e| / l_e − 1 − h_w   strain of an edge beyond the shared variation h of its wire part;
+//                                 for a part of one edge, beyond its tolerance
 //   m_g                           mean of r² over a group g of length L_g: a wire part, or an edge of the boundary
 //   x_w = |h_w| − ε_w or 0        how far a wire part goes beyond its tolerance
 //

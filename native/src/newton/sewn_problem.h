@@ -11,7 +11,7 @@
 
 namespace wirewarp {
 
-/// A problem and a stage with some slits sewn, and the way to and from it.
+/// A problem and a stage with some slits sewn, and conversions between the open and the sewn problem.
 class SewnProblem {
  public:
   /// The open problem and what its stage points to must outlive this one.
@@ -22,12 +22,12 @@ class SewnProblem {
   Problem& problem() { return problem_; }
   Stage stage() const { return {stage_.cloth, lengths_ ? &*lengths_ : nullptr, stage_.injectivity, stage_.target}; }
 
-  /// Edges that are sewn together bear the forces of both.
+  /// Converts a shape to the sewn problem. A sewn edge has the sum of both forces.
   Shape to_sewn(const Shape& open) const;
 
   Shape to_open(const Shape& sewn) const;
 
-  /// A solution of this problem as one of the open problem.
+  /// Converts a solution to the open problem.
   Solution as_open(const Solution& sewn) const;
 
  private:
@@ -40,7 +40,7 @@ class SewnProblem {
   int num_rows_;          // of the sewn constraints
 };
 
-/// Null if the sewn surface is not a chart.
+/// Returns null if the sewn surface is not a chart.
 std::unique_ptr<SewnProblem> sew_slits(const Problem& open, const Stage& stage, const std::vector<Slit>& slits);
 
 }  // namespace wirewarp

@@ -7,8 +7,8 @@
 
 namespace wirewarp {
 
-/// Does what minimize() does, with the slits sewn that the start has shut: shapes with rims that lie on one another are
-/// not smooth points (newton/open_slits.h).
+/// Minimizes like minimize(), with those slits sewn that are shut at the start, because shapes with rims on one another
+/// are not smooth points (newton/open_slits.h).
 Solution minimize_with_shut_slits(Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
 }  // namespace wirewarp

@@ -8,11 +8,11 @@
 
 namespace wirewarp {
 
-/// A flat shape of a chart, or where a solver starts.
+/// A flat shape of a chart, or the start of a solver.
 struct Shape {
   Positions2 uv;                     // one row per chart vertex, scene units
-  Eigen::VectorXd variation = {};    // h, one per wire part of the chart; what came out on free ones; empty: not known
-  Eigen::VectorXd multipliers = {};  // λ, one per row of the length constraints, near the minimum; empty: not known
+  Eigen::VectorXd variation = {};    // h, one per wire part of the chart; computed for free ones; empty: unknown
+  Eigen::VectorXd multipliers = {};  // λ, one per row of the length constraints, near the minimum; empty: unknown
 };
 
 /// How an attempt at a flat shape with exact lengths ended.
@@ -24,18 +24,18 @@ enum class SolutionStatus {
   converged,   // exact lengths; another step is predicted to gain less than 1e-9 of f, or less than rounding errors
 };
 
-/// What a solver found, and how it got there.
+/// The result of a solver.
 struct Solution {
   Shape shape;
   SolutionStatus status = SolutionStatus::infeasible;
-  std::optional<Injectivity> injectivity;  // once it was computed
-  const char* start = "";                  // the one that led to exact lengths (newton/starts.h); "": none did
-  double objective = 0;                    // f over the 3D area
-  double length_error = 0;                 // LengthConstraints::largest_error
-  int iterations = 0;                      // of Newton's method from its start
-  int factorizations = 0;                  // of these iterations; a Budget counts those of all starts
+  std::optional<Injectivity> injectivity;  // empty until computed
+  const char* start = "";   // name of the start that led to exact lengths (newton/starts.h); "": none did
+  double objective = 0;     // f over the 3D area
+  double length_error = 0;  // LengthConstraints::largest_error
+  int iterations = 0;       // of Newton's method from its start
+  int factorizations = 0;   // of these iterations; a Budget counts those of all starts
 
-  /// The shape is flat and can be cut.
+  /// Whether the shape is flat and can be cut.
   bool is_exact() const { return status >= SolutionStatus::stalled; }
   bool is_converged() const { return status == SolutionStatus::converged; }
 };

@@ -9,10 +9,10 @@
 
 namespace wirewarp {
 
-/// A chart's planar shape and how it came about.
+/// A chart's planar shape, and how it was found.
 struct SolvedChart {
-  std::optional<WireNetwork> network;  // set where uv is
-  Positions2 uv;  // one row per chart vertex, then those that helper wires need; scene units; no rows: no layout
+  std::optional<WireNetwork> network;  // set if uv is
+  Positions2 uv;  // one row per chart vertex, then one per vertex of helper wires; scene units; empty: no layout
   std::vector<double> variation;  // h, one per wire part of the chart
   Eigen::VectorXd multipliers;    // λ of the refined method, one per held edge
   std::vector<PlacedHelperWire> helper_wires;

@@ -28,7 +28,7 @@ std::optional<Shape> free_shape(Problem& problem, const Control& control) {
 
 std::optional<Shape> wires_alone(Problem& problem, const Control& control) {
   const Chart& chart = problem.chart();
-  const Options plain;  // those of Eq. (1) are not the refined method's
+  const Options plain;  // options of Eq. (1), which the refined method does not use
   const StopToken stop = control.stop.in("start");
   stop.check();
   std::optional<Chart> split;

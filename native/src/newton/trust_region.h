@@ -13,8 +13,8 @@ namespace wirewarp {
 
 class TrustRegion {
  public:
-  /// Steps from exact lengths to exact lengths, downhill. Converged if the gradient vanishes and no direction leads
-  /// down from a saddle.
+  /// Takes a step that decreases f from exact lengths to exact lengths. Converged if the gradient vanishes and no
+  /// direction leads down from a saddle.
   StepOutcome take_step(NewtonState& state);
 
   /// Returns whether the last step was shorter than the radius: the exact Hessian may be positive at its end.

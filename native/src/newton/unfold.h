@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts that lie flat without strain: sheets, cylinders, cones, and whatever else is folded from one plane.
+// Unfolds charts that are flat without strain: sheets, cylinders, cones, and others folded from one plane.
 #pragma once
 
 #include <optional>

@@ -26,7 +26,7 @@ std::shared_ptr<const CachedCharts> Cache::solved() const {
 
 void Cache::hold(std::shared_ptr<const CachedCharts> solved) {
   const std::lock_guard lock(mutex_);
-  solved_.swap(solved);  // what it held is freed after the lock
+  solved_.swap(solved);  // the old contents are freed after the lock
 }
 
 CacheSession::CacheSession(Cache* cache, const FlattenInput& input, const Options& options)
@@ -54,7 +54,7 @@ void CacheSession::keep(const std::vector<const Chart*>& group, const std::vecto
   cached->name_key = name_key(group, input_.wires);
   for (const SolvedChart* one : solved) {
     cached->solved.push_back(*one);
-    cached->solved.back().report.seconds.clear();  // no time is spent on it again
+    cached->solved.back().report.seconds.clear();  // because a reused solution takes no time
   }
   std::string key = solution_key(group, options_);
   const std::lock_guard lock(mutex_);

@@ -13,7 +13,7 @@
 
 namespace wirewarp {
 
-/// Solutions of charts that were solved together, mostly of one, and what their errors speak of.
+/// Solutions of charts that were solved together, usually of one chart, and the names that their errors use.
 struct CachedGroup {
   std::vector<SolvedChart> solved;
   std::string name_key;
@@ -23,19 +23,21 @@ struct CachedCharts {
   std::map<std::string, std::shared_ptr<const CachedGroup>> by_key;  // solution_key()
 };
 
-/// The charts of one run of flatten(), looked up in its cache and collected for it. In any thread.
+/// The charts of one run of flatten(), which are looked up in its cache and collected for it. May be used in any
+/// thread.
 class CacheSession {
  public:
-  /// cache: null: nothing is known, and nothing kept.
+  /// cache: null to look nothing up and keep nothing.
   CacheSession(Cache* cache, const FlattenInput& input, const Options& options);
 
-  /// Sound charts that are solved together, solved in the last run; then they are kept. None: they are not known.
+  /// Returns the solutions of sound charts that are solved together, if the last run had them, and keeps them for the
+  /// next one.
   std::optional<std::vector<SolvedChart>> known(const std::vector<const Chart*>& group);
 
-  /// Keeps them, where none of them was cancelled.
+  /// Keeps solutions for the next run, unless one of them was canceled.
   void keep(const std::vector<const Chart*>& group, const std::vector<const SolvedChart*>& solved);
 
-  /// Hands all charts of this run to the cache, in place of those it held.
+  /// Replaces the contents of the cache by all charts of this run.
   void finish();
 
   int num_reused() const { return num_reused_; }
@@ -45,7 +47,7 @@ class CacheSession {
   const FlattenInput& input_;
   const Options& options_;
   std::shared_ptr<const CachedCharts> known_;
-  std::mutex mutex_;  // of the two below
+  std::mutex mutex_;  // guards the two members below
   CachedCharts of_this_run_;
   int num_reused_ = 0;
 };

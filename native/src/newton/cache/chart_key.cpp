@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-/// The bytes of one value after the other.
+/// Appends the bytes of values to a key.
 class KeyWriter {
  public:
   template <class Value>
@@ -19,14 +19,14 @@ class KeyWriter {
     key_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
 
-  /// With its length first, so that two lists do not run into one another.
+  /// Writes the length first, so that consecutive lists cannot be confused.
   template <class List, class Write>
   void write_list(const List& list, const Write& write_item) {
     write(list.size());
     for (const auto& item : list) write_item(item);
   }
 
-  /// The same for numbers, in one piece: those of a mesh are most of a key.
+  /// The same for numbers, in one block, because the numbers of a mesh are most of a key.
   template <class Number>
   void write_numbers(const std::vector<Number>& numbers) {
     static_assert(std::is_arithmetic_v<Number>, "other types may have padding between bytes");
@@ -63,7 +63,8 @@ void write_mesh(const HalfEdgeMesh& mesh, KeyWriter& key) {
   key.write_numbers(numbers);
 }
 
-/// A chart of a cloth is solved as it is turned. What is kept comes before the cloth's stretch.
+/// The solution for a fabric depends on the chart's direction. The kept solution is the one before the fabric's
+/// stretch.
 void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
   key.write(options.cloth.has_value());
   if (!options.cloth) return;
@@ -77,7 +78,7 @@ void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
   for (const WirePart& part : chart.wire_parts) key.write(part.wire_index == options.grain);
 }
 
-/// Numbers the runs along elastic seams: their sides have one length.
+/// Numbers the sections along elastic seams, whose sides share one length.
 class SharedLengths {
  public:
   int number_of(const WirePart& part) {
@@ -100,7 +101,7 @@ void write_chart(const Chart& chart, SharedLengths& shared, KeyWriter& key) {
   key.write_list(chart.boundary_loops, [&](const HalfEdgeChain& loop) { key.write_chain(loop); });
   key.write_list(chart.boundary_chains, [&](const BoundaryChain& chain) { key.write_chain(chain.half_edges); });
   key.write_list(find_slits(chart),
-                 [&](const Slit& slit) {  // they depend on the input's vertices, which are not in the key
+                 [&](const Slit& slit) {  // slits depend on the input's vertices, which are not in the key
                    key.write_chain(slit.rims);
                    key.write_numbers(slit.mate);
                  });

@@ -32,10 +32,10 @@ class Coarsening {
   const HeldNetwork& fine_network_;
   DecimatedMesh decimated_;
   CoarseChart coarse_;
-  std::vector<int> fine_nodes_;  // where each half-edge of the fine network arrives
+  std::vector<int> fine_nodes_;  // node at which each half-edge of the fine network arrives
 };
 
-/// The half-edges between the vertices of a chain that are left.
+/// Returns the half-edges between the remaining vertices of a chain.
 HalfEdgeChain Coarsening::coarse_chain(const HalfEdgeChain& chain, bool is_closed) const {
   std::vector<VertexHandle> left;
   const auto add = [&](VertexHandle v) {
@@ -53,7 +53,8 @@ HalfEdgeChain Coarsening::coarse_chain(const HalfEdgeChain& chain, bool is_close
 void Coarsening::build_chart() {
   coarse_.chart.mesh = std::move(decimated_.mesh);
   for (const int v : decimated_.fine_vertex) coarse_.chart.source_vertex.push_back(fine_.source_vertex[v]);
-  coarse_.chart.source_face.resize(coarse_.chart.mesh.n_faces());  // its own: the coarse chart is nobody's part
+  coarse_.chart.source_face.resize(
+      coarse_.chart.mesh.n_faces());  // its own faces, because the coarse chart is not a part of an input
   std::iota(coarse_.chart.source_face.begin(), coarse_.chart.source_face.end(), 0);
   for (const WirePart& part : fine_.wire_parts) {
     if (part.kind == WireKind::super_elastic || (part.kind == WireKind::boundary && !is_elastic_boundary(part)))

@@ -10,10 +10,12 @@
 
 namespace wirewarp {
 
-/// The place of a fine wire edge on a coarse one.
+/// The position of a fine wire edge on a coarse one.
 struct CoarseWirePlace {
   int edge = -1;
-  double from = 0, to = 0;  // shares of its length, along halfedge_handle(edge, 0) of the fine edge
+  double from = 0,
+         to =
+             0;  // fractions of the coarse edge's length, in the direction of halfedge_handle(edge, 0) of the fine edge
 };
 
 struct CoarseChart {
@@ -24,7 +26,7 @@ struct CoarseChart {
   std::vector<CoarseWirePlace> wire_places;  // per fine wire edge
 };
 
-/// Returns the edge length of as many equilateral triangles with the same area, scene units.
+/// Returns the edge length of equilateral triangles with the mesh's number of faces and area, in scene units.
 double typical_edge_length(const HalfEdgeMesh& mesh);
 
 /// Returns false if a slit of one edge has two sides between the same two vertices: coarsening identifies an edge by

@@ -12,16 +12,17 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kLongestEdge = 2;         // of a new edge, over the wanted length
-constexpr double kWorstQuality = 0.25;     // of a new face: 1 is equilateral, 0 has no area
-constexpr double kClearly = 1 + 1e-9;      // better: the same however the mesh is turned and scaled
-constexpr double kSharpestTurn = kPi / 4;  // of a wire: its corners stay where they are
+constexpr double kLongestEdge = 2;      // of a new edge, relative to the target length
+constexpr double kWorstQuality = 0.25;  // of a new face: 1 is equilateral, 0 has no area
+constexpr double kClearly =
+    1 + 1e-9;  // better by this factor, so that rotating or scaling the mesh does not change the choice
+constexpr double kSharpestTurn = kPi / 4;  // of a wire; sharper corners are not removed
 constexpr double kWorthwhile = 0.02;       // share of the vertices that a round must remove
 
-/// The faces on one side of a vertex, laid into the plane with the vertex at the origin: all around it, or from one
+/// The faces on one side of a vertex, laid out in the plane with the vertex at the origin: all around it, or from one
 /// wire edge to the next. Face i is between spokes i and i + 1.
 struct Fan {
-  std::vector<VertexHandle> rim;  // counter-clockwise; closed: the first is repeated
+  std::vector<VertexHandle> rim;  // counter-clockwise; if closed, the first is repeated
   std::vector<FaceHandle> faces;
   std::vector<Eigen::Vector2d> positions;  // of the rim
   double angle = 0;                        // on the surface
@@ -34,7 +35,7 @@ class Decimation {
   DecimatedMesh result();
 
  private:
-  /// The neighbors along the wire of a vertex on one; both -1 on a free vertex.
+  /// The neighbors of a wire vertex along its wire; both -1 for other vertices.
   using WireNeighbors = std::array<int, 2>;
   struct Place {
     int next = -1;  // removed vertex in the same face
@@ -56,10 +57,10 @@ class Decimation {
   std::vector<char> is_kept_, is_locked_;
   std::vector<WireNeighbors> wire_neighbors_;
   std::vector<std::array<int, 3>> corners_;  // of each face, in the order of the weights
-  std::vector<int> first_point_;             // of each face: the removed vertices in it
+  std::vector<int> first_point_;             // of each face: first removed vertex in it
   std::vector<Place> places_;
   std::vector<int> face_of_point_;
-  std::vector<Fan> fans_;  // around the vertex at hand
+  std::vector<Fan> fans_;  // around the current vertex
   std::size_t num_fans_ = 0;
   std::vector<int> moved_;
   std::vector<Eigen::Vector2d> moved_to_;
@@ -120,7 +121,7 @@ void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, F
   HalfedgeHandle h = first;
   auto spoke = mesh_.point(mesh_.to_vertex_handle(h)) - origin;
   fan.rim.push_back(mesh_.to_vertex_handle(h));
-  fan.positions.push_back({spoke.norm(), 0});  // length and angle, until all angles are known
+  fan.positions.push_back({spoke.norm(), 0});  // stores length and angle until all angles are known
   do {
     fan.faces.push_back(mesh_.face_handle(h));
     h = next_counterclockwise(mesh_, h);

@@ -16,10 +16,10 @@
 
 namespace wirewarp {
 
-/// The place of a fine vertex in the coarse mesh: the sum of weights · vertices.
+/// The position of a fine vertex in the coarse mesh: the sum of weights · vertices.
 struct CoarsePlace {
   int vertices[3];
-  double weights[3];  // sum 1; a vertex that is still there: 1, 0, 0
+  double weights[3];  // sum 1; for a vertex that was not removed: 1, 0, 0
 };
 
 struct DecimatedMesh {

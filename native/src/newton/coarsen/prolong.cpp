@@ -17,7 +17,7 @@ Eigen::Vector3d point(const HalfEdgeMesh& mesh, int v) {
   return {p[0], p[1], p[2]};
 }
 
-/// J around each vertex, the mean by area over its faces.
+/// Returns J around each vertex: the mean over its faces, weighted by area.
 std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Positions2& uv) {
   std::vector<Derivative> sum(mesh.n_vertices(), Derivative::Zero());
   std::vector<double> area(mesh.n_vertices(), 0);
@@ -27,7 +27,7 @@ std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Posit
     const Eigen::Vector3d ab = point(mesh, b) - point(mesh, a), ac = point(mesh, c) - point(mesh, a);
     const Eigen::Vector3d normal = ab.cross(ac);
     const double twice_area = normal.norm();
-    // Rows of J: ∇u, with ∇ of the hats of b and c.
+    // The rows of J are ∇u, from the gradients of the hat functions of b and c.
     const Eigen::Vector3d grad_b = ac.cross(normal) / (twice_area * twice_area);
     const Eigen::Vector3d grad_c = normal.cross(ab) / (twice_area * twice_area);
     const Derivative j = (uv.row(b) - uv.row(a)).transpose() * grad_b.transpose() +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the flat shape of a coarse chart to a start for the fine one.
+// Converts the flat shape of a coarse chart to a start for the fine one.
 #pragma once
 
 #include "newton/coarsen/coarse_chart.h"
@@ -7,18 +7,19 @@
 
 namespace wirewarp {
 
-/// Positions of all vertices, one row each, from those of the coarse ones: a vertex p = Σ bᵢ pᵢ goes to
+/// Returns the positions of all vertices, one row each, from those of the coarse ones: a vertex p = Σ bᵢ pᵢ goes to
 ///
 ///   u(p) = Σ bᵢ [uᵢ + ½ Jᵢ (p − pᵢ)] + ½ (Σ bᵢ Jᵢ) (p − Σ bᵢ pᵢ)
 ///
-/// with Jᵢ the mean derivative around coarse vertex i: exact for affine maps, and for quadratic ones as far as Jᵢ is.
+/// with Jᵢ the mean derivative around coarse vertex i. This is exact for affine maps, and for quadratic ones if Jᵢ is.
 Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv);
 
 /// The same, with the wires placed by their runs (prolong_wires.h) and no sliver flipped (unfold_slivers.h).
 Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                              const Positions2& coarse_uv);
 
-/// λ of each fine wire edge: that of its coarse one. λ is a force along the wire, whatever the length of edges.
+/// Returns λ of each fine wire edge, which is that of its coarse edge: λ is a force along the wire, whatever the edge
+/// length.
 Eigen::VectorXd prolong_multipliers(const CoarseChart& coarse, const Eigen::VectorXd& coarse_multipliers);
 
 }  // namespace wirewarp

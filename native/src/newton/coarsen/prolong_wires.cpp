@@ -11,12 +11,13 @@
 namespace wirewarp {
 namespace {
 
-/// Where the runs that meet at a coarse wire vertex point, compared with the surface.
+/// The directions of runs that meet at a coarse wire vertex, compared with the surface.
 class WireTurns {
  public:
   WireTurns(const CoarseChart& coarse, const Positions2& uv);
 
-  /// What the first or last end of a run is to turn further than its chord, so that all runs turn alike there.
+  /// Returns by how much the first and the last end of a run turn against its chord, so that all runs around a vertex
+  /// turn alike.
   const std::array<double, 2>& at_ends(int run) const { return turns_[run]; }
 
  private:
@@ -24,8 +25,8 @@ class WireTurns {
   void turn_around(WireHalfEdge first);
 
   const HeldNetwork& network_;
-  std::vector<double> chords_;  // headings, per run
-  std::vector<int> nodes_;      // where half-edges arrive
+  std::vector<double> chords_;  // headings of the chords, one per run
+  std::vector<int> nodes_;      // nodes at which half-edges arrive
   std::vector<char> is_seen_;   // half-edges
   std::vector<std::array<double, 2>> turns_;
 };
@@ -43,7 +44,7 @@ WireTurns::WireTurns(const CoarseChart& coarse, const Positions2& uv)
   }
   std::vector<char> follows_a_node(nodes_.size(), 0);
   for (const WireNode& node : network_.nodes) follows_a_node[place_of(node.out)] = 1;
-  // On the boundary first, at the half-edges where the nodes around a vertex begin.
+  // Starts on the boundary, at the half-edges where the nodes around a vertex begin.
   for (const bool everywhere : {false, true}) {
     for (int e = 0; e < static_cast<int>(chords_.size()); ++e) {
       for (const WireHalfEdge h : {WireHalfEdge{e, false}, WireHalfEdge{e, true}}) {
@@ -53,8 +54,8 @@ WireTurns::WireTurns(const CoarseChart& coarse, const Positions2& uv)
   }
 }
 
-/// All runs around the vertex where the first arrives: each is turned against the surface by so much; the mean is what
-/// all are to turn. What the angles around an inner vertex lack is shared evenly.
+/// Sets the turns of all runs around the vertex at which the first one arrives to the mean difference between their
+/// directions and the surface angles. A difference of the angle sum around an inner vertex is shared evenly.
 void WireTurns::turn_around(WireHalfEdge first) {
   std::vector<WireHalfEdge> runs;
   std::vector<double> rotations{0};
@@ -95,7 +96,7 @@ void prolong_wires(const Chart& chart, const HeldNetwork& network, const CoarseC
     for (std::size_t i = 0; i < run.half_edges.size(); ++i) {
       const int fine = run.half_edges[i].edge;
       const double s = (coarse.wire_places[fine].from + coarse.wire_places[fine].to) / 2;
-      // The polynomial with these ends and mean 0.
+      // The quadratic polynomial with these end values and mean 0.
       const double turn = (1 - s) * (1 - 3 * s) * turns.at_ends(e)[0] + s * (3 * s - 2) * turns.at_ends(e)[1];
       laid.push_back(laid.back() + std::polar(network.edges[fine].length, run.headings[i] + turn));
     }

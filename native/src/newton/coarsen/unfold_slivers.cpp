@@ -10,8 +10,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kThin = 0.3;    // determinant of a sliver's map: triangles of a good start have 0.7 to 1.3
-constexpr double kStill = 0.01;  // of the mean edge: with a third of it, Newton's method takes as many steps
+constexpr double kThin = 0.3;    // determinant of a sliver's map; triangles of a good start have 0.7 to 1.3
+constexpr double kStill = 0.01;  // of the mean edge; with a third of it, Newton's method takes as many steps
 constexpr int kMaxSweeps = 100;  // over the vertices that move; 10 to 30 are usual
 
 class Slivers {
@@ -48,8 +48,8 @@ class Slivers {
     }
   }
 
-  /// To the minimum of the shape error with the rotations of the triangles around it held, which never raises the error
-  /// itself. Returns how far, weighed by the root of the stiffness at the vertex.
+  /// Moves a vertex to the minimum of the shape error with fixed rotations of the triangles around it, which never
+  /// raises the error itself. Returns the distance times the root of the stiffness at the vertex.
   double move(int v) {
     Eigen::Vector2d gradient(0, 0);
     double stiffness = 0;
@@ -72,7 +72,7 @@ class Slivers {
   const HalfEdgeMesh& mesh_;
   const ShapeError shape_error_;
   Positions2& uv_;
-  std::vector<char> is_out_;  // of the sweep to come: in it already, or not to move
+  std::vector<char> is_out_;  // not to be added to the next sweep: already in it, or fixed
   std::vector<int> next_;
 };
 

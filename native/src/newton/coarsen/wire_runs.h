@@ -14,14 +14,14 @@ namespace wirewarp {
 
 struct WireRun {
   std::vector<WireHalfEdge> half_edges;
-  std::vector<double> headings;  // of each, unrolled, against the chord
+  std::vector<double> headings;  // of each edge, unrolled, relative to the chord
   double walked_length = 0;      // sum of the edges
   double chord_length = 0;
-  double one_sided[2] = {0, 0};  // what either side turns more than the mean, the share of the first and last vertex
+  double one_sided[2] = {0, 0};  // turning of either side beyond the mean, for the first and last vertex
 };
 
-/// Cuts all wires into runs at the vertices that stay, one flag per chart vertex. Wires must not meet or end at others.
-/// The runs are not unrolled yet.
+/// Divides all wires into runs at the vertices that stay, one flag per chart vertex. Wires must not meet or end at
+/// other vertices. The runs are not unrolled yet.
 std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& network, const std::vector<char>& stays);
 
 /// Fills in all but the half-edges. node_at_arrival: of the network.

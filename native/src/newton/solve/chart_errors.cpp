@@ -37,7 +37,7 @@ int source_of_loop(const Chart& chart, const HalfEdgeChain& loop) {
   return chart.source_vertex[chart.mesh.from_vertex_handle(loop.front()).idx()];
 }
 
-/// Input faces by height, the least first: those that are less than a millionth as high as the highest.
+/// Returns the input faces that are less than a millionth as high as the highest one, the smallest first.
 std::vector<int> small_faces(const Chart& chart) {
   constexpr double kSmall = 1e-6;
   std::vector<std::pair<double, int>> by_height;
@@ -130,7 +130,7 @@ FlattenError needs_refinement(const Chart& chart) {
 
 namespace {
 
-/// Those along the outline that have a tolerance, and their edges there.
+/// Wires along the outline with a tolerance, and their edges there.
 struct ElasticWires {
   std::set<int> wires;
   std::set<VertexPair> edges;

@@ -7,8 +7,8 @@
 namespace wirewarp {
 namespace {
 
-// Where each stage begins and ends in a chart's share of the time. Nobody knows how many steps it takes: each step is
-// reported as a part of what is left.
+// The begin and end of each stage in a chart's share of the time. The number of steps is unknown, so each step is
+// reported as a part of the remaining range.
 struct Span {
   double begin, end;
 };
@@ -52,7 +52,7 @@ void ChartsProgress::finish(std::size_t chart) {
     const std::lock_guard lock(mutex_);
     advance(chart, 1);
   }
-  if (std::this_thread::get_id() == caller_) tell();  // thousands of charts may take no step of their own
+  if (std::this_thread::get_id() == caller_) tell();  // because thousands of charts may report no step
 }
 
 bool ChartsProgress::tell() {
@@ -66,7 +66,7 @@ bool ChartsProgress::tell() {
   return report_.go_on(stage, begin_ + (end_ - begin_) * done);
 }
 
-/// Needs the lock.
+/// The caller must hold the lock.
 void ChartsProgress::advance(std::size_t chart, double share) {
   done_ += part_of_all_[chart] * (share - share_done_[chart]);
   share_done_[chart] = share;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the charts of a run are, solved side by side.
+// The progress of charts that are solved in parallel.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@
 
 namespace wirewarp {
 
-/// Gathers the steps of all charts. Reports them in the thread that made it alone, as callers expect.
+/// Collects the steps of all charts, and reports them in the thread that created this object, as callers expect.
 class ChartsProgress {
  public:
-  /// begin, end: of all that is done for them, as fractions of the run.
+  /// begin, end: range of the charts' work, as fractions of the run.
   ChartsProgress(ProgressReport& report, const std::vector<Chart>& charts, double begin, double end);
 
   /// Calls work(0) to work(count - 1) on all cores. Once one has thrown, the others stop.
@@ -35,21 +35,22 @@ class ChartsProgress {
     if (count > 0) run_in_threads(count, num_cores(), work_or_stop_all, [&] { tell(); });
   }
 
-  /// Whether the other charts keep all other cores busy: threads for this one alone would only take turns with them.
+  /// Whether the other charts keep all other cores busy, so that threads for this chart alone would gain nothing.
   bool is_one_of_many(std::size_t chart) const { return part_of_all_[chart] * static_cast<double>(num_cores()) <= 1; }
 
-  /// For the work on a chart.
+  /// Returns the token for the work on a chart.
   StopToken stop_token(std::size_t chart) {
     return StopToken([this, chart](const char* stage) { return go_on(chart, stage); });
   }
 
-  /// At a step of a chart, in any thread. False once the caller has cancelled.
+  /// Reports a step of a chart; may be called in any thread. Returns false once the caller has canceled.
   bool go_on(std::size_t chart, const char* stage);
 
-  /// In any thread.
+  /// Reports that a chart is finished; may be called in any thread.
   void finish(std::size_t chart);
 
-  /// How far all charts are, in the thread that made this. False once the caller has cancelled.
+  /// Reports the progress of all charts, in the thread that created this object. Returns false once the caller has
+  /// canceled.
   bool tell();
 
  private:
@@ -60,9 +61,9 @@ class ChartsProgress {
   const std::thread::id caller_ = std::this_thread::get_id();
   std::mutex mutex_;
   std::vector<double> part_of_all_;  // per chart
-  std::vector<double> share_done_;   // per chart, of its own part
+  std::vector<double> share_done_;   // per chart: finished share of its own part
   double done_ = 0;
-  std::string stage_ = "charts";  // begun last
+  std::string stage_ = "charts";  // the latest stage
 };
 
 }  // namespace wirewarp

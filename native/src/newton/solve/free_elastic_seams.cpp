@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-/// Solves a chart from scratch at h = ease, where it had no shape, for its error.
+/// Solves a chart that had no shape at h = ease from scratch there, to get its error.
 void solve_anew(const GroupMember& member, const Run& run, const StopToken& stop) {
   SolvedChart& solved = member.solved;
   Budget budget(run.options.max_factorizations);

@@ -9,8 +9,9 @@
 
 namespace wirewarp {
 
-/// Without common lengths, each chart is solved to its end at h = ease. If that fails, too, it keeps the shape that it
-/// has, and its report says so. A chart that has no shape at h = ease gets the error that it has there.
+/// Frees the elastic seams of a group. Without common lengths, each chart is solved completely at h = ease. If that
+/// fails too, the chart keeps its shape, and its report says so. A chart without a shape at h = ease gets the error
+/// that it has there.
 void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop);
 
 }  // namespace wirewarp

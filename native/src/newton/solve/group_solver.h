@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the stages of a coupled group, which mostly is one chart, have in common: all shapes and the common lengths of
-// its elastic seams at once (newton/refine_coupled.h), from the shapes of the stage before.
+// The common part of the stages of a coupled group, which usually is one chart: it solves for all shapes and the common
+// lengths of elastic seams at once (newton/refine_coupled.h), from the shapes of the previous stage.
 //
 // It fails if it finds no common lengths, or if a chart is flipped or overlaps itself with them although all charts
-// were good before: good pieces come before less distortion. Then stages solve each chart by itself, with its elastic
-// seams fixed at h = ease.
+// were good before, because good pieces matter more than less distortion. Then stages solve each chart alone, with its
+// elastic seams fixed at h = ease.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@ namespace wirewarp {
 /// A chart of a coupled group in a stage.
 struct GroupMember {
   Chart& chart;
-  SolvedChart& solved;    // its layout from the stage before, upright for a cloth
+  SolvedChart& solved;    // its layout from the previous stage, upright for a fabric
   bool is_nominal;        // it has elastic seams, and can be solved with these at h = ease
   TargetLengths lengths;  // for a cloth
 };
@@ -39,7 +39,8 @@ class GroupSolver {
     std::vector<char> is_folded = {};  // per chart, if solved: flipped or overlapping
   };
 
-  /// renews_limit: each attempt may spend Options::max_factorizations, whatever a chart has spent before.
+  /// renews_limit: whether each attempt may spend Options::max_factorizations, regardless of what a chart has spent
+  /// before.
   GroupSolver(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop, bool renews_limit,
               RefineInjective refine_injective);
 
@@ -50,7 +51,7 @@ class GroupSolver {
   /// Solves a chart by itself. fixed: with its elastic seams at h = ease.
   Outcome solve_alone(std::size_t member, const Chart& fixed) { return solve({{member, fixed}}, false); }
 
-  /// The chart before the stage.
+  /// Returns the chart as it was before the stage.
   const SolvedChart& before(std::size_t member) const { return before_[member]; }
 
  private:

@@ -24,7 +24,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns why lengths cannot be kept for which no shape was found. status: of the search, which spent the budget.
+/// Returns the error of a chart without a shape that keeps all lengths. status: of the search, which spent the budget.
 FlattenError explain_infeasible(Problem& problem, const Run& run, SolutionStatus status, const Budget& budget,
                                 const StopToken& stop) {
   const Chart& chart = problem.chart();
@@ -37,7 +37,7 @@ FlattenError explain_infeasible(Problem& problem, const Run& run, SolutionStatus
   return infeasible_wires(chart, run.input.wires, run.options, std::move(found.tolerances), ran_out);
 }
 
-/// WireWarping and WireWarping++: the wires first, the surface follows (II).
+/// Solves by WireWarping or WireWarping++: the wires first, then the surface (II).
 std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& run, Budget& budget,
                                                const StopToken& stop, SolvedChart& solved) {
   std::map<std::string, double>& seconds = solved.report.seconds;
@@ -82,8 +82,8 @@ std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& ru
   return std::nullopt;
 }
 
-/// The refined method: wires and surface at once, under the same exact lengths. Once those are reached, cancelling
-/// leaves the piece at the best shape so far.
+/// Solves by the refined method: wires and surface at once, under the same exact lengths. Once lengths are exact,
+/// canceling keeps the best shape so far.
 std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& run, Budget& budget,
                                                 const StopToken& stop, SolvedChart& solved) {
   stop.in("start").check();

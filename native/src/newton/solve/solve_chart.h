@@ -12,31 +12,31 @@
 
 namespace wirewarp {
 
-/// Finds seams along which a chart lies flat that has no good shape without them. Throws Stopped: what was found by
-/// then is not what a whole search finds.
+/// Finds seams for a chart that has no good shape without them. Throws Stopped, because an interrupted search would
+/// return other seams.
 using ProposeSeams = std::function<std::vector<VertexPair>(const Chart& chart, const StopToken& stop)>;
 
-/// What all charts of a run have in common.
+/// Everything that the charts of a run have in common.
 struct Run {
   const FlattenInput& input;
   const InternalOptions& options;
-  ProposeSeams propose_seams;  // empty: errors are not reported, so that nothing is proposed
+  ProposeSeams propose_seams;  // empty if errors are not shown, so that no seams are needed
 };
 
-/// The layout of a chart with a mesh, or why it has none. budget: what several trials of the chart may spend together,
-/// of which the error names options.max_factorizations.
+/// Returns the layout of a chart with a mesh, or why it has none. budget: limit of all trials of the chart together;
+/// errors name options.max_factorizations instead.
 SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
-/// The same with its elastic seams at h = ease.
+/// Solves the same with the chart's elastic seams at h = ease.
 SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
-/// By Run::propose_seams.
+/// Returns the seams of Run::propose_seams.
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop);
 
-/// Adds such seams to a layout that is flipped or overlaps itself. If the caller stops, it stays without.
+/// Adds such seams to a layout that is flipped or overlaps itself; not if the caller stops.
 void propose_seams_for_layout(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved);
 
-/// A chart that the caller's no came before.
+/// Returns the result of a chart that was not started before the caller canceled.
 SolvedChart cancelled_chart();
 
 }  // namespace wirewarp

@@ -16,7 +16,7 @@
 namespace wirewarp {
 namespace {
 
-/// The largest first, so that no core waits long for the last.
+/// Returns the order of charts, the largest first, so that no core waits long for the last one.
 std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -26,16 +26,17 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
   return order;
 }
 
-/// Options for shapes that others begin at. The best direction of a cloth stays, so it has to be exact.
+/// Returns options for shapes from which later stages start. The best direction of a fabric is final, so it must be
+/// exact.
 InternalOptions on_the_way(InternalOptions options) {
   if (options.orientation != Orientation::best) options.target = options.cloth ? Target::rough : Target::newton_step;
   return options;
 }
 
-/// Charts with elastic seams in common, of the refined method; mostly one chart.
+/// Charts with common elastic seams, for the refined method; usually one chart.
 struct Group {
   std::vector<int> charts;
-  bool is_known = false;  // solved, from the cache
+  bool is_known = false;  // its solution came from the cache
 };
 
 class ChartsSolver {
@@ -90,7 +91,7 @@ class ChartsSolver {
       solve_alone(c);
     } else if (!group->is_known) {
       begin_beside_elastic_seams(c);
-      return;  // couple() goes on with it
+      return;  // couple() continues
     }
     progress_.finish(c);
   }
@@ -107,7 +108,7 @@ class ChartsSolver {
     session_.keep({&charts_[c]}, {&solved_[c]});
   }
 
-  /// With these seams at h = ease; if the chart has no shape so, each as long as it would be for this chart alone.
+  /// Solves a chart with these seams at h = ease or, if it has no shape then, at the best lengths for this chart alone.
   void begin_beside_elastic_seams(std::size_t c) {
     if (report_.is_cancelled()) {
       solved_[c] = cancelled_chart();
@@ -120,7 +121,7 @@ class ChartsSolver {
     is_nominal_[c] = solved_[c].error ? 0 : 1;
     if (!solved_[c].error || stop.is_stopped()) return;
     solved_[c] = solve_chart(charts_[c], {run_.input, options, run_.propose_seams}, budget, stop);
-    solved_[c].report.factorizations = budget.spent();  // also if an error came before any of its own
+    solved_[c].report.factorizations = budget.spent();  // even if an error came first
   }
 
   void couple(const Group& group) {

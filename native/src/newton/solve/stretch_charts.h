@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stage of a cloth that is stretched when it is worn. Without the stretch, every chart has a layout, whose
-// directions say how much shorter each edge is when flat (stretched_lengths.h). With these lengths, each coupled group
-// is solved once more (group_solver.h), in the plane of the stretched cloth (energy/target_lengths.h). All charts with
-// a layout take part, so that the sides of a seam have one length.
+// The stage of a fabric that is stretched when worn. Without the stretch, every chart has a layout, whose directions
+// determine how much shorter each edge is when flat (stretched_lengths.h). With these lengths, each coupled group is
+// solved once more (group_solver.h), in the plane of the stretched fabric (energy/target_lengths.h). All charts with a
+// layout take part, so that the sides of a seam have one length.
 #pragma once
 
 #include <vector>

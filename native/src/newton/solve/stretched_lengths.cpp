@@ -13,9 +13,11 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kReportedDifference = 0.01;  // between the sides of a seam, over their length: what a seam eases in
+constexpr double kReportedDifference =
+    0.01;  // between the sides of a seam, relative to their length: more than a seam eases in
 
-/// Edges whose flat length follows the stretch: of the outline and of wires whose length is held, without an ease.
+/// Returns the edges whose flat length follows the stretch: those of the outline and of wires with fixed or elastic
+/// length, without an ease.
 std::vector<char> find_stretched_edges(const Chart& chart) {
   std::vector<char> is_stretched(chart.mesh.n_edges(), 0);
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
@@ -28,7 +30,7 @@ std::vector<char> find_stretched_edges(const Chart& chart) {
   return is_stretched;
 }
 
-/// L / l by the direction that each edge has in the layout; 1 where the stretch does not count.
+/// Returns L / l by the direction of each edge in the layout, or 1 for edges that do not stretch.
 PerEdge ratios_by_direction(const Chart& chart, const Positions2& uv, const Cloth& cloth) {
   const Eigen::RowVector2d share = flat_share(cloth);
   const std::vector<char> is_stretched = find_stretched_edges(chart);
@@ -42,7 +44,7 @@ PerEdge ratios_by_direction(const Chart& chart, const Positions2& uv, const Clot
   return ratios;
 }
 
-/// The same for all sides of an outline's edge: their mean.
+/// Replaces the ratios of all sides of an edge by their mean.
 void share_among_sides(const std::vector<Chart>& charts, std::vector<PerEdge>& ratios) {
   struct Mean {
     double sum = 0;
@@ -63,14 +65,14 @@ void share_among_sides(const std::vector<Chart>& charts, std::vector<PerEdge>& r
   for_each_side([](const Mean& mean, double& ratio) { ratio = mean.sum / mean.count; });
 }
 
-/// Of a side of a seam, by the ratios of its edges.
+/// Returns the length of a side of a seam for these ratios.
 double length_of_side(const Chart& chart, const HalfEdgeChain& chain, const PerEdge& ratios) {
   double length = 0;
   for (const HalfedgeHandle h : chain) length += ratios[chart.mesh.edge_handle(h).idx()] * edge_length(chart.mesh, h);
   return length;
 }
 
-/// Warnings for the charts beside seams whose sides differ. ratios: by direction, empty without a layout.
+/// Returns warnings for charts beside seams whose sides differ. ratios: by direction, empty without a layout.
 std::vector<std::vector<std::string>> warn_of_sides(const Charts& charts, const std::vector<PerEdge>& ratios) {
   std::vector<std::vector<std::string>> warnings(charts.charts.size());
   for (const Seam& seam : charts.seams) {

@@ -4,7 +4,8 @@
 //
 //   L = l √(cos²ψ / (1 + c_weft)² + sin²ψ / (1 + c_warp)²),
 //
-// by the mean of its sides' shares on a seam, so that mates stay equal. An edge with an ease of its own keeps that.
+// On a seam, the mean of its sides' ratios is used, so that they stay equal. An edge with an ease keeps its eased
+// length.
 #pragma once
 
 #include <string>
@@ -18,7 +19,7 @@ namespace wirewarp {
 
 bool is_stretched(const Options& options);
 
-/// One figure per edge of a chart.
+/// One number per edge of a chart.
 using PerEdge = std::vector<double>;
 
 struct StretchedLengths {
