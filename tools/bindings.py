@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The tests of the Python package, and of what the add-on does without Blender, on the installed wheel."""
 
+import os
 from pathlib import Path
 
 from tools.blender import NUMPY, PYTEST
@@ -29,9 +30,13 @@ def bindings_python(version: str) -> Path:
 
 
 def bindings_tests(version: str, *options: str) -> None:
-    """Run all tests in Debian's Python; in others, without those of the core's results. options: of pytest."""
+    """Run all tests in Debian's Python; in others, without those of the core's results. options: of pytest.
+
+    If PYTEST_ADDOPTS selects tests, they run in one process, where breakpoint() works.
+    """
     chosen = [] if version == DEBIAN_VERSION else ["-m", "not core"]
-    at_once = ("-n", str(CORES), "--dist", "loadfile")  # the tests of a file share results
+    is_selection = bool(os.environ.get("PYTEST_ADDOPTS"))
+    at_once = [] if is_selection else ["-n", str(CORES), "--dist", "loadfile"]  # the tests of a file share results
     folders = ("tests/bindings", "tests/without_blender")
     run([bindings_python(version), "-m", "pytest", "-q", *at_once, *chosen, *options, *folders])
 
