@@ -76,6 +76,13 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
                 icon = "ERROR" if cut.is_narrow else "NONE"
                 button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen, icon=icon)
                 button.index = index
+        cut = found.cuts[found.chosen]
+        if cut.is_narrow:
+            draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
+        take = layout.column(align=True)
+        take.scale_y = 1.2
+        text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
+        take.operator("object.wirewarp_mend", text=text, icon="EDGESEL").what = "SUGGESTION"
         sentence = _explained(found.cuts)
         if sentence:
             draw_sentence(context, layout, sentence, "INFO")
@@ -85,9 +92,6 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         sentence = figures_sentence(shown_source(context), found, context.scene.wirewarp)
         if sentence:
             draw_sentence(context, layout, sentence, "INFO")
-        cut = found.cuts[found.chosen]
-        if cut.is_narrow:
-            draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
         if cut.paths and not cut.edges:
             draw_sentence(context, layout, "Marking it adds vertices and edges where it crosses faces.", "INFO")
         elif cut.diagonals:
@@ -95,10 +99,6 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, f"Marking it adds {new} across faces of the model.", "INFO")
         if found.with_modifiers:
             draw_sentence(context, layout, "Marking it applies the modifiers of the model.", "INFO")
-        take = layout.column(align=True)
-        take.scale_y = 1.2
-        text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
-        take.operator("object.wirewarp_mend", text=text, icon="EDGESEL").what = "SUGGESTION"
 
 
 def _explained(cuts: Sequence[Cut]) -> str:
