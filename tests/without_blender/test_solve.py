@@ -3,6 +3,7 @@
 
 import inspect
 import math
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -38,11 +39,15 @@ def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
 
 def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     suggest = addon.solve.suggest
-    figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2)  # the last: more pieces than the third, and more stretch
+    figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2), (8, 0.097)  # the last two: more pieces for nothing or little
     sets = [suggest.Cut([], [], [], None, 0, [1.0], strain, math.inf, pieces) for pieces, strain in figures]
     sets = suggest.from_few_pieces(sets)
     assert [each.num_pieces for each in sets] == [3, 5, 9]
     assert [suggest.set_for(sets, limit) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
+    sets[1] = replace(sets[1], is_narrow=True)
+    assert [suggest.set_for(sets, limit) for limit in (0.5, 0.2, 0.01)] == [0, 2, 2]
+    narrow = [replace(each, is_narrow=True) for each in sets]
+    assert suggest.set_for(narrow, 0.2) == 1
 
 
 def test_mirror_images_without_common_figures_are_one_row(addon):

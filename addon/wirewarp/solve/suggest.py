@@ -18,6 +18,7 @@ from .cut_faces import Pairs, Segments, segments_of
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import Steps
 
+WORTH_PIECES = 0.95  # of the stretch: a smaller gain is not felt in fabric, and more pieces are slow to sew
 PAINTED = f' Seams are also not allowed where "{NO_SEAM}" is painted.'
 
 
@@ -165,10 +166,10 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
 
 
 def from_few_pieces(sets: Sequence[Cut]) -> list[Cut]:
-    """Return cut sets by their number of pieces, without those that stretch as far with more pieces."""
+    """Return cut sets by their number of pieces, without those that stretch about as far with more pieces."""
     kept: list[Cut] = []
     for each in sorted(sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
-        if not kept or each.strain < kept[-1].strain:
+        if not kept or each.strain < WORTH_PIECES * kept[-1].strain:
             kept.append(each)
     return kept
 
