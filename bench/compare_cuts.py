@@ -31,6 +31,7 @@ LADDER = 60  # number of requested proposals; more than a cut set has cuts
 FEWEST = 2  # sets to which darts are added; sets with more cuts gave longer cuts in the end
 DARTS = 20  # maximum number; half as many as a cut set has cuts
 CHOICE = 5  # number of proposed darts, the default of propose_darts()
+SETS = "\n## Sets of seams for closed models\n"  # a section by bench/cut_sets.py, which stays
 CLOCK_LIMIT = 10 * LIMIT  # seconds of wall time; more than LIMIT, because other processes may use the core
 
 
@@ -274,7 +275,9 @@ def main() -> None:
             f"{verdict(*found[-1])}",
             flush=True,
         )
-    arguments.page.write_text(page(meshes, found, len(every), arguments), encoding="utf-8")
+    kept = arguments.page.read_text(encoding="utf-8") if arguments.page.exists() else ""
+    kept = kept[kept.index(SETS) :] if SETS in kept else ""
+    arguments.page.write_text(page(meshes, found, len(every), arguments) + kept, encoding="utf-8")
 
 
 if __name__ == "__main__":

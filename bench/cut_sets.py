@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures the sets of seams that are proposed for closed models, and prints a table row for each:
+
+python bench/cut_sets.py MESH.obj...
+
+Of each model, the set with fewest pieces within the stretch of plush and knits counts, else that with least stretch.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import wirewarp
+from mesh_files import Mesh, read_obj
+from tables import table
+from wirewarp.pattern import piece_width
+
+SOFT = 0.2  # maximum stretch of plush and knits
+HEIGHT = 300  # mm of the finished toy, along its largest side
+SAME_PLACE = 1e-4  # of the largest side: mirrored vertices are that close
+HEAD = ["mesh", "triangles", "pieces", "strain", "length", "narrowest, mm", "symmetric", "s"]
+
+
+def mirror_images(vertices: np.ndarray) -> list[int] | None:
+    """Return the mirror image of each vertex, across the middle of one axis; None if the model has none."""
+    size, low = float(np.ptp(vertices, axis=0).max()), vertices.min(axis=0)
+    near = np.array(np.meshgrid(*[[0, 1, -1]] * 3)).reshape(3, -1).T
+    places = {tuple(place): v for v, place in enumerate(np.rint((vertices - low) / size / SAME_PLACE).astype(int))}
+    for axis in range(3):
+        mirrored = vertices.copy()
+        mirrored[:, axis] = vertices[:, axis].min() + vertices[:, axis].max() - vertices[:, axis]
+        images = []
+        for place in np.rint((mirrored - low) / size / SAME_PLACE).astype(int):
+            found = next((places[tuple(each)] for each in place + near if tuple(each) in places), None)
+            if found is None:
+                break
+            images.append(found)
+        if len(images) == len(vertices):
+            return images
+    return None
+
+
+def is_symmetric(edges: np.ndarray, images: list[int]) -> bool:
+    mirrored = {frozenset((images[a], images[b])) for a, b in edges.tolist()}
+    return mirrored == {frozenset(pair) for pair in edges.tolist()}
+
+
+def measure(name: str, mesh: Mesh) -> list[str]:
+    vertices, faces = mesh
+    begin = time.process_time()
+    sets = wirewarp.propose_seams(vertices, faces)
+    seconds = time.process_time() - begin
+    soft = [each for each in sets if each.strain <= SOFT]
+    best = min(soft, key=lambda each: each.num_pieces) if soft else min(sets, key=lambda each: each.strain)
+    points = vertices[faces]
+    area = np.linalg.norm(np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]), axis=1).sum() / 2
+    pieces = wirewarp.flatten(vertices, faces, seams=best.edges).pieces
+    width = min(map(piece_width, pieces)) * HEIGHT / float(np.ptp(vertices, axis=0).max())
+    images = mirror_images(vertices)
+    return [
+        name,
+        f"{len(faces):,}",
+        str(best.num_pieces),
+        f"{100 * best.strain:.1f}%",
+        f"{best.length / np.sqrt(area):.2f}",
+        f"{width:.1f}",
+        "–" if images is None else "yes" if is_symmetric(best.edges, images) else "no",
+        f"{seconds:.0f}",
+    ]
+
+
+def main() -> None:
+    rows = []
+    for path in map(Path, sys.argv[1:]):
+        rows.append(measure(path.stem, read_obj(path)))
+        print(" ".join(rows[-1]), flush=True)
+    print("\n".join(table(HEAD, rows)))
+
+
+if __name__ == "__main__":
+    main()
