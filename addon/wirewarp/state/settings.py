@@ -38,7 +38,7 @@ LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WI
 MEASURE = (
     "The percentage is the maximum stretch. To measure yours, mark 10 cm on it and pull until it resists: 12 cm is 20%"
 )
-CUSTOM = 1000  # number stored in files, higher than any index in the library's table
+CUSTOM = 1000  # Files store this number, or the place of a preset in the library's table: new presets come last.
 
 
 def fabric_label(name: str) -> str:
