@@ -54,7 +54,7 @@ constexpr const char* kSeamsDoc =
 Arguments, figures and errors are those of propose_darts().
 
 Cut sets: a piece may have no flat shape because it lacks seams: it is closed (a ball), has handles, or its outline is
-too short (a tube). Then each proposal is a set of seams and darts with which all parts have a flat shape. If no piece
+too short (a tube). A flat shape with a strain of 1 or more counts as none if no wire is in it. Then each proposal is a set of seams and darts with which all parts have a flat shape. If no piece
 is requested, the largest one that lacks seams is cut. The first set brings every part to the accepted strain (None for
 0.05) if at most forty cuts and their mirror images can do so. Each later set is shorter and leaves more strain. Sets
 are symmetric if the piece is, and may cross wires. For a set, edges has one line after the other, energy is that of all

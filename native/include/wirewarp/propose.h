@@ -25,9 +25,9 @@ struct DartProposal {
   double length = 0;               // length on the surface, scene units
   int num_pieces = 0;              // number of pieces into which the piece is divided; 1 for a dart
   double energy = 0;               // of the piece with the cut: Eq. (4), or cloth energy, divided by its 3D area
-  double energy_before = 0;        // the same without the cut; infinite if there is no flat shape without it
+  double energy_before = 0;        // the same without the cut; infinite for a cut set
   double strain = 0;               // of the worst part with the cut: how far the fabric must stretch
-  double strain_before = 0;        // the same without the cut; infinite if there is no flat shape without it
+  double strain_before = 0;        // the same without the cut; infinite for a cut set
   std::optional<int> twin;         // index of its mirror image in the list; none if it has no mirror image
   std::optional<double> energy_with_twin;  // of the piece with both cuts; none if it is not less, or if they meet
   std::optional<double> strain_with_twin;  // the strain with both cuts
@@ -43,7 +43,7 @@ struct CutOptions {
                                  // none: 0.005, for cut sets 0.05
   double longest = std::numeric_limits<double>::infinity();  // length of a cut or set, on the surface, scene units; > 0
   VertexPairs no_seam = VertexPairs(0, 2);                   // (k, 2) edges along which no cut may run
-  bool is_smooth = false;  // darts may be smooth lines across triangles, too; not for seams
+  bool is_smooth = false;                       // darts may be smooth lines across triangles, too; not for seams
 };
 
 /// Returns darts that lower the energy and the strain of a piece by at least 2%, to a strain below 1. They are sorted
@@ -63,11 +63,12 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// Returns seams that cut a piece from outline to outline, by the same rules.
 ///
 /// Returns cut sets if the requested piece has no flat shape because it lacks seams: it is closed, has handles, or its
-/// outline is too short. If no piece is requested, the largest such piece is cut. Each proposal is a set of seams and
-/// darts with which all parts have a flat shape. The first set brings every part to the accepted strain, if at most
-/// forty cuts of the worst part and their mirror images can do so. Each later set is shorter and leaves more strain.
-/// Sets are symmetric if the piece is. They may cross wires, but follow neither edges of no_seam nor their mirror
-/// images. Sets that leave a strain of 1 or more are not returned.
+/// outline is too short. A flat shape with a strain of 1 or more counts as none if no wire is in it. If no piece is
+/// requested, the largest such piece is cut. Each proposal is a set of seams and darts with which all parts have a flat
+/// shape. The first set brings every part to the accepted strain, if at most forty cuts of the worst part and their
+/// mirror images can do so. Each later set is shorter and leaves more strain. Sets are symmetric if the piece is. They
+/// may cross wires, but follow neither edges of no_seam nor their mirror images. Sets that leave a strain of 1 or more
+/// are not returned.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 

@@ -136,7 +136,7 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
   throw *first_refusal;
 }
 
-/// Returns the largest piece (or the requested one) that has no flat shape because it lacks seams.
+/// Returns the largest piece (or the requested one) that lacks seams.
 std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutOptions& cut_options) {
   std::optional<std::size_t> largest;
   double most = 0;
@@ -173,7 +173,7 @@ void check_cut_options(const CutOptions& cut_options, const FlattenInput& input,
 }
 
 bool lacks_seams(const FlatPiece& piece) {
-  if (!piece.error) return false;
+  if (!piece.error) return piece.strain >= kMostStrain && !has_wires(piece.chart);
   switch (piece.error->code) {
     case ErrorCode::closed_chart:
     case ErrorCode::handles:

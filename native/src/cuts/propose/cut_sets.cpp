@@ -77,6 +77,7 @@ CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const Cu
                            const ExactEvaluation& exact, CutProgress& progress)
     : pieces_(pieces),
       input_chart_(pieces[piece]->chart),
+      is_flat_(!pieces[piece]->error),
       chart_(in_canonical_order(input_chart_, exact.stop())),
       map_(chart_),
       image_(mirror_image(chart_, exact.stop())),
@@ -271,8 +272,8 @@ void CutSetSearch::report_strain(double first, double now) {
 
 std::vector<DartProposal> CutSetSearch::search() {
   progress_.enter(0, kOpened);
-  const CutMask opened = opening();
-  if (is_empty(opened)) throw none_found(input_chart_, cut_options_);
+  const CutMask opened = is_flat_ ? CutMask(chart_.mesh.n_edges(), 0) : opening();
+  if (is_empty(opened) && !is_flat_) throw none_found(input_chart_, cut_options_);
   std::vector<CutSet> sets{evaluate(pieces_, opened)};
   const DartProposal& least = sets.front().proposal;
   if (!sets.front().lies_flat) throw none_found(input_chart_, cut_options_);

@@ -14,9 +14,10 @@
 
 namespace wirewarp {
 
-/// Searches for sets of cuts of one piece that has no flat shape. First it finds a cut that makes all of the piece
-/// flat, then it cuts the part with most strain, one cut after the other. Candidates are lines and bisections; of those
-/// that remove much of the distortion, it takes the one that removes most for its length.
+/// Searches for sets of cuts of one piece that has no flat shape, or one that needs too much strain. First it finds a
+/// cut that makes all of the piece flat, then it cuts the part with most strain, one cut after the other. Candidates
+/// are lines and bisections; of those that remove much of the distortion, it takes the one that removes most for its
+/// length.
 class CutSetSearch {
  public:
   /// piece: one of the pieces. All references are kept.
@@ -58,7 +59,8 @@ class CutSetSearch {
 
   const FlatPieces& pieces_;
   const Chart& input_chart_;
-  const Chart chart_;  // in canonical order
+  const bool is_flat_;  // with too much strain
+  const Chart chart_;   // in canonical order
   const PartMap map_;
   const std::vector<VertexHandle> image_;
   const MirroredCuts mirrored_;
