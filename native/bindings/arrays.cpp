@@ -174,9 +174,9 @@ VertexPairs read_seams(py::handle value) {
   return read_indices<VertexPairs>(value, "seams", "Seam edge");
 }
 
-VertexPairs read_no_seam(py::handle value) {
+VertexPairs read_edges(py::handle value, const std::string& name) {
   if (value.is_none()) return VertexPairs(0, 2);
-  return read_indices<VertexPairs>(value, "no_seam", "Edge");
+  return read_indices<VertexPairs>(value, name, "Edge");
 }
 
 VertexPairs read_half_edges(py::handle value) {

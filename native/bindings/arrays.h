@@ -25,8 +25,8 @@ Triangles read_faces(py::handle value);
 /// Reads seams (k, 2), whole numbers; None or an empty list for no seams.
 VertexPairs read_seams(py::handle value);
 
-/// Reads no_seam (k, 2), whole numbers; None or an empty list for no edges.
-VertexPairs read_no_seam(py::handle value);
+/// Reads an array (k, 2) of whole numbers; None or an empty list for no edges.
+VertexPairs read_edges(py::handle value, const std::string& name);
 
 /// Reads the half-edges of an Ease.
 VertexPairs read_half_edges(py::handle value);

@@ -42,6 +42,7 @@ smooth: True for darts that are smooth lines across triangles without corners, s
     vertices, faces, edges, sources = cut_mesh(vertices, faces, proposal.paths) makes them, and its figures are those of
     flatten(vertices, faces, seams=[*seams, *edges]). Around its tip, the mean strain is at most 3% or that of the piece
     without the dart.
+no_crossing: (k, 2) vertex pairs, edges that no smooth dart may cross or touch; darts along edges may.
 progress: called as progress("cuts", fraction); returning False cancels, which raises FlattenError.
 The other arguments are those of flatten().
 
@@ -54,11 +55,12 @@ constexpr const char* kSeamsDoc =
 Arguments, figures and errors are those of propose_darts().
 
 Cut sets: a piece may have no flat shape because it lacks seams: it is closed (a ball), has handles, or its outline is
-too short (a tube). A flat shape with a strain of 1 or more counts as none if no wire is in it. Then each proposal is a set of seams and darts with which all parts have a flat shape. If no piece
-is requested, the largest one that lacks seams is cut. The first set brings every part to the accepted strain (None for
-0.05) if at most forty cuts and their mirror images can do so. Each later set is shorter and leaves more strain. Sets
-are symmetric if the piece is, and may cross wires. For a set, edges has one line after the other, energy is that of all
-parts, strain that of the worst part, and longest limits the whole set; energy_before and strain_before are infinite.
+too short (a tube). A flat shape with a strain of 1 or more counts as none if no wire is in it. Then each proposal is a
+set of seams and darts with which all parts have a flat shape. If no piece is requested, the largest one that lacks
+seams is cut. The first set brings every part to the accepted strain (None for 0.05) if at most forty cuts and their
+mirror images can do so. Each later set is shorter and leaves more strain. Sets are symmetric if the piece is, and may
+cross wires. For a set, edges has one line after the other, energy is that of all parts, strain that of the worst part,
+and longest limits the whole set; energy_before and strain_before are infinite.
 Raises "no_proposal" if no_seam or longest allow no set.)";
 
 constexpr const char* kStartDartsDoc =
@@ -113,18 +115,13 @@ If the job is canceled, its result has the seams that remain by then.)";
 
 CutOptions read_cut_options(std::optional<int> piece, int count, std::optional<double> strain,
                             std::optional<double> longest, const py::object& no_seam) {
-  return {piece, count, strain, longest.value_or(CutOptions().longest), read_no_seam(no_seam)};
+  return {piece, count, strain, longest.value_or(CutOptions().longest), read_edges(no_seam, "no_seam")};
 }
 
 CutTarget read_cut_target(double strain, int most, std::optional<double> longest, std::optional<double> total_length,
                           std::optional<int> piece, bool twins, const py::object& no_seam) {
-  return {strain,
-          most,
-          longest.value_or(CutTarget().longest),
-          total_length.value_or(CutTarget().total_length),
-          piece,
-          twins,
-          read_no_seam(no_seam)};
+  return {strain, most,  longest.value_or(CutTarget().longest), total_length.value_or(CutTarget().total_length),
+          piece,  twins, read_edges(no_seam, "no_seam")};
 }
 
 Plan plan_of(const std::string& kind) {
@@ -166,18 +163,21 @@ std::vector<DartProposal> run_darts(const py::object& vertices, const py::object
                                     const py::object& wires, const py::object& options, const py::object& eases,
                                     std::optional<int> piece, int count, std::optional<double> strain,
                                     std::optional<double> longest, const py::object& no_seam, bool smooth,
-                                    const py::object& progress) {
+                                    const py::object& no_crossing, const py::object& progress) {
   CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
   cut_options.is_smooth = smooth;
+  cut_options.no_crossing = read_edges(no_crossing, "no_crossing");
   return find_now(search_of(propose_darts, vertices, faces, seams, wires, options, eases, cut_options), progress);
 }
 
 std::unique_ptr<Job> start_darts(const py::object& vertices, const py::object& faces, const py::object& seams,
                                  const py::object& wires, const py::object& options, const py::object& eases,
                                  std::optional<int> piece, int count, std::optional<double> strain,
-                                 std::optional<double> longest, const py::object& no_seam, bool smooth) {
+                                 std::optional<double> longest, const py::object& no_seam, bool smooth,
+                                 const py::object& no_crossing) {
   CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
   cut_options.is_smooth = smooth;
+  cut_options.no_crossing = read_edges(no_crossing, "no_crossing");
   return std::make_unique<Job>(
       work_that(search_of(propose_darts, vertices, faces, seams, wires, options, eases, cut_options)));
 }
@@ -295,12 +295,13 @@ void bind_propose(py::module_& module) {
       .field("strain_before", &SeamProposal::strain_before)
       .field("was_stopped", &SeamProposal::was_stopped)
       .picklable();
-  const py::arg_v progress = py::arg("progress") = py::none(), smooth = py::arg("smooth") = false;
-  define_proposals(module, "propose_darts", &run_darts, kDartsDoc, smooth, progress);
+  const py::arg_v progress = py::arg("progress") = py::none(), smooth = py::arg("smooth") = false,
+                  no_crossing = py::arg("no_crossing") = py::none();
+  define_proposals(module, "propose_darts", &run_darts, kDartsDoc, smooth, no_crossing, progress);
   define_proposals(module, "propose_seams", &run<propose_seams>, kSeamsDoc, progress);
   define_plan(module, "plan_cuts", &run_plan, kPlanDoc, progress);
   define_simplify(module, "simplify_seams", &run_simplify, kSimplifyDoc, progress);
-  define_proposals(module, "start_darts", &start_darts, kStartDartsDoc, smooth);
+  define_proposals(module, "start_darts", &start_darts, kStartDartsDoc, smooth, no_crossing);
   define_proposals(module, "start_seams", &start<propose_seams>, kStartSeamsDoc);
   define_plan(module, "start_plan", &start_plan, kStartPlanDoc);
   define_simplify(module, "start_simplify", &start_simplify, kStartSimplifyDoc);

@@ -412,6 +412,7 @@ def propose_darts(
     longest: float | None = None,
     no_seam: npt.ArrayLike | None = None,
     smooth: bool = False,
+    no_crossing: npt.ArrayLike | None = None,
     progress: Callable[[str, float], bool | None] | None = None,
 ) -> list[DartProposal]: ...
 def propose_seams(
@@ -461,6 +462,7 @@ def start_darts(
     longest: float | None = None,
     no_seam: npt.ArrayLike | None = None,
     smooth: bool = False,
+    no_crossing: npt.ArrayLike | None = None,
 ) -> Job[list[DartProposal]]: ...
 def start_seams(
     vertices: npt.ArrayLike,

@@ -111,6 +111,20 @@ def test_painted_faces_are_not_entered(addon):
         assert crossed.isdisjoint(cut.segments.polygons.tolist())
 
 
+def test_darts_along_edges_may_run_around_painted_faces(addon):
+    """Every second face is painted, so that smooth lines have no way, and each inner edge is beside a painted face."""
+    source = grid("Bump", bump)
+    painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
+    painted.data.foreach_set("value", [(index + index // 8) % 2 == 0 for index in range(64)])
+    bpy.context.scene.wirewarp.dart_lines = "SMOOTH"
+    SUGGEST["DARTS"]()
+    cuts = found(addon, source).cuts
+    assert all(cut.edges for cut in cuts)
+    for polygon, value in zip(source.data.polygons, painted.data, strict=True):
+        if value.value:
+            assert not any({a, b} <= set(polygon.vertices) for cut in cuts for a, b in cut.diagonals)
+
+
 def test_along_edges_the_mesh_stays(addon):
     source = grid("Bump", bump, faces="triangles")
     bpy.context.scene.wirewarp.dart_lines = "EDGES"

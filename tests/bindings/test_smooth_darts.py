@@ -118,11 +118,25 @@ def test_cuts_along_edges_have_paths_that_change_no_mesh(propose):
     assert (edges == proposal.edges).all()
 
 
-def test_edges_without_seams_are_not_crossed():
+@pytest.mark.parametrize("name", ["no_seam", "no_crossing"])
+def test_barred_edges_are_not_crossed(name):
     vertices, faces = DOME
     first = propose_darts(vertices, faces, count=1, smooth=True)[0]
     crossed = cut_mesh(vertices, faces, first.paths)[3].divided_edges
     barred = np.array([line[[0, -1]] for line in crossed])
-    for proposal in propose_darts(vertices, faces, smooth=True, no_seam=barred):
+    for proposal in propose_darts(vertices, faces, smooth=True, **{name: barred}):
         divided = {tuple(line[[0, -1]].tolist()) for line in cut_mesh(vertices, faces, proposal.paths)[3].divided_edges}
         assert divided.isdisjoint(map(tuple, barred.tolist()))
+
+
+def test_darts_along_edges_may_run_where_no_smooth_one_may_cross():
+    vertices, faces = DOME
+    every = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    along = propose_darts(vertices, faces, count=9)
+    best, *others = propose_darts(vertices, faces, count=9, smooth=True, no_crossing=every)
+
+    def left(dart):
+        return dart.strain if dart.strain_with_twin is None else dart.strain_with_twin
+
+    assert len(best.edges) and left(best) == pytest.approx(min(map(left, along)), rel=1e-9)
+    assert len(others) == (0 if best.twin is None else 1)

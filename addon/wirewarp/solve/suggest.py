@@ -99,9 +99,10 @@ def suggest_cuts(
     try:
         shared = library_arguments(library, arrays, choices)
         across = diagonals(arrays)
-        barred = np.concatenate([_barred_edges(arrays, no_seam, wish), _barred_diagonals(across, arrays, no_seam)])
+        barred = np.concatenate([_barred_edges(arrays, no_seam), _barred_diagonals(across, arrays, no_seam)])
         arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": wish.piece}
-        proposals = yield from result_of(_start(library, wish, arguments | {"no_seam": barred}))
+        around = arrays.edges[painted_at_edges(arrays, no_seam) > 0]
+        proposals = yield from result_of(_start(library, wish, arguments | {"no_seam": barred}, around))
         if wish.target is not None:
             return _steps_of(proposals, arrays, wish.piece)
         cuts = _with_mirror_images(proposals, arrays)
@@ -113,12 +114,17 @@ def suggest_cuts(
         raise ObjectError(issue) from error
 
 
-def _start(library: ModuleType, wish: Wish, arguments: dict[str, Any]) -> "Job[list[DartProposal]]":
+def _start(
+    library: ModuleType, wish: Wish, arguments: dict[str, Any], around_painted: np.ndarray
+) -> "Job[list[DartProposal]]":
+    """Start the search. around_painted: edges (k,2) that smooth lines would cross to enter painted faces."""
     target, is_dart = wish.target, wish.kind == "DARTS"
     if target is not None:
         limits = {"strain": target.strain, "most": target.most, "total_length": target.length}
         return library.start_plan(**arguments, **limits, kind="dart" if is_dart else "seam", twins=True)
-    return library.start_darts(**arguments, smooth=wish.is_smooth) if is_dart else library.start_seams(**arguments)
+    if not is_dart:
+        return library.start_seams(**arguments)
+    return library.start_darts(**arguments, smooth=wish.is_smooth, no_crossing=around_painted)
 
 
 def diagonals(arrays: MeshArrays) -> np.ndarray:
@@ -128,14 +134,10 @@ def diagonals(arrays: MeshArrays) -> np.ndarray:
     return np.unique(sides[~np.isin(edge_keys(sides, count), edge_keys(arrays.edges, count))], axis=0)
 
 
-def _barred_edges(arrays: MeshArrays, no_seam: NoSeam, wish: Wish) -> np.ndarray:
-    """Return edges (k,2) with both ends painted, or with painted faces only: a cut may run around painted faces.
-
-    A smooth line may cross no edge of a painted face.
-    """
+def _barred_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
+    """Return edges (k,2) with both ends painted, or with painted faces only: a cut may run around painted faces."""
     counts = np.bincount(arrays.loop_edges, minlength=len(arrays.edges))
-    painted = painted_at_edges(arrays, no_seam)
-    is_barred = painted > 0 if wish.is_smooth else (counts > 0) & (painted == counts)
+    is_barred = (counts > 0) & (painted_at_edges(arrays, no_seam) == counts)
     return arrays.edges[is_barred | no_seam.vertices[arrays.edges].all(axis=1)]
 
 

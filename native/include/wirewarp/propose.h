@@ -44,6 +44,7 @@ struct CutOptions {
   double longest = std::numeric_limits<double>::infinity();  // length of a cut or set, on the surface, scene units; > 0
   VertexPairs no_seam = VertexPairs(0, 2);                   // (k, 2) edges along which no cut may run
   bool is_smooth = false;                       // darts may be smooth lines across triangles, too; not for seams
+  VertexPairs no_crossing = VertexPairs(0, 2);  // (k, 2) edges that no smooth dart may cross or touch
 };
 
 /// Returns darts that lower the energy and the strain of a piece by at least 2%, to a strain below 1. They are sorted

@@ -150,6 +150,15 @@ std::optional<std::size_t> without_shape(const FlatPieces& pieces, const CutOpti
   return largest;
 }
 
+void check_edges(const std::string& name, const VertexPairs& pairs, const FlattenInput& input, const EdgeTable& edges) {
+  for (const auto& ends : pairs.rowwise()) {
+    const bool are_vertices = ends.minCoeff() >= 0 && ends.maxCoeff() < input.vertices.rows();
+    if (are_vertices && edges.find(ends[0], ends[1]) >= 0) continue;
+    throw wrong_option(name, "a list with the pair " + std::to_string(ends[0]) + ", " + std::to_string(ends[1]),
+                       "hold edges of the mesh");
+  }
+}
+
 }  // namespace
 
 void check_cut_options(const CutOptions& cut_options, const FlattenInput& input, std::size_t num_pieces) {
@@ -162,14 +171,10 @@ void check_cut_options(const CutOptions& cut_options, const FlattenInput& input,
                        "be from 0 to " + std::to_string(num_pieces - 1) + ", as the mesh has " +
                            std::to_string(num_pieces) + (num_pieces == 1 ? " piece" : " pieces"));
   }
-  if (cut_options.no_seam.rows() == 0) return;
+  if (cut_options.no_seam.rows() + cut_options.no_crossing.rows() == 0) return;
   const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
-  for (const auto& ends : cut_options.no_seam.rowwise()) {
-    const bool are_vertices = ends.minCoeff() >= 0 && ends.maxCoeff() < input.vertices.rows();
-    if (are_vertices && edges.find(ends[0], ends[1]) >= 0) continue;
-    throw wrong_option("no_seam", "a list with the pair " + std::to_string(ends[0]) + ", " + std::to_string(ends[1]),
-                       "hold edges of the mesh");
-  }
+  check_edges("no_seam", cut_options.no_seam, input, edges);
+  check_edges("no_crossing", cut_options.no_crossing, input, edges);
 }
 
 bool lacks_seams(const FlatPiece& piece) {

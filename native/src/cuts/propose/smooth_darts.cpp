@@ -72,8 +72,10 @@ class SmoothDartSearch {
         evaluation_(pieces, piece, exact),
         finder_(chart_, search.forbidden()),
         lines_(chart_) {
+    CutMask barred = PartMap(chart_).mask_of(as_list(cut_options.no_crossing));
+    unite(barred, search.forbidden().edges);
     for (const EdgeHandle edge : chart_.mesh.edges()) {
-      if (search.forbidden().edges[edge.idx()] != 0) lines_.add(chart_.mesh, chart_.mesh.halfedge_handle(edge, 0));
+      if (barred[edge.idx()] != 0) lines_.add(chart_.mesh, chart_.mesh.halfedge_handle(edge, 0));
     }
   }
 
