@@ -74,7 +74,7 @@ def test_copies_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path,
     pages = preview(addon, source, arrangement=arrangement, pairs=True, on_fold=True)
     path = tmp_path / "a.pdf"
     bpy.ops.object.wirewarp_export(filepath=str(path), arrangement=arrangement, pairs=True, on_fold=True)
-    assert len(frames(pages)) == sheets_in(path) - 1  # the map
+    assert len(frames(pages)) == sheets_in(path) - 1  # minus the page with the map
     if arrangement == "IN_ROWS":  # 100 x 100 or 50 x 200 mm, and 10 mm of allowance but at the fold
         size = sorted(100 * np.ptp(pages.places["cut"][:, :2], axis=0))
         assert size in (pytest.approx([110, 120], abs=0.01), pytest.approx([60, 220], abs=0.01))

@@ -13,7 +13,7 @@ def number(name: str, description: str, values: tuple[float, ...], **others: Any
 
 
 def in_percent(field: str) -> dict[str, Any]:
-    """Return what shows another field of the operator, which is a fraction, in percent."""
+    """Return arguments of a property that shows another field, a fraction, in percent."""
     return {
         "subtype": "PERCENTAGE",
         "precision": 2,

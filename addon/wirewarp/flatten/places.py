@@ -120,7 +120,7 @@ def crowded_text(names: list[str]) -> str:
 
 
 def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:
-    """Return the pieces; None without any that the user has kept."""
+    """Return the present flat pieces of the mesh; None if it has none."""
     if not len(mesh.polygons) or not has_attributes(mesh, SOURCE_VERTEX, PIECE):
         return None
     try:

@@ -120,7 +120,7 @@ def _seams_of_report(edges: LineEdges, report: ObjectReport) -> np.ndarray:
 
 
 def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) -> tuple[str, ...]:
-    """Return the texts with the joined pieces; on a flat piece, with the other piece. number: from 1."""
+    """Return the seam's name with the joined pieces (on a flat piece, with the other one), and the name alone."""
     seam = report.seams[number - 1]
     joined = joined_pieces(report, [each for each in seam.pieces if not on_flat or each != piece])
     return (f"{seam.name}: {joined}", seam.name) if joined and len(set(seam.pieces)) > 1 else (seam.name,)

@@ -72,7 +72,7 @@ def kept_drawing(
 
 
 def reused(old: Any, new: Any) -> Any:  # noqa: ANN401
-    """Return new, but with all parts of old that are the same."""
+    """Return the new data, with all equal parts taken from the old one."""
     if is_same(old, new):
         return old
     if isinstance(old, dict) and isinstance(new, dict):

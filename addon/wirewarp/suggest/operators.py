@@ -44,7 +44,7 @@ class Search:
     model: Model
     choices: FlattenChoices
     no_seam: NoSeam  # of the model's own mesh
-    with_modifiers: bool  # which make a mesh of their own
+    with_modifiers: bool  # modifiers that make another mesh
     steps: Steps[list[Cut]]
     names: dict[int, str]  # of pieces, where they are known
 
