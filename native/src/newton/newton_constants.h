@@ -8,46 +8,46 @@ namespace wirewarp {
 struct NewtonConstants {
   // When to stop.
 
-  /// Predicted decrease of f over f that a step must have. Lengths are exact at every step, so that only the shape
-  /// gains from more digits, and f has rounding errors of 1e-13 on a million triangles.
+  /// Smallest predicted decrease of a step, relative to f. Lengths are exact at every step, so more digits improve only
+  /// the shape, and f has rounding errors of 1e-13 on a million triangles.
   static constexpr double worthwhile = 1e-9;
-  /// The same for shapes that others start from: without a cloth, for those of a cloth; with fixed seams, for those
-  /// of elastic seams. On the samples 1e-2 takes a tenth more factorizations in all; 1 takes 16 instead of 10 on a
+  /// The same for shapes from which others start: without a fabric for those with one, and with fixed seams for those
+  /// with elastic ones. On the samples, 1e-2 takes a tenth more factorizations in all; 1 takes 16 instead of 10 on a
   /// quarter sphere.
   static constexpr double worthwhile_on_the_way = 0.1;
-  /// f over the area, below which a shape is isometric: strains of 1e-11, a hundredth of what lengths are guaranteed
-  /// to.
+  /// f over the area below which a shape counts as isometric: strains of 1e-11, a hundredth of the guaranteed precision
+  /// of lengths.
   static constexpr double isometric = 1e-22;
-  /// Factorizations after which flipped triangles are not expected to open: twice as many change no verdict on 300
-  /// random cases. There is a start that flips none (newton/injective_shape.h).
+  /// Factorizations after which flipped triangles are not expected to open. Twice as many change no verdict on 300
+  /// random cases. Another start flips no triangle (newton/injective_shape.h).
   static constexpr int patience = 30;
 
   // Newton steps.
 
-  /// Slope over f, below which the Hessian hardly changes along a step: the next step can use the same factor. A tenth
-  /// of it takes 1 % more factorizations.
+  /// Slope over f below which the Hessian hardly changes along a step, so that the next step can use the same factor. A
+  /// tenth of it takes 1% more factorizations.
   static constexpr double near_minimum = 1e-2;
-  /// Slope of a step with an old factor over that of the step before. Where it falls less, a new factor is the cheaper
-  /// way: it costs as much as about four steps with the old one.
+  /// Slope of a step with an old factor, relative to that of the previous step. If it falls less, a new factor is
+  /// cheaper: it costs as much as about four steps with the old one.
   static constexpr double falls_fast = 0.1;
 
   // Steps in the trust region.
 
-  /// Share of the decrease that the model predicts, from which on a step is taken: as usual (Nocedal, Wright,
-  /// algorithm 4.1, where it is below 1/4).
+  /// Share of the predicted decrease from which on a step is accepted, as usual (Nocedal, Wright, algorithm 4.1, where
+  /// it is below 1/4).
   static constexpr double accept_ratio = 0.1;
-  /// The same, from which on twice the radius is tried. Lower than the usual 3/4, because a larger step costs no
+  /// Share from which on twice the radius is tried. It is lower than the usual 3/4, because a larger step costs no
   /// factorization: one basis is enough for all radii.
   static constexpr double grow_ratio = 0.5;
-  /// What the radius is divided by after a bad step: as usual, 2 to 4.
+  /// Divisor of the radius after a bad step; 2 to 4 is usual.
   static constexpr double shrink = 3;
-  /// Radii that are tried, shorter or longer: 30 change no shape on 300 random cases, where a step 3¹⁰ times shorter
-  /// gains nothing.
+  /// Number of radii that are tried, shorter or longer. 30 change no shape on 300 random cases, where a step that is
+  /// 3¹⁰ times shorter gains nothing.
   static constexpr int max_radii = 10;
-  /// Vectors of the Krylov space, a few substitutions each: on 300 random cases 8 take 4 % more factorizations, 30 no
-  /// fewer.
+  /// Number of vectors of the Krylov space, which take a few substitutions each. On 300 random cases, 8 take 4% more
+  /// factorizations, and 30 no fewer.
   static constexpr int max_krylov_size = 15;
-  /// Negative curvature over that of the convex part, below which leaving a saddle gains nothing worthwhile.
+  /// Negative curvature, relative to that of the convex part, below which leaving a saddle gains nothing worthwhile.
   static constexpr double flat_curvature = 1e-4;
 };
 

@@ -11,7 +11,7 @@
 namespace wirewarp {
 namespace {
 
-/// Slivers and edges of 1e-8 of the piece feel rounding errors of f.
+/// Returns the f of an isometric layout, including rounding: slivers, and edges of 1e-8 of the piece, feel it.
 double find_isometric_value(const Problem& problem, const FairShapeError& objective, const Positions2& layout) {
   const double extent = (layout.colwise().maxCoeff() - layout.colwise().minCoeff()).maxCoeff();
   return std::max(NewtonConstants::isometric * problem.area(),

@@ -16,8 +16,8 @@ inline constexpr Convexity kLaplacian{Curvature::none, false};
 
 enum class StepOutcome {
   accepted,
-  rejected,   // the Hessian is not positive, or no step goes down as predicted
-  converged,  // what a step is predicted to gain is not worthwhile
+  rejected,   // the Hessian is not positive, or no step decreases f as predicted
+  converged,  // the predicted gain of another step is not worthwhile
 };
 
 /// A layout between two steps.
@@ -27,7 +27,7 @@ struct Iterate {
   double value = 0;           // f
 };
 
-/// What the steps of minimize() work on: the shape at hand, and the linear system of its last factorization.
+/// The state that the steps of minimize() change: the current shape, and the linear system of its last factorization.
 struct NewtonState {
   /// The problem must outlive the state.
   NewtonState(const Problem& the_problem, const Stage& the_stage, const Shape& start, const Control& the_control);
@@ -36,25 +36,25 @@ struct NewtonState {
 
   double length_error() const { return constraints.largest_error(constraints.residual(now.uv, now.variation)); }
 
-  /// Nothing is left to gain: f is at least 0.
+  /// Whether nothing is left to gain, because f is at least 0.
   bool is_isometric() const { return now.value <= isometric_value; }
 
-  /// Predicted decrease of f that a step must have.
+  /// Returns the smallest predicted decrease of f that a step must have.
   double worthwhile_decrease() const;
 
-  /// f and its gradient at the shape at hand.
+  /// Computes f and its gradient at the current shape.
   void update_gradient() { now.value = objective.value_and_gradient(now.uv, gradient); }
 
   int num_factorizations() const { return system ? system->num_factorizations() : 0; }
 
-  /// Linearizes at the shape at hand. Returns false if the Hessian is not positive on the tangent space of the lengths.
+  /// Linearizes at the current shape. Returns false if the Hessian is not positive on the tangent space of the lengths.
   bool factorize(const Convexity& convexity);
 
-  /// Takes the trial back to exact lengths and computes its f. Returns false if that fails, if something forbidden lies
-  /// on the way, or if the caller stopped.
+  /// Moves the trial back to exact lengths and computes its f. Returns false if that fails, if the path to it crosses
+  /// something forbidden, or if the caller stopped.
   bool evaluate(Iterate& trial) const;
 
-  /// The shape at hand and its figures.
+  /// Returns the current shape with its figures.
   Solution solution(SolutionStatus status) const;
 
   const Problem& problem;
@@ -62,8 +62,8 @@ struct NewtonState {
   const Control control;
   const LengthConstraints constraints;
   FairShapeError objective;
-  const double isometric_value;        // f, below which a layout is isometric but for rounding
-  std::optional<NewtonSystem> system;  // from the first factorization on: shapes without strain need none
+  const double isometric_value;        // f below which a layout is isometric except for rounding
+  std::optional<NewtonSystem> system;  // set by the first factorization; shapes without strain need none
   Iterate now;
   Positions2 gradient;          // of f
   Eigen::VectorXd multipliers;  // λ

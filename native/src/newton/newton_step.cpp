@@ -73,7 +73,7 @@ bool take_steps_with_factor(NewtonState& state, double slope) {
   return false;
 }
 
-/// Does the same from exact lengths to exact lengths, downhill.
+/// Takes such steps from exact lengths to exact lengths, if they decrease f.
 StepOutcome go_on_with_factor(NewtonState& state, double slope) {
   const Iterate begin = state.now;
   const Eigen::VectorXd multipliers = state.multipliers;

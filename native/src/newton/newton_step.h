@@ -6,14 +6,14 @@
 
 namespace wirewarp {
 
-/// Moves the start to exact lengths by one Newton step and a retraction. The Hessian is the Laplacian. Near the minimum
-/// it is the exact Hessian, or its convex part if that is not positive. Near the minimum, a second step follows if the
-/// first one is too long, and further steps use the factor at hand as long as they help. Rejected if lengths are not
-/// exact at the end. Throws Stopped.
+/// Moves the start to exact lengths by one Newton step and a retraction. Far from the minimum, the Hessian is the
+/// Laplacian. Near it, the exact Hessian is used, or its convex part if that is not positive; a second step follows if
+/// the first is too long, and further steps use the same factor as long as they help. Rejected if lengths are not exact
+/// at the end. Throws Stopped.
 StepOutcome reach_exact_lengths(NewtonState& state, bool is_near_minimum);
 
-/// Steps from exact lengths to exact lengths, downhill, with the exact Hessian; near the minimum several steps use one
-/// factor. Rejected if the Hessian is not positive, or if f does not fall as predicted.
+/// Takes a step that decreases f from exact lengths to exact lengths, with the exact Hessian; near the minimum, several
+/// steps with one factor. Rejected if the Hessian is not positive, or if f does not fall as predicted.
 StepOutcome take_newton_step(NewtonState& state);
 
 }  // namespace wirewarp

@@ -26,7 +26,7 @@ constexpr double kSmallestStiffness = 1e8;
 // than 1e8. Not larger, because rounding errors of the entries of short edges must stay far below the stiffness of the
 // surface.
 constexpr double kStiffness = 10;
-constexpr int kMultiplierSteps = 3;  // mostly one is enough; after three, rounding prevents better ones
+constexpr int kMultiplierSteps = 3;  // usually one is enough; after three, rounding prevents further gains
 // Relative error of length changes tolerated in a Newton step; the retraction to exact lengths corrects it afterwards.
 constexpr double kAccuracy = 1e-9;
 // Least pivot over the largest diagonal entry: ten times the error of S if ρ keeps the lengths to five digits.
@@ -188,7 +188,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
   }
 }
 
-/// Adds what couples h with positions, −ρ l d̂ at the end b of an edge, and the diagonal of h, ρ l².
+/// Adds the terms that couple h with positions, −ρ l d̂ at the end b of an edge, and the diagonal of h, ρ l².
 void NewtonSystem::add_elastic_springs(double stiffness_share) {
   auto blocks = elastic_blocks_.begin();
   for (int e = 0; e < constraints_.size(); ++e) {
@@ -242,7 +242,7 @@ Eigen::VectorXd NewtonSystem::response(const Eigen::VectorXd& tensions) const {
   return x;
 }
 
-/// J d.
+/// Returns J d.
 Eigen::VectorXd NewtonSystem::changes_of_length(const Eigen::VectorXd& d) const {
   return constraints_.apply(directions_, Eigen::Map<const Positions2>(d.data(), num_positions_ / 2, 2));
 }
@@ -263,7 +263,7 @@ NewtonSystem::Reduced NewtonSystem::reduce(const Positions2& r1, const Eigen::Ve
   reduced.d.head(num_positions_) = Eigen::Map<const Eigen::VectorXd>(r1.data(), r1.size());
   constraints_.add_transposed(directions_, tensions, Eigen::Map<Positions2>(reduced.d.data(), r1.rows(), 2));
   cholesky_->substitute_forward(reduced.d, cholesky_->all());
-  // Forward substitution leaves ρ J A⁻¹ b, from which ρ r₂ is still to be taken off.
+  // Forward substitution leaves ρ J A⁻¹ b, from which ρ r₂ must be subtracted.
   reduced.pull = reduced.d.segment(num_positions_, constraints_.num_elastic()) -
                  constraints_.elastic_lengths().transpose() * tensions;
   return reduced;

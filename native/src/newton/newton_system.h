@@ -46,7 +46,8 @@ class NewtonSystem {
   NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
                const Positions2& positions, const StopToken& stop = {});
 
-  /// ρ, one per edge, used from the next factorization on. The default is large enough to keep the lengths.
+  /// The stiffness ρ, one per edge, used from the next factorization on. The default is large enough to keep the
+  /// lengths.
   const Eigen::VectorXd& stiffness() const { return stiffness_; }
   void set_stiffness(Eigen::VectorXd stiffness) { stiffness_ = std::move(stiffness); }
 
@@ -59,7 +60,7 @@ class NewtonSystem {
   Eigen::SparseMatrix<double> hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
                                       const Convexity& convexity);
 
-  /// Size of a vector d with the unknowns h.
+  /// Returns the size of a vector d with the unknowns h.
   Eigen::Index num_unknowns() const { return matrix_.lower().rows(); }
 
   /// A right-hand side after forward substitution, before h is chosen.
@@ -100,13 +101,13 @@ class NewtonSystem {
   /// Returns the least d in the metric H with J d = r2, on the wires, to the accuracy of one solve.
   Eigen::VectorXd least_change(const Eigen::VectorXd& r2) const;
 
-  /// Completes the back substitution: d everywhere.
+  /// Completes the back substitution. Returns d everywhere.
   Positions2 finish(const Eigen::VectorXd& d_on_wires) const;
 
-  /// A⁻¹ b. One row per chart vertex.
+  /// Returns A⁻¹ b, one row per chart vertex.
   Positions2 apply_inverse(const Positions2& b) const;
 
-  /// d̂ of the linearization.
+  /// Returns the directions d̂ of the linearization.
   const Positions2& directions() const { return directions_; }
 
   int num_factorizations() const { return num_factorizations_; }

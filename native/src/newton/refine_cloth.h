@@ -15,22 +15,22 @@
 
 namespace wirewarp {
 
-/// Holds the direction that two vertices have in a layout.
+/// Returns a row that keeps the direction between two vertices of a layout.
 inline GrainRow hold_direction(const VertexPair& pair, const Positions2& uv) {
   const Eigen::Vector2d chord = (uv.row(pair[1]) - uv.row(pair[0])).transpose().normalized();
   return {pair[0], pair[1], {chord.y(), -chord.x()}};
 }
 
-/// Holds the direction that says how a chart is turned.
+/// Returns a row that keeps the chart from turning.
 GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& options);
 
-/// Turns an exact solution of refine_chart() upright, x along the weft, and refines it for options.cloth unless it is
-/// flipped. Its multipliers then have one for the row, last. Keeps the shape at hand if the caller stops, if the budget
-/// is spent, or if the cloth would flip a triangle or make the piece overlap itself. The cloth's stretch comes later
-/// (newton/solve/stretch_charts.h).
+/// Turns an exact solution of refine_chart() upright, with x along the weft, and refines it for options.cloth unless it
+/// is flipped. The last one of its multipliers belongs to the row. Keeps the current shape if the caller stops, if the
+/// budget is spent, or if the fabric would flip a triangle or make the piece overlap itself. The fabric's stretch comes
+/// later (newton/solve/stretch_charts.h).
 void refine_cloth(Problem& problem, const InternalOptions& options, const Control& control, Solution& solution);
 
-/// Solves a chart from scratch, also for the cloth if there is one. Returns an injective shape, or none.
+/// Solves a chart from scratch, for the fabric if there is one. Returns an injective shape, or none.
 std::optional<Solution> refine_injective(const Chart& chart, const InternalOptions& options, const Control& control);
 
 }  // namespace wirewarp
