@@ -72,8 +72,8 @@ class PatternSettings:
         update=_redraw,
     )
     pairs: BoolProperty(
-        name="Pairs and Copies",
-        description="Draw pieces of one shape once, with the number to cut: mirrored pairs and equal pieces",
+        name="Equal Pieces",
+        description="Draw pieces of one shape once, with the number to cut, also mirrored ones",
         update=_redraw,
     )
     on_fold: BoolProperty(

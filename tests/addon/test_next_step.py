@@ -251,3 +251,6 @@ def test_a_fabric_is_offered_if_it_stretches_far_enough_in_each_direction(addon)
     report = SimpleNamespace(pieces=[SimpleNamespace(threads=threads) for threads in strains])
     offered, others = addon.report_panel.flatten_panel.fabrics_to_choose(report)
     assert {"minky", "foam"} <= set(offered) and "felt" in others
+    assert addon.report_panel.flatten_panel.fabrics_to_choose(report, "felt")[1] == [
+        name for name in others if name != "felt"
+    ]

@@ -29,8 +29,10 @@ FAR_ENOUGH = "These stretch far enough for the present pieces"
 TO_TRY = "These may, because each fabric changes the pieces"
 
 
-def fabrics_to_choose(report: ObjectReport) -> tuple[list[str], list[str]]:
+def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str], list[str]]:
     """Return the presets that stretch far enough for the present pieces, and the others; the least stretching first.
+
+    present: the fabric of these pieces, which needs no other try.
 
     Only another run shows this for sure, because the pieces of each fabric have other shapes.
     """
@@ -39,7 +41,7 @@ def fabrics_to_choose(report: ObjectReport) -> tuple[list[str], list[str]]:
     limits = {name: Cloth.preset(name).limits for name in Cloth.presets()}
     names = sorted(limits, key=lambda name: min(limits[name]))
     can = [name for name in names if across <= limits[name][0] and along <= limits[name][1]]
-    return can, [name for name in names if name not in can]
+    return can, [name for name in names if name not in can and name != present]
 
 
 class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
@@ -48,9 +50,10 @@ class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
     bl_label = "Choose Fabric"
 
     def draw(self, context: bpy.types.Context) -> None:
-        report, layout = shown_report(context), self.layout
+        report, layout, present = shown_report(context), self.layout, context.scene.wirewarp.cloth.lower()
         layout.operator_context = "INVOKE_DEFAULT"
-        for heading, names in zip((FAR_ENOUGH, TO_TRY), fabrics_to_choose(report) if report else (), strict=False):
+        found = fabrics_to_choose(report, present) if report else ([], [])
+        for heading, names in zip((FAR_ENOUGH, TO_TRY), found, strict=True):
             if not names:
                 continue
             layout.label(text=heading)
