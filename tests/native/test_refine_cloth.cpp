@@ -108,6 +108,14 @@ TEST(RefineCloth, TheBestDirectionHasLessEnergyThanStraightGrainAndBias) {
   EXPECT_LE(best, (1 + 1e-9) * std::min(straight, bias));
 }
 
+TEST(RefineCloth, InItsBestDirectionAPieceIsAsUprightAsItsFabricAllows) {
+  const FlattenInput sphere = test::quarter_sphere(6);
+  Options options = with_cloth(woven());
+  options.orientation = Orientation::best;
+  const Eigen::RowVector2d chord = chord_of(flat_piece(sphere, options), sphere.wires[0].vertices);
+  EXPECT_GE(chord.y(), std::abs(chord.x())) << "a quarter turn exchanges weft and warp, which are alike";
+}
+
 TEST(RefineCloth, ShearDoesNotGrowAsTheMeshIsRefined) {
   const Options options = with_cloth(woven());
   const double coarse = largest_shear(flat_piece(test::quarter_sphere(16), options));

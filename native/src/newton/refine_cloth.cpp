@@ -3,7 +3,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -18,8 +17,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kDirections = 36;         // every 5° of a half turn, after which a cloth is the same again
-constexpr std::size_t kBestStarts = 3;  // of mostly two valleys: weft and warp, and the same exchanged
+constexpr double kSpacing = kPi / 36;   // of the directions that are compared
+constexpr std::size_t kBestStarts = 3;  // of mostly one valley a quarter turn
 constexpr int kMaxTurns = 15;           // samples take 3 to 6
 constexpr double kShorter = 4;          // after a turn that does not go down, as in a line search
 
@@ -27,6 +26,9 @@ constexpr double kShorter = 4;          // after a turn that does not go down, a
 Positions2 turned(const Positions2& uv, double angle) {
   return uv * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose();
 }
+
+/// Returns the angle after which the energy of a turned cloth repeats. A quarter turn exchanges weft and warp.
+double period(const Cloth& cloth) { return cloth.weft == cloth.warp ? kPi / 2 : kPi; }
 
 class ClothRefinement {
  public:
@@ -49,6 +51,7 @@ class ClothRefinement {
   Solution minimize_held(const Shape& start);
   Solution minimize_turning(const Shape& upright);
   double slope_of(const Shape& shape) const;
+  void turn_up(Positions2& uv) const;
   /// As injective as the shape without a cloth: that comes first.
   bool is_sound(const Solution& found) const { return found.is_exact() && found.injectivity >= injectivity_; }
   bool may_go_on() const { return !control_.stop.is_stopped() && control_.budget.allows(); }
@@ -85,14 +88,14 @@ double ClothRefinement::slope_of(const Shape& shape) const {
 /// The best few of many directions.
 std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2& uv) const {
   const FairShapeError objective = problem_.objective({&*options_.cloth});
-  const double area = problem_.area(), spacing = kPi / kDirections;
-  std::array<double, kDirections> energy;
-  for (int k = 0; k < kDirections; ++k) energy[k] = objective.value(turned(uv, k * spacing)) / area;
+  const auto count = static_cast<int>(std::lround(period(*options_.cloth) / kSpacing));
+  std::vector<double> energy;
+  for (int k = 0; k < count; ++k) energy.push_back(objective.value(turned(uv, k * kSpacing)) / problem_.area());
   std::vector<Turn> turns;
-  for (int k = 0; k < kDirections; ++k) {
-    const double before = energy[(k + kDirections - 1) % kDirections], after = energy[(k + 1) % kDirections];
+  for (int k = 0; k < count; ++k) {
+    const double before = energy[(k + count - 1) % count], after = energy[(k + 1) % count];
     if (energy[k] > before || energy[k] >= after) continue;
-    turns.push_back({turned(uv, k * spacing), energy[k], (before - 2 * energy[k] + after) / (spacing * spacing)});
+    turns.push_back({turned(uv, k * kSpacing), energy[k], (before - 2 * energy[k] + after) / (kSpacing * kSpacing)});
   }
   if (turns.empty()) turns.push_back({uv, energy[0], 0});  // all directions are alike
   std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.energy < b.energy; });
@@ -112,7 +115,7 @@ Solution ClothRefinement::minimize_turning(const Shape& upright) {
     curvature = turn.curvature;
   }
   if (!is_sound(best)) return best;
-  const double longest = kPi / kDirections;
+  const double longest = kSpacing;
   for (int i = 0; i < kMaxTurns; ++i) {
     const double slope = slope_of(best.shape);
     double angle = curvature > 0 ? -slope / curvature : -std::copysign(longest, slope);
@@ -132,6 +135,16 @@ Solution ClothRefinement::minimize_turning(const Shape& upright) {
   return best;
 }
 
+/// Turns the layout by whole periods of its energy so that up is as near to +y as possible.
+void ClothRefinement::turn_up(Positions2& uv) const {
+  Eigen::Vector2d up = upright_direction(chart_, uv, options_);
+  if (period(*options_.cloth) < kPi && std::abs(up.x()) > std::abs(up.y())) {
+    uv = turned(uv, kPi / 2);
+    up = {-up.y(), up.x()};
+  }
+  if (up.y() < 0) uv *= -1;
+}
+
 std::optional<Solution> ClothRefinement::refine(const Solution& upright) {
   pair_ = upright_pair(chart_, upright.shape.uv, options_);
   injectivity_ = *upright.injectivity;
@@ -141,8 +154,7 @@ std::optional<Solution> ClothRefinement::refine(const Solution& upright) {
   const bool is_turned = options_.orientation == Orientation::best;
   Solution found = is_turned ? minimize_turning(start) : minimize_held(start);
   if (!is_sound(found)) return std::nullopt;
-  // Weft and warp are the same after a half turn: what leads up is up.
-  if (is_turned && upright_direction(chart_, found.shape.uv, options_).y() < 0) found.shape.uv *= -1;
+  if (is_turned) turn_up(found.shape.uv);
   return found;
 }
 
