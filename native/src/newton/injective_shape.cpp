@@ -40,34 +40,23 @@ std::optional<Shape> reach_injectively(Problem& problem, const Stage& stage, con
   return injective_start(problem, stage, map, control.in("shape"));
 }
 
-namespace {
-
-/// Returns the least distorted shape with exact lengths and the injectivity of the stage. Not exact if none is found.
-Solution minimize_injectively(Problem& problem, const Stage& stage, const Control& control) {
-  const auto start = attempt([&] { return reach_injectively(problem, stage, control); });
-  if (!start) return {};
-  return minimize(problem, stage, *start, control.in("shape"));
-}
-
-}  // namespace
-
-bool make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution) {
-  if (!solution.is_exact() || !control.stop.in("shape").may_go_on()) return false;
+void make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution) {
+  if (!solution.is_exact() || !control.stop.in("shape").may_go_on()) return;
   const Chart& chart = problem.chart();
-  bool is_other = false;
   solution.injectivity = injectivity_of(chart, solution.shape.uv);
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
     const bool is_disk = chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
     if (injectivity == Injectivity::global && !is_disk) continue;
     if (control.stop.is_stopped() || solution.injectivity >= injectivity) continue;
     stage.injectivity = injectivity;
-    Solution injective = minimize_injectively(problem, stage, control);
+    const auto start = attempt([&] { return reach_injectively(problem, stage, control); });
+    if (!start) continue;
+    Solution injective = minimize(problem, stage, *start, control.in("shape"));
     if (!injective.is_exact()) continue;
     solution = std::move(injective);
-    is_other = true;
+    solution.start = kInjectiveStart;
     solution.injectivity = injectivity_of(chart, solution.shape.uv);
   }
-  return is_other;
 }
 
 }  // namespace wirewarp

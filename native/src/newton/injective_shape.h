@@ -10,6 +10,8 @@
 
 namespace wirewarp {
 
+inline constexpr const char* kInjectiveStart = "injective";  // Solution::start
+
 /// How injective a layout of the chart is, one row per vertex.
 Injectivity injectivity_of(const Chart& chart, const Positions2& uv);
 
@@ -19,8 +21,7 @@ Injectivity injectivity_of(const Chart& chart, const Positions2& uv);
 std::optional<Shape> reach_injectively(Problem& problem, const Stage& stage, const Control& control);
 
 /// Replaces an exact solution that is not injective by the least distorted injective one, or by the most injective one
-/// that is found: first without flips, then without overlaps. Returns false if the solution stays, as it does if the
-/// caller stops.
-bool make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution);
+/// that is found: first without flips, then without overlaps. The solution stays if none is found or the caller stops.
+void make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution);
 
 }  // namespace wirewarp

@@ -2,7 +2,6 @@
 #include "newton/refine_chart.h"
 
 #include <initializer_list>
-#include <utility>
 
 #include "base/attempt.h"
 #include "newton/injective_shape.h"
@@ -18,7 +17,7 @@ constexpr Start kUnfolded{"unfolded", unfolded};
 constexpr Start kCoarse{"coarse", coarse_shape};
 constexpr Start kFree{"free", free_shape};
 constexpr Start kWiresAlone{"wires", wires_alone};
-constexpr Start kInjective{"injective", injective_shape, Injectivity::local};
+constexpr Start kInjective{kInjectiveStart, injective_shape, Injectivity::local};
 
 /// In the order in which they are tried; native/README.md says how often each won.
 constexpr std::initializer_list<Start> kStarts{kUnfolded, kCoarse, kFree, kWiresAlone, kInjective};
@@ -62,12 +61,6 @@ Solution refine_with_slits(Problem& problem, const Stage& stage, std::size_t lar
   return opened;
 }
 
-/// Returns another solution if the given one is flipped or overlaps itself, and another is found.
-Solution without_flips_and_overlaps(Solution solution, Problem& problem, const Stage& stage, const Control& control) {
-  if (make_injective(problem, stage, control, solution)) solution.start = kInjective.name;
-  return solution;
-}
-
 }  // namespace
 
 Solution refine_chart(Problem& problem, const InternalOptions& options, const Control& control) {
@@ -77,7 +70,8 @@ Solution refine_chart(Problem& problem, const InternalOptions& options, const Co
   if (!found.is_exact()) {
     found = try_starts(problem, stage, problem.chart().mesh.n_faces() >= options.large_chart, control);
   }
-  return options.mends_folds ? without_flips_and_overlaps(std::move(found), problem, stage, control) : found;
+  if (options.mends_folds) make_injective(problem, stage, control, found);
+  return found;
 }
 
 Solution refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
@@ -87,7 +81,9 @@ Solution refine_chart(const Chart& chart, const InternalOptions& options, const 
 }
 
 Solution refine_from_scratch(Problem& problem, const Control& control) {
-  return without_flips_and_overlaps(try_starts(problem, {}, false, control), problem, {}, control);
+  Solution found = try_starts(problem, {}, false, control);
+  make_injective(problem, {}, control, found);
+  return found;
 }
 
 }  // namespace wirewarp

@@ -16,7 +16,7 @@ namespace wirewarp {
 namespace {
 
 /// The lengths of all charts as those of the combined one.
-std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, const std::vector<Chart>& charts,
+std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, const std::vector<const Chart*>& charts,
                                              const std::vector<TargetLengths>& lengths) {
   if (lengths.empty()) return std::nullopt;
   TargetLengths all{{}, {}, lengths.front().flat_share};
@@ -27,7 +27,7 @@ std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, con
       all.grains.push_back(grain);
     }
     std::vector<double> ratios = lengths[c].ratio;
-    ratios.resize(charts[c].mesh.n_edges(), 1);
+    ratios.resize(charts[c]->mesh.n_edges(), 1);
     all.ratio.insert(all.ratio.end(), ratios.begin(), ratios.end());
   }
   return all;
@@ -94,13 +94,13 @@ Solution minimize_near(Problem& problem, const Stage& stage, const Shape& start,
 
 }  // namespace
 
-CoupledSolution refine_coupled(const std::vector<Chart>& charts, double fairness, Stage stage,
+CoupledSolution refine_coupled(const std::vector<const Chart*>& charts, double fairness, Stage stage,
                                const std::vector<TargetLengths>& lengths, const std::vector<Shape>& starts,
                                const Control& control) {
   const CombinedCharts combined = combine(charts);
   Problem problem(combined.chart, fairness);
   std::vector<Problem> problems;
-  for (const Chart& chart : charts) problems.emplace_back(chart, fairness);
+  for (const Chart* chart : charts) problems.emplace_back(*chart, fairness);
   const std::optional<TargetLengths> all = combine_lengths(combined, charts, lengths);
   stage.lengths = all ? &*all : nullptr;
   const Shape start = combine_starts(combined, problem, problems, lengths, starts);
@@ -108,9 +108,11 @@ CoupledSolution refine_coupled(const std::vector<Chart>& charts, double fairness
   CoupledSolution coupled;
   stage.injectivity = Injectivity::none;
   if (charts.size() > 1) coupled.projected_gradient = projected_gradient(problem, stage, whole.shape);
+  Solution figures = whole;
+  figures.shape = {};
   for (std::size_t c = 0; c < charts.size(); ++c) {
-    Solution one = whole;
-    const auto num_parts = static_cast<Eigen::Index>(charts[c].wire_parts.size());
+    Solution one = figures;
+    const auto num_parts = static_cast<Eigen::Index>(charts[c]->wire_parts.size());
     one.shape = {whole.shape.uv.middleRows(combined.first_vertex[c], starts[c].uv.rows()),
                  whole.shape.variation.segment(combined.first_part[c], num_parts),
                  {}};

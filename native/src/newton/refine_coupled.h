@@ -26,7 +26,7 @@ struct CoupledSolution {
 /// Their multipliers: one per edge of the chart's held network, then those of the grain rows; missing ones are 0.
 /// lengths: one per chart, or empty if charts are free to turn; those of the stage come from them. All solutions are
 /// exact, or none.
-CoupledSolution refine_coupled(const std::vector<Chart>& charts, double fairness, Stage stage,
+CoupledSolution refine_coupled(const std::vector<const Chart*>& charts, double fairness, Stage stage,
                                const std::vector<TargetLengths>& lengths, const std::vector<Shape>& starts,
                                const Control& control);
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "newton/solve/free_elastic_seams.h"
 
-#include <algorithm>
-
 #include "newton/refine_cloth.h"
 #include "newton/solve/piece_report.h"
 #include "surface/charts/elastic_seams.h"
@@ -27,8 +25,7 @@ void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, c
   GroupSolver solver(group, run, in_shape, false, [&](std::size_t, const Chart& fixed, Budget& budget) {
     return refine_injective(fixed, run.options, {budget, in_shape});
   });
-  const bool are_nominal = std::all_of(group.begin(), group.end(), [](const auto& one) { return one.is_nominal; });
-  const GroupSolver::Outcome common = solver.solve_together(are_nominal);
+  const GroupSolver::Outcome common = solver.solve_together();
   for (std::size_t k = 0; k < group.size(); ++k) {
     const GroupMember& member = group[k];
     if (common.is_solved) {

@@ -24,10 +24,10 @@ GroupSolver::GroupSolver(const std::vector<GroupMember>& group, const Run& run, 
   for (const GroupMember& member : group) before_.push_back(member.solved);
 }
 
-GroupSolver::Outcome GroupSolver::solve_together(bool keeps_good) {
+GroupSolver::Outcome GroupSolver::solve_together() {
   std::vector<Part> parts;
   for (std::size_t k = 0; k < group_.size(); ++k) parts.push_back({k, group_[k].chart});
-  return solve(parts, keeps_good);
+  return solve(parts, std::all_of(group_.begin(), group_.end(), [](const auto& member) { return member.is_nominal; }));
 }
 
 GroupSolver::Outcome GroupSolver::solve(const std::vector<Part>& parts, bool keeps_good) {
@@ -71,11 +71,11 @@ bool GroupSolver::were_good(const std::vector<Part>& parts) const {
 
 /// Returns false if there are no common lengths. Each factorization counts for each of the parts.
 bool GroupSolver::take_common_shapes(const std::vector<Part>& parts, Budget& budget) {
-  std::vector<Chart> charts;
+  std::vector<const Chart*> charts;
   std::vector<TargetLengths> lengths;
   std::vector<Shape> starts;
   for (const Part& part : parts) {
-    charts.push_back(part.chart);
+    charts.push_back(&part.chart);
     starts.push_back({solved(part).uv, {}, solved(part).multipliers});
     if (run_.options.cloth) lengths.push_back(group_[part.member].lengths);
   }

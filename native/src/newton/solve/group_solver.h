@@ -44,9 +44,9 @@ class GroupSolver {
   GroupSolver(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop, bool renews_limit,
               RefineInjective refine_injective);
 
-  /// Finds the common lengths and the shapes. keeps_good: if a chart is folded although none was before, all keep the
-  /// shapes from before.
-  Outcome solve_together(bool keeps_good);
+  /// Finds the common lengths and the shapes. If all charts are nominal, and one is folded although none was before,
+  /// all keep the shapes from before.
+  Outcome solve_together();
 
   /// Solves a chart by itself. fixed: with its elastic seams at h = ease.
   Outcome solve_alone(std::size_t member, const Chart& fixed) { return solve({{member, fixed}}, false); }

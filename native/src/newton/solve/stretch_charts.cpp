@@ -35,8 +35,7 @@ class StretchedGroup {
 
   /// For charts without flipped triangles.
   void solve() {
-    const bool are_nominal = std::all_of(group_.begin(), group_.end(), [](const auto& one) { return one.is_nominal; });
-    const GroupSolver::Outcome common = solver_.solve_together(are_nominal);
+    const GroupSolver::Outcome common = solver_.solve_together();
     for (std::size_t k = 0; k < group_.size(); ++k) {
       if (common.is_solved) {
         finish(k, common.is_folded[k] != 0);
@@ -58,7 +57,7 @@ class StretchedGroup {
                   Budget& budget) const {
     TargetLengths lengths = group_[k].lengths;
     lengths.grains = {hold_upright(fixed, start, run_.options)};
-    return refine_coupled({fixed}, run_.options.fairness, stage, {lengths}, {Shape{start}}, {budget, stop_})
+    return refine_coupled({&fixed}, run_.options.fairness, stage, {lengths}, {Shape{start}}, {budget, stop_})
         .charts.front();
   }
 

@@ -77,9 +77,10 @@ Chart with_fixed_seams(Chart chart) {
   return with_fixed_seams(std::move(chart), eases);
 }
 
-CombinedCharts combine(const std::vector<Chart>& charts) {
+CombinedCharts combine(const std::vector<const Chart*>& charts) {
   CombinedCharts combined;
-  for (const Chart& chart : charts) {
+  for (const Chart* const from : charts) {
+    const Chart& chart = *from;
     const auto first_half_edge = static_cast<int>(combined.chart.mesh.n_halfedges());
     combined.first_vertex.push_back(static_cast<int>(combined.chart.mesh.n_vertices()));
     combined.first_edge.push_back(static_cast<int>(combined.chart.mesh.n_edges()));

@@ -26,6 +26,6 @@ struct CombinedCharts {
   std::vector<int> first_part;
 };
 
-CombinedCharts combine(const std::vector<Chart>& charts);
+CombinedCharts combine(const std::vector<const Chart*>& charts);
 
 }  // namespace wirewarp
