@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes without flips and overlaps, if the quick way ends with one that has some.
+// Finds shapes without flips and overlaps if the fast way ends with one that has some.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,9 @@ inline constexpr const char* kInjectiveStart = "injective";  // Solution::start
 /// How injective a layout of the chart is, one row per vertex.
 Injectivity injectivity_of(const Chart& chart, const Positions2& uv);
 
-/// Returns a start with exact lengths and the injectivity of the stage, reached through nothing but such shapes: from
-/// the free ARAP map if that has it, else from the embedding on a circle. None if it is not found. The token is polled
-/// in the stages "start" and "shape". Throws Stopped and FactorizationFailed.
+/// Returns a start with exact lengths and the injectivity of the stage, reached only through shapes with this
+/// injectivity: from the free ARAP map if it has it, otherwise from the embedding on a circle. None if no start is
+/// found. The token is polled in the stages "start" and "shape". Throws Stopped and FactorizationFailed.
 std::optional<Shape> reach_injectively(Problem& problem, const Stage& stage, const Control& control);
 
 /// Replaces an exact solution that is not injective by the least distorted injective one, or by the most injective one

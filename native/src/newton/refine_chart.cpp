@@ -19,10 +19,10 @@ constexpr Start kFree{"free", free_shape};
 constexpr Start kWiresAlone{"wires", wires_alone};
 constexpr Start kInjective{kInjectiveStart, injective_shape, Injectivity::local};
 
-/// In the order in which they are tried; native/README.md says how often each won.
+/// The starts in the order of trial; native/README.md says how often each was successful.
 constexpr std::initializer_list<Start> kStarts{kUnfolded, kCoarse, kFree, kWiresAlone, kInjective};
 
-/// Returns the first exact shape. is_large: a coarser chart is a start.
+/// Returns the first exact shape. is_large: also starts from a coarser chart.
 Solution try_starts(Problem& problem, Stage stage, bool is_large, const Control& control) {
   Solution found;
   bool is_any_infeasible = false;
@@ -45,7 +45,7 @@ Solution try_starts(Problem& problem, Stage stage, bool is_large, const Control&
   return found;
 }
 
-/// Unfolds the chart if that takes no strain: its slits are shut then. Otherwise sews the slits and opens them. Not
+/// Unfolds the chart if that takes no strain, which leaves its slits shut. Otherwise sews the slits and opens them. Not
 /// exact if neither works.
 Solution refine_with_slits(Problem& problem, const Stage& stage, std::size_t large_chart, const Control& control) {
   if (const std::optional<Positions2> flat = unfold(problem.chart())) {

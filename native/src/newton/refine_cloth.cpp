@@ -20,9 +20,9 @@ namespace {
 constexpr double kSpacing = kPi / 36;   // of the directions that are compared
 constexpr std::size_t kBestStarts = 3;  // of mostly one valley a quarter turn
 constexpr int kMaxTurns = 15;           // samples take 3 to 6
-constexpr double kShorter = 4;          // after a turn that does not go down, as in a line search
+constexpr double kShorter = 4;          // divisor of a turn that does not lower the energy, as in a line search
 
-/// Turned about the origin by an angle, counter-clockwise.
+/// Returns a layout rotated about the origin, counter-clockwise.
 Positions2 turned(const Positions2& uv, double angle) {
   return uv * Eigen::Rotation2Dd(angle).toRotationMatrix().transpose();
 }
@@ -35,15 +35,15 @@ class ClothRefinement {
   ClothRefinement(Problem& problem, const InternalOptions& options, const Control& control)
       : problem_(problem), chart_(problem.chart()), options_(options), control_(control) {}
 
-  /// None if no shape for the cloth is as injective as the upright one.
+  /// Returns none if no shape for the fabric is as injective as the upright one.
   std::optional<Solution> refine(const Solution& upright);
 
  private:
-  /// A layout turned to a valley of its energy.
+  /// A layout rotated to a minimum of its energy.
   struct Turn {
     Positions2 uv;
     double energy;     // f over the area
-    double curvature;  // of that by the angle
+    double curvature;  // second derivative of that by the angle
   };
 
   std::vector<Turn> best_turns(const Positions2& uv) const;
@@ -52,7 +52,7 @@ class ClothRefinement {
   Solution minimize_turning(const Shape& upright);
   double slope_of(const Shape& shape) const;
   void turn_up(Positions2& uv) const;
-  /// As injective as the shape without a cloth: that comes first.
+  /// Whether a shape is as injective as the one without a fabric, which matters more than its energy.
   bool is_sound(const Solution& found) const { return found.is_exact() && found.injectivity >= injectivity_; }
   bool may_go_on() const { return !control_.stop.is_stopped() && control_.budget.allows(); }
 
@@ -60,7 +60,7 @@ class ClothRefinement {
   const Chart& chart_;
   const InternalOptions& options_;
   const Control control_;
-  VertexPair pair_{};                            // whose direction is held
+  VertexPair pair_{};                            // vertices with a fixed direction
   Injectivity injectivity_ = Injectivity::none;  // of the shape without a cloth
 };
 
@@ -78,14 +78,14 @@ Solution ClothRefinement::minimize_held(const Shape& start) {
   return held;
 }
 
-/// Of f over the area by the angle at which the shape is held: with n turned by dθ, n·d changes by |d| dθ, at the price
+/// Returns the derivative of f over the area by the fixed angle: if n turns by dθ, n·d changes by |d| dθ, at the cost
 /// of its multiplier.
 double ClothRefinement::slope_of(const Shape& shape) const {
   const double length = (shape.uv.row(pair_[1]) - shape.uv.row(pair_[0])).norm();
   return shape.multipliers[shape.multipliers.size() - 1] * length / problem_.area();
 }
 
-/// The best few of many directions.
+/// Returns the best few of many directions.
 std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2& uv) const {
   const FairShapeError objective = problem_.objective({&*options_.cloth});
   const auto count = static_cast<int>(std::lround(period(*options_.cloth) / kSpacing));
@@ -103,7 +103,7 @@ std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2&
   return turns;
 }
 
-/// Newton steps by the angle, from the best of the shapes held at a few.
+/// Takes Newton steps by the angle, from the best of the shapes with a few fixed directions.
 Solution ClothRefinement::minimize_turning(const Shape& upright) {
   Solution best;
   double curvature = 0;
@@ -167,7 +167,7 @@ GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& o
 void refine_cloth(Problem& problem, const InternalOptions& options, const Control& control, Solution& solution) {
   const Chart& chart = problem.chart();
   stand_upright(solution.shape.uv, upright_direction(chart, solution.shape.uv, options));
-  solution.status = SolutionStatus::stalled;  // until its energy is least for the cloth
+  solution.status = SolutionStatus::stalled;  // until the fabric's energy is minimal
   if (!solution.injectivity) solution.injectivity = injectivity_of(chart, solution.shape.uv);
   if (solution.injectivity == Injectivity::none) return;
   if (control.stop.is_stopped() || !control.budget.allows()) return;

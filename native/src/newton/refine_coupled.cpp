@@ -33,7 +33,7 @@ std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, con
   return all;
 }
 
-/// The starts of all charts, each where it is: charts have no entry of the matrix in common.
+/// Combines the starts of all charts. Charts stay in place, because they have no entry of the matrix in common.
 Shape combine_starts(const CombinedCharts& combined, const Problem& whole, const std::vector<Problem>& problems,
                      const std::vector<TargetLengths>& lengths, const std::vector<Shape>& starts) {
   std::size_t num_rows = whole.network().edges.size(), next_row = num_rows;
@@ -60,7 +60,7 @@ Shape combine_starts(const CombinedCharts& combined, const Problem& whole, const
   return all;
 }
 
-/// What is left of the first-order conditions.
+/// Returns the residual of the first-order conditions.
 double projected_gradient(const Problem& problem, const Stage& stage, const Shape& shape) {
   const LengthConstraints constraints = problem.constraints(stage, shape.uv);
   Positions2 gradient;

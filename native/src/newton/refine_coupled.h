@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A coupled group: charts with elastic seams, whose sides have one length. All positions and lengths at once.
+// A coupled group consists of charts with elastic seams, whose sides have one length. All positions and lengths are
+// solved at once:
 //
 //   min Σ f_k(u_k)   subject to   c_k(u_k, h) = 0,   |h| <= ε       over the charts k, h shared by all sides of a seam
 //
-// It is the problem of minimize() on the charts as one that is not connected, so its steps work: the Newton matrix
-// falls into blocks, one a chart, and only the Schur complement of h, dense and small, couples them.
+// This is the problem of minimize() for the charts as one chart that is not connected, so its steps work: the Newton
+// matrix has one block for each chart, and only the Schur complement of h, dense and small, couples them.
 #pragma once
 
 #include <limits>
