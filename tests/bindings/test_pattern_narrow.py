@@ -4,8 +4,8 @@
 import numpy as np
 import pytest
 from surfaces import chain_edges, column_chain, half_cylinder
-from wirewarp import flatten
-from wirewarp.pattern import narrowest_width, piece_width
+from wirewarp import Options, flatten
+from wirewarp.pattern import narrowest_width, piece_width, pieces_along
 
 NEAR = 1e-3  # of the width, to which it is searched
 
@@ -66,3 +66,26 @@ def test_a_hole_leaves_the_width_beside_it():
     used, faces = np.unique(faces, return_inverse=True)
     (piece,) = flatten(vertices[used], faces.reshape(-1, 3)).pieces
     assert piece_width(piece) == pytest.approx(1.0, rel=NEAR)
+
+
+def test_a_mirrored_piece_is_as_wide():
+    vertices, faces = half_cylinder()
+    (piece,), (mirrored,) = (flatten(vertices, faces, options=Options(mirror=each)).pieces for each in (False, True))
+    assert piece_width(mirrored) == pytest.approx(piece_width(piece), rel=NEAR)
+
+
+def test_pieces_along_edges_have_them_and_more_than_an_end():
+    """Three strips: the seams between them, edges inside one, and an edge of the model that ends on a seam."""
+    vertices, faces = half_cylinder()
+    left, right = column_chain(8, 4, 2), column_chain(8, 4, 6)
+    pieces = flatten(vertices, faces, seams=[*chain_edges(left), *chain_edges(right)]).pieces
+    outer, middle, other = sorted(pieces, key=lambda piece: vertices[piece.source_vertex].mean(axis=0)[0])
+
+    def found(edges):
+        return {id(piece) for piece in pieces_along(pieces, edges)}
+
+    assert found(chain_edges(left)) | found(chain_edges(right)) == {id(outer), id(middle), id(other)}
+    assert len(found(chain_edges(left))) == len(found(chain_edges(right))) == 2
+    assert found(chain_edges(column_chain(8, 4, 4))) == {id(middle)}
+    assert found([(2, 3)]) == {id(middle)}
+    assert found(np.empty((0, 2), dtype=int)) == set()

@@ -5,10 +5,9 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from .. import DartProposal, SeamProposal, flatten, plan_cuts, propose_darts, propose_seams, simplify_seams
-from ..pattern import piece_width
+from ..pattern import piece_width, pieces_along
 from .flatten import material_options
 from .lines import edges_of, lines_of, seams_of
 from .model import read_model
@@ -37,9 +36,7 @@ def propose_for(request: CutRequest) -> Line:
     }
     wanted: dict[str, Any] = {} if request.strain is None else {"strain": request.strain}
     if request.kind == "fewer":
-        fewer = simplify_seams(**mesh, **wanted)
-        width = _narrowest(mesh, fewer.edges, model.faces) if len(fewer.opened) else math.nan
-        return _fewer(fewer, per_unit / 1000, width)
+        return _fewer(mesh, simplify_seams(**mesh, **wanted), per_unit / 1000)
     wanted["no_seam"] = edges_of(request.no_seam)
     wanted["longest"] = None if request.longest is None else request.longest / per_unit
     if request.together:
@@ -68,17 +65,17 @@ def _width_of_set(mesh: dict[str, Any], cut: DartProposal, meters: float) -> dic
     if math.isfinite(cut.strain_before):
         return {}
     seams = np.concatenate([np.reshape(mesh["seams"], (-1, 2)), cut.edges])
-    return {"narrowest_width_m": _narrowest(mesh, seams, np.unique(cut.edges)) * meters}
+    return {"narrowest_width_m": _narrowest(mesh, seams, cut.edges, meters)}
 
 
-def _narrowest(mesh: dict[str, Any], seams: np.ndarray, near: ArrayLike) -> float:
-    """Return the narrowest width of the flat pieces that have some of these vertices, in units of the model."""
-    pieces = [piece for piece in flatten(**mesh | {"seams": seams}).pieces if not piece.error]
-    return min(piece_width(piece) for piece in pieces if np.isin(piece.source_vertex, near).any())
+def _narrowest(mesh: dict[str, Any], seams: np.ndarray, changed: np.ndarray, meters: float) -> float | None:
+    """Return the narrowest width in meters of the flat pieces with some of the changed edges; None without them."""
+    pieces = pieces_along(flatten(**mesh | {"seams": seams}).pieces, changed)
+    return min(map(piece_width, pieces)) * meters if pieces else None
 
 
-def _fewer(proposal: SeamProposal, meters: float, width: float) -> Line:
-    """Return the line of seams that are left out. width: the narrowest of all pieces, in units of the model."""
+def _fewer(mesh: dict[str, Any], proposal: SeamProposal, meters: float) -> Line:
+    """Return the line of seams that are left out."""
     if len(proposal.opened) == 0:
         return unfinished(NOTHING, "no_proposal", ALL_NEEDED if len(proposal.edges) else NO_SEAMS)
     described = {
@@ -91,7 +88,7 @@ def _fewer(proposal: SeamProposal, meters: float, width: float) -> Line:
         "energy_before": _if_finite(proposal.energy_before),
         "strain": _if_finite(proposal.strain),
         "strain_before": _if_finite(proposal.strain_before),
-        "narrowest_width_m": width * meters,
+        "narrowest_width_m": _narrowest(mesh, proposal.edges, proposal.opened, meters),
     }
     return {
         "verdict": PROPOSED,

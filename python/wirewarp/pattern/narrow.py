@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The narrowest width of flat pieces, which decides whether they can be sewn with an allowance."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 import pyclipper
+from numpy.typing import ArrayLike
 
 from .geometry import RESOLUTION, signed_area
 
@@ -13,8 +14,8 @@ if TYPE_CHECKING:
     from .._wirewarp import Piece
 
 SCRAP = 0.1  # of the area: smaller parts may be lost
-MOST = 0.5  # of the area, that the remaining part covers: a disk does not reach corners
-STEPS, HALVINGS = 24, 10  # of the search: a waist nearly as wide as what is behind it is found within a step
+MOST = 0.5  # least share of the area that disks cover, because they do not reach corners
+STEPS, HALVINGS = 24, 10  # of the search: a waist nearly as wide as the part behind it is found within a step
 ARC, ROUGH_ARC = 1e-3, 0.03  # of the radius: how far round corners may be from the arc, of widths and of areas
 
 Polygon = list[list[int]]
@@ -24,14 +25,14 @@ def narrowest_width(outlines: Sequence[np.ndarray]) -> float:
     """Return the diameter of the largest disk that can move through a shape, given by its outlines (k,2).
 
     This is twice the largest inward offset up to which the shape stays in one part, so that disks of this radius in it
-    cover at least half of the area. Parts of which disks cover less than a tenth of the area do not count. The outer
-    outline runs counterclockwise, and holes run clockwise. Lengths may have any unit.
+    cover at least half of the area. Parts of which disks cover less than a tenth of the area do not count. Holes run in
+    the other direction than the outer outline. Lengths may have any unit.
     """
     points = np.concatenate(outlines)
     low = points.min(axis=0)
     step = 4 * float((points.max(axis=0) - low).max()) / RESOLUTION  # offsets stay within Clipper's fast integers
-    area = sum(signed_area(outline) for outline in outlines) / step**2
-    if area <= 0:
+    area = abs(sum(signed_area(outline) for outline in outlines)) / step**2
+    if area == 0:
         return 0.0
     paths = [np.rint((outline - low) / step).astype(np.int64).tolist() for outline in outlines]
     largest = float(np.sqrt(area / np.pi))  # the radius of a disk with this area
@@ -89,11 +90,31 @@ def piece_width(piece: "Piece") -> float:
     return narrowest_width(_outlines(piece))
 
 
+def pieces_along(pieces: Iterable["Piece"], edges: ArrayLike) -> list["Piece"]:
+    """Return the pieces with a flat shape that have some of these edges (k,2) of the model, inside or not."""
+    wanted = np.sort(np.reshape(edges, (-1, 2)), axis=1).astype(np.int64)
+    found = []
+    for piece in (piece for piece in pieces if not piece.error):
+        sides = np.sort(piece.source_vertex[piece_sides(piece)], axis=1).astype(np.int64)
+        keys = [1 + max(sides.max(initial=0), wanted.max(initial=0)), 1]
+        if np.isin(sides @ keys, wanted @ keys).any():
+            found.append(piece)
+    return found
+
+
+def piece_sides(piece: "Piece") -> np.ndarray:
+    """Return the sides (3f,2) of the faces, as vertices of the piece in the direction of each face."""
+    return piece.faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).astype(np.int64)
+
+
+def outline_sides(piece: "Piece") -> np.ndarray:
+    """Return the sides (b,2) with one face, in its direction."""
+    sides, count = piece_sides(piece), len(piece.vertices)
+    return sides[~np.isin(sides @ [count, 1], sides @ [1, count])]
+
+
 def _outlines(piece: "Piece") -> list[np.ndarray]:
-    sides = np.concatenate([piece.faces[:, [0, 1]], piece.faces[:, [1, 2]], piece.faces[:, [2, 0]]]).astype(np.int64)
-    count = len(piece.vertices)
-    is_outline = ~np.isin(sides @ [count, 1], sides @ [1, count])
-    following = dict(sides[is_outline].tolist())
+    following = dict(outline_sides(piece).tolist())
     loops = []
     while following:
         first, at = following.popitem()

@@ -5,9 +5,9 @@ Notches are at the same places on seams that a copy maps to each other; otherwis
 """
 
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations
+from itertools import chain, combinations
 
 import numpy as np
 
@@ -40,23 +40,26 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
     """
     found = Copies({}, {})
 
-    def maps(first: int, second: int, *, is_mirror: bool) -> list[Congruence]:
-        """Return the maps from the second piece to the first that keep the grain, and then those that reverse it."""
-        kept: list[Congruence] = []
+    def maps(first: int, second: int, *, is_mirror: bool) -> Iterator[Congruence]:
+        """Yield the maps from the second piece to the first that keep the grain, and then those that reverse it."""
         reversing: list[Congruence] = []
         for each in congruences(pieces[first], pieces[second], is_mirror=is_mirror):
             grain, own = each.direction(laid[second].grain), laid[first].grain
             if abs(grain[0] * own[1] - grain[1] * own[0]) < ALONG:
-                (kept if grain @ own > 0 else reversing).append(each)
-        return kept + reversing
+                if grain @ own > 0:
+                    yield each
+                else:
+                    reversing.append(each)
+        yield from reversing
 
     left_out: set[int] = set()
     for first, second in combinations(range(len(pieces)), 2) if pairs else ():
         if first in left_out or second in left_out:
             continue
-        found_maps = maps(first, second, is_mirror=False) or maps(first, second, is_mirror=True)
-        if found_maps:
-            found.others.setdefault(first, []).append((second, found_maps[0]))
+        found_maps = chain(maps(first, second, is_mirror=False), maps(first, second, is_mirror=True))
+        first_map = next(found_maps, None)
+        if first_map:
+            found.others.setdefault(first, []).append((second, first_map))
             left_out.add(second)
     for index, piece in enumerate(pieces) if on_fold else ():
         if piece.on_fold or index in left_out:

@@ -9,6 +9,7 @@ import numpy as np
 from ..._errors import FlattenError
 from ..checks import problem
 from ..geometry import lengths_along, signed_area
+from ..narrow import outline_sides, piece_sides
 
 if TYPE_CHECKING:
     from ..._wirewarp import Piece
@@ -44,12 +45,9 @@ class FlatPiece:
 
 def flat_piece(piece: "Piece", name: str, scale: float) -> FlatPiece:
     """Return a piece that has a layout. scale: millimeters per scene unit."""
-    sides = np.concatenate([piece.faces[:, [0, 1]], piece.faces[:, [1, 2]], piece.faces[:, [2, 0]]]).astype(np.int64)
-    count = len(piece.vertices)
-    forward, backward = sides[:, 0] * count + sides[:, 1], sides[:, 1] * count + sides[:, 0]
-    outline = sides[~np.isin(forward, backward)]
     chains = [Chain(boundary.vertices, boundary.seam) for boundary in piece.boundaries]
-    return FlatPiece(name, piece.vertices * scale, piece.source_vertex, outline, chains, _wires(piece, sides))
+    wires = _wires(piece, piece_sides(piece))
+    return FlatPiece(name, piece.vertices * scale, piece.source_vertex, outline_sides(piece), chains, wires)
 
 
 def _wires(piece: "Piece", sides: np.ndarray) -> list[FlatWire]:
