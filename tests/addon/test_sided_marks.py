@@ -160,8 +160,8 @@ def mark_allowance(target, line, **settings):
 def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
     mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
     mark_allowance(source, HEM, kind="FOLD")
-    twin = bpy.data.objects.new("Twin", source.data)  # with the same mesh
-    bpy.context.scene.collection.objects.link(twin)
+    other = bpy.data.objects.new("Other", source.data)  # with the same mesh
+    bpy.context.scene.collection.objects.link(other)
     sides = source.data.attributes.new("wirewarp_side_allowance", "FLOAT", "CORNER")
     sides.data[0].value = 0.5
     bpy.ops.object.mode_set(mode=mode)

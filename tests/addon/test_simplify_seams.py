@@ -44,12 +44,12 @@ def test_developable_strips_become_one_piece_again(addon, capfd):
     assert pairs(cut.cleared) == seams and cut.num_pieces == 1
     marked = [(min(edge), max(edge)) in seams for edge in edge_vertices(source.data).tolist()]
     assert cut.lengths == pytest.approx([edge_lengths(source)[marked].sum()], rel=1e-6)
-    assert "1 set of fewer seams suggested. Chosen: 1 piece, stretch" in capfd.readouterr().out
+    assert "1 way to simplify suggested. Chosen: 1 piece, stretch" in capfd.readouterr().out
     words = draw_panels(addon)
     assert "Fewer Seams, Strips 1 piece, 0.0%, −" in words
     assert cut.width == pytest.approx(2, rel=0.001) and not cut.is_narrow  # of a rectangle, π long
     assert (
-        "length of seams that go, narrowest width." in words and "Above" not in words and "Clear and Flatten" in words
+        "length of cleared seams, narrowest width." in words and "Above" not in words and "Clear and Flatten" in words
     )
     places = read(source.data.vertices, "co", np.float32, 3)[np.unique(cut.cleared)]
     for target in (source, flat_of(source)):  # on the pieces, on both sides of each seam
@@ -90,7 +90,7 @@ def test_the_fabric_and_the_target_limit_the_stretch(addon):
     limits = addon.solve.fewer_seams.limits_up_to
     assert limits(None) == [0.05, 0.1, 0.2] and limits(0.1) == [0.05, 0.1] and limits(0.03) == [0.03]
     settings.suggest_together, settings.aim_stretch = True, 0.0
-    with pytest.raises(RuntimeError, match="Every seam is needed for a stretch of 0.0% or less. Choose a fabric"):
+    with pytest.raises(RuntimeError, match="Every seam is needed for a stretch of 0.0% or less. Set a larger target"):
         SIMPLIFY()
     settings.aim_stretch = 60.0
     SIMPLIFY()
@@ -112,6 +112,47 @@ def test_seams_of_what_modifiers_make_are_cleared_after_these_are_applied(addon)
     assert len(seams_of(source)) == 0 and len(source.data.vertices) == 17 * 17
 
 
+def test_a_canceled_search_keeps_what_it_has_found(addon, monkeypatch):
+    source = strips(bump, rows=(-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75), faces="triangles")
+    steps = addon.solve.steps
+
+    def in_two(job):
+        yield 0.5
+        return job.result()
+
+    monkeypatch.setattr(addon.solve.fewer_seams, "result_of", in_two)
+
+    def search(cancel_at):
+        """Cancel when the share is reached; return the rows and all shares."""
+        shares, run = [], addon.suggest.operators.begin_search(bpy.context, source, "FEWER", None).steps
+        try:
+            shares.append(next(run))
+            while shares[-1] < cancel_at:
+                shares.append(next(run))
+            shares.append(run.throw(steps.CanceledError()))
+            while True:
+                shares.append(next(run))
+        except StopIteration as end:
+            return end.value, shares
+
+    whole, shares = search(0.8)  # the widths are left
+    assert len(whole) > 1 and all(cut.width is None and not cut.is_narrow for cut in whole)
+    assert shares == sorted(shares)
+    some, _ = search(0.8 * 2.4 / 3)  # the last limit is left
+    assert [cut.strain for cut in some] == [cut.strain for cut in whole if cut.strain <= 0.1]
+    assert all(cut.width is not None for cut in some)
+    with pytest.raises(steps.CanceledError):
+        search(0.0)
+
+
+def test_the_bar_of_a_search_with_widths_never_goes_backwards(addon):
+    source, shares = strips(bump, faces="triangles"), []
+    run = addon.suggest.operators.begin_search(bpy.context, source, "FEWER", None)
+    cuts = addon.solve.steps.in_one_go(run.steps, shares.append)
+    assert shares == sorted(shares) and 0.8 < shares[-1] <= 1.0
+    assert all(cut.width is not None for cut in cuts)
+
+
 def no_flat_piece():
     join_cube(strips(bump))
 
@@ -120,7 +161,10 @@ def no_flat_piece():
     ("make", "said"),
     [
         (lambda: grid("Bump", bump), "has no seams to simplify. Mark seams, or press Suggest Seams."),
-        (lambda: mark_seam(tube(), on_line(0, 0.5)), "Every seam is needed for a stretch of 20% or less."),
+        (
+            lambda: mark_seam(tube(), on_line(0, 0.5)),
+            "Every seam is needed for a stretch of 20% or less. Choose a fabric that stretches more.",
+        ),
         (no_flat_piece, "A piece has no flat shape. Flatten, and fix the failed pieces before"),
     ],
 )

@@ -75,7 +75,7 @@ def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:
     yield from take_and_undo(grid("Bump", bump, size=16), "suggestions")
 
 
-def cuts_towards_an_aim_are_taken_and_undone_with_one_click_each() -> drive.Tour:
+def cuts_up_to_a_target_are_taken_and_undone_with_one_click_each() -> drive.Tour:
     settings = bpy.context.scene.wirewarp
     settings.suggest_together, settings.aim_stretch, settings.aim_cuts = True, 0.0, 2
     source = grid("Bump", bump, size=12)

@@ -41,7 +41,10 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     suggest = addon.solve.suggest
     figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2), (8, 0.097)  # the last two: more pieces for nothing or little
     sets = [suggest.Cut([], [], [], None, 0, [1.0], strain, math.inf, pieces) for pieces, strain in figures]
-    sets = suggest.from_few_pieces(sets)
+    narrow = [replace(each, is_narrow=True) if each.num_pieces == 5 else each for each in sets]
+    assert [each.num_pieces for each in suggest.from_few_pieces(narrow, 0.5)] == [3, 5, 6, 8, 9]
+    assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.098)] == [3, 5, 8, 9]  # 8 reach the limit
+    sets = suggest.from_few_pieces(sets, 0.5)
     assert [each.num_pieces for each in sets] == [3, 5, 9]
     assert [suggest.set_for(sets, limit) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
     sets[1] = replace(sets[1], is_narrow=True)

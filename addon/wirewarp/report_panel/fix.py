@@ -236,7 +236,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             return 1
         found = current_suggestions(source, read_anew)
         if found is None:
-            sentence = f'Nothing is suggested for "{source.name}" as it is now. Press Suggest Darts or Suggest Seams.'
+            sentence = f'Nothing is suggested for "{source.name}" as it is now. Press a button that suggests.'
             raise object_error("no_suggestion", sentence)
         cut = found.cuts[found.chosen]
         if cut.cleared:

@@ -26,7 +26,7 @@ from .next_step import CHECK, SHOW, NextStep, draw_first_steps, next_step, piece
 
 ICON = "MATCLOTH"
 FAR_ENOUGH = "These stretch far enough for the present pieces"
-TO_TRY = "These may, because each fabric changes the pieces"
+TO_TRY = "Other fabrics: each changes the pieces, so flatten to see"
 
 
 def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str], list[str]]:

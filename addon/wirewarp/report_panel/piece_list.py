@@ -93,7 +93,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
             if chosen.ok and chosen.needed >= WORTH_A_CUT and offered != chosen.index:
                 draw_suggest(self.layout, context.scene.wirewarp, chosen.index, has_seams=has_seams)
             elif has_seams and offered is None:
-                draw_simplify(self.layout)
+                draw_simplify(self.layout, context.scene.wirewarp)
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True

@@ -13,10 +13,10 @@ from ..issues import ObjectError, object_error
 from .arrays import MeshArrays
 from .cut_faces import segments_along
 from .flatten import FlattenChoices, issue_of_error, library_arguments, result_of
-from .steps import Steps, reported_as
+from .steps import CanceledError, Steps, of_all, reported_as
 from .suggest import Cut
 
-LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric takes the first, plush and knits the last
+LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric can do the first, plush and knits the last
 
 
 def limits_up_to(most: float | None) -> list[float]:
@@ -25,11 +25,12 @@ def limits_up_to(most: float | None) -> list[float]:
 
 
 def fewer_seams(
-    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float]
+    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float], remedy: str
 ) -> Steps[list[Cut]]:
     """Return seams to clear, from few pieces to little stretch: a row for each limit that needs fewer seams.
 
-    limits: accepted stretches in ascending order. Raises ObjectError, also if every seam is needed.
+    limits: accepted stretches in ascending order. If canceled, the rows so far remain. remedy: a sentence for the
+    ObjectError if every seam is needed.
     """
     if len(arrays.seams) == 0:
         raise object_error("no_seams", "The model has no seams to simplify. Mark seams, or press Suggest Seams.")
@@ -40,7 +41,12 @@ def fewer_seams(
         for index, limit in enumerate(limits):
             arguments |= {"seams": seams, "strain": limit}
             job = library.start_simplify(arrays.vertices, arrays.triangles, **arguments)
-            fewer = yield from reported_as(result_of(job), partial(_of_all, index, len(limits)))
+            try:
+                fewer = yield from reported_as(result_of(job), partial(of_all, index, len(limits)))
+            except CanceledError:
+                if not found:
+                    raise
+                break
             if not math.isfinite(fewer.strain):
                 sentence = "A piece has no flat shape. Flatten, and fix the failed pieces before you simplify seams."
                 raise object_error("no_flat_shape", sentence)
@@ -54,12 +60,8 @@ def fewer_seams(
         raise ObjectError(issue_of_error(error, arrays)) from error
     if not found:
         needed = f"Every seam is needed for a stretch of {percent_text(limits[-1])} or less."
-        raise object_error("no_proposal", f"{needed} Choose a fabric that stretches more, or a larger target.")
+        raise object_error("no_proposal", f"{needed} {remedy}")
     return found[::-1]
-
-
-def _of_all(done: int, count: int, share: float) -> float:
-    return (done + share) / count
 
 
 def _row(arrays: MeshArrays, cleared: np.ndarray, length: float, strain: float, before: float, num_pieces: int) -> Cut:

@@ -40,6 +40,11 @@ def reported_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> St
                 go_on = partial(steps.throw, canceled)
 
 
+def of_all(done: int, count: int, share: float) -> float:
+    """Return the share of all parts of the work. share: completed share of the part after those that are done."""
+    return (done + share) / count
+
+
 def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
     """Return the steps grouped: each group fills a slice of time."""
     with closing(steps):

@@ -55,7 +55,7 @@ class Cut:
     segments: Segments = field(compare=False)  # drawn lines
     piece: int  # number of the piece in the flattening
     lengths: list[float]  # of each line on the model; of a cut set together; Blender units
-    strain: float  # 99% of the piece (of the worst part) stretch or ease less with the cut
+    strain: float  # share that 99% of the piece (of the worst part) stay below with the cut
     strain_before: float  # infinite for a cut set
     num_pieces: int  # pieces after the first line; after all lines of a cut set, or without the cleared seams
     cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
@@ -92,21 +92,20 @@ class Wish:
 def suggest_cuts(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, wish: Wish, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """Return cuts, the best first, or the steps to a target. Cut sets go from few pieces to little stretch.
+    """Return cuts, the best first, or the steps to a target. Cut sets are in no order.
 
     Raises ObjectError, also if there is nothing to gain.
     """
     try:
         shared = library_arguments(library, arrays, choices)
         across = diagonals(arrays)
-        barred = np.concatenate([_barred_edges(arrays, no_seam), _barred_diagonals(across, arrays, no_seam)])
+        forbidden = np.concatenate([_forbidden_edges(arrays, no_seam), _forbidden_diagonals(across, arrays, no_seam)])
         arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": wish.piece}
         around = arrays.edges[painted_at_edges(arrays, no_seam) > 0]
-        proposals = yield from result_of(_start(library, wish, arguments | {"no_seam": barred}, around))
+        proposals = yield from result_of(_start(library, wish, arguments | {"no_seam": forbidden}, around))
         if wish.target is not None:
             return _steps_of(proposals, arrays, wish.piece)
-        cuts = _with_mirror_images(proposals, arrays)
-        return from_few_pieces(cuts) if cuts[0].is_first else cuts
+        return _with_mirror_images(proposals, arrays)
     except library.FlattenError as error:
         issue = issue_of_error(error, arrays, piece=wish.piece_text(arrays, np.asarray(error.faces, dtype=int)))
         if issue.code == "no_proposal" and (no_seam.faces.any() or no_seam.vertices.any()):
@@ -134,11 +133,11 @@ def diagonals(arrays: MeshArrays) -> np.ndarray:
     return np.unique(sides[~np.isin(edge_keys(sides, count), edge_keys(arrays.edges, count))], axis=0)
 
 
-def _barred_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
+def _forbidden_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
     """Return edges (k,2) with both ends painted, or with painted faces only: a cut may run around painted faces."""
     counts = np.bincount(arrays.loop_edges, minlength=len(arrays.edges))
-    is_barred = (counts > 0) & (painted_at_edges(arrays, no_seam) == counts)
-    return arrays.edges[is_barred | no_seam.vertices[arrays.edges].all(axis=1)]
+    is_forbidden = (counts > 0) & (painted_at_edges(arrays, no_seam) == counts)
+    return arrays.edges[is_forbidden | no_seam.vertices[arrays.edges].all(axis=1)]
 
 
 def painted_at_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
@@ -147,7 +146,7 @@ def painted_at_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
     return np.bincount(arrays.loop_edges[no_seam.faces[face_of_loop]], minlength=len(arrays.edges))
 
 
-def _barred_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
+def _forbidden_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
     """Return the diagonals (k,2) of painted faces."""
     is_painted = no_seam.faces[polygons_across(across, arrays)] | no_seam.vertices[across].all(axis=1)
     return across[is_painted]
@@ -167,11 +166,15 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
     return cuts
 
 
-def from_few_pieces(sets: Sequence[Cut]) -> list[Cut]:
-    """Return cut sets by their number of pieces, without those that stretch about as far with more pieces."""
+def from_few_pieces(sets: Sequence[Cut], limit: float) -> list[Cut]:
+    """Return cut sets by their number of pieces, without those that stretch about as far with more pieces.
+
+    A small gain counts if it reaches the limit, the maximum stretch. Narrow sets never replace others.
+    """
     kept: list[Cut] = []
     for each in sorted(sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
-        if not kept or each.strain < WORTH_PIECES * kept[-1].strain:
+        least = min((other.strain for other in kept if other.is_narrow == each.is_narrow), default=math.inf)
+        if each.strain < WORTH_PIECES * least or each.strain <= limit < least:
             kept.append(each)
     return kept
 
@@ -217,11 +220,11 @@ WORDS = {"DARTS": ("dart", "darts"), "SEAMS": ("seam", "seams")}
 
 
 def found_words(kind: str, cuts: list[Cut]) -> str:
-    """Return "1 dart", "3 seams", "2 sets of seams", "2 sets of fewer seams"."""
+    """Return "1 dart", "3 seams", "2 sets of seams", "2 ways to simplify"."""
     if cuts[0].is_first:
         return counted(len(cuts), "set of seams", "sets of seams")
     if cuts[0].cleared:
-        return counted(len(cuts), "set of fewer seams", "sets of fewer seams")
+        return counted(len(cuts), "way to simplify", "ways to simplify")
     return counted(sum(len(cut.lengths) for cut in cuts), *WORDS[kind])
 
 
@@ -269,10 +272,10 @@ def cut_text(cut: Cut, text: LengthText) -> str:
     """Return "stretch 12 → 6.0%, 140 mm"; for mirror images "2×140 mm".
 
     For a cut set, return "3 pieces, stretch 6.0%, seams 1.40 m"; for seams to clear "4 pieces, stretch 5.0 → 9.5%, 270
-    mm of seams less".
+    mm less seam".
     """
     if cut.cleared:
-        return f"{counted(cut.num_pieces, 'piece')}, stretch {_shares(cut)}, {text.rough(cut.lengths[0])} of seams less"
+        return f"{counted(cut.num_pieces, 'piece')}, stretch {_shares(cut)}, {text.rough(cut.lengths[0])} less seam"
     if cut.is_first:
         return f"{counted(cut.num_pieces, 'piece')}, stretch {_shares(cut)}, seams {text.rough(cut.lengths[0])}"
     times = f"{len(cut.lengths)}×" if len(cut.lengths) > 1 else ""

@@ -1,49 +1,66 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The narrowest width of the pieces that sets of seams make, from a run with these seams. No Blender in here."""
 
-from contextlib import closing
+from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from types import ModuleType
 
 import numpy as np
 
-from ..core import pattern
+from ..core import Cache, pattern
 from .arrays import MeshArrays
 from .chains import edge_keys
-from .flatten import FlattenChoices, library_arguments, result_of
-from .steps import Steps
-from .suggest import Cut
+from .flatten import FlattenChoices, flatten_arrays
+from .steps import CanceledError, Steps, of_all, reported_as
+from .suggest import Cut, from_few_pieces
+
+SEARCH = 0.8  # share of the progress
 
 
 def with_widths(
-    search: Steps[list[Cut]], library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, allowance: float
+    search: Steps[list[Cut]], library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, limit: float
 ) -> Steps[list[Cut]]:
-    """Search, and return sets with their widths, those that leave no room for two allowances after the others.
+    """Search, and return sets with their widths; without them if the measurement is canceled.
 
-    allowance: in Blender units. Other cuts stay as they are.
+    limit: the maximum stretch of the fabric, which decides between cut sets. Other cuts stay as they are.
     """
-    with closing(search):
-        cuts = yield from search
+    cuts = yield from reported_as(search, lambda share: SEARCH * share)
     if not cuts[0].is_set:
         return cuts
-    found = []
-    for cut in cuts:
-        width = yield from _narrowest(library, arrays, choices, cut)
-        found.append(replace(cut, width=width, is_narrow=width < 2 * allowance))
-    return sorted(found, key=lambda cut: cut.is_narrow)
+    try:
+        sets = yield from reported_as(_measured(cuts, library, arrays, choices), _after_search)
+    except CanceledError:
+        sets = cuts
+    return from_few_pieces(sets, limit) if cuts[0].is_first else sets
 
 
-def _narrowest(library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, cut: Cut) -> Steps[float]:
-    """Return the narrowest width of the pieces with a flat shape, in Blender units."""
+def _after_search(share: float) -> float:
+    return SEARCH + (1 - SEARCH) * share
+
+
+def _measured(
+    cuts: Sequence[Cut], library: ModuleType, arrays: MeshArrays, choices: FlattenChoices
+) -> Steps[list[Cut]]:
+    found, solved = [], library.Cache()
+    for index, cut in enumerate(cuts):
+        steps = _narrowest(library, arrays, choices, cut, solved)
+        width = yield from reported_as(steps, partial(of_all, index, len(cuts)))
+        is_narrow = width is not None and width < 2 * arrays.allowance
+        found.append(replace(cut, width=width, is_narrow=is_narrow))
+    return found
+
+
+def _narrowest(
+    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved: Cache
+) -> Steps[float | None]:
+    """Return the narrowest width of the pieces that the set changes, in Blender units; None if none is flat."""
     count = len(arrays.vertices)
-    goes = np.isin(edge_keys(arrays.seams, count), edge_keys(cut.cleared, count))
-    seams = np.concatenate([arrays.seams[~goes], np.array(cut.edges, dtype=np.int32).reshape(-1, 2)])
-    arguments = library_arguments(library, arrays, choices) | {"seams": seams}
-    result = yield from result_of(library.start(arrays.vertices, arrays.triangles, **arguments))
+    is_cleared = np.isin(edge_keys(arrays.seams, count), edge_keys(cut.cleared, count))
+    seams = np.concatenate([arrays.seams[~is_cleared], np.array(cut.edges, dtype=np.int32).reshape(-1, 2)])
+    result = yield from flatten_arrays(library, replace(arrays, seams=seams), choices, solved)
     widths = []
-    for piece in result.pieces:
-        is_new = cut.cleared or np.isin(piece.source_vertex, cut.edges).any()
-        if is_new and not piece.error:
-            widths.append(pattern.piece_width(piece))
-            yield 1.0
-    return min(widths)
+    for piece in pattern.pieces_along(result.pieces, cut.cleared or cut.edges):
+        widths.append(pattern.piece_width(piece))
+        yield 1.0
+    return min(widths, default=None)

@@ -32,7 +32,8 @@ from ..ui import window_run
 from ..ui.editing import OnMesh, reporting_refusals
 from ..ui.window_run import WindowSteps, fault_sentence
 
-ALLOWANCE = 0.01  # meters, where none is marked: the default of Export Pattern
+CHOOSE_FABRIC = "Choose a fabric that stretches more."
+SET_TARGET = "Set a larger target."
 SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models are sewn
 
 
@@ -86,13 +87,12 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     is_smooth = settings.dart_lines == "SMOOTH" and kind == "DARTS" and target is None
     wish = Wish(kind, piece, target, is_smooth, {each.piece_id: each.name for each in pieces if each.piece_id})
     if kind == "FEWER":
-        limits = [target.strain] if target else limits_up_to(_most_stretch(used))
-        steps, wish = fewer_seams(core.library(), model.arrays, choices, limits), replace(wish, target=None)
+        limits, remedy = ([target.strain], SET_TARGET) if target else (limits_up_to(_most_stretch(used)), CHOOSE_FABRIC)
+        steps, wish = fewer_seams(core.library(), model.arrays, choices, limits, remedy), replace(wish, target=None)
     else:
         steps = suggest_cuts(core.library(), model.arrays, choices, wish, no_seam)
     if wish.target is None:
-        allowance = model.arrays.allowance or ALLOWANCE / meters_per_blender_unit(context.scene)
-        steps = with_widths(steps, core.library(), model.arrays, choices, allowance)
+        steps = with_widths(steps, core.library(), model.arrays, choices, _accepted(used))
     return Search(wish, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
 
 
@@ -100,6 +100,12 @@ def _most_stretch(choices: FlattenChoices) -> float | None:
     """Return the maximum stretch of the fabric; None if unknown. Pieces are turned so that the larger one counts."""
     known = [limit for limit in maximum_stretch(choices.cloth) if limit is not None] if choices.cloth else []
     return max(known, default=None)
+
+
+def _accepted(choices: FlattenChoices) -> float:
+    """Return the maximum stretch of the fabric, or of soft fabrics if it is unknown."""
+    most = _most_stretch(choices)
+    return SOFT if most is None else most
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
@@ -115,8 +121,7 @@ def _shown_first(search: Search, cuts: list[Cut]) -> int:
         return len(cuts) - 1
     if not cuts[0].is_set:
         return 0
-    most = _most_stretch(search.choices)
-    return set_for(cuts, SOFT if most is None else most)
+    return set_for(cuts, _accepted(search.choices))
 
 
 def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
@@ -151,14 +156,6 @@ class SuggestCuts(OnMesh, WindowSteps):
     refusal = "Select a mesh, in Object Mode or in Edit Mode"
     kind = ""  # "DARTS", "SEAMS" or "FEWER"
 
-    piece: IntProperty(
-        name="Piece",
-        description="Which piece to cut, by its place in the report from 0; -1 for any, whichever gains most",
-        default=-1,
-        min=-1,
-        options={"HIDDEN", "SKIP_SAVE"},
-    )
-
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         return self.execute(context) if bpy.app.background else self._begin(context)
 
@@ -192,8 +189,11 @@ class SuggestCuts(OnMesh, WindowSteps):
         for settings in (FlattenSettings, TargetSettings):
             reset_unknown(context.scene.wirewarp, settings)
         with in_object_mode(context):
-            piece = None if self.piece == -1 else self.piece
-            self._search: Search = begin_search(context, source, self.kind, piece)
+            self._search: Search = begin_search(context, source, self.kind, self._piece())
+
+    def _piece(self) -> int | None:
+        """Return the piece to cut; None for any."""
+        return None
 
     def _keep(self, context: bpy.types.Context, cuts: list[Cut]) -> set[str]:
         """In any mode: leaving Edit Mode under a tool that is still going on crashes Blender. Raises ObjectError."""
@@ -213,7 +213,22 @@ class SuggestCuts(OnMesh, WindowSteps):
         return {"FINISHED"}
 
 
-class OBJECT_OT_wirewarp_suggest_darts(SuggestCuts, bpy.types.Operator):
+class SuggestForPiece(SuggestCuts):
+    """Mixed into operators that cut one piece or any."""
+
+    piece: IntProperty(
+        name="Piece",
+        description="Which piece to cut, by its place in the report from 0; -1 for any, whichever gains most",
+        default=-1,
+        min=-1,
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
+
+    def _piece(self) -> int | None:
+        return None if self.piece == -1 else self.piece
+
+
+class OBJECT_OT_wirewarp_suggest_darts(SuggestForPiece, bpy.types.Operator):
     """Find the darts that lower the stretch of this piece most"""
 
     bl_idname = "object.wirewarp_suggest_darts"
@@ -221,7 +236,7 @@ class OBJECT_OT_wirewarp_suggest_darts(SuggestCuts, bpy.types.Operator):
     kind = "DARTS"
 
 
-class OBJECT_OT_wirewarp_suggest_seams(SuggestCuts, bpy.types.Operator):
+class OBJECT_OT_wirewarp_suggest_seams(SuggestForPiece, bpy.types.Operator):
     """Find the seams that lower the stretch of this piece most, or the first ones of a closed model"""
 
     bl_idname = "object.wirewarp_suggest_seams"
@@ -238,7 +253,7 @@ class OBJECT_OT_wirewarp_simplify_seams(SuggestCuts, bpy.types.Operator):
 
 
 class OBJECT_OT_wirewarp_choose_suggestion(OnMesh, bpy.types.Operator):
-    """Show this cut on the model and on its flat pieces"""
+    """Show this suggestion on the model and on its flat pieces"""
 
     bl_idname = "object.wirewarp_choose_suggestion"
     bl_label = "Show Suggestion"

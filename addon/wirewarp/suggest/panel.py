@@ -19,7 +19,7 @@ from ..ui.window_run import SUGGEST
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams", "FEWER": "Fewer Seams"}
 TARGET_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
-COLUMNS = "Pieces, stretch, length of {}, narrowest width."
+COLUMNS = "Pieces, stretch, length of {}"
 FROM_FEW = "Above: fewer pieces. Below: less stretch."
 NARROW = "A piece is only {} wide in one place, less than two allowances. It may be too narrow to sew."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
@@ -47,11 +47,15 @@ def draw_suggest(
         layout.operator("object.wirewarp_simplify_seams")
 
 
-def draw_simplify(layout: bpy.types.UILayout) -> None:
-    """Draw its button, or the progress of a search, for a piece that needs no cut."""
+def draw_simplify(layout: bpy.types.UILayout, settings: TargetSettings) -> None:
+    """Draw its button and target, or the progress of a search, for a piece that needs no cut."""
     row = layout.row(align=True)
-    if not draw_progress(row, SUGGEST, "object.wirewarp_simplify_seams"):
-        row.operator("object.wirewarp_simplify_seams")
+    if draw_progress(row, SUGGEST, "object.wirewarp_simplify_seams"):
+        return
+    row.operator("object.wirewarp_simplify_seams")
+    if settings.suggest_together:
+        layout.prop(settings, "suggest_together")
+        layout.prop(settings, "aim_stretch")
 
 
 class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
@@ -98,14 +102,16 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
             new = counted(len(cut.diagonals), "edge")
             draw_sentence(context, layout, f"Marking it adds {new} across faces of the model.", "INFO")
         if found.with_modifiers:
-            draw_sentence(context, layout, "Marking it applies the modifiers of the model.", "INFO")
+            taking = "Clearing them" if cut.cleared else "Marking it"
+            draw_sentence(context, layout, f"{taking} applies the modifiers of the model.", "INFO")
 
 
 def _explained(cuts: Sequence[Cut]) -> str:
     """Return what the rows of sets contain; empty for other cuts."""
     if not cuts[0].is_set:
         return ""
-    columns = COLUMNS.format("seams that go" if cuts[0].cleared else "seams")
+    columns = COLUMNS.format("cleared seams" if cuts[0].cleared else "seams")
+    columns += "." if all(cut.width is None for cut in cuts) else ", narrowest width."
     return f"{columns} {FROM_FEW}" if len(cuts) > 1 else columns
 
 
