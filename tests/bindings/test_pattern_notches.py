@@ -56,12 +56,12 @@ def strap(length, **options):
     return grid([-100, 0, 100], [0, length], seams=[(1, 4)], **options)
 
 
-@pytest.mark.parametrize(("length", "count"), [(14, 0), (16, 1)])
-def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_from_15_mm_on(length, count):
+@pytest.mark.parametrize(("length", "count", "place"), [(14, 0, 0.0), (16, 1, 5.5), (40, 1, 16.0)])
+def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_from_15_mm_on(length, count, place):
     found = notches(strap(length), 100.0)
     assert [len(own) for own in found] == [count, count]
-    # A notch 5.5 mm from one end of 16 mm: the seam would miss it by 5 mm if it were turned around.
-    assert all(min(point.along, length - point.along) == pytest.approx(5.5) for own in found for point in own)
+    # If the seam were turned around, it would miss the notch by 5 mm, or by a fifth of its length.
+    assert all(min(point.along, length - point.along) == pytest.approx(place) for own in found for point in own)
 
 
 def test_a_wire_on_a_seam_changes_no_notch():

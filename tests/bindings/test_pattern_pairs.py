@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pieces cut as mirrored pairs or on the fold: the result is still every piece, in its actual shape."""
 
+from collections import defaultdict
 from dataclasses import replace
 
 import numpy as np
@@ -89,14 +90,20 @@ def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
     """Pieces on the fabric, opened and mirrored, have their notches where all sides of a seam have them."""
     drawn, whole = sample(name, pairs=True, on_fold=True), sample(name)
     marker = drawn.nested(5000, seconds=0)
-    laid = zip(drawn.laid_on(marker).pieces, marker.placements, strict=True)
-    names = [piece.name for piece in whole.pieces]
+    opened = defaultdict(dict)  # by drawn piece: as it is on the fabric, mirrored or not
+    for laid, placement in zip(drawn.laid_on(marker).pieces, marker.placements, strict=True):
+        opened[placement.piece - 1][placement.mirrored] = laid
+    originals = {piece.name: piece for piece in whole.pieces}
+    wanted = [
+        (opened[index], originals.pop(name))
+        for index, each in enumerate(drawn.pieces)
+        for name in (each.name, *each.copied_names)
+    ]
+    assert not originals  # every piece is compared
     checked = 0
-    for opened_piece, placement in laid:
-        own = drawn.pieces[placement.piece - 1]
-        original = whole.pieces[names.index(own.copied_names[0] if placement.mirrored else own.name)]
+    for either, original in wanted:
         # Pieces may be rotated by half a turn.
-        turned = [opened_piece.placed(Motion(np.zeros(2), angle)) for angle in (0.0, 180.0)]
+        turned = [piece.placed(Motion(np.zeros(2), angle)) for piece in either.values() for angle in (0.0, 180.0)]
         moved = [each.moved(original.bounds[0] - each.bounds[0]) for each in turned]
         shape = cut_polygon(original)
         apart, piece = min(
