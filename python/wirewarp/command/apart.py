@@ -194,5 +194,5 @@ def _crash(code: int | None) -> str:
     if code is None or code >= 0:
         return f"Its process ended with code {code}."
     name = signal.Signals(-code).name if -code in set(signal.Signals) else str(-code)
-    hint = ", as by a system that is out of memory" if name == "SIGKILL" else ""
+    hint = ", probably because memory ran out" if name == "SIGKILL" else ""
     return f"Its process was ended by {name}{hint}."

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A marker: the places of the pieces of a pattern on the cloth. It is saved, because each search ends differently."""
+"""A marker: the places of the pieces of a pattern on the fabric. It is saved, because each search ends differently."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -55,8 +55,8 @@ class Placement:
     """Place of one copy of a piece whose cut lines have their lower left corner at its origin."""
 
     piece: int  # its number
-    x: float  # across the cloth, millimeters: place of the origin of the piece
-    y: float  # along the cloth
+    x: float  # across the fabric, millimeters: place of the origin of the piece
+    y: float  # along the fabric
     angle: float  # degrees counterclockwise
     mirrored: bool  # mirrored before it is turned
     sheet: int = 0  # always 0 on a roll
@@ -64,14 +64,14 @@ class Placement:
 
 @dataclass(frozen=True)
 class Marker:
-    """Places of pieces. Lengths are in millimeters, x across the cloth and y along it, from its lower left corner."""
+    """Places of pieces. Lengths are in millimeters, x across the fabric and y along it, from its lower left corner."""
 
-    width: float  # usable width of the cloth
+    width: float  # usable width of the fabric
     length: float  # used length of the roll, or of the last sheet
     sheet_length: float | None  # None on a roll
     gap: float  # smallest distance between pieces
     placements: tuple[Placement, ...]
-    efficiency: float  # share of the cloth that becomes pieces; sheets count whole
+    efficiency: float  # share of the fabric that becomes pieces; sheets count whole
     by: str  # method: "spyrrow", or "slides" if it is not installed or found nothing shorter
     made_of: tuple[Size, ...]  # in the order of the pattern
     warnings: tuple[str, ...] = ()

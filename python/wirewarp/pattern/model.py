@@ -115,7 +115,7 @@ class PatternPiece:
 
     @property
     def size(self) -> np.ndarray:
-        """Return width and height of the cut lines, the room that the piece needs on the cloth."""
+        """Return width and height of the cut lines, the room that the piece needs on the fabric."""
         low, high = self.bounds
         return high - low
 

@@ -219,7 +219,7 @@ class Pattern(PatternData):
         seconds: float = 10.0,
         preview: Preview | None = None,
     ) -> Steps[Marker]:
-        """Find places for the pieces that use the least cloth, in steps. Rolls use spyrrow if it is installed.
+        """Find places for the pieces that use the least fabric, in steps. Rolls use spyrrow if it is installed.
 
         Every piece is cut in its quantity, including mirrored copies, from one layer; pieces on the fold are opened.
         Lengths are in millimeters.
@@ -230,7 +230,7 @@ class Pattern(PatternData):
         returns the first marker found. preview: called with each better marker.
 
         The search is not deterministic, so save the marker. Raises FlattenError for bad input and for a piece that is
-        too large for the cloth.
+        too large for the fabric.
         """
         whole = [at_corner(unfolded(piece) if piece.on_fold else piece) for piece in self.pieces]
         return nesting(whole, Cloth(width, length, gap, grain), times, seconds, self.units, preview)

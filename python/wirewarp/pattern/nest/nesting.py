@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds a marker: the shortest cloth, or the fewest sheets, from which the pieces of a pattern can be cut."""
+"""Finds a marker: the shortest roll, or the fewest sheets, from which the pieces of a pattern can be cut."""
 
 import math
 import time
@@ -32,7 +32,7 @@ Preview = Callable[[Marker], object]
 
 @dataclass(frozen=True)
 class Cloth:
-    """The cloth and how it is cut. Lengths are in millimeters."""
+    """The fabric and how it is cut. Lengths are in millimeters."""
 
     width: float
     length: float | None  # of a sheet; None for a roll
@@ -99,7 +99,7 @@ class _Search:
     def markers(self, seconds: float) -> Generator[Marker | None, None, None]:
         """Yield markers, or None after a short time without a new one.
 
-        Raises FlattenError for a piece larger than the cloth.
+        Raises FlattenError for a piece larger than the fabric.
         """
         self._items = yield from items_of(self._pieces, self._cloth.gap, self._times)
         asks_spyrrow = self._cloth.length is None and seconds > 0 and is_installed()

@@ -150,7 +150,7 @@ def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
 
 
 def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
-    """Plan the cloth with its edges, on pages as wide as the roll of paper. Pages of a longer cloth overlap."""
+    """Plan the fabric with its edges, on pages as wide as the roll of paper. Pages of a longer one overlap."""
     page_width(marker, width, pattern.units)
     length = marker.length if marker.sheet_length is None else marker.sheet_length
     most = LONGEST - 2 * MARGIN - SIZE[1]
