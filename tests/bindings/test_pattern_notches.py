@@ -64,6 +64,21 @@ def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_from_15_m
     assert all(min(point.along, length - point.along) == pytest.approx(place) for own in found for point in own)
 
 
+def test_a_notch_without_its_partner_is_left_out():
+    """A wedge is sewn into a narrow gap of a piece, whose allowances meet in the gap, at its end or everywhere."""
+    points = [(-100, -50), (100, -50), (100, 100), (4, 100), (0, 0), (-4, 100), (-100, 100)]
+    faces = np.array([(0, 1, 4), (1, 2, 4), (2, 3, 4), (4, 5, 6), (0, 4, 6), (4, 3, 5)])
+    vertices = np.column_stack([np.array(points) / 1000, np.zeros(len(points))])
+    result = wirewarp.flatten(vertices, faces, seams=[(3, 4), (4, 5)])
+    counts = []
+    for allowance in (0.0, 2.0, 10.0):
+        pattern = Pattern.from_result(result, allowance=allowance, notch_spacing=15.0)
+        around, wedge = ({point.pair for point in piece.points if point.pair} for piece in pattern.pieces)
+        assert around == wedge
+        counts.append(len(wedge))
+    assert counts[0] > counts[1] > counts[2] == 0
+
+
 def test_a_wire_on_a_seam_changes_no_notch():
     plain, wired = strap(200), strap(200, wires=[wirewarp.Wire([1, 4])])
     along = [[[point.along for point in own] for own in notches(result, 30.0)] for result in (plain, wired)]

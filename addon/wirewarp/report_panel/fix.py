@@ -126,6 +126,7 @@ def _counts(source: bpy.types.Object) -> dict[str, int]:
 
 
 WORTH_WORDS = 0.001  # smallest change, as a share of the outlines' length: a millimeter on a meter
+SUGGEST_AGAIN = "Suggest Darts, Suggest Seams or Simplify Seams"
 NOTHING = {  # by kind
     "SEAMS": "Already marked. Flatten again.",
     "SUGGESTION": "Already marked. Flatten again.",
@@ -236,7 +237,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             return 1
         found = current_suggestions(source, read_anew)
         if found is None:
-            sentence = f'Nothing is suggested for "{source.name}" as it is now. Press a button that suggests.'
+            sentence = f'Nothing is suggested for "{source.name}" as it is now. Press {SUGGEST_AGAIN}.'
             raise object_error("no_suggestion", sentence)
         cut = found.cuts[found.chosen]
         if cut.cleared:

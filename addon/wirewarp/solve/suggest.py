@@ -74,7 +74,7 @@ class Cut:
 
 
 @dataclass(frozen=True)
-class Wish:
+class SearchOptions:
     """Which cuts to suggest."""
 
     kind: str  # DARTS or SEAMS; FEWER for seams to clear
@@ -90,7 +90,7 @@ class Wish:
 
 
 def suggest_cuts(
-    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, wish: Wish, no_seam: NoSeam
+    library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
     """Return cuts, the best first, or the steps to a target. Cut sets are in no order.
 
@@ -100,30 +100,30 @@ def suggest_cuts(
         shared = library_arguments(library, arrays, choices)
         across = diagonals(arrays)
         forbidden = np.concatenate([_forbidden_edges(arrays, no_seam), _forbidden_diagonals(across, arrays, no_seam)])
-        arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": wish.piece}
+        arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": options.piece}
         around = arrays.edges[painted_at_edges(arrays, no_seam) > 0]
-        proposals = yield from result_of(_start(library, wish, arguments | {"no_seam": forbidden}, around))
-        if wish.target is not None:
-            return _steps_of(proposals, arrays, wish.piece)
+        proposals = yield from result_of(_start(library, options, arguments | {"no_seam": forbidden}, around))
+        if options.target is not None:
+            return _steps_of(proposals, arrays, options.piece)
         return _with_mirror_images(proposals, arrays)
     except library.FlattenError as error:
-        issue = issue_of_error(error, arrays, piece=wish.piece_text(arrays, np.asarray(error.faces, dtype=int)))
+        issue = issue_of_error(error, arrays, piece=options.piece_text(arrays, np.asarray(error.faces, dtype=int)))
         if issue.code == "no_proposal" and (no_seam.faces.any() or no_seam.vertices.any()):
             issue = replace(issue, sentence=issue.sentence + PAINTED)
         raise ObjectError(issue) from error
 
 
 def _start(
-    library: ModuleType, wish: Wish, arguments: dict[str, Any], around_painted: np.ndarray
+    library: ModuleType, options: SearchOptions, arguments: dict[str, Any], around_painted: np.ndarray
 ) -> "Job[list[DartProposal]]":
     """Start the search. around_painted: edges (k,2) that smooth lines would cross to enter painted faces."""
-    target, is_dart = wish.target, wish.kind == "DARTS"
+    target, is_dart = options.target, options.kind == "DARTS"
     if target is not None:
         limits = {"strain": target.strain, "most": target.most, "total_length": target.length}
         return library.start_plan(**arguments, **limits, kind="dart" if is_dart else "seam", twins=True)
     if not is_dart:
         return library.start_seams(**arguments)
-    return library.start_darts(**arguments, smooth=wish.is_smooth, no_crossing=around_painted)
+    return library.start_darts(**arguments, smooth=options.is_smooth, no_crossing=around_painted)
 
 
 def diagonals(arrays: MeshArrays) -> np.ndarray:

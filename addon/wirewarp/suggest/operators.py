@@ -19,7 +19,17 @@ from ..properties import reset_unknown
 from ..solve.fewer_seams import fewer_seams, limits_up_to
 from ..solve.flatten import FlattenChoices, maximum_stretch, used_choices
 from ..solve.steps import CanceledError, Steps
-from ..solve.suggest import Cut, NoSeam, Wish, cut_text, found_words, set_for, shortfall, step_text, suggest_cuts
+from ..solve.suggest import (
+    Cut,
+    NoSeam,
+    SearchOptions,
+    cut_text,
+    found_words,
+    set_for,
+    shortfall,
+    step_text,
+    suggest_cuts,
+)
 from ..solve.widths import with_widths
 from ..state.changes import has_changed
 from ..state.memory import read_anew
@@ -41,7 +51,7 @@ SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models ar
 class Search:
     """A search under way for one model, as it was read."""
 
-    wish: Wish
+    options: SearchOptions
     model: Model
     choices: FlattenChoices
     no_seam: NoSeam  # of the model's own mesh
@@ -52,7 +62,7 @@ class Search:
     @property
     def is_of_model(self) -> bool:
         """Cuts that are taken together, of any piece: they may be of several, which they number anew."""
-        return self.wish.kind == "FEWER" or (self.wish.target is not None and self.wish.piece is None)
+        return self.options.kind == "FEWER" or (self.options.target is not None and self.options.piece is None)
 
 
 def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str, piece: int | None) -> Search:
@@ -85,15 +95,17 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
             no_seam = read_no_seam(source, mesh)
     target, used = target_of(settings), used_choices(choices, model.arrays)
     is_smooth = settings.dart_lines == "SMOOTH" and kind == "DARTS" and target is None
-    wish = Wish(kind, piece, target, is_smooth, {each.piece_id: each.name for each in pieces if each.piece_id})
+    names = {each.piece_id: each.name for each in pieces if each.piece_id}
+    options = SearchOptions(kind, piece, target, is_smooth, names)
     if kind == "FEWER":
         limits, remedy = ([target.strain], SET_TARGET) if target else (limits_up_to(_most_stretch(used)), CHOOSE_FABRIC)
-        steps, wish = fewer_seams(core.library(), model.arrays, choices, limits, remedy), replace(wish, target=None)
+        steps = fewer_seams(core.library(), model.arrays, choices, limits, remedy)
+        options = replace(options, target=None)  # the rows are not steps
     else:
-        steps = suggest_cuts(core.library(), model.arrays, choices, wish, no_seam)
-    if wish.target is None:
+        steps = suggest_cuts(core.library(), model.arrays, choices, options, no_seam)
+    if options.target is None:
         steps = with_widths(steps, core.library(), model.arrays, choices, _accepted(used))
-    return Search(wish, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
+    return Search(options, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
 
 
 def _most_stretch(choices: FlattenChoices) -> float | None:
@@ -117,7 +129,7 @@ def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
 
 def _shown_first(search: Search, cuts: list[Cut]) -> int:
     """Return the index of the cut to show: the last for a target, the set for the fabric, or else the best cut."""
-    if search.wish.target:
+    if search.options.target:
         return len(cuts) - 1
     if not cuts[0].is_set:
         return 0
@@ -129,9 +141,9 @@ def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
     model = search.model
     wire_ids = {wire.chain.wire_id for wire in model.arrays.wires}
     found = Suggestions(
-        search.wish.kind,
+        search.options.kind,
         cuts,
-        search.wish.target,
+        search.options.target,
         _names_of(search, cuts),
         search.choices,
         model.arrays.grain_wire,
