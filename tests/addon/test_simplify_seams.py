@@ -38,7 +38,12 @@ def test_developable_strips_become_one_piece_again(addon, capfd):
     buttons = []
     draw_panels(addon, buttons)
     assert "object.wirewarp_simplify_seams" in buttons and "object.wirewarp_suggest_seams" not in buttons
-    seams = pairs(seams_of(source))
+    seams, settings = pairs(seams_of(source)), bpy.context.scene.wirewarp
+    settings.aim_stretch = 37.5
+    assert "37.5" not in draw_panels(addon)
+    settings.suggest_together = True
+    assert "True 37.5" in draw_panels(addon)  # the target that the button uses, beside its switch
+    settings.suggest_together = False
     assert SIMPLIFY() == {"FINISHED"}
     (cut,) = found(addon, source).cuts
     assert pairs(cut.cleared) == seams and cut.num_pieces == 1
