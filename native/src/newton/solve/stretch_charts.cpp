@@ -45,10 +45,12 @@ class StretchedGroup {
     }
   }
 
-  /// For a chart that has an error in any case. fixed: with its elastic seams fixed at the lengths of their other
-  /// sides.
-  void solve_faulty(std::size_t k, const Chart& fixed, bool ran_out) {
-    if (!refine_faulty(k, fixed)) explain(k, ran_out);
+  /// For a chart that is flipped or overlaps itself without the stretch. fixed: with fixed elastic seams. ran_out:
+  /// whether the limit of factorizations ended a solver of the stage before. Returns whether a shape has the lengths.
+  bool solve_faulty(std::size_t k, const Chart& fixed, bool ran_out) {
+    if (refine_faulty(k, fixed, ran_out)) return true;
+    explain(k, ran_out);
+    return false;
   }
 
  private:
@@ -88,8 +90,8 @@ class StretchedGroup {
       report_fixed_seams(group_[k].solved.report);
     } else if (was_good(k)) {
       explain(k, ran_out);
-    } else {
-      solve_faulty(k, fixed, ran_out);
+    } else if (solve_faulty(k, fixed, ran_out) && group_[k].is_nominal) {
+      report_fixed_seams(group_[k].solved.report);
     }
   }
 
@@ -106,8 +108,8 @@ class StretchedGroup {
     return found.shape.uv * group_[k].lengths.flat_share.cwiseInverse().asDiagonal();
   }
 
-  /// Returns false if no shape has the lengths.
-  bool refine_faulty(std::size_t k, const Chart& fixed) {
+  /// Returns false if no shape with the lengths was found. Sets ran_out if the limit of factorizations ended a solver.
+  bool refine_faulty(std::size_t k, const Chart& fixed, bool& ran_out) {
     if (stop_.is_stopped()) return false;
     SolvedChart& one = group_[k].solved;
     Budget budget(run_.options.max_factorizations);
@@ -125,6 +127,7 @@ class StretchedGroup {
     }
     found.factorizations = budget.spent();
     if (!found.is_exact()) {
+      ran_out = ran_out || budget.ran_out();
       one.report.factorizations += budget.spent();
       return false;
     }
