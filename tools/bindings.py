@@ -32,11 +32,11 @@ def bindings_python(version: str) -> Path:
 def bindings_tests(version: str, *options: str) -> None:
     """Run all tests in Debian's Python; in others, without those of the core's results. options: of pytest.
 
-    If PYTEST_ADDOPTS selects tests, they run in one process, where breakpoint() works.
+    If PYTEST_ADDOPTS is set, they run in one process, where breakpoint() works.
     """
     chosen = [] if version == DEBIAN_VERSION else ["-m", "not core"]
-    is_selection = bool(os.environ.get("PYTEST_ADDOPTS"))
-    at_once = [] if is_selection else ["-n", str(CORES), "--dist", "loadfile"]  # the tests of a file share results
+    has_options = bool(os.environ.get("PYTEST_ADDOPTS"))
+    at_once = [] if has_options else ["-n", str(CORES), "--dist", "loadfile"]  # the tests of a file share results
     folders = ("tests/bindings", "tests/without_blender")
     run([bindings_python(version), "-m", "pytest", "-q", *at_once, *chosen, *options, *folders])
 

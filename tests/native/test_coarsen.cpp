@@ -250,7 +250,7 @@ TEST(CoarseStart, IsRejectedIfWiresMayWiggle) {
 }
 
 /// The start claims to be near the minimum, but all of its vertices coincide.
-TEST(CoarseStart, IsRejectedIfItIsNotNearTheMinimum) {
+TEST(Minimize, RejectsAStartThatIsNotNearTheMinimum) {
   const int n = 24;
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));
   const Chart& chart = charts.charts.at(0);

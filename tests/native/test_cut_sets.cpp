@@ -213,7 +213,7 @@ TEST(CutSetSearch, AvoidsEdgesThatMayHaveNoSeam) {
   }
 }
 
-TEST(CutSetSearch, KeepsTheLongestAllowedLength) {
+TEST(CutSetSearch, SetsAreNoLongerThanAllowed) {
   CutOptions cut_options = rough();
   const std::vector<DartProposal> sets = propose_seams(head(), {}, cut_options);
   ASSERT_GT(sets.size(), 1U);

@@ -45,7 +45,7 @@ struct Asked {
   int limit = 1'000'000;
 };
 
-TEST(Questions, AreAskedInProportionToTheFaces) {
+TEST(Questions, AreAskedAtLeastInProportionToTheFaces) {
   const int few = 40, many = 110;
   const std::map<std::string, int> before = questions(confetti(few)), after = questions(confetti(many));
   const int faces = 2 * many * many;

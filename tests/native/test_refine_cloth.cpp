@@ -96,7 +96,7 @@ TEST(RefineCloth, TheGrainWireHasItsAngle) {
   }
 }
 
-TEST(RefineCloth, TheBestDirectionHasLessEnergyThanStraightGrainAndBias) {
+TEST(RefineCloth, TheBestDirectionHasNoMoreEnergyThanStraightGrainAndBias) {
   const FlattenInput sphere = test::quarter_sphere(6);
   Options options = with_cloth(woven());
   const double straight = flat_piece(sphere, options).report.objective;

@@ -193,11 +193,11 @@ TEST(Stretch, FinishedPiecesKeepTheirLengthsWhenCanceled) {
         continue;
       }
       ++finished;
-      const std::vector<BoundaryReport>& promised = whole.pieces.at(p).boundaries;
-      ASSERT_EQ(piece.boundaries.size(), promised.size());
-      for (std::size_t i = 0; i < promised.size(); ++i) {
-        EXPECT_NEAR(piece.boundaries[i].length_2d, promised[i].length_2d, kRelative * promised[i].length_2d)
-            << "cancelled after " << last << " of " << asked << " questions";
+      const std::vector<BoundaryReport>& expected = whole.pieces.at(p).boundaries;
+      ASSERT_EQ(piece.boundaries.size(), expected.size());
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_NEAR(piece.boundaries[i].length_2d, expected[i].length_2d, kRelative * expected[i].length_2d)
+            << "canceled after " << last << " of " << asked << " questions";
       }
     }
   }

@@ -11,8 +11,9 @@ inline constexpr int kMaxProjectFactorizations = 30;  // of a start near exact l
 
 /// Moves uv to exact lengths by Gauss-Newton steps on the lengths alone. Each step is the least change in the metric of
 /// the Laplacian, with any variations of the elastic parts within their tolerances. The metric matters if a flat shape
-/// has more degrees of freedom than fixed lengths. Returns false if no exact lengths are near; uv then has the smallest
-/// length errors that were found. Throws Stopped; the token is polled before each factorization.
+/// has more degrees of freedom than fixed lengths, the variations if it has fewer. Returns false if no exact lengths
+/// are near; uv then has the smallest length errors that were found. Throws Stopped; the token is polled before each
+/// factorization.
 bool project_to_lengths(const Problem& problem, Positions2& uv, const Control& control);
 
 }  // namespace wirewarp

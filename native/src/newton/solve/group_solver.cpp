@@ -2,7 +2,6 @@
 #include "newton/solve/group_solver.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "base/progress_report.h"

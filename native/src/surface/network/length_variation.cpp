@@ -8,12 +8,12 @@ namespace wirewarp {
 Eigen::VectorXd length_variation(const Chart& chart, const Positions2& uv) {
   Eigen::VectorXd variation(static_cast<Eigen::Index>(chart.wire_parts.size()));
   for (int i = 0; i < variation.size(); ++i) {
-    double asked = 0, flat = 0;
+    double target = 0, flat = 0;
     for (const HalfedgeHandle h : chart.wire_parts[i].half_edges) {
-      asked += length_ratio(chart, h) * edge_length(chart.mesh, h);
+      target += length_ratio(chart, h) * edge_length(chart.mesh, h);
       flat += planar_length(chart.mesh, h, uv);
     }
-    variation[i] = flat / asked - 1;
+    variation[i] = flat / target - 1;
   }
   return variation;
 }
