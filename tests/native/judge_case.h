@@ -18,8 +18,8 @@ struct JudgeCase {
 
 JudgeCase flattened(const FlattenInput& input, const Options& options = {});
 
-/// A saddle of 8 by 8 quads with vertices i + 9 j, cut along i = 4 into two pieces in a row. Wire "rigid" runs along j
-/// = 4 through both, "elastic" along i = 2 in piece 0, where it is upright, and "other" along i = 6 in piece 1.
+/// A saddle of 8 by 8 quads with vertices i + 9 j, cut along i = 4 into two pieces in a row. Wire "rigid" runs
+/// along j = 4 through both, "elastic" along i = 2 in piece 0, where it is upright, and "other" along i = 6 in piece 1.
 JudgeCase two_sheets();
 
 using Spoil = std::function<void(JudgeCase&)>;

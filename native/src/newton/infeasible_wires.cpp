@@ -21,8 +21,8 @@ namespace {
 // above the first bound, those above the second are freed, too.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
 constexpr double kUneven = 5e-3;  // strain_rms that a larger variation of other wires may take away
-constexpr double kFineStep = 1e-3,
-                 kStep = 5e-3;    // of proposed tolerances: 0.1%, and 0.5% from 0.5% on, because people type them
+// Steps of proposed tolerances: 0.1%, and 0.5% from 0.5% on, because people type them.
+constexpr double kFineStep = 1e-3, kStep = 5e-3;
 constexpr double kLargest = 0.5;  // a wire that needs more is freed
 constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
 constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); those of a coarser or a sewn chart count

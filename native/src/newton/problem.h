@@ -15,7 +15,7 @@
 
 namespace wirewarp {
 
-/// The goal of a refinement: the energy, and the forbidden flips and overlaps.
+/// The goal of a refinement: the energy, the target lengths, the forbidden flips and overlaps, and how far it goes.
 struct Stage {
   const Cloth* cloth = nullptr;                 // whose energy f has; null: the shape error of Eq. (4)
   const TargetLengths* lengths = nullptr;       // null: nominal lengths, and the layout is free to turn
@@ -46,7 +46,7 @@ class Problem {
   const Positions2& free_map(const StopToken& stop);
 
   /// Return c and f of a stage. layout: one row per chart vertex; it gives the chart's size, and which parts of its
-  /// outline are near each other. It may be empty without a fabric, unless the stage forbids overlaps.
+  /// outline are near each other. It may be empty if the stage fixes no rotation and forbids no overlaps.
   LengthConstraints constraints(const Stage& stage, const Positions2& layout = {}) const;
   FairShapeError objective(const Stage& stage, const Positions2& layout = {}) const;
 

@@ -14,8 +14,8 @@ namespace {
 constexpr double kWeightOfExcess = 10;       // V over the square root of the area: far above the forces in wires
 constexpr double kWeightOfUnevenness = 100;  // W of wire parts, the same
 constexpr double kWeightOfBoundary = 1000;   // far above that of wires, so that outlines change last
-constexpr double kWithinTolerance =
-    0.99;  // share of the tolerance that is used, so that h stays within it in spite of smoothing
+// Share of the tolerance that is used, so that h stays within it in spite of smoothing.
+constexpr double kWithinTolerance = 0.99;
 constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};          // σ: strains of 1e-4 are distinguished from 0 in the end
 constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
 constexpr double kWorthwhile = 1e-5;                         // predicted decrease over Φ

@@ -21,7 +21,8 @@ constexpr double kTie = 1e-9;
 
 /// Returns the edges that are neither crossed by the tree of faces nor in the tree of paths: two for each handle, and
 /// one for each boundary loop but one. The tree of faces crosses edges with the longest detour by the sources first, so
-/// that the shortest are left. It crosses forbidden and unreachable edges even before; of these, none is returned.
+/// that the shortest are left. It crosses forbidden and unreachable edges before all others, so that
+/// none of them is returned.
 std::vector<EdgeHandle> edges_left_over(const HalfEdgeMesh& mesh, const CutMask& forbidden,
                                         const ShortestPaths& paths) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -21,6 +21,7 @@ class MirroredCuts {
   void forbid_edges_without_image(CutMask& forbidden) const;
 
   /// Returns two symmetric cuts: each is the part of the cut on one side of the plane together with its mirror image.
+  /// Without a plane, returns the cut alone.
   std::vector<CutMask> both_ways(const CutMask& cut) const;
 
   /// Returns all edges in the plane as one cut, then each connected run of them.
@@ -29,7 +30,7 @@ class MirroredCuts {
  private:
   const HalfEdgeMesh& mesh_;
   std::vector<EdgeHandle> image_;  // of each edge; empty: no plane
-  std::vector<int> side_;          // of each edge: -1 or 1; 0 if it is in the plane or crosses it
+  std::vector<int> side_;          // of each edge: -1 or 1; 0 if it is its own image
   CutMask has_image_, is_in_plane_;
 };
 

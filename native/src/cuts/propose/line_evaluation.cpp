@@ -63,7 +63,7 @@ FlattenInput with_mesh_of(const FlattenInput& input, const CutMesh& cut) {
   return {cut.vertices, cut.faces, input.seams, input.wires, input.eases};
 }
 
-/// Returns the piece on the cut mesh before its cut. It is only to be cut: its figures are those of the original mesh.
+/// Returns the piece on the cut mesh before its cut. Use it only to cut it: its figures are those of the original mesh.
 FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const CutMesh& cut, const StopToken& stop) {
   const std::vector<int>& faces_before = piece.chart.source_face;
   std::vector<int> faces;

@@ -37,13 +37,13 @@ class SectionMerger {
  private:
   /// The result of opening a section.
   struct Trial {
-    double strain;   // lower bound of the needed strain
+    double strain;   // the strain of the new pieces; a lower bound if they were not flattened
     CutState after;  // valid if the strain is allowed
   };
 
   struct Rejected {
     FlatPieces beside;
-    double strain;  // lower bound of the needed strain
+    double strain;  // as in Trial
   };
 
   bool open_one(bool is_half);

@@ -9,9 +9,9 @@
 
 namespace wirewarp {
 
-/// Returns everything that the solutions of sound charts which are solved together depend on, bit for bit: meshes,
-/// outlines, slits, wire parts, which of these share a length, and the options of the solver. The charts' own numbering
-/// makes it independent of changes elsewhere in the input. Only the names in errors are missing, see name_key().
+/// Returns everything that the solutions of a coupled group without errors depend on, bit for bit: meshes, outlines,
+/// slits, wire parts, which of these share a length, and the options of the solver. The charts' own numbering makes it
+/// independent of changes elsewhere in the input. Only the names in errors are missing, see name_key().
 std::string solution_key(const std::vector<const Chart*>& group, const Options& options);
 
 /// Returns the input's numbers and names of the charts' vertices, faces and wires.

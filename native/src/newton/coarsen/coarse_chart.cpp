@@ -53,8 +53,8 @@ HalfEdgeChain Coarsening::coarse_chain(const HalfEdgeChain& chain, bool is_close
 void Coarsening::build_chart() {
   coarse_.chart.mesh = std::move(decimated_.mesh);
   for (const int v : decimated_.fine_vertex) coarse_.chart.source_vertex.push_back(fine_.source_vertex[v]);
-  coarse_.chart.source_face.resize(
-      coarse_.chart.mesh.n_faces());  // its own faces, because the coarse chart is not a part of an input
+  // Its own faces, because the coarse chart is not a part of an input.
+  coarse_.chart.source_face.resize(coarse_.chart.mesh.n_faces());
   std::iota(coarse_.chart.source_face.begin(), coarse_.chart.source_face.end(), 0);
   for (const WirePart& part : fine_.wire_parts) {
     if (part.kind == WireKind::super_elastic || (part.kind == WireKind::boundary && !is_elastic_boundary(part)))

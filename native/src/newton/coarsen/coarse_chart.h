@@ -13,9 +13,8 @@ namespace wirewarp {
 /// The position of a fine wire edge on a coarse one.
 struct CoarseWirePlace {
   int edge = -1;
-  double from = 0,
-         to =
-             0;  // fractions of the coarse edge's length, in the direction of halfedge_handle(edge, 0) of the fine edge
+  /// Fractions of the coarse edge's length, in the direction of halfedge_handle(edge, 0) of the fine edge.
+  double from = 0, to = 0;
 };
 
 struct CoarseChart {

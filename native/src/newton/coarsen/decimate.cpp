@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kLongestEdge = 2;      // of a new edge, relative to the target length
 constexpr double kWorstQuality = 0.25;  // of a new face: 1 is equilateral, 0 has no area
-constexpr double kClearly =
-    1 + 1e-9;  // better by this factor, so that rotating or scaling the mesh does not change the choice
+// A better choice is better by this factor, so that rotating or scaling the mesh does not change it.
+constexpr double kClearly = 1 + 1e-9;
 constexpr double kSharpestTurn = kPi / 4;  // of a wire; sharper corners are not removed
 constexpr double kWorthwhile = 0.02;       // share of the vertices that a round must remove
 

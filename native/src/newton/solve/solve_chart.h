@@ -23,8 +23,8 @@ struct Run {
   ProposeSeams propose_seams;  // empty if errors are not shown, so that no seams are needed
 };
 
-/// Returns the layout of a chart with a mesh, or why it has none. budget: limit of all trials of the chart together;
-/// errors name options.max_factorizations instead.
+/// Returns the layout of a chart with a mesh, or why it has none. budget: the limit of all trials of the chart
+/// together, which may be what earlier trials left. Errors name Options::max_factorizations, which the user set.
 SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
 /// Solves the same with the chart's elastic seams at h = ease.
