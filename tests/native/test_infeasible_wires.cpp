@@ -247,8 +247,18 @@ TEST(InfeasibleWires, ALongerSearchIsAdvisedOnlyIfTheLengthsDoNotContradict) {
   };
   EXPECT_NE(sentence(true).find(advice), std::string::npos) << sentence(true);
   EXPECT_EQ(sentence(false).find("max_factorizations"), std::string::npos) << sentence(false);
-  const FlattenError stretch = infeasible_stretch(charts.charts.at(0), options, {}, true);
+  const FlattenError stretch = infeasible_stretch(charts.charts.at(0), options, {}, true, true);
   EXPECT_NE(std::string(stretch.what()).find(advice), std::string::npos) << stretch.what();
+}
+
+TEST(InfeasibleWires, LessStretchIsAdvisedOnlyIfThePieceIsGoodWithoutIt) {
+  const Charts charts = test::charts_of(test::quarter_sphere(4));
+  const auto sentence = [&](bool is_good_unstretched) {
+    return std::string(infeasible_stretch(charts.charts.at(0), {}, {}, is_good_unstretched, false).what());
+  };
+  EXPECT_NE(sentence(true).find("use less stretch, or mark a seam"), std::string::npos) << sentence(true);
+  EXPECT_EQ(sentence(false).find("less stretch"), std::string::npos) << sentence(false);
+  EXPECT_NE(sentence(false).find("mark a seam"), std::string::npos) << sentence(false);
 }
 
 TEST(InfeasibleWires, CancellingTheSearchCancelsThePiece) {

@@ -83,7 +83,8 @@ def test_wires_have_their_names(said, proposed, expected):
     [
         ({"reason": "outline", "has_wires": True}, "even with its wires free. Mark a seam."),
         ({"reason": "outline", "has_wires": False}, "the length of its outline. Mark a seam."),
-        ({"reason": "stretch"}, "Use less stretch, or mark a seam."),
+        ({"reason": "stretch", "is_good_unstretched": True}, "requires. Use less stretch, or mark a seam."),
+        ({"reason": "stretch", "is_good_unstretched": False}, "requires. Mark a seam."),
         ({"reason": "method"}, "Use the method Refined"),
     ],
 )

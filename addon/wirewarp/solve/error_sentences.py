@@ -103,10 +103,8 @@ def _infeasible_lengths(facts: ErrorFacts) -> str:
                 f"{_looser(facts)}{method}."
             )
         case "stretch":
-            return (
-                "No flat shape of the piece was found with the lengths that the fabric's stretch requires. Use less "
-                f"stretch, or m{mark}"
-            )
+            remedy = f"Use less stretch, or m{mark}" if facts["is_good_unstretched"] else f"M{mark}"
+            return f"No flat shape of the piece was found with the lengths that the fabric's stretch requires. {remedy}"
         case "method":
             return (
                 "WireWarping++ finds no flat shape for the wires of the piece. Use the method Refined, which keeps "

@@ -201,7 +201,8 @@ std::string infeasible_lengths(const Parts& parts) {
       return "Not all wires of " + parts.piece() + " can keep their lengths in the plane: " + remedy;
     }
   } else if (reason == "stretch") {
-    remedy = "use less stretch, or mark a seam" + parts.seams() + ".";
+    remedy =
+        (parts.is("is_good_unstretched") ? "use less stretch, or mark a seam" : "mark a seam") + parts.seams() + ".";
   } else {
     remedy = "mark a seam" + parts.seams() + ".";
   }

@@ -115,11 +115,11 @@ FlattenError infeasible_outline(const Chart& chart, const Options& options, std:
 }
 
 FlattenError infeasible_stretch(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
-                                bool ran_out) {
+                                bool is_good_unstretched, bool ran_out) {
   ErrorElements elements;
   elements.faces = chart.source_face;
   elements.proposed_seams = std::move(proposed_seams);
-  ErrorArguments arguments{{"reason", "stretch"}};
+  ErrorArguments arguments{{"reason", "stretch"}, {"is_good_unstretched", is_good_unstretched}};
   add_limit(options, ran_out, arguments);
   return FlattenError(ErrorCode::infeasible_lengths, std::move(arguments), std::move(elements));
 }

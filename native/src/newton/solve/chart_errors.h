@@ -28,9 +28,10 @@ FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires
 FlattenError infeasible_outline(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
                                 bool ran_out);
 
-/// Returns the error of a chart that can be flattened only without the lengths that the fabric's stretch sets.
+/// Returns the error of a chart that no shape was found for with the lengths that the fabric's stretch sets.
+/// is_good_unstretched: whether its shape without them has no flips or overlaps, so that less stretch may help.
 FlattenError infeasible_stretch(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
-                                bool ran_out);
+                                bool is_good_unstretched, bool ran_out);
 
 /// Returns the error of a chart whose wires the paper's methods cannot close, while the refined one keeps the lengths.
 FlattenError needs_refinement(const Chart& chart);

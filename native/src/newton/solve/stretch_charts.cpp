@@ -153,12 +153,14 @@ class StretchedGroup {
     set_stretched_lengths(group_[k], stretched);
     std::vector<VertexPair> seams;
     if (!stop_.is_stopped()) seams = attempt([&] { return propose_seams(stretched, run_, stop_); });
+    const bool is_good_unstretched = was_good(k);
     SolvedChart& one = group_[k].solved;
     one.uv.resize(0, 2);
     one.network.reset();
     one.proposed_seams.clear();
     one.report.termination = stop_.is_stopped() ? Termination::cancelled : Termination::failed;
-    one.error = stop_.is_stopped() ? cancelled() : infeasible_stretch(stretched, run_.options, seams, ran_out);
+    one.error = stop_.is_stopped() ? cancelled()
+                                   : infeasible_stretch(stretched, run_.options, seams, is_good_unstretched, ran_out);
   }
 
   static void set_stretched_lengths(const GroupMember& member, Chart& chart) {
