@@ -21,6 +21,7 @@ import all_samples  # noqa: E402 (threads are set when the modules are loaded)
 import beyond_the_paper  # noqa: E402
 import cloths  # noqa: E402
 import ease_and_stretch  # noqa: E402
+import elastic_seams  # noqa: E402
 import figure_1  # noqa: E402
 import figure_3  # noqa: E402
 import figure_6  # noqa: E402
@@ -28,7 +29,6 @@ import figure_8  # noqa: E402
 import figure_9  # noqa: E402
 import figure_11  # noqa: E402
 import numpy as np  # noqa: E402
-import seams_that_give  # noqa: E402
 from inputs import Inputs  # noqa: E402
 from methods import METHODS  # noqa: E402
 from palette import use_style  # noqa: E402
@@ -38,7 +38,7 @@ from which_commit import commit  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
 PAPER = [figure_1, figure_3, figure_6, figure_8, figure_9, figure_11]
-SECTIONS = [*PAPER, beyond_the_paper, cloths, seams_that_give, ease_and_stretch, all_samples]
+SECTIONS = [*PAPER, beyond_the_paper, cloths, elastic_seams, ease_and_stretch, all_samples]
 
 
 def contents(sections: list[str]) -> str:

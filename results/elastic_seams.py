@@ -17,9 +17,7 @@ TOLERANCES = (0.0, 0.01, 0.03)
 FLAT = 1e-9  # shapes with less energy count as undistorted
 
 
-def with_seams_that_give(
-    shape: Shape, chains: list[list[int]], tolerance: float
-) -> tuple[wirewarp.FlattenResult, float]:
+def with_elastic_seams(shape: Shape, chains: list[list[int]], tolerance: float) -> tuple[wirewarp.FlattenResult, float]:
     """Flatten with an elastic wire along every seam. Also returns processor seconds."""
     along_seams = [wirewarp.Wire(chain, tolerance) for chain in chains if tolerance > 0]
     begin = time.process_time()
@@ -36,7 +34,7 @@ def section(inputs: Inputs) -> str:
             continue
         energy = []
         for tolerance in TOLERANCES:
-            result, taken = with_seams_that_give(shape, chains, tolerance)
+            result, taken = with_elastic_seams(shape, chains, tolerance)
             found = summarize(shape.vertices, result)
             energy.append(found.energy)
             seconds[tolerance] += taken
@@ -49,7 +47,7 @@ def section(inputs: Inputs) -> str:
     least, most = min(gains, key=gains.get), max(gains, key=gains.get)
     header = ["", "seams", "*E*: rigid", *(f"±{100 * tolerance:.0f}%" for tolerance in TOLERANCES[1:])]
     ratios = " and ".join(f"{seconds[t] / seconds[0.0]:.1f}" for t in TOLERANCES[1:])
-    return f"""## Seams that give
+    return f"""## Elastic seams
 
 All seams of a sample may become longer or shorter by this much, equally on both sides, and each as is best for all
 its pieces. Other outlines and the wires keep their lengths.
