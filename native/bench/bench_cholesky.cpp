@@ -45,7 +45,7 @@ struct Springs {
     for (std::size_t v = 1; v < graph.start.size(); ++v) graph.start[v] += graph.start[v - 1];
   }
 
-  /// Adds unit springs, a third as stiff across as along, and 1e-4 on the diagonal.
+  /// Adds a spring for each edge, a third as stiff across the edge as along it, and 1e-4 to each diagonal entry.
   void add_springs(const std::vector<std::array<int, 2>>& ends) {
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < 2 * positions.rows(); ++i) entries.emplace_back(i, i, 1e-4);
@@ -76,7 +76,7 @@ void factorize(benchmark::State& state, bool in_threads, const FrontKernels& ker
   const Springs springs(state);
   reset_peak_memory();
   MultifrontalCholesky cholesky = springs.analyze(in_threads, kernels);
-  bool stable = cholesky.factorize(springs.lower);  // the first run also waits for memory
+  bool stable = cholesky.factorize(springs.lower);  // the first run also waits for the system to provide memory
   for (auto _ : state) stable = cholesky.factorize(springs.lower) && stable;
   if (!stable) throw std::domain_error("the springs are not stable");
   state.counters["peak_MB"] = peak_memory_mb();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The free ARAP flattening: begun at the embedding on a circle, as the refined method does, and that embedding alone;
-// and begun at the rigid shape, as WireWarping++ does for h0.
+// Measures the free ARAP flattening from two starts: the embedding on a circle, as in the refined method, and the rigid
+// shape, as for h0 in WireWarping++. Also measures the embedding alone.
 #include <benchmark/benchmark.h>
 
 #include "bench_sheet.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One evaluation of the shape error E(ψ(h)), and the gradient by h that may follow it, with ever more wires. On
-// a shallow sheet, where Eq. (1) is solved in few steps: on others an evaluation costs more, a gradient the same.
+// Measures one evaluation of the shape error E(ψ(h)), and the gradient by h that may follow it, for increasing numbers
+// of wires. The sheet is shallow, so Eq. (1) is solved in few steps. On other sheets, an evaluation takes longer, but a
+// gradient does not.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

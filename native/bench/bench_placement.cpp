@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The interior placement alone: factoring once, then placing for one more set of wire lengths.
+// Measures the interior placement alone: one factorization, then one placement for another set of wire lengths.
 #include <benchmark/benchmark.h>
 
 #include "bench_sheet.h"

@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// The sheet as a chart; triangles and wires are the first two arguments of a benchmark.
+/// The bumpy sheet as a chart. The first two arguments of a benchmark are its numbers of triangles and wires.
 struct BenchSheet {
   explicit BenchSheet(const benchmark::State& state, double height = 0.3)
       : input(bumpy_sheet(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), 0, height)),

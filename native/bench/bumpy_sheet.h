@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The surface the benchmarks flatten, at any size. bench/surfaces.py makes the same one.
+// The surface that the benchmarks flatten, at any size. bench/surfaces.py makes the same surface.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace wirewarp {
 
 /// Returns a smoothly bent sheet over the square [-1, 1]² with about `triangles` triangles in even quads. Its straight
-/// wires have one tolerance; half of them (of an even number) run in each direction.
+/// wires have one tolerance. If their number is even, half of them run in each direction.
 inline FlattenInput bumpy_sheet(int triangles, int wires, double tolerance, double height = 0.3) {
   const int n = static_cast<int>(std::lround(std::sqrt(triangles / 2.0)));
   const auto at = [n](int i, int j) { return j * (n + 1) + i; };

@@ -19,8 +19,8 @@ class RunningWork {
   RunningWork& operator=(const RunningWork&) = delete;
 };
 
-/// A call that releases the GIL. Exists from before the release until the GIL is held again; created and destroyed with
-/// the GIL.
+/// A call that releases the GIL. Create it before the release, and destroy it once the GIL is held again: both need the
+/// GIL.
 class RunningCall {
  public:
   /// Does not return in a daemon thread once Python is ending.

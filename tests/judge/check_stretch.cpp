@@ -5,7 +5,7 @@ namespace wirewarp::test {
 namespace {
 
 constexpr double kEven = 1e-12;           // rounding of differences of shares
-constexpr double kWithoutStrain = 1e-18;  // E over the area, of a piece that unfolds; other pieces have several minima
+constexpr double kWithoutStrain = 1e-18;  // E over the area of a piece that unfolds; other pieces have several minima
 constexpr double kSamePlace = 1e-6;  // allowed distance of vertices from their expected places, over the piece's size
 
 Eigen::Vector2d shares(const Judged& judged) {

@@ -14,8 +14,8 @@
 namespace wirewarp::test {
 namespace {
 
-// Allowed gaps where faces of an unfolded surface meet again: over the piece's size, and as a strain, because the error
-// of a short side grows over a long face.
+// Allowed gaps where faces of an unfolded surface meet again. The first is relative to the piece's size. The second is
+// a strain, because the error of a short side grows over a long face.
 constexpr double kCloses = 1e-11, kStrain = 1e-7;
 
 // Largest E (Eq. 4) over the 3D area of a shape without distortion: rounding, and the angle error where Eq. 1 stops.

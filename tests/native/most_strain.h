@@ -11,8 +11,8 @@
 
 namespace wirewarp::test {
 
-/// Returns max(sigma_1, 1/sigma_2) - 1 of the most strained piece: 99% of its area are at or below. Every piece must
-/// have a shape.
+/// Returns max(sigma_1, 1/sigma_2) - 1 of the most strained piece, the value that 99% of its area do not exceed. Every
+/// piece must have a shape.
 inline double most_strain(const FlattenInput& input, const FlattenResult& result) {
   double most = 0;
   for (const Piece& piece : result.pieces) {

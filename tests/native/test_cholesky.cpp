@@ -164,7 +164,7 @@ struct Chains {
 
 TEST(MultifrontalCholesky, AsksRegularlyWhetherToContinue) {
   const Chains chains;
-  const int tiles = Chains::block / kTile;  // of pivots, and of the rows below them
+  const int tiles = Chains::block / kTile;  // tiles of pivots; the rows below them have as many
   const double m = tiles;
   const double work_of_a_chain = (Chains::length - 1) * (m * m * m / 6 + m * m * m / 2 + m * m * m / 2);
   for (const bool in_threads : {false, true}) {

@@ -197,7 +197,7 @@ TEST(ErrorCodes, LooseFacesAreMoreThanAThousandSeparateParts) {
 }
 
 TEST(ErrorCodes, TheScaleOfTheModelDoesNotMatter) {
-  FlattenInput saddle = test::saddle(6, 0.4);  // no part buckles to one side or the other by rounding
+  FlattenInput saddle = test::saddle(6, 0.4);  // rounding does not decide to which side a part buckles
   test::add_wire(saddle, test::grid_row(6, 2));
   const Positions2 expected = flatten(saddle).pieces[0].vertices;
   for (const double scale : {1e-57, 1e-30, 1e30, 0.9e60}) {

@@ -92,7 +92,8 @@ FlattenInput sphere_of_gores(int gores, int n, int rings);
 FlattenInput closed_sphere(int around, int rings);
 FlattenInput closed_torus(int around, int across);
 
-/// num_flaps rectangles that share one edge, which is a seam with as many sides; n quads along the side of each.
+/// num_flaps rectangles that share one edge, which is a seam with num_flaps sides. Each rectangle has n quads along its
+/// side.
 FlattenInput book(int num_flaps, int n);
 
 /// Largest distance between corresponding rows after the best rigid motion.

@@ -144,7 +144,7 @@ TEST_F(NewtonSystemOnASaddle, FactorizesIfAndOnlyIfTheReducedHessianIsPositive) 
          {convex, exact, Convexity{Curvature::convex, true}, Convexity{Curvature::exact, false}}) {
       const Eigen::VectorXd multipliers = size * shape;
       const double lowest = lowest_curvature(multipliers, convexity);
-      if (std::abs(lowest) < 1e-5) continue;  // too close to 0 for H beside the large stiffness
+      if (std::abs(lowest) < 1e-5) continue;  // too close to 0, because the large stiffness adds rounding errors
       const bool is_positive = system.factorize(uv, multipliers, convexity);
       EXPECT_EQ(is_positive, lowest > 0) << size << " " << lowest;
       ++(is_positive ? positive : negative);

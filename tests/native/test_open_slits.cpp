@@ -150,7 +150,7 @@ TEST(OpenSlits, OpenEquallyFarOnFineAndCoarseMeshes) {
     const Charts charts = test::charts_of(input);
     const Chart& chart = charts.charts.at(0);
     Problem problem(chart, Options{}.fairness);
-    Budget budget(8);  // a face that flips would need many
+    Budget budget(8);  // too few if a face flips
     const Solution found = refine_chart(problem, Options{}, {budget});
     EXPECT_TRUE(found.is_exact() && found.is_converged()) << n;
     gaps.push_back(gap(chart, find_slits(chart).at(0), found.shape.uv));

@@ -215,7 +215,7 @@ TEST(OpenChart, ProposesNothingOnceItIsStopped) {
 }
 
 TEST(Ranks, OfValuesThatDifferByRoundingAreEqual) {
-  for (const double value : {0.0, 0.5e-6, 1.5e-6, 0.25}) {  // on and off the borders of a grid of 1e-6
+  for (const double value : {0.0, 0.5e-6, 1.5e-6, 0.25}) {  // multiples of 1e-6, and values halfway between
     EXPECT_EQ(ranks_of({value + 1e-12, 1, value, value - 1e-12}, 1e-6), (std::vector<int>{0, 1, 0, 0})) << value;
   }
 }

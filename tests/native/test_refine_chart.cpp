@@ -46,7 +46,7 @@ TEST(RefineChart, AnInjectiveShapeIsFoundWithAndWithoutFixingFolds) {
   }
 }
 
-/// Its shape is reported as one that stopped short, wherever it is kept.
+/// If a piece keeps the shape of such a start, its report says that it stopped short.
 TEST(RefineChart, AStartForOthersIsConvergedOnlyWithoutStrain) {
   InternalOptions options;
   for (const Target target : {Target::newton_step, Target::rough}) {
@@ -133,7 +133,7 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
     const Positions2 turned = -saddle.shape.uv.colwise().reverse();
     *start = {(saddle.shape.uv + turned) / 2,
               {},
-              saddle.shape.multipliers};  // without what round-off adds against the symmetry
+              saddle.shape.multipliers};  // without the asymmetric part, which rounding causes
   }
   const Solution found = minimize(problem, {}, *start, {budget});
   EXPECT_TRUE(found.is_exact() && found.is_converged());

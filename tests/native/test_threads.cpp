@@ -175,7 +175,7 @@ TEST(CpuQuota, VersionTwoInAContainer) {
   EXPECT_EQ(quota_with({{kGroups, "0::/\n"}, {kTree + "cpu.max", "200000 100000\n"}}), 2U);
   EXPECT_EQ(quota_with({{kGroups, "0::/\n"}, {kTree + "cpu.max", "150000 100000\n"}}), 2U);  // rounded up
   EXPECT_EQ(quota_with({{kGroups, "0::/\n"}, {kTree + "cpu.max", "10000 100000\n"}}), 1U);
-  // The group has its path on the host, but the tree begins at the container's group.
+  // The group is given by its path on the host, but the mounted tree begins at the container's group.
   EXPECT_EQ(quota_with({{kGroups, "0::/docker/1a\n"}, {kTree + "cpu.max", "300000 100000\n"}}), 3U);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// E(ψ(h)) and its exact derivative along the length variation of each wire, all others 0 (paper Fig. 3).
+// Prints E(ψ(h)) and its exact derivative by the length variation of each wire, with those of all other wires 0 (paper
+// Fig. 3).
 //
 //   wirewarp_error_curves PIECE LIMIT STEPS < SURFACE
 //

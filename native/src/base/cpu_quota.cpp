@@ -17,14 +17,15 @@ using Cores = std::optional<std::size_t>;
 std::string text_of(const Folder& file) {
   std::string text;  // read with C functions, because libstdc++'s file streams need a newer glibc than the wheels do
   if (std::FILE* const stream = std::fopen(file.string().c_str(), "r")) {
-    std::array<char, 4096> part{};  // a page; these files are mostly shorter
+    std::array<char, 4096> part{};  // one page of memory; most of these files are shorter
     while (const std::size_t count = std::fread(part.data(), 1, part.size(), stream)) text.append(part.data(), count);
     std::fclose(stream);
   }
   return text;
 }
 
-/// text: microseconds of work per period, and of the period. "max" (version 2) and -1 (version 1) mean no quota.
+/// text: the microseconds of work allowed in a period, then the microseconds of the period. "max" (version 2) and -1
+/// (version 1) mean no quota.
 Cores cores_of(const std::string& text) {
   double work = 0, period = 0;
   if (!(std::istringstream(text) >> work >> period) || !(work > 0 && period > 0)) return std::nullopt;

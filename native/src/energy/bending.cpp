@@ -41,7 +41,7 @@ Bending::Bending(const Chart& chart, const WireNetwork& network, double fairness
 }
 
 Eigen::Vector2d Bending::Node::residual(const Positions2& uv) const {
-  // Differences first, because positions may be far larger than edges.
+  // Computes differences first, because positions may be far larger than edges.
   const Eigen::Vector2d in = (uv.row(b) - uv.row(a)).transpose(), out = (uv.row(c) - uv.row(b)).transpose();
   return to_c * out - to_a * in;
 }

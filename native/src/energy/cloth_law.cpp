@@ -10,8 +10,8 @@
 namespace wirewarp {
 namespace {
 
-// Relative to the stiffer threads. At 15° beyond locking, a woven costs as much as with a thread strained by half, and
-// the Newton systems are conditioned as well as without locking.
+// Relative to the stiffer threads. At 15° beyond locking, a woven fabric has as much energy as with a thread strained
+// by half, and the Newton systems are as well conditioned as without locking.
 constexpr double kLockingStiffness = 10;
 
 enum Index { kP, kQ, kG, kD };
@@ -126,7 +126,7 @@ Eigen::Matrix4d ClothLaw::hessian(const Eigen::Matrix2d& map) const {
 
 Eigen::Matrix4d ClothLaw::convex_hessian(const Eigen::Matrix2d& map) const {
   const Eigen::Matrix4d exact = hessian(map);
-  if (Eigen::LLT<Eigen::Matrix4d>(exact).info() == Eigen::Success) return exact;  // costs a tenth of the eigenvalues
+  if (Eigen::LLT<Eigen::Matrix4d>(exact).info() == Eigen::Success) return exact;  // ten times as fast as eigenvalues
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(exact);
   return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
 }

@@ -59,7 +59,7 @@ FairShapeError::FairShapeError(const Chart& chart, const HeldNetwork& network, d
   if (injectivity == Injectivity::global) outline_barrier_.emplace(chart, layout);
 }
 
-/// For a determinant below kSmallestDeterminant.
+/// Returns the barrier for a determinant below kSmallestDeterminant.
 FairShapeError::FlipBarrier FairShapeError::flip_barrier(double determinant) const {
   if (injectivity_ == Injectivity::none) {
     const double lack = kSmallestDeterminant - determinant;

@@ -21,8 +21,9 @@ namespace wirewarp {
 namespace {
 
 constexpr double kSmallestDrop = 1e-6;  // relative decrease of E in a step; a start needs no more digits
-constexpr double kLongestStep = 8;      // in lengths of the direction; E is close to a parabola along it only nearby
-/// Relative to the diagonal; far above rounding, so that a sliver cannot make the factorization fail.
+constexpr double kLongestStep = 8;      // over the direction's length; farther away, E is not close to a parabola
+/// Share of each diagonal entry that is added to it: far above rounding, so that slivers cannot make the factorization
+/// fail.
 constexpr double kRegularization = 1e-12;
 
 class GlobalStep {

@@ -15,7 +15,7 @@ namespace wirewarp {
 namespace {
 
 constexpr double kWeight = 1;    // κ: at d about d̂/2 the force equals that of a strain of 1
-constexpr double kReach = 0.1;   // d̂ over an edge; corners of more than 6° are no contacts of their own sides
+constexpr double kReach = 0.1;   // d̂ over the edge's length; the sides of a corner of more than 6° are no contact
 constexpr double kCovered = 8;   // contacts nearer than this times d̂ are in the Hessian, for the next steps
 constexpr double kAside = 1e-9;  // relative to an edge; a vertex that misses the edge's end by less counts as touching
 
@@ -143,7 +143,7 @@ bool OutlineBarrier::covers_contacts(const Positions2& uv) const {
   return std::includes(covered_.begin(), covered_.end(), contacts.begin(), contacts.end(), comes_before);
 }
 
-/// p is on the line through a and b at the roots of a quadratic: there p − a and b − a span zero area.
+/// p is on the line through a and b where p − a and b − a span zero area, which is at the roots of a quadratic.
 double OutlineBarrier::longest_step(const Positions2& uv, const Positions2& d) const {
   const Positions2 end = uv + d;
   const auto swept = [&](int v) { return box_around(uv.row(v), end.row(v), 0); };

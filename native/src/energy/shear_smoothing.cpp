@@ -9,8 +9,8 @@
 namespace wirewarp {
 namespace {
 
-// δ: width from which a zigzag is not penalized, over the size of the piece. On a quarter sphere, shear grows from 44°
-// to 68° with refinement without the penalty, and falls from 43° to 41.5° with .005; .01 and .02 add 1% and 8% of the
+// δ: zigzags wider than this share of the piece's size are not penalized. On a quarter sphere, shear grows from 44° to
+// 68° with refinement without the penalty, and falls from 43° to 41.5° with .005; .01 and .02 add 1% and 8% of the
 // energy for 2° more.
 constexpr double kWidth = 0.005;
 
@@ -50,7 +50,7 @@ ShearSmoothing::ShearSmoothing(const Chart& chart) {
 }
 
 Eigen::RowVector2d ShearSmoothing::Edge::jump(const Positions2& uv) const {
-  // Differences first, because positions may be far larger than edges. The shares sum to zero.
+  // Computes differences first, because positions may be far larger than edges. The shares sum to zero.
   Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
   for (std::size_t k = 1; k < 4; ++k) sum += shares[k] * (uv.row(vertices[k]) - uv.row(vertices[0]));
   return sum;

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kCoarsening = 4;       // length of a coarse edge over that of a fine one: a sixteenth of the faces
 constexpr double kLeastCoarsening = 2;  // a quarter of the faces: with more, the coarse chart costs as much as it saves
-constexpr double kPerWiggle = 0.9;      // length of a coarse edge over the shortest wavelength of wires, at most:
-                                        // longer edges cannot bend like the wires
-constexpr int kMaxCoarseFactorizations = 30;  // and at most half of the budget, because the chart itself needs some
+// Longest coarse edge over the shortest wavelength of wires. Longer edges cannot follow the wires.
+constexpr double kPerWiggle = 0.9;
+constexpr int kMaxCoarseFactorizations = 30;  // at most half of the budget; the chart itself needs the rest
 
 }  // namespace
 

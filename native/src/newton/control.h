@@ -50,7 +50,7 @@ struct Control {
   Budget& budget;
   StopToken stop = {};  // polled before each factorization
 
-  /// The control of another stage of progress.
+  /// Returns the same control for another stage of progress.
   Control in(const char* stage) const { return {budget, stop.in(stage)}; }
 
   bool may_go_on() const { return budget.allows() && stop.may_go_on(); }

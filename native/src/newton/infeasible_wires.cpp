@@ -20,20 +20,21 @@ namespace {
 // Strains up to which a length counts as kept; smoothing leaves strains of 1e-4. If it does not help to free the wires
 // above the first bound, those above the second are freed, too.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
-constexpr double kUneven = 5e-3;  // strain_rms that a larger variation of other wires may take away
-// Steps of proposed tolerances: 0.1%, and 0.5% from 0.5% on, because people type them.
+constexpr double kUneven = 5e-3;  // other wires with larger variations may remove a smaller strain_rms
+// Proposed tolerances are rounded up to multiples of 0.1%, and above 0.5% to multiples of 0.5%, because people type
+// them.
 constexpr double kFineStep = 1e-3, kStep = 5e-3;
 constexpr double kLargest = 0.5;  // a wire that needs more is freed
 constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
-constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); those of a coarser or a sewn chart count
-constexpr double kMostTrials = 30;          // to use fewer wires, and again to lower tolerances
+constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); includes those of a coarser and of a sewn chart
+constexpr double kMostTrials = 30;          // for using fewer wires, and as many for lowering tolerances
 constexpr std::size_t kFewWires = 8;  // up to this many get individual tolerances; more share one, which is quicker
                                       // to find and to type
 /// More wires than this are freed or left alone: a trial with a tolerance on n wires solves dense problems of size n,
 /// n³ work each. Nets of 168 wires get one tolerance of 5%; trials on 569 wires cost as much as 23 on 200.
 constexpr std::size_t kMostElasticWires = 200;
 
-/// Tolerances to try, 0.1% to 50%: each larger than the one before by a third to twice.
+/// Tolerances to try, 0.1% to 50%: each is 1.3 to 2 times the one before.
 constexpr double kLadder[] = {0.001, 0.002, 0.003, 0.005, 0.01, 0.015, 0.02, 0.03,
                               0.05,  0.075, 0.1,   0.15,  0.2,  0.3,   0.5};
 
@@ -173,7 +174,8 @@ class ToleranceSearch {
     return true;
   }
 
-  /// Returns the cost of a trial in trials with kMostElasticWires elastic wires. All elastic wires count.
+  /// Returns the cost of a trial, in units of a trial with kMostElasticWires elastic wires. All elastic wires count,
+  /// not only those in the proposal.
   double cost_of(const Tolerances& tolerances) const {
     const Chart looser = with_tolerances(chart_, tolerances);
     const auto num_elastic = std::count_if(looser.wire_parts.begin(), looser.wire_parts.end(),
@@ -215,7 +217,7 @@ class ToleranceSearch {
     }
   }
 
-  /// Returns whether every wire gets more than it has.
+  /// Returns whether all of these tolerances are larger than those that the wires have.
   bool is_looser(const Tolerances& tolerances) const {
     return std::all_of(chart_.wire_parts.begin(), chart_.wire_parts.end(), [&](const WirePart& part) {
       const auto tolerance = tolerances.find(part.wire_index);

@@ -14,10 +14,11 @@ namespace wirewarp {
 
 struct LengthDiagnosis {
   /// Tolerances by rising wire, under which a run of the refined method found a flat shape of the chart with all
-  /// lengths, without flips and overlaps. They are round and as small as possible: individual ones for a few wires,
-  /// otherwise a shared one for all wires that the relaxed shape changes, or for all wires that change when they are
-  /// free if that is far lower. Infinity for wires that no tolerance up to a half helps, and for more wires than can be
-  /// tried. Empty if no such shape is found even with all wires free.
+  /// lengths, without flips and overlaps. They are round and as small as possible. A few wires have individual
+  /// tolerances. More wires share one tolerance: all wires that the relaxed shape changes or, if that makes the
+  /// tolerance far lower, all wires that change when they are free. The tolerance is infinite for wires that no
+  /// tolerance up to one half helps, and if there are more wires than can be tried. Empty if no such shape is found
+  /// even with all wires free.
   std::vector<ProposedTolerance> tolerances{};
   /// The lengths contradict one another near every shape that was found, so that a longer search would not help.
   bool lengths_conflict = false;

@@ -45,7 +45,7 @@ void make_injective(Problem& problem, Stage stage, const Control& control, Solut
   const Chart& chart = problem.chart();
   solution.injectivity = injectivity_of(chart, solution.shape.uv);
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
-    const bool is_disk = chart.boundary_loops.size() == 1;  // a ring that overlaps had best be cut open
+    const bool is_disk = chart.boundary_loops.size() == 1;  // a ring that overlaps itself is better cut open
     if (injectivity == Injectivity::global && !is_disk) continue;
     if (control.stop.is_stopped() || solution.injectivity >= injectivity) continue;
     stage.injectivity = injectivity;

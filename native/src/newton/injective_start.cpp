@@ -14,12 +14,12 @@ namespace {
 constexpr double kFirstStiffness = 1;   // of ρ l / √area: a wire is as stiff as the surface beside it
 constexpr double kStiffening = 4;       // factor of ρ if the length errors fall by less than this factor
 constexpr double kStiffest = 1e6;       // beyond, rounding errors spoil the steps
-constexpr double kStiff = 1e4;          // lengths with larger errors than kHopeless by then contradict one another
+constexpr double kStiff = 1e4;          // ρ at which lengths with errors above kHopeless contradict one another
 constexpr double kHopeless = 1e-2;      // strain
 constexpr int kStepsPerMultiplier = 5;  // at most: as long as λ is far from its limit, no exact minimum is needed
 constexpr double kEnough = 1e-2;        // slope over Φ below which the minimum is near enough for the next λ
-constexpr double kShortestStep = 1e-9;  // thirty halvings
-constexpr double kInside = 0.9;         // share of the way to where the injectivity is lost
+constexpr double kShortestStep = 1e-9;  // after thirty halvings
+constexpr double kInside = 0.9;         // share of the longest injective step that is taken
 /// Length error from which on a retraction to exact lengths is tried; after a failure, again at a tenth of the error.
 constexpr double kRetractable = 1e-3;
 
@@ -57,7 +57,7 @@ class MultiplierMethod {
   const Eigen::SparseMatrix<double>& lengths_;  // T
   std::optional<FairShapeError> objective_;
   std::optional<NewtonSystem> system_;
-  Eigen::VectorXd holding_stiffness_;  // ρ that holds lengths in a retraction
+  Eigen::VectorXd holding_stiffness_;  // ρ of a system for retractions
 
   Iterate now_;
   Eigen::VectorXd multipliers_;  // λ

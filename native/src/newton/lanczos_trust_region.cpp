@@ -32,7 +32,7 @@ LanczosTrustRegion::LanczosTrustRegion(const Operator& times_hessian,
   Eigen::VectorXd z = precondition(r);
   first_ = dual_norm(r, z);
   double norm = first_;
-  double residual = 1;  // of the conjugate gradients for H d = -g, over the first, while H is positive
+  double residual = 1;  // residual of conjugate gradients for H d = -g over the first one, while H is positive
   double pivot = 1;     // of T
   bool is_positive = true;
   while (static_cast<int>(basis_.size()) < max_size && norm > (basis_.empty() ? 0 : kExhausted)) {
@@ -42,7 +42,7 @@ LanczosTrustRegion::LanczosTrustRegion(const Operator& times_hessian,
     diagonal.push_back(basis_.back().dot(r));
     for (std::size_t j = 0; j < basis_.size(); ++j) r -= basis_[j].dot(r) * dual[j];
     z = precondition(r);
-    for (std::size_t j = 0; j < basis_.size(); ++j) {  // twice is enough
+    for (std::size_t j = 0; j < basis_.size(); ++j) {  // orthogonalizing twice is enough
       const double overlap = dual[j].dot(z);
       z -= overlap * basis_[j];
       r -= overlap * dual[j];

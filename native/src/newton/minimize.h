@@ -14,10 +14,10 @@
 
 namespace wirewarp {
 
-/// Minimizes f from a start. A start with multipliers is near the minimum; lengths of other starts may be wrong by
-/// half. The result is infeasible if one step from the start does not reach exact lengths, or if the budget is spent
-/// before that. If the caller stops after that, the current shape is returned. Gives up on flips that are allowed but
-/// do not open.
+/// Minimizes f from a start. A start with multipliers must be near the minimum. The lengths of other starts may be
+/// wrong by up to a half. The result is infeasible if one step from the start does not reach exact lengths, or if the
+/// budget is spent before that. If the caller stops after that, the current shape is returned. Gives up on flips that
+/// are allowed but do not open.
 Solution minimize(const Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
 /// Returns the shape with its f and length error, without taking a step and without what the stage forbids. The

@@ -36,7 +36,7 @@ struct NewtonState {
 
   double length_error() const { return constraints.largest_error(constraints.residual(now.uv, now.variation)); }
 
-  /// Whether nothing is left to gain, because f is at least 0.
+  /// Whether f is so near its lower bound 0 that no step gains anything.
   bool is_isometric() const { return now.value <= isometric_value; }
 
   /// Returns the smallest predicted decrease of f that a step must have.

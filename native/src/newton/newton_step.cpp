@@ -19,7 +19,7 @@ struct NewtonStep {
 
 /// Solves min g·d + ½ d·H d with J d - T Δh = -c and h + Δh in its bounds. With d eliminated, a dense quadratic program
 /// in Δh remains, with the Hessian S and the gradient -Tᵀλ. The unknown is the change of λ, with g + Jᵀλ in place of g,
-/// so that an older factor, with the J of its time, causes only small errors.
+/// so that an older factor, which has an older J, causes only small errors.
 NewtonStep newton_step(const NewtonState& state) {
   const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);

@@ -13,17 +13,18 @@
 namespace wirewarp {
 namespace {
 
-// Makes modes definite that have no stiffness. The softest mode of a square sheet has a stiffness of 2π² for a mass of
-// 1, so that 1e-4 shortens its step by a few millionths.
+// Factor of M, which makes modes without stiffness definite. The softest mode of a square sheet has a stiffness of 2π²
+// for a mass of 1, so that 1e-4 shortens its step by a few millionths.
 constexpr double kMass = 1e-4;
-// Far above the stiffness at a vertex, which is a few units (cotangents of angles), and far below that of edges: its
-// rounding errors are 1e-10.
+// Stiffness of the pins: far above that at a vertex, which is a few units (cotangents of angles), and far below that of
+// edges. It causes rounding errors of 1e-10.
 constexpr double kPin = 1e6;
-// Far above any curvature of f + λᵀc along a wire, so that a failed factorization concerns the null space of J alone.
-// Each step of the method of multipliers gains as many digits as ρ has over the stiffness of the surface: seven or so.
+// Smallest ρ of an edge: far above any curvature of f + λᵀc along a wire, so that a failed factorization concerns the
+// null space of J alone. Each step of the method of multipliers reduces the errors by the factor of ρ over the
+// stiffness of the surface, which is about seven digits.
 constexpr double kSmallestStiffness = 1e8;
-// Relative to the largest diagonal entry of the Hessian at an edge's ends, because fairness makes short edges stiffer
-// than 1e8. Not larger, because rounding errors of the entries of short edges must stay far below the stiffness of the
+// ρ over the largest diagonal entry of the Hessian at an edge's ends, because fairness makes short edges stiffer than
+// 1e8. It is not larger, because rounding errors of the entries of short edges must stay far below the stiffness of the
 // surface.
 constexpr double kStiffness = 10;
 constexpr int kMultiplierSteps = 3;  // usually one is enough; after three, rounding prevents further gains
@@ -179,7 +180,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
     matrix_.add(edge_blocks_[e], -block);
   }
   add_elastic_springs(stiffness_share);
-  if (convexity.curvature == Curvature::none) return;  // the Laplacian resists rotation, and a pin would dent the shape
+  if (convexity.curvature == Curvature::none) return;  // the Laplacian resists rotation; a pin would dent it
   if (!constraints_.are_free_to_turn()) return;
   for (const VertexPair& pin : pinned_) {
     const Eigen::Vector2d arm = (uv.row(pin[1]) - uv.row(pin[0])).transpose().normalized();

@@ -65,13 +65,13 @@ class NewtonSystem {
 
   /// A right-hand side after forward substitution, before h is chosen.
   struct Reduced {
-    Eigen::VectorXd d;     // substituted forward, x and y of each vertex below one another
+    Eigen::VectorXd d;     // after forward substitution; x of each vertex, then its y
     Eigen::VectorXd pull;  // Tᵀλ for h = 0, #elastic
     Eigen::VectorXd r2;
   };
 
-  /// A solution of A d = r₁ + Jᵀ τ on the wires, x and y of each vertex below one another. Elsewhere d has what
-  /// finish() needs; the same is true for sums of such d.
+  /// A solution of A d = r₁ + Jᵀ τ on the wires. d has x of each vertex, then its y. Off the wires, it has intermediate
+  /// values for finish(), which accepts sums of such d, too.
   struct Solution {
     Eigen::VectorXd d;
     Eigen::VectorXd tensions;     // τ
@@ -90,12 +90,12 @@ class NewtonSystem {
   /// Returns d everywhere and λ by one solve, to about five digits.
   Solution solve_roughly(const Reduced& reduced, const Eigen::VectorXd& variation) const;
 
-  /// S of the last factorization, #elastic by #elastic: the stiffness against h of the springs ρ if d follows them. It
-  /// is ∂(−Tᵀλ)/∂h to about five digits if ρ keeps the lengths.
+  /// S of the last factorization, #elastic by #elastic: the stiffness of the springs ρ against changes of h if d
+  /// follows h. It is ∂(−Tᵀλ)/∂h to about five digits if ρ keeps the lengths.
   const Eigen::MatrixXd& stiffness_by_variation() const { return stiffness_h_; }
 
-  /// Returns the change of h that minimizes the quadratic model with d eliminated, so that h stays within its
-  /// tolerances. pull: minus the gradient by h, #elastic.
+  /// Returns the change of h within its tolerances that minimizes the quadratic model with d eliminated. pull: minus
+  /// the gradient by h, #elastic.
   Eigen::VectorXd choose_variation_change(const Eigen::VectorXd& pull, const Eigen::VectorXd& variation) const;
 
   /// Returns the least d in the metric H with J d = r2, on the wires, to the accuracy of one solve.

@@ -17,7 +17,7 @@ namespace wirewarp {
 
 /// The goal of a refinement: the energy, the target lengths, the forbidden flips and overlaps, and how far it goes.
 struct Stage {
-  const Cloth* cloth = nullptr;                 // whose energy f has; null: the shape error of Eq. (4)
+  const Cloth* cloth = nullptr;                 // its energy is part of f; null: the shape error of Eq. (4)
   const TargetLengths* lengths = nullptr;       // null: nominal lengths, and the layout is free to turn
   Injectivity injectivity = Injectivity::none;  // of all iterates, the start included
   Target target = Target::minimum;

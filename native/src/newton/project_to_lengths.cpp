@@ -11,7 +11,7 @@ namespace wirewarp {
 namespace {
 
 constexpr int kMaxProjectSteps = 10;               // with one factor
-constexpr double kShortestProjectStep = 1.0 / 64;  // with shorter steps, lengths get no nearer from here
+constexpr double kShortestProjectStep = 1.0 / 64;  // shorter steps do not make the lengths better
 constexpr double kSufficientProjectStep = 0.1;  // share of the predicted decrease of the strain that a step must reach
 
 struct Projected {
@@ -20,8 +20,9 @@ struct Projected {
   Eigen::VectorXd residual;   // c
 };
 
-/// Gauss-Newton steps on the strain of springs ρ along the edges; if many steps minimize it, the shortest in the metric
-/// H. With d eliminated, a quadratic program in Δh remains, which keeps h + Δh within its tolerance.
+/// Takes Gauss-Newton steps on the strain of springs ρ along the edges. If several steps minimize it, takes the
+/// shortest one in the metric H. With d eliminated, a quadratic program in Δh remains, which keeps h + Δh within its
+/// tolerance.
 class Projection {
  public:
   Projection(const Problem& problem, const Positions2& uv, const StopToken& stop)

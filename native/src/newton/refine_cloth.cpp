@@ -17,8 +17,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kSpacing = kPi / 36;   // of the directions that are compared
-constexpr std::size_t kBestStarts = 3;  // of mostly one valley a quarter turn
+constexpr double kSpacing = kPi / 36;   // between the directions that are compared
+constexpr std::size_t kBestStarts = 3;  // most pieces have one valley of energy in a quarter turn
 constexpr int kMaxTurns = 15;           // samples take 3 to 6
 constexpr double kShorter = 4;          // divisor of a turn that does not lower the energy, as in a line search
 

@@ -18,15 +18,15 @@
 namespace wirewarp {
 
 struct CoupledSolution {
-  std::vector<Solution> charts;  // without multipliers; factorizations: those of the whole group, in each
+  std::vector<Solution> charts;  // have no multipliers; each has the factorizations of the whole group
   double projected_gradient =
       std::numeric_limits<double>::quiet_NaN();  // PieceReport::projected_gradient; NaN for one chart
 };
 
-/// Minimizes from starts near exact lengths; they may be farther from them if no triangle may flip and none is flipped.
-/// Their multipliers: one per edge of the chart's held network, then those of the grain rows; missing ones are 0.
-/// lengths: one per chart, or empty if charts are free to turn; those of the stage come from them. All solutions are
-/// exact, or none.
+/// Minimizes from starts near exact lengths. The starts may be farther from exact lengths if the stage forbids flips
+/// and they have none. Their multipliers: one per edge of the chart's held network, then one per grain row; missing
+/// ones are 0. lengths: one per chart, or empty if charts are free to turn; those of the stage come from them. All
+/// solutions are exact, or none.
 CoupledSolution refine_coupled(const std::vector<const Chart*>& charts, double fairness, Stage stage,
                                const std::vector<TargetLengths>& lengths, const std::vector<Shape>& starts,
                                const Control& control);

@@ -11,18 +11,18 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kWeightOfExcess = 10;       // V over the square root of the area: far above the forces in wires
-constexpr double kWeightOfUnevenness = 100;  // W of wire parts, the same
-constexpr double kWeightOfBoundary = 1000;   // far above that of wires, so that outlines change last
+constexpr double kWeightOfExcess = 10;       // V over the square root of the area; far above the forces in wires
+constexpr double kWeightOfUnevenness = 100;  // W of wire parts over the square root of the area
+constexpr double kWeightOfBoundary = 1000;   // W of boundary edges; far above, so that outlines change last
 // Share of the tolerance that is used, so that h stays within it in spite of smoothing.
 constexpr double kWithinTolerance = 0.99;
-constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};          // σ: strains of 1e-4 are distinguished from 0 in the end
+constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};  // values of σ; the last one separates strains of 1e-4 from 0
 constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
 constexpr double kWorthwhile = 1e-5;                         // predicted decrease over Φ
-constexpr double kShortestRelaxStep = 1e-3;                  // ten halvings
+constexpr double kShortestRelaxStep = 1e-3;                  // after ten halvings
 
 /// Makes all wire parts of several edges elastic, whatever their tolerance, because their edges share a variation. A
-/// part of one edge needs no variation: r is the variation.
+/// part of one edge needs no variation of its own: its residual r is the variation.
 Chart with_variations(Chart chart) {
   for (WirePart& part : chart.wire_parts) {
     if (part.kind != WireKind::elastic && part.kind != WireKind::rigid) continue;

@@ -9,9 +9,9 @@
 //   x_w = |h_w| − ε_w or 0        how far a wire part goes beyond its tolerance
 //
 // For small σ these are sums of magnitudes, which break a few lengths and keep most (the group lasso: M. Yuan, Y. Lin,
-// Journal of the Royal Statistical Society B 68 (2006), 49-67). A tolerance removes x, only freeing the wire removes m,
-// and nothing changes the boundary: V << W of parts << W of the boundary. The method is reweighted least squares: for
-// given weights every term is a spring, and the Newton system has springs already.
+// Journal of the Royal Statistical Society B 68 (2006), 49-67). A tolerance makes x zero, only a free wire makes m
+// zero, and boundary edges change last: V << W of parts << W of the boundary. The method is reweighted least squares:
+// for given weights every term is a spring, and the Newton system already contains springs.
 #pragma once
 
 #include "newton/control.h"
@@ -25,9 +25,9 @@ inline constexpr int kMaxRelaxFactorizations = 60;  // limit of a run
 struct RelaxedShape {
   Positions2 uv;                        // one row per chart vertex, scene units
   Eigen::VectorXd tolerance_violation;  // |x|, one per wire part of the chart
-  Eigen::VectorXd strain_rms;           // √m, the same; 0 for parts of one edge
-  double outline_strain = 0;            // √m, the largest of an edge of the boundary
-  bool is_minimum = true;               // false: the budget was spent before that
+  Eigen::VectorXd strain_rms;           // √m, one per wire part; 0 for parts of one edge
+  double outline_strain = 0;            // largest √m of a boundary edge
+  bool is_minimum = true;               // false: the budget was spent before the minimum
 };
 
 /// Minimizes Φ from a start, one row per chart vertex. Throws Stopped; the token is polled before each factorization.

@@ -23,13 +23,13 @@ struct OpenSide {
     return std::make_pair(magnitude, -rank) < std::make_pair(other.magnitude, -other.rank);
   }
 
-  int magnitude;  // of the length: the exponent of two
+  int magnitude;  // exponent of two of the length
   int rank;
   HalfedgeHandle half_edge;
 };
 
-/// Returns the place of the third vertex of the face on the left of h, whose ends have theirs, measured from the nearer
-/// end.
+/// Returns the place of the third vertex of the face on the left of h, measured from the nearer end of h. Both ends
+/// must have their places.
 Eigen::RowVector2d opposite_place(const HalfEdgeMesh& mesh, HalfedgeHandle h, const Positions2& uv) {
   const VertexHandle a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
   const VertexHandle c = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));

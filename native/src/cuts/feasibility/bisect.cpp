@@ -133,7 +133,8 @@ std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   return result;
 }
 
-/// Divides the faces by which of two far ends is nearer, and by two more ends across them.
+/// Divides the faces by the nearer of two far ends, and again by the nearer of two more ends, which are across the
+/// first two.
 std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   const VertexHandle first = far_end(mesh);
   const VertexHandle second = farthest_from(mesh, {first});
@@ -175,8 +176,9 @@ std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidd
     const bool is_known = std::find(cuts.begin(), cuts.end(), cut) != cuts.end();
     if (!is_known && length_of_cut(mesh, cut) > 0) cuts.push_back(std::move(cut));
   };
-  // On boxes of a few faces, shorter borders shrink to nothing, so the border as drawn is used too. On fine meshes it
-  // is ragged: without this limit, 43 garments, shoes, cushions and toys are cut into 154 pieces instead of 93.
+  // On a box of a few faces, a border may shrink to nothing when it is shortened, so the border as drawn is a
+  // candidate, too. On fine meshes, borders as drawn are ragged: without this limit, 43 garments, shoes, cushions and
+  // toys are cut into 154 pieces instead of 93.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
     keep_together(mesh, forbidden, side);

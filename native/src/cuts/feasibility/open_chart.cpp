@@ -31,13 +31,14 @@ constexpr int kMostDepth = 3;
 /// Number of cuts of one chart that are judged. With 2, garments are cut into more pieces; 5 are no better.
 constexpr int kMostJudged = 3;
 
-/// Cost of distortion in cut length over the square root of the area. It makes a cushion be cut around its edge (length
-/// 2.8, distortion 0.02) and not open along one line (1.2, 0.3), but a skirt open along one line (0.7, 0.014) and not
-/// into two pieces (1.3, 0.01). All of 43 garments, shoes, cushions and toys become flat at any value: with 3, 10, 30
-/// and 100, the cuts add up to 86, 97, 100 and 103, and the distortions to 3.5, 0.9, 0.6 and 0.5.
+/// Cost of distortion, as a length of cut over the square root of the area. With this value, a cushion is cut around
+/// its edge (length 2.8, distortion 0.02) instead of along one line (1.2, 0.3), but a skirt along one line (0.7, 0.014)
+/// instead of into two pieces (1.3, 0.01). All of 43 garments, shoes, cushions and toys become flat at any value: with
+/// 3, 10, 30 and 100, the lengths of the cuts add up to 86, 97, 100 and 103, and the distortions to 3.5, 0.9, 0.6 and
+/// 0.5.
 constexpr double kPriceOfDistortion = 10;
 
-/// Shares of the area and costs that differ by less count as equal: free maps are about this exact.
+/// Shares of the area and costs that differ by less count as equal, because free maps have errors of about this size.
 constexpr double kSamePrice = 1e-6;
 
 /// The free map of a chart, which has no fixed lengths.

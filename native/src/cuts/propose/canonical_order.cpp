@@ -152,7 +152,7 @@ std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, Start start) {
 }
 
 /// Starts at one of the longest edges. Usually there are few, and their walks differ after a few steps. A surface of
-/// revolution has as many as segments, and each takes a walk over the whole surface.
+/// revolution has as many longest edges as segments, and each needs a walk over the whole surface.
 Start start_on_closed(const HalfEdgeMesh& mesh, const StopToken& stop) {
   double longest = 0;
   for (const EdgeHandle e : mesh.edges()) longest = std::max(longest, edge_length(mesh, mesh.halfedge_handle(e, 0)));

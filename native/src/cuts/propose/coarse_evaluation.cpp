@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kHasNoFlatShape = std::numeric_limits<double>::infinity();
 
-/// Good cuts take 3 to 8. Pieces that take many have wires that almost contradict one another.
+/// Good cuts take 3 to 8 factorizations. Pieces that take many have wires that almost contradict one another.
 constexpr int kMaxFactorizations = 20;
 
-/// Energy of the uncut shape over its area, below which cut pieces start from it, which takes half the time of
-/// refine_chart()'s starts. On a hat (0.04) and a cushion (0.26), this start leads to folds in every third evaluation;
-/// on seven panels of garments (0.0006 to 0.01), in none of the best.
+/// Cut pieces start from the uncut shape if its energy over its area is below this value: that takes half the time of
+/// refine_chart()'s starts. On a hat (0.04) and a cushion (0.26), this start leads to folds in every third evaluation.
+/// On seven panels of garments (0.0006 to 0.01), it leads to folds in no evaluation of the best cuts.
 constexpr double kNearFlat = 0.02;
 
 InternalOptions brief(InternalOptions options) {

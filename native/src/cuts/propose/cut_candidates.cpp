@@ -14,18 +14,19 @@
 namespace wirewarp {
 namespace {
 
-/// Share of the outline to each side in which a landing must have the shortest path. Both sides together are about as
-/// long as the distance between two points spread along the outline.
+/// A landing must have the shortest path within this share of the outline to each side of it. Both sides together are
+/// about as long as the distance between two points spread along the outline.
 constexpr double kWindow = 1.0 / 24;
 
 /// The outline has a corner if it turns by more (radians). A ring of twelve edges turns by this much at each vertex.
 constexpr double kCorner = kPi / 6;
 
-/// A point counts as sharper or farther only by more than the rounding when the input is rotated.
+/// A value counts as larger only if it exceeds the other one by this factor, so that rounding in rotated input does not
+/// decide.
 constexpr double kClearly = 1 + 1e-9;
 
-/// Ends of cuts that are farther apart, relative to the root of the area, are not beside each other: slightly less than
-/// the distance of 0.2 between points inside.
+/// Ends of cuts that are farther apart than this, relative to the root of the area, are not near each other. It is
+/// slightly less than 0.2, the distance between points inside.
 constexpr double kApart = 0.15;
 
 struct OutlinePoint {

@@ -29,8 +29,8 @@ constexpr double kTargetStrain = 0.05;
 /// animal.
 constexpr std::size_t kMostCuts = 40;
 
-/// Number of places with best cuts of each kind, and of candidates that are evaluated exactly in a round. On a koala,
-/// the first candidate was good enough in each of forty rounds.
+/// Number of places whose best cuts of each kind are candidates, and largest number of candidates that are evaluated
+/// exactly in a round. On a koala, the first candidate was good enough in each of forty rounds.
 constexpr int kPlaces = 2;
 constexpr std::size_t kMostTrials = 5;
 
@@ -44,7 +44,7 @@ constexpr double kFlat = 1e-4;
 /// A set with more pieces than a less strained one is listed only if it is shorter by this factor.
 constexpr double kMuchShorter = 0.9;
 
-/// Shares of the time after which a cow and a penguin were opened, and cut finely enough.
+/// Progress once the piece is open, and once it is cut finely enough, as measured on a cow and a penguin.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
 /// Number of sets made by merging sections of the last one, and the ratio of their allowed strains: from 5% for woven
@@ -53,8 +53,8 @@ constexpr int kMergedSets = 3;
 constexpr double kStrainStep = 2;
 
 /// Cuts that remove at least this share of the energy come before those that remove more for their length, because many
-/// small darts are slow to sew and to find. With 0 to 0.5, the sets of a ball, a head and a penguin have about the same
-/// length and strain; with 0.5 they are found in two thirds of the time of 0, but are a tenth longer.
+/// small darts are slow to sew and to find. Between 0 and 0.5, the sets of a ball, a head and a penguin differ little
+/// in strain. With 0.5, they are found in two thirds of the time of 0, but are a tenth longer.
 constexpr double kLargeGain = 0.25;
 
 FlattenError no_set(const Chart& chart, ErrorArguments arguments) {
@@ -213,7 +213,7 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
     if (is_known || length_of_cut(chart_.mesh, cut) > cut_options_.longest) continue;
     tried.push_back(cut);
     CutSet more = evaluate(set.pieces, cut);
-    // The strain may rise meanwhile, because parts have more outline to fix than the whole.
+    // Compares energies, because the strain may rise: the parts have more outline of fixed length than the whole.
     const double before = set.figures[worst].energy;
     if (more.lies_flat && figures_of(more.pieces, part).energy <= (1 - kWorthSewing) * before) return more;
   }
@@ -221,8 +221,8 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
 }
 
 /// Selects the sets to propose. sets: the shortest first. Drops sets that are hardly better than a shorter one, and
-/// sets longer than one that meets the target. The longest comes first; of too many, those with about evenly spaced
-/// strains, as ratios, remain.
+/// sets longer than one that meets the target. The longest comes first. If there are too many, keeps sets whose strains
+/// have about equal ratios from one to the next.
 std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {

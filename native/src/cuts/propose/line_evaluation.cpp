@@ -108,7 +108,7 @@ SurfacePath on_input(const FlattenInput& input, const Chart& chart, const MeshPa
 }
 
 std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<VertexPair>& edges) {
-  std::map<int, std::pair<int, int>> corner_at;  // keyed by vertex of the lines: a face and its corner there
+  std::map<int, std::pair<int, int>> corner_at;  // vertex of the lines: a face and its corner there
   for (const VertexPair& edge : edges) {
     for (const int v : edge) corner_at[v] = {-1, 0};
   }

@@ -27,7 +27,8 @@ namespace {
 /// on the input's orientation.
 constexpr double kSameLength = 1e-9;
 
-/// With 20, no section can be removed from the finest set of a penguin; with 40, a third of its length can.
+/// With a limit of 20 factorizations, no section can be removed from the finest set of a penguin; with 40, a third of
+/// its length can.
 constexpr int kMergeFactorizations = 40;
 
 /// A free map, which has no fixed lengths, needs about the least strain. For 90 accepted unions on a cow and a penguin,
@@ -36,7 +37,7 @@ constexpr int kMergeFactorizations = 40;
 constexpr double kMostFreeStrain = 1.1;
 constexpr double kMostFolded = 0.025;
 
-/// Lower strains are rounding, because shapes are about this exact.
+/// Lower strains are rounding errors, because shapes are only exact to about this value.
 constexpr double kFlatStrain = 1e-6;
 
 constexpr double kNoFlatShape = std::numeric_limits<double>::infinity();
@@ -82,8 +83,8 @@ InternalOptions without_long_runs(InternalOptions options) {
   return options;
 }
 
-/// A section has a corner if it turns by more. Sections of a box do where three of its sides meet, and jagged sections
-/// of regular triangles turn by 60 degrees.
+/// A section has a corner if it turns by more. Sections along the edges of a box have corners where three of its sides
+/// meet; jagged sections of regular triangles turn by 60 degrees.
 constexpr double kCornerCosine = 0.45;
 
 /// Returns the index where the second half of a section starts.

@@ -59,7 +59,7 @@ class SectionMerger {
   CutState state_;
   const Chart& chart_;
   const MirroredCuts& mirrored_;
-  const bool has_other_measure_;  // strain is of threads or beyond eases, which free maps cannot estimate
+  const bool has_other_measure_;  // strain is measured in threads or beyond eases, so free maps cannot estimate it
   const ExactEvaluation& exact_;
   const ExactEvaluation quick_;  // with fewer factorizations
   double most_strain_ = 0;

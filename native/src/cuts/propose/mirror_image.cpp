@@ -10,7 +10,8 @@
 namespace wirewarp {
 namespace {
 
-/// Relative to the root of the area. Meshes in single precision that were modeled in halves are symmetric to this.
+/// Largest distance between a mirrored vertex and its image, over the root of the area. Meshes in single precision that
+/// were modeled with a mirror are symmetric to this precision.
 constexpr double kSamePlace = 1e-4;
 
 constexpr double kClearlyLonger = 1 + 1e-9;  // so that the mesh's orientation does not change the choice
@@ -59,8 +60,9 @@ class MirrorSearch {
     tolerance_ = kSamePlace * std::sqrt(surface_area(mesh_));
   }
 
-  /// Returns the image by the plane with the longest edges in it. Except for a flat piece, no plane contains the center
-  /// and all corners of a face, so each plane moves a corner of the first face.
+  /// Returns the image by the plane with the longest edges in it. In a piece that is not flat, a plane through the
+  /// center cannot contain all corners of a face. So each plane moves a corner of the first face, and the images of
+  /// these corners define all planes.
   std::vector<VertexHandle> best_image(const StopToken& stop) const {
     std::vector<VertexHandle> best;
     double longest = -1;

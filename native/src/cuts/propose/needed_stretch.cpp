@@ -48,7 +48,7 @@ NeededStretch::NeededStretch(const FlattenInput& input, bool has_cloth) : input_
   }
 }
 
-/// Returns the least and the largest ease of the piece's lines, at most and at least 0.
+/// Returns the least ease of the piece's lines, or 0 if all are positive, and the largest, or 0 if all are negative.
 std::pair<double, double> NeededStretch::range_of_eases(const Piece& piece) const {
   std::pair<double, double> range{0, 0};
   const auto add = [&](double ease) { range = {std::min(range.first, ease), std::max(range.second, ease)}; };

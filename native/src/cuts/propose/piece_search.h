@@ -17,7 +17,7 @@ enum class Effort {
   quick,     // only the best cuts, because each is one of many in a set
 };
 
-/// The error that no cut helps a piece with this strain.
+/// Returns the error of a piece with this strain that no cut helps.
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
 
 /// Searches one piece: ranks candidates on a coarse copy, and evaluates the best of them exactly.

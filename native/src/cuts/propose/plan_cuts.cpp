@@ -77,7 +77,7 @@ class PlanOfCuts {
     cut_options.longest = std::min(target_.longest, length_left());
     cut_options.no_seam = target_.no_seam;
     const std::vector<int> order = pieces_in_order();
-    if (order.empty() && cuts_.empty()) return best_cuts(pieces_, kind_, cut_options, exact_, progress_);  // throws why
+    if (order.empty() && cuts_.empty()) return best_cuts(pieces_, kind_, cut_options, exact_, progress_);  // throws
     std::optional<FlattenError> first_refusal;
     for (const int piece : order) {
       cut_options.piece = piece;
@@ -103,7 +103,7 @@ class PlanOfCuts {
     return comes_with_mirror_image(cut, proposals) ? *cut.strain_with_twin : cut.strain;
   }
 
-  /// Whether the cut lowers the strain. It does not if only its mirror image does, which may not be taken.
+  /// Whether the cut lowers the strain without those mirror images that may not be taken.
   bool helps(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
     return strain_if_taken(cut, proposals) < cut.strain_before;
   }

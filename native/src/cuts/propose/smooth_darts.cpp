@@ -54,7 +54,7 @@ struct SmoothDart {
   SmoothLine line;
   Course course;
   std::optional<SmoothLine> image;  // its mirror image, if both can be cut
-  LineFigures found;                // of both, or of the dart alone: without an image, or if a tip puckers with both
+  LineFigures found;                // with the image; alone if it has none, or if a tip puckers with it
   bool are_both = false;
 
   double strain() const { return found.figures.strain; }
@@ -82,7 +82,7 @@ class SmoothDartSearch {
   std::vector<DartProposal> search(const std::vector<HalfEdgeChain>& chains);
 
  private:
-  /// A line is known by its ends and course.
+  /// A line is identified by its ends and its course.
   struct Way {
     HalfEdgeChain chain;
     Course course;

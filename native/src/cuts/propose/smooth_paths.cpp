@@ -13,8 +13,8 @@
 namespace wirewarp {
 namespace {
 
-/// Cost of an angle δ (radians) from the outline's bisector, over δ² and the root of the area: for 45°, a path that is
-/// longer by 3% of the piece is preferred.
+/// Cost of a landing that is off the outline's bisector by an angle δ (radians), over δ² and the root of the area. A
+/// path that lands along the bisector is preferred to one at 45° even if it is longer by 3% of the piece's size.
 constexpr double kPriceOfLanding = 0.05;
 
 /// A path that turns by more at one vertex (radians) has a corner, which cannot be sewn as a dart: less than a square's

@@ -20,9 +20,9 @@ struct Forbidden {
 
 /// The cheapest paths from one vertex.
 struct SmoothPaths {
-  std::vector<double> cost;             // per half-edge: of the path that ends with it; infinite: none
+  std::vector<double> cost;             // per half-edge: cost of the path that ends with it; infinite: no path
   std::vector<HalfedgeHandle> before;   // per half-edge: the previous one; not valid at the start
-  std::vector<HalfedgeHandle> arrival;  // per vertex: last half-edge of the cheapest path; not valid: none
+  std::vector<HalfedgeHandle> arrival;  // per vertex: last half-edge of the cheapest path; not valid: no path
 };
 
 class SmoothPathFinder {

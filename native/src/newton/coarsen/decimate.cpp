@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLongestEdge = 2;      // of a new edge, relative to the target length
 constexpr double kWorstQuality = 0.25;  // of a new face: 1 is equilateral, 0 has no area
-// A better choice is better by this factor, so that rotating or scaling the mesh does not change it.
+// A choice counts as better only by more than this factor, so that rotating or scaling the mesh does not change it.
 constexpr double kClearly = 1 + 1e-9;
 constexpr double kSharpestTurn = kPi / 4;  // of a wire; sharper corners are not removed
 constexpr double kWorthwhile = 0.02;       // share of the vertices that a round must remove
@@ -56,7 +56,7 @@ class Decimation {
   double longest_edge_;
   std::vector<char> is_kept_, is_locked_;
   std::vector<WireNeighbors> wire_neighbors_;
-  std::vector<std::array<int, 3>> corners_;  // of each face, in the order of the weights
+  std::vector<std::array<int, 3>> corners_;  // of each face, in the order of Place::weights
   std::vector<int> first_point_;             // of each face: first removed vertex in it
   std::vector<Place> places_;
   std::vector<int> face_of_point_;

@@ -54,8 +54,9 @@ WireTurns::WireTurns(const CoarseChart& coarse, const Positions2& uv)
   }
 }
 
-/// Sets the turn of each run around the vertex at which the first one arrives to what it lacks to the mean rotation of
-/// all runs against the surface. A difference of the angle sum around an inner vertex is shared evenly.
+/// Sets the turns of the runs around the vertex at which the first one arrives: each run turns by the mean rotation of
+/// all runs against the surface, minus its own rotation. A difference of the angle sum around an inner vertex is shared
+/// evenly.
 void WireTurns::turn_around(WireHalfEdge first) {
   std::vector<WireHalfEdge> runs;
   std::vector<double> rotations{0};

@@ -11,8 +11,8 @@ namespace wirewarp {
 namespace {
 
 constexpr double kThin = 0.3;    // determinant of a sliver's map; triangles of a good start have 0.7 to 1.3
-constexpr double kStill = 0.01;  // of the mean edge; with a third of it, Newton's method takes as many steps
-constexpr int kMaxSweeps = 100;  // over the vertices that move; 10 to 30 are usual
+constexpr double kStill = 0.01;  // shortest move that counts, over the mean edge; a third of it saves no Newton step
+constexpr int kMaxSweeps = 100;  // sweeps over the moving vertices; 10 to 30 are usual
 
 class Slivers {
  public:

@@ -139,7 +139,7 @@ class StretchedGroup {
     return true;
   }
 
-  /// Sets what follows from a new shape.
+  /// Sets the stretched lengths, the proposed seams and the flat layout of a new shape.
   void finish(std::size_t k, bool is_folded) {
     const GroupMember& member = group_[k];
     set_stretched_lengths(member, member.chart);

@@ -13,8 +13,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kReportedDifference =
-    0.01;  // between the sides of a seam, relative to their length: more than a seam eases in
+constexpr double kReportedDifference = 0.01;  // between the sides of a seam, over their length: too much to ease in
 
 /// Returns the edges whose flat length follows the stretch: those of the outline and of wires with fixed or elastic
 /// length, without an ease.

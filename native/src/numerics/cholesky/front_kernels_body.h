@@ -131,8 +131,8 @@ void update_rows(const FrontTiles& front, const FrontTiles& other, int t, int fi
   }
 }
 
-/// Updates kRows rows from t on below a block of pivots, all columns up to the diagonal: the block's columns, then the
-/// columns that are not factored yet, then S.
+/// Updates kRows rows from t on below a block of pivots, in all columns up to the diagonal: first the block's columns,
+/// then the columns that are not factored yet, then S.
 template <int kRows, int kFactors>
 void update_below(const FrontTiles (&fronts)[kFactors], int t, int first, int last) {
   for (int f = 0; f < kFactors; ++f) update_rows<kRows>(fronts[f], other(fronts, f), t, first, last, first, last);

@@ -12,7 +12,7 @@
 namespace wirewarp {
 namespace {
 
-// Vertices of a leaf, which is one front. With 8 to 24, whole runs take the same time.
+// Number of vertices of a leaf, which is one front. With 8 to 24, whole runs take the same time.
 constexpr std::ptrdiff_t kLeafSize = 16;
 
 // Directions in which a set of vertices is halved: x, y and the two diagonals, because meshes have no preferred

@@ -60,7 +60,7 @@ inline double length_ratio(const Chart& chart, HalfedgeHandle h) {
   return edge < chart.length_ratio.size() ? chart.length_ratio[edge] : 1;
 }
 
-/// Gives a chart made from faces of another chart the source faces and target lengths of that chart.
+/// Copies the source faces and target lengths of a chart to a chart made from some of its faces.
 void inherit_lengths(const Chart& parent, Chart& chart);
 
 /// Returns the ends of a half-edge in the input.

@@ -13,7 +13,7 @@ namespace {
 /// A triangle has zero area if its height over the longest side is below this fraction of that side.
 constexpr double kFlatness = 1e-12;
 
-/// A side is a point if it is shorter than this, scene units: squared areas of smaller triangles underflow.
+/// A side that is shorter than this, scene units, counts as a point: the squared areas of such triangles underflow.
 constexpr double kShortest = 1e-60;
 
 struct Faults {

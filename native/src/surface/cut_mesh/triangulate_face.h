@@ -18,8 +18,8 @@ inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoi
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Three points with less doubled area are collinear. The whole triangle has 1. Points 0.0001 apart, the least that
-/// callers allow, have at least 1e-8 or are collinear except for rounding.
+/// Three points count as collinear if twice the area between them is less. The whole triangle has 1. Points 0.0001
+/// apart, the least that callers allow, have at least 1e-8 or are collinear except for rounding.
 inline constexpr double kInLine = 1e-12;
 
 /// Whether two segments cross inside both; false if an end of one is collinear with the other.
@@ -28,7 +28,7 @@ bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const 
 struct FaceToDivide {
   std::vector<FacePoint> points;          // points on the border, counter-clockwise, then those inside
   Positions3 places;                      // positions in space, where short edges are preferred
-  std::vector<std::array<int, 2>> sides;  // per border point: the sides with it; the same side twice except at corners
+  std::vector<std::array<int, 2>> sides;  // per border point: both sides at a corner, elsewhere its side twice
   std::set<std::array<int, 2>> lines;     // edges that must exist, the smaller index first; they do not cross
 };
 

@@ -26,8 +26,8 @@ Corners counter_clockwise(Corners t) {
   return t;
 }
 
-/// Returns the bounding box, smaller by `depth` on every side, but not empty. The boxes of triangles that penetrate
-/// each other by at least twice that meet.
+/// Returns the bounding box, smaller by `depth` on every side, but not empty. If two triangles penetrate each other by
+/// at least twice the depth, their boxes meet.
 Box2 inner_box(const Corners& t, double depth) {
   const Eigen::Vector2d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
   const Eigen::Vector2d high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);

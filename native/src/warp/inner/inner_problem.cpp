@@ -9,11 +9,11 @@ namespace wirewarp {
 namespace {
 
 constexpr double kClosed = 1e-12;       // gap over the length of a loop that counts as closed
-constexpr double kNearlyClosed = 1e-3;  // gap from which restore() can close the loop with the present factor
-constexpr double kRounding = 2e-15;     // relative; double precision allows nothing better
+constexpr double kNearlyClosed = 1e-3;  // largest gap that restore() can close with the present factor
+constexpr double kRounding = 2e-15;     // relative error; double precision allows nothing better
 constexpr double kStationary = 1e-10;   // projected gradient; E then has six correct digits, whatever the start
 constexpr int kMaxSteps = 100;          // 3 to 16 are usual
-constexpr double kSmallestStep = 1e-6;  // twenty halvings
+constexpr double kSmallestStep = 1e-6;  // after twenty halvings
 constexpr double kBend = 0.3;           // radians at the edge that turns most; the loops can still be closed
 constexpr double kLongestTurn = 2;  // radians between two edges; for larger turns the gap is not linear in the headings
 constexpr double kStalledRatio = 0.4;  // a full step that leaves a larger share of the gap is blocked by symmetry
@@ -104,7 +104,7 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
 
 /// Closes the loops after a step tangent to them, with the present factor.
 bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const {
-  constexpr int kMaxRestorations = 40;  // each costs one back-substitution, less than a shorter step with a new factor
+  constexpr int kMaxRestorations = 40;  // each takes one solve, less than a shorter step with a new factor
   constexpr double kWorthwhile = 0.8;   // share of the gap; a step that leaves more has stalled
   const Eigen::VectorXd no_gradient = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);

@@ -33,8 +33,8 @@ class InnerProblem {
   /// all loops close (Inner::least_norm). lengths: positive, scene units, #wire edges.
   InnerSolution solve(const Eigen::VectorXd& lengths, Inner inner);
 
-  /// Returns the local minimum of Eq. (1) for these lengths reached from the solution for other lengths. This stays on
-  /// the same branch if there are several minima, and takes few factorizations.
+  /// Returns the local minimum of Eq. (1) for these lengths that is reached from the solution for other lengths. This
+  /// stays on the same branch if there are several minima, and takes few factorizations.
   InnerSolution follow(const InnerSolution& from, const Eigen::VectorXd& lengths);
 
   /// Factors the optimality system at a minimum. change_of_headings() and total_derivative() need this and take one

@@ -43,7 +43,7 @@ std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const 
   return gates;
 }
 
-/// A corner of the string. It is an end of the gates first_gate to last_gate.
+/// A corner of the path, which is a taut string. It is an end of all gates from first_gate to last_gate.
 struct Corner {
   Planar point;
   std::size_t first_gate = 0;
