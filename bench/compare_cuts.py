@@ -26,10 +26,10 @@ from tables import table
 from text import wrap
 from which_commit import commit
 
-TARGETS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about the first; 5% is the default target of cut sets
-LADDER = 60  # number of requested proposals; more than a cut set has cuts
-FEWEST = 2  # sets to which darts are added; sets with more cuts gave longer cuts in the end
-DARTS = 20  # maximum number; half as many as a cut set has cuts
+TARGETS = (0.5, 0.25, 0.1, 0.05)  # strains: OptCuts leaves about 0.5; 0.05 is the default target of cut sets
+LADDER = 60  # number of requested proposals, more than any cut set has
+FEWEST = 2  # number of sets to which darts are added; adding darts to larger sets gave longer cuts
+DARTS = 20  # maximum number of darts: half the largest number of cuts in a set
 CHOICE = 5  # number of proposed darts, the default of propose_darts()
 SETS = "\n## Sets of seams for closed models\n"  # a section by bench/cut_sets.py, which stays
 CLOCK_LIMIT = 10 * LIMIT  # seconds of wall time; more than LIMIT, because other processes may use the core

@@ -21,7 +21,7 @@ SIZES, FULL_SIZES = [1_000, 10_000, 100_000], [1_000, 10_000, 100_000, 1_000_000
 SEAM_SIZE = 10_000
 JITTER = 0.3  # in edges; about as uneven as scanned and sculpted models
 JITTERED_SIZES = [10_000, 100_000]
-NET_SIZE, NETS = 40_000, [8, 32, 128]  # triangles; numbers of wires, which are 2.2 edges apart for the last
+NET_SIZE, NETS = 40_000, [8, 32, 128]  # triangles; numbers of wires (128 wires are 2.2 edges apart)
 LIMIT, FULL_LIMIT = 120.0, 900.0  # seconds of wall time for one method on one surface
 LARGEST = {  # maximum number of triangles of a method that takes longer than all others together
     flatteners.ARAP_CONVERGED: 100_000,
@@ -59,9 +59,7 @@ def compare_hard(rounds: int | None) -> list[Comparison]:
 
 
 def load(path: Path) -> dict[str, list[Comparison]]:
-    """Return the output of main(): "sheets" by size, "hard" ones, and as the only one of "seams" the sheet in two
-    pieces.
-    """
+    """Return the output of main(): "sheets" by size, "hard" ones, and "seams", the sheet in two pieces."""
     found = json.loads(path.read_text())
     return {key: [from_dict(comparison) for comparison in comparisons] for key, comparisons in found.items()}
 

@@ -69,7 +69,7 @@ def most_stay_below(strains: np.ndarray, areas: np.ndarray) -> float:
 
 
 def cuts_of(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    """Return of each cut edge its length on the surface and its two flat lengths (k, 2), and the number of charts."""
+    """Return the length of each cut edge on the surface, its two flat lengths (k, 2), and the number of charts."""
     neighbors = defaultdict(list)
     for f, face in enumerate(faces):
         for i in range(3):

@@ -3,7 +3,8 @@
 
 python bench/cut_sets.py MESH.obj...
 
-Of each model, the set with fewest pieces within the stretch of plush and knits counts, else that with least stretch.
+For each model, the row is the set with the fewest pieces within the stretch of plush and knits, or else the one with
+the least stretch.
 """
 
 import sys

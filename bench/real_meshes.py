@@ -60,7 +60,7 @@ def what_becomes_of(path: Path) -> tuple[str, str]:
 
 
 def outcome_of(path: Path) -> tuple[str, str, str]:
-    """Return the same as what_becomes_of(), with wall seconds in between."""
+    """Return the outcome of what_becomes_of(), the wall seconds, and the error."""
     if path.suffix.lower() not in READERS:
         return "in a format that the benchmark does not read", "", ""
     begin = time.monotonic()

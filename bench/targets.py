@@ -46,7 +46,7 @@ def ratios(comparisons: Sequence[Comparison]) -> list[tuple[str, ...]]:
 
 
 def of_hard_sheets(hard: Sequence[Comparison]) -> list[tuple[str, ...]]:
-    """Return jittered sheets against ARAP, and the most wires against eight."""
+    """Return the comparisons of jittered sheets with ARAP, and of the most wires with eight."""
     ours, theirs = flatteners.REFINED_ELASTIC, flatteners.ARAP
     jittered = [c for c in hard if c.surface.endswith("jittered")]
     rows = [

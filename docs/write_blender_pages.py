@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Write the pages on settings, buttons and errors from the add-on itself, so that they always agree with it.
+"""Writes the pages on settings, buttons and errors from the add-on itself, so that they always agree with it.
 
 blender --background --addons wirewarp_addon --python docs/write_blender_pages.py -- FOLDER
 """

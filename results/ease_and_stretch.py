@@ -33,20 +33,20 @@ class Cut:
 
 
 def stretched_lines(found: Strained) -> list[Cut]:
-    """Return the wires of a sample whose fabric is stretched when worn, and all its seams together."""
+    """Return the wires of a sample whose fabric is stretched when worn, and the total of its seams."""
     wires = [Cut(wire.name.lower(), wire.length_3d, wire.length_2d) for wire in found.result.wires]
     seams = found.result.seams
     return [*wires, Cut("seams, each side", sum(s.length_3d for s in seams), sum(s.length_2d[0] for s in seams))]
 
 
 def eased_line(name: str, found: Strained) -> Cut:
-    """Return all seams of a sample with an ease together: the longer side as cut, the other as worn."""
+    """Return the total of all eased seams of a sample: the longer side as cut, the other side as worn."""
     seams = [seam for seam in found.result.seams if any(seam.eases)]
     return Cut(name, sum(min(seam.length_2d) for seam in seams), sum(max(seam.length_2d) for seam in seams))
 
 
 def eased(found: Strained) -> float:
-    """Return meters of all seams together."""
+    """Return the total length of the eased seams in meters."""
     line = eased_line("", found)
     return line.cut - line.worn
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Shows the gain if seams may change their length equally on both sides."""
+"""Shows the effect of elastic seams, which may change their length equally on both sides."""
 
 from __future__ import annotations
 

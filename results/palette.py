@@ -12,7 +12,7 @@ TURNED_OVER = "#d6006e"
 RIGID, ELASTIC = "#22262e", "#e08a00"
 
 STEPS = 20  # colors of a scale; few enough to read a value, and for pictures with 256 colors
-# From shorter over unchanged to longer, dark in the middle: for lines on a light surface.
+# From shorter through unchanged to longer, dark in the middle: for lines on a light surface.
 LENGTH_MAP = LinearSegmentedColormap.from_list("length", ["#1f9bff", "#1c5f9e", INK, "#b0480a", "#ff8a1f"], STEPS + 1)
 RATIO_MAP = matplotlib.colormaps["YlGnBu"].resampled(STEPS)
 ENERGY_MAP = matplotlib.colormaps["YlOrRd"].resampled(STEPS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Does E converge as the mesh becomes finer? The quarter sphere with rigid wires."""
+"""Shows how E of the quarter sphere with rigid wires changes as the mesh becomes finer."""
 
 from __future__ import annotations
 

@@ -85,7 +85,7 @@ def wear(shape: Shape, corner_uv: np.ndarray) -> np.ndarray:
         state.clear_forces()
         solver.step(state, following, control, contacts, STEP)
         state, following = following, state
-        state.particle_qd.zero_()  # it creeps to rest without oscillation
+        state.particle_qd.zero_()  # without momentum, the fabric comes to rest without oscillation
     return state.particle_q.numpy().astype(float)
 
 

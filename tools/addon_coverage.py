@@ -56,7 +56,7 @@ def _report(*kinds: str) -> dict:
     report = FOLDER / "report.json"
     commands: list[list[str | Path]] = [
         ["combine", "--keep", "--quiet", *measured],
-        # a file from the other kind's measurement may have been removed since
+        # a measured file of the other kind may have been removed since
         ["json", "--quiet", "--ignore-errors", "-o", report],
     ]
     for command in commands:

@@ -38,7 +38,7 @@ def measure_peers(python: Path, is_full: bool) -> Path:
 
 
 def measure_real_meshes(python: Path) -> list[str | Path]:
-    """Return options for write_page.py; none without a folder in WIREWARP_MESHES."""
+    """Measure the meshes in WIREWARP_MESHES. Return options for write_page.py; none without this folder."""
     folder = os.environ.get("WIREWARP_MESHES")
     if not folder:
         say("real meshes are NOT MEASURED: WIREWARP_MESHES names no folder")

@@ -18,7 +18,7 @@ READERS = (
     "python-bidi==0.6.12",
     "resvg-py==0.5.0",
     "shapely==2.2.0",
-)  # readers of its files and of text in both directions, for tests only
+)  # for tests only: readers of pattern files, and of text in both directions
 # optional packages: tests run with and without them
 OPTIONAL = ("spyrrow==0.9.0", "fonttools[woff]==4.68.0", "hyperqueue==0.27.0")
 MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  # for python -m wirewarp
@@ -42,5 +42,5 @@ def bindings_tests(version: str, *options: str) -> None:
 
 
 def search_arguments() -> None:
-    """Run more of its tests of random arguments, with new examples in each run."""
+    """Test the package with many random arguments, which differ in each run."""
     bindings_tests(DEBIAN_VERSION, "-m", "hypothesis", "--hypothesis-profile=search")

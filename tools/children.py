@@ -45,7 +45,7 @@ def _end_children() -> None:
 
 
 def _processes_below(ancestor: int) -> list[int]:
-    """Return the ids of the children, their children and so on, and reap our own that have ended."""
+    """Return the ids of all descendants, and reap children that have ended."""
     children: dict[int, list[int]] = {}
     for folder in Path("/proc").glob("[0-9]*"):
         try:
@@ -58,7 +58,7 @@ def _processes_below(ancestor: int) -> list[int]:
         elif int(parent) == ancestor:
             os.waitpid(process, os.WNOHANG)
     found = children.get(ancestor, [])
-    for process in found:  # grows meanwhile
+    for process in found:  # the loop adds the children of each
         found += children.get(process, [])
     return found
 

@@ -30,7 +30,8 @@ def show() -> None:
     gcovr = venv("coverage", DEBIAN_PYTHON, GCOVR).parent / "gcovr"
     report = TREE / "coverage.json"
     sources: list[str | Path] = ["--root", ROOT, "--filter", "native/src/", "--exclude", r".*\.h$"]
-    # A function may start on several lines, threads may damage a count, and counts of inner loops exceed gcovr's limit.
+    # Three things would stop gcovr: a function that starts on several lines, a count damaged by threads, and high
+    # counts.
     tolerant = ["--merge-mode-functions=separate", "--gcov-ignore-parse-errors=all"]
     run([gcovr, *sources, *tolerant, "--json", report, "--print-summary", OBJECTS])
     untested = []

@@ -99,7 +99,7 @@ def output_of(command: Sequence[str | Path], **more: str) -> str:
     words = [str(c) for c in command]
     done = subprocess.run(words, cwd=ROOT, env=clean_environment(**more), capture_output=True, text=True)
     if done.returncode:
-        print(done.stdout[-2000:] + done.stderr[-2000:], flush=True)  # gcov prints megabytes
+        print(done.stdout[-2000:] + done.stderr[-2000:], flush=True)  # the end, because gcov prints megabytes
         raise StepError(failure(command, done.returncode))
     return done.stdout
 

@@ -43,7 +43,7 @@ def lint() -> None:
     findings = []
     for command in commands:
         try:
-            run(command, PYTHONPATH=str(ROOT / "python"))  # for lint-imports, which imports the package
+            run(command, PYTHONPATH=str(ROOT / "python"))  # lint-imports imports the package
         except StepError as error:
             findings.append(str(error))
     if findings:

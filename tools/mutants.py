@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures how many small faults the tests catch. Each mutant of a source has one different comparison or sign.
 
-Run it before and after tests are thinned out: the share must not fall. The sample is the same each time.
+Run it before and after you remove tests: the share must not fall. The sample is the same each time.
 """
 
 import io

@@ -21,7 +21,7 @@ from tools.environment import BUILD, NotTestedError, StepError, say
 PASSED, FAILED, NOT_TESTED = "passed", "FAILED", "NOT TESTED"
 EXIT_CODES: dict[int | None, str] = {0: PASSED, 1: FAILED, 2: NOT_TESTED}
 LOGS = BUILD / "log"
-AT_ONCE = 2  # one may use a single core
+AT_ONCE = 2  # because a step may use only one core
 FAILURE_LINES = 400  # enough for some failed tests with their values
 PROCESSES = multiprocessing.get_context("fork")
 

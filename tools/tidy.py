@@ -29,7 +29,7 @@ TIDY_APT = (*NATIVE_APT, "libbenchmark-dev")
 TOOLS = ("clang-tidy==23.1.4", PYBIND11)
 FOLDER = BUILD / "tidy"
 NATIVE_TEST = re.compile(r"/wirewarp_tests\.dir/|/tests/native/")
-# In a file that includes several sources, clang-tidy treats them as headers.
+# Because one file includes the sources, clang-tidy treats them as headers.
 OPTIONS = ("--quiet", "-p", FOLDER, "--header-filter=/(native|tests)/", "--checks=-bugprone-suspicious-include")
 
 

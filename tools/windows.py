@@ -58,7 +58,7 @@ def windows_short_tests() -> None:
 
 
 def windows_tests(version: str, *tests: str) -> None:
-    """Run these tests of pytest, or all."""
+    """Run all tests, or those that these arguments of pytest select."""
     require_apt(*BUILD_APT, *WINE_APT)
     wheel = build_wheel(version, require_python(version))
     made = cross_wheel(WINDOWS, version, wheel)

@@ -148,7 +148,7 @@ def manifest(platform: str, wheels: list[Path]) -> str:
         "wheels": [f"./wheels/{wheel.name}" for wheel in wheels],
     }
     if NEWEST_TAG not in map(python_of, wheels):
-        entries["blender_version_max"] = FIRST_BLENDER_ON_NEWEST  # the maximum is exclusive
+        entries["blender_version_max"] = FIRST_BLENDER_ON_NEWEST  # Blender excludes the maximum itself
     # JSON strings and lists of strings are valid TOML. The table comes last.
     lines = [f"{key} = {json.dumps(value)}" for key, value in entries.items()]
     lines += ["[permissions]", *(f"{key} = {json.dumps(reason)}" for key, reason in ADDON["permissions"].items())]

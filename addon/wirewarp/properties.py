@@ -58,7 +58,7 @@ class EaseAmount:
     )
 
 
-OTHER_ROLL = 8  # number stored in files, between those of the library's rolls and of its projector
+OTHER_ROLL = 8  # number stored in files; the numbers below it are left for more rolls of the library
 
 
 class PatternSettings:

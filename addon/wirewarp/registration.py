@@ -42,9 +42,9 @@ FORGET = (
 
 
 def register() -> Callable[[], None]:
-    """Return a function that removes everything, each item even if another fails.
+    """Register everything. Return a function that removes it all, even if removing some items fails.
 
-    A failed registration uses it, too.
+    If the registration fails, what was registered is removed, too.
     """
     with ExitStack() as undo:
         for cls in CLASSES:

@@ -23,7 +23,7 @@ SEAM = linear("#22262e")
 RIGID, ELASTIC, FREE = (linear(color) for color in ("#0048e8", "#ffc400", "#4fc3f7"))
 LIGHT_RIM, DARK_RIM = linear("#ffffff"), linear("#3a3a3a")
 
-# From compressed over unchanged to stretched: blue, near white, orange.
+# From compressed through unchanged to stretched: blue, near white, orange.
 _SCALE = [linear(c) for c in ("#08519c", "#5a9bd4", "#f6f4ef", "#f2a03d", "#a63c06")]
 
 

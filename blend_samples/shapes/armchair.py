@@ -12,9 +12,9 @@ from .shape import Shape, ShapeBuilder
 HALF_SEAT, FRONT, BACK, CORNER = 0.27, -0.36, 0.25, 0.10  # inner face: |x|, y of front and back, corner radius
 THICKNESS = 0.15
 BOTTOM, SEAT, ARM, TOP = 0.06, 0.40, 0.60, 0.88  # heights of hem, seat seam, arms and back
-# Length along the wall, from the arm's front, at which it starts and ends to rise to the back.
+# Lengths along the wall, from the arm's front, at which its rise to the back begins and ends.
 RISE_BEGIN, RISE_END = 0.32, 0.90
-RECLINE, LEAN_BEGIN = 0.26, 0.25  # backward lean of the back over its squared height above its start, 1/m
+RECLINE, LEAN_BEGIN = 0.26, 0.25  # backward lean over the squared height above its start, 1/m; the start
 BACK_PUFF, FRONT_PUFF, SEAT_PUFF, NOSE = 0.035, 0.012, 0.055, 0.045  # bulge of the panels, the seat and its front edge
 TOLERANCE = 0.05
 

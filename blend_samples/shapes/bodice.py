@@ -8,8 +8,8 @@ import numpy as np
 from . import torso
 from .curves import chord_lengths, cubic_spline, even_parameters
 
-# The left armhole from the front underarm over the shoulder tip to the back underarm: distance x from the middle, and
-# the position between the shoulder line (0) and the underarm (-1 in front, 1 behind).
+# Points of the left armhole from the front underarm over the shoulder tip to the back underarm: the distance x from the
+# middle, and the position between the shoulder line (0) and the underarm (-1 in front, 1 behind).
 ARMHOLE = np.array(
     [
         [0.1700, -1.0], [0.1690, -0.975], [0.1600, -0.90], [0.1510, -0.75], [0.1500, -0.55], [0.1580, -0.32],

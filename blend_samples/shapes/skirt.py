@@ -18,7 +18,7 @@ PROFILE = np.array([
     [0.520, 0.132, 0.094],  # the waist
 ])  # fmt: skip
 BAND = 0.035  # height
-GATHERS = 1.0  # of the top edge: two lengths of skirt for one of waistband
+GATHERS = 1.0  # ease of the top edge: two lengths of skirt for one of waistband
 FAIRNESS = 0.2  # a gathered edge is far too long for the fabric below it, and would become wavy with less
 
 

@@ -9,7 +9,7 @@ from . import bodice, torso
 from .curves import chord_lengths, cubic_spline
 from .shape import Shape, ShapeBuilder
 
-NECK_DEPTH = {1: 0.80, -1: 0.95}  # of the neckline's middle, in v between shoulder line and underarm
+NECK_DEPTH = {1: 0.80, -1: 0.95}  # depth of the neckline's middle, in v between shoulder line and underarm
 # Like bodice.ARMHOLE, but up to straps.
 ARMHOLE = np.array(
     [

@@ -40,8 +40,9 @@ def model():
 
 @pytest.fixture
 def everything_answers(model, addon, tmp_path, capfd):
-    """Check all answers with each object active, in both modes, after spoiling the file again for each. Models keep
-    their shape.
+    """Return a check of all answers with each object active, in both modes.
+
+    The check spoils the file anew for each object and mode, and models keep their shape.
 
     Handlers that Blender calls by itself must answer, too; Blender prints their errors.
     """

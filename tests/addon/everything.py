@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every panel, overlay and operator in turn: each must answer, whatever a file contains."""
+"""Uses every panel, overlay and operator in turn: each must answer, whatever a file contains."""
 
 from types import SimpleNamespace
 
@@ -38,7 +38,7 @@ COMMANDS = [  # writing operators come last
     ("object.wirewarp_flatten", {}),
     ("object.wirewarp_flatten", {"use_modifiers": True}),
 ]
-# One reader of each thing we store: report, source faces, pieces, names, marks, and the whole model.
+# One reader for each kind of stored data: report, source faces, pieces, names, marks, and the whole model.
 READERS = [
     ("mesh.wirewarp_select_result", {"what": "PIECE", "index": 0}),
     ("object.wirewarp_export_svg", {}),

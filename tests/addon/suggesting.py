@@ -18,7 +18,7 @@ def pairs(edges):
 
 
 def needed(addon, source):
-    """Flatten the model, and return the stretch that 99% of the worst piece stay below."""
+    """Flatten the model, and return the stretch that 99% of the worst piece stays below."""
     bpy.ops.object.wirewarp_flatten()
     return max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
 

@@ -33,7 +33,7 @@ def library(tmp_path):
 
 
 def other_file(library, kind, *names):
-    """Objects of the library, which are linked or overridden, in the scene."""
+    """Put objects of the library into the scene, linked or overridden."""
     for name in names:
         target = link(library, "objects", name)
         bpy.context.scene.collection.objects.link(target)

@@ -21,7 +21,7 @@ def source():
 
 
 def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
-    """Above Flatten there is only what everybody has to enter."""
+    """Above Flatten are only the settings that everybody has to enter."""
 
     def drawn(part):
         layout = MagicMock()
@@ -92,7 +92,7 @@ def test_another_grain_wire(addon, source):
     assert give(addon, source) == SENTENCE.format("Grain Wire")
     bpy.ops.object.wirewarp_flatten()
     assert give(addon, source) == ""
-    bpy.ops.object.wirewarp_flatten(orientation="UP")  # so that the grain wire was not used
+    bpy.ops.object.wirewarp_flatten(orientation="UP")  # then the run did not use the grain wire
     assert give(addon, source, orientation="WIRE") == SENTENCE.format("Upright")
 
 

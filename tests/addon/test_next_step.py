@@ -49,13 +49,13 @@ def contradiction():
 
 
 def sliver():
-    """A face between two squares whose three vertices are collinear."""
+    """Return two squares with a face between them whose three vertices are collinear."""
     vertices = [(0, 0, 0), (1, 0, 0), (1, 0.5, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0), (2, 1, 0)]
     return make_object("Sliver", vertices, [(0, 1, 2, 3, 4), (1, 5, 6, 3), (1, 3, 2)])
 
 
 def loose_faces():
-    """Some files list each face with its own vertices."""
+    """Return a mesh as in some files, in which each face has its own vertices."""
     whole = grid("Bump", bump, size=48)
     places = read(whole.data.vertices, "co", np.float32, 3)
     corners = [tuple(face.vertices) for face in whole.data.polygons]
@@ -165,7 +165,7 @@ def test_edges_proposed_for_mirror_images_are_counted_once(addon):
     source = joined(tube(place=-2.0), tube("Other", place=2.0))
     flatten_fails(CUT)
     issues = addon.state.reports.last_report(source).issues
-    assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # those of both for each, in six rows
+    assert sum(len(issue.proposed_seams) for issue in issues) == 2 * 2 * 6  # each names the seams of both, in six rows
     assert step_of(addon, source).sentence == "Suggested seam: 12 edges."
 
 

@@ -167,7 +167,7 @@ def test_a_face_has_the_color_of_its_flat_face(addon, source):
         assert color == pytest.approx(on_model[sources[face]], abs=1e-6)
     source.modifiers.new("Smooth", "SUBSURF").levels = 1
     bpy.context.view_layer.update()
-    assert surface_of(addon, source, color_map) is None  # the flat pieces are the base mesh's
+    assert surface_of(addon, source, color_map) is None  # the flat pieces belong to the base mesh
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     assert len(surface_of(addon, source, color_map).places) == 3 * 2 * 4 * 64
     source.modifiers.clear()

@@ -116,7 +116,7 @@ def test_batches_are_sent_once_until_marks_change(addon, source, at_once, monkey
             batches.draw_lines(drawing.target, "", drawing.lines, drawing.failures, 1.0, batches.Layer.LINES)
         return len(gpu.sent)
 
-    sent = 2 * (5 + 2) + 2  # two for each of five kinds with dashes, on model and pieces; arrows and cutting lines
+    sent = 2 * (5 + 2) + 2  # on model and pieces, two for each of five kinds with dashes; then arrows and cutting lines
     assert redraw() == sent
     before = gpu.drawn
     assert redraw() == 0
@@ -247,7 +247,7 @@ def test_handlers_and_timers_are_removed_with_the_add_on(addon, timers, monkeypa
 
 
 def test_data_of_removed_objects_is_freed(addon, source):
-    """Large models would keep their arrays and batches until another file is opened. With a new name it stays."""
+    """Large models would keep arrays and batches until another file is opened. Renaming an object frees nothing."""
     drawn(addon)
     flat = flat_of(source)
     states = [addon.state.memory.state_of(each) for each in (source, source.data, flat, flat.data)]

@@ -64,7 +64,7 @@ def test_the_preview_has_as_many_pages_as_the_file(addon, source, tmp_path, pape
 
 @pytest.mark.parametrize("arrangement", ["IN_ROWS", "AS_LAID_OUT"])
 def test_copies_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path, arrangement):
-    """For a flat square of 200 mm, divided in the middle: half of one half."""
+    """A flat square of 200 mm is divided in the middle; only half of one piece is drawn."""
     for pause in ("IDLE_SHARE", "SOON", "REST"):
         monkeypatch.setattr(addon.state.drawings, pause, 0.0)
     bpy.context.scene.unit_settings.scale_length = 0.1
@@ -75,7 +75,7 @@ def test_copies_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path,
     path = tmp_path / "a.pdf"
     bpy.ops.object.wirewarp_export(filepath=str(path), arrangement=arrangement, pairs=True, on_fold=True)
     assert len(frames(pages)) == sheets_in(path) - 1  # minus the page with the map
-    if arrangement == "IN_ROWS":  # 100 x 100 or 50 x 200 mm, and 10 mm of allowance but at the fold
+    if arrangement == "IN_ROWS":  # 100 x 100 or 50 x 200 mm, and 10 mm of allowance except at the fold
         size = sorted(100 * np.ptp(pages.places["cut"][:, :2], axis=0))
         assert size in (pytest.approx([110, 120], abs=0.01), pytest.approx([60, 220], abs=0.01))
     names = [piece.name for piece in source.wirewarp_pieces]

@@ -246,7 +246,7 @@ def test_joined_and_copied_pieces_keep_what_they_can(source):
     bpy.ops.object.join()
     names = flatten(source)
     assert len(set(names)) == 4
-    assert {"Sleeve", "Top Right"} < set(names)  # on one of each equal pair
+    assert {"Sleeve", "Top Right"} < set(names)  # each on one of two equal pieces
     assert len({entry.piece_id for entry in source.wirewarp_pieces}) == 4
 
 

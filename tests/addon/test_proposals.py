@@ -98,7 +98,7 @@ def test_the_button_works_from_the_flat_pieces():
     bpy.ops.object.mode_set(mode="EDIT")
     assert take() == {"FINISHED"}
     assert len(seams_of(source)) > 0
-    assert bpy.context.mode == "OBJECT"  # where undo also restores the model
+    assert bpy.context.mode == "OBJECT"  # because undo restores the model only in Object Mode
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])

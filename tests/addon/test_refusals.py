@@ -72,7 +72,7 @@ SETTINGS = [
     ({"report_path": "//report.json"}, "Blender file; save that first"),
     # Nobody can make files in /proc
     ({"report_path": "/proc/report.json"}, 'Cannot write "/proc/report.json": '),
-    ({"use_modifiers": True}, "Bump: "),  # of which one leaves no face
+    ({"use_modifiers": True}, "Bump: "),  # whose first modifier leaves no face
 ]
 
 
@@ -234,7 +234,7 @@ def test_users_of_one_mesh_that_differ_in_scale(source):
 
 
 def test_flat_pieces_without_their_model(source, addon):
-    """Blender keeps a deleted model in the file, as the pieces point to it, but not where a script removes it."""
+    """Blender keeps a deleted model in the file, because the pieces point to it, unless a script removes it."""
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source)
     collection = bpy.data.collections.new("Away")

@@ -132,7 +132,7 @@ def test_a_canceled_piece_with_exact_lengths_reports_it(addon):
 
 
 def test_notes_are_not_warnings(addon, source):
-    """It is only in the message after a run, together with possible faults of the pieces."""
+    """A note is only in the message after a run, together with possible faults of the pieces."""
     bpy.ops.object.wirewarp_flatten()
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     report = addon.state.reports.last_report(source)

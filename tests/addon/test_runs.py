@@ -249,7 +249,7 @@ def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
     assert all(cls.is_registered and cls.bl_options == {"INTERNAL", "UNDO_GROUPED"} for cls in joining)
     most = addon.flatten.auto_update.MOST
     idnames = {updating(f"Group {number}").idname_py() for number in range(2 * most)}
-    assert len(idnames) == most - 2 + 1  # the two above are for other groups, and the rest have a step of their own
+    assert len(idnames) == most - 2 + 1  # two are for the groups above; more updates have their own undo steps
     addon.unregister()
     assert not any(hasattr(bpy.types, f"OBJECT_OT_wirewarp_update_{number}") for number in range(most))
     addon.register()
@@ -260,7 +260,7 @@ def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source):
     bpy.context.scene.wirewarp.auto_update = True
     move_a_vertex(source)
     assert canceled not in draw_panels(addon)
-    assert taken(addon) == ["Bump"]  # as in the update, which is then canceled
+    assert taken(addon) == ["Bump"]  # as the update takes it, which is then canceled
     assert canceled in draw_panels(addon)
     move_a_vertex(source)
     bpy.context.view_layer.update()

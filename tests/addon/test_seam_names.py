@@ -106,7 +106,7 @@ def test_a_seam_whose_name_was_cleared_gets_one_again_that_stays_when_a_run_is_r
     flatten(source)
     assert list(seams(addon, source)) == ["Seam 2"]  # 1 is not reused
     names = [piece.name for piece in addon.state.reports.last_report(source).pieces]
-    assert " – ".join(names) in draw_panels(addon)  # what it joins
+    assert " – ".join(names) in draw_panels(addon)  # the pieces that it joins
     source.scale.x = 0.0
     select_only(source)
     flatten_fails("scaled to zero")

@@ -13,7 +13,7 @@ class Eases:
 
     attribute = "wirewarp_side_ease"
     first, second, unmarked = 0.05, 0.02, 0.0
-    both = 0.0, 0.02  # after each side was marked: the ease of one side replaces that of the other
+    both = 0.0, 0.02  # values after both sides were marked in turn: the ease of one side replaces that of the other
     stored, rounding = 1.0, 1e-5
     twice = 'Edges of "Bump" have two eases of one side.*mark their ease again'
 
@@ -102,7 +102,7 @@ def write_corners(kind, source, left, right):
 
 
 def test_a_side_marked_on_its_piece_survives_what_wires_survive(source, kind):
-    """These are splitting edges, flipping faces, joining, another unit and a mirrored object."""
+    """It survives splitting edges, flipping faces, joining meshes, another unit and a mirrored object."""
     bpy.ops.object.wirewarp_flatten()
     mark_side(kind, source, -1, kind.first)
     check(kind, source, kind.first, kind.unmarked)

@@ -140,10 +140,10 @@ def test_a_canceled_search_keeps_what_it_has_found(addon, monkeypatch):
         except StopIteration as end:
             return end.value, shares
 
-    whole, shares = search(0.8)  # the widths are left
+    whole, shares = search(0.8)  # only the widths are still to be measured
     assert len(whole) > 1 and all(cut.width is None and not cut.is_narrow for cut in whole)
     assert shares == sorted(shares)
-    some, _ = search(0.8 * 2.4 / 3)  # the last limit is left
+    some, _ = search(0.8 * 2.4 / 3)  # only the last limit is still to be searched
     assert [cut.strain for cut in some] == [cut.strain for cut in whole if cut.strain <= 0.1]
     assert all(cut.width is not None for cut in some)
     with pytest.raises(steps.CanceledError):

@@ -112,7 +112,7 @@ def test_painted_faces_are_not_entered(addon):
 
 
 def test_darts_along_edges_may_run_around_painted_faces(addon):
-    """Every second face is painted, so that smooth lines have no way, and each inner edge is beside a painted face."""
+    """Every second face is painted: no smooth line can pass, and each inner edge is beside a painted face."""
     source = grid("Bump", bump)
     painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
     painted.data.foreach_set("value", [(index + index // 8) % 2 == 0 for index in range(64)])
@@ -134,7 +134,7 @@ def test_along_edges_the_mesh_stays(addon):
     bpy.context.scene.wirewarp.dart_lines = "SMOOTH"
     SUGGEST["DARTS"]()
     both = found(addon, source).cuts
-    worth_elbows = 0.05  # a dart with elbows is listed only if it leaves this share of strain less
+    worth_elbows = 0.05  # a dart with elbows is listed only if it leaves less strain by at least this share
     assert both[0].strain <= cuts[0].strain / (1 - worth_elbows)
     assert [cut.strain for cut in both] == sorted(cut.strain for cut in both)
     before, index = places(source), next(index for index, cut in enumerate(both) if cut.edges)

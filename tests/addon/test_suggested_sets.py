@@ -59,7 +59,7 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     cuts = found(addon, source).cuts
     limit = (min(cut.width for cut in cuts) + max(cut.width for cut in cuts)) / 2
     assert not any(cut.is_narrow for cut in cuts) and "too narrow" not in draw_panels(addon)
-    bpy.context.scene.unit_settings.scale_length = 0.02 / limit  # the allowance of the panel is 10 mm
+    bpy.context.scene.unit_settings.scale_length = 0.02 / limit  # `limit` becomes 20 mm, two allowances of the panel
     SUGGEST["SEAMS"]()
     suggestions = found(addon, source)
     widths = [cut.width for cut in suggestions.cuts]

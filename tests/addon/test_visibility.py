@@ -83,7 +83,7 @@ def are_apart(first, second):
 
 
 def neighbor(x, bottom, top, size=0.5):
-    """Add a box at x beside the middle of the model."""
+    """Add a box at this x, beside the middle of the model."""
     bpy.ops.mesh.primitive_cube_add(size=1, location=(x, 0, (bottom + top) / 2), scale=(size, size, top - bottom))
     return bpy.context.object
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random arguments are the same in every run, so that a failure comes from a change; `./dev fuzz` searches for others.
+"""Random arguments are the same in every run, so that only a change can cause a failure; `./dev fuzz` tries others.
 
-A search reports what it finds with a decorator, @reproduce_failure, that repeats it.
+It prints a decorator, @reproduce_failure, that repeats a failure.
 """
 
 import signal

@@ -87,7 +87,7 @@ def run(models, out, jobs):
 def run_with_kills(models, out, jobs, seed=0):
     """Kill workers and drivers, and rerun until all is done. Return the lines of the last run, and what was killed."""
     count = sum(1 for _ in models.rglob("*.obj"))
-    # Kill in the first half of the models, each time later: a killed run is repeated.
+    # Kill the runs during the first half of the models, each time a little later, because a killed run is repeated.
     places = sorted(random.Random(seed).sample(range(1, count // 2), len(KILLS)))
     killed = []
     while len(killed) < len(KILLS):
@@ -95,7 +95,7 @@ def run_with_kills(models, out, jobs, seed=0):
             for number, _ in enumerate(process.stdout):
                 if len(killed) < len(KILLS) and number >= places[len(killed)]:
                     killed += _kill(process.pid, KILLS[len(killed)])
-        # Some files are not models, so nothing better is possible.
+        # Some files are not models, so no run ends with a better code.
         assert process.returncode in (-9, 2, 3), process.returncode
     while any(line["verdict"] == "stopped" for line in run(models, out, jobs)):
         pass  # until no model is left that a kill has stopped
@@ -104,7 +104,7 @@ def run_with_kills(models, out, jobs, seed=0):
 
 
 def _kill(driver, kind):
-    """Return [kind] if there was one to kill: between two models there may be no worker."""
+    """Kill a process of this kind, and return [kind]; return [] if there is none, as between two models."""
     if kind == "driver":
         os.kill(driver, 9)
         return [kind]
@@ -145,7 +145,7 @@ def check_kills(folder, count, jobs):
     assert comparable(lines) == comparable(once)
     verdicts = Counter(line["verdict"] for line in lines)
     refused = count // 50
-    failed = count // 20 - count // 100  # every 100th is both
+    failed = count // 20 - count // 100  # every 100th is closed and not a model
     assert (verdicts["refused"], verdicts["not ready to cut"]) == (refused, failed)
     assert verdicts["ready to cut"] + verdicts["needs stretch fabric"] == count - refused - failed
     assert contents(folder / "killed") == contents(folder / "once")

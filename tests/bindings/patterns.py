@@ -11,7 +11,7 @@ import wirewarp
 from samples import flattened
 from wirewarp.pattern import Line, Pattern, PatternPiece
 
-MILLIMETER = 72 / 25.4  # PDF's points in it
+MILLIMETER = 72 / 25.4  # length in points of PDF
 SCALE = 4.0  # pixels per millimeter of measured pages
 
 
@@ -42,7 +42,7 @@ def rectangle(width: float, height: float) -> wirewarp.FlattenResult:
 
 
 def turn(angle: float) -> np.ndarray:
-    """Return (2,2) for rows of points. angle: degrees counterclockwise."""
+    """Return the rotation (2,2) for points in rows. angle: degrees counterclockwise."""
     cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
     return np.array([[cosine, sine], [-sine, cosine]])
 
@@ -67,7 +67,7 @@ def cut_points(pattern: Pattern) -> list[np.ndarray]:
 
 
 def dark(page: pypdfium2.PdfPage, scale: float = SCALE) -> np.ndarray:
-    """Return (h,w) bool, bottom row first: where there is a line."""
+    """Return a mask (h,w) of the pixels with a line, bottom row first."""
     image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy()
     return image.reshape(image.shape[:2])[::-1] < 128
 

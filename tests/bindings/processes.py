@@ -16,6 +16,6 @@ def wait_until_gone(pid):
 
 def _is_gone(pid):
     try:
-        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE  # in containers nobody may read its exit code
+        return psutil.Process(pid).status() == psutil.STATUS_ZOMBIE  # in containers, its exit code may never be read
     except psutil.NoSuchProcess:
         return True

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Only changed pieces are solved again, and the result does not show it."""
+"""Only changed pieces are solved again, and the result is the same as without the cache."""
 
 import math
 from concurrent.futures import ThreadPoolExecutor
@@ -143,7 +143,7 @@ def test_a_cancelled_piece_is_solved_next_time(sheet):
     cache = Cache()
     cancelled = wirewarp.flatten(**sheet, cache=cache, progress=lambda stage, fraction: stage == "charts")
     ends = [piece.report.termination for piece in cancelled.pieces]
-    assert "cancelled" in ends  # the calling thread's; others may finish first
+    assert "cancelled" in ends  # of the calling thread; the other threads may finish first
     assert cache.size == ends.count("converged")
     run_again(cache, sheet, cache.size)
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cloth against figures computed independently of this code. Skipped if they are not available.
 
-The pieces were computed without the term against zigzags, whose effect is allowed for. Jersey is left out, because the
-figures do not divide its stiffnesses by the larger one. The samples were computed with that term, and with a bending
-term that differs where lines cross and edges are short. The toy had other seams then.
+The pieces were computed without the term against zigzags; the tolerances allow for its effect. Jersey is left out,
+because the figures do not divide its stiffnesses by the larger one. The samples were computed with that term, and with
+a bending term that differs where lines cross and edges are short. The toy had other seams then.
 """
 
 import json

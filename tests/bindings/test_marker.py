@@ -89,7 +89,7 @@ def test_texts_beside_a_small_piece_do_not_change_the_piece():
     for pattern in (marked, marked.with_only(["sew"])):
         (piece,) = pattern.laid_on(marker).pieces
         assert sorted(piece.size) == pytest.approx([2, 40])
-        assert not piece.texts and not piece.of_role("card leader")  # other pieces are there
+        assert not piece.texts and not piece.of_role("card leader")  # other pieces may lie there
 
 
 def test_texts_in_a_piece_stay_on_a_marker():
@@ -172,7 +172,7 @@ def test_better_markers_are_shown_and_a_stop_keeps_the_best(engine):
     pattern = sample("Toy")
 
     def progress(stage, fraction):
-        asked.append(fraction < 0.02 or not shown)  # the first marker may take any time
+        asked.append(fraction < 0.02 or not shown)  # the time until the first marker does not count
         return asked[-1]
 
     marker = pattern.nested(1000, seconds=100, preview=shown.append, progress=progress)

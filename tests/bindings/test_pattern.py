@@ -78,7 +78,8 @@ def test_notches_pair_at_equal_sewn_length_and_no_seam_fits_upside_down(name):
                 places.setdefault(point.pair, []).append((at, line.length))
     seams = {}
     for (seam, _), ends in places.items():
-        # On a dart both sides have one line's name; elsewhere the other side's outline runs in the opposite direction.
+        # Both sides of a dart have the same name. On other seams, the outline of the other side runs in the opposite
+        # direction.
         (first, length), (second, _) = ends
         assert min(abs(first - second), abs(first - (length - second))) < 1e-6
         seams.setdefault(seam, (length, []))[1].append(first)
@@ -106,7 +107,7 @@ def test_seams_of_a_back_have_double_notches():
 
 
 def junction() -> wirewarp.FlattenResult:
-    """Return four pieces at a vertex: seams run straight across it one way, and meet it at an angle the other way."""
+    """Return four pieces around a vertex: the seam from side to side is straight there, the other one bends."""
     points = [(0, 0), (160, 0), (300, 0), (0, 100), (150, 100), (300, 100), (0, 200), (190, 200), (300, 200)]
     corners = [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6), (4, 5, 8, 7)]
     return quads(points, corners, seams=[(1, 4), (4, 7), (3, 4), (4, 5)])
@@ -264,7 +265,7 @@ def test_bad_input_is_one_sentence(options, words):
 
 @pytest.mark.parametrize("size", [1e6, 1e12, 1e20, 1e30])
 def test_a_piece_of_the_wrong_unit_is_one_sentence(size):
-    """Clipper ended the process at 1e12."""
+    """With 1e12, Clipper used to end the process."""
     vertices = size * np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], dtype=float)
     result = wirewarp.flatten(vertices, np.array([(0, 1, 2), (0, 2, 3)]))
     with pytest.raises(wirewarp.FlattenError, match=r'"Piece 1" reaches .* km far, .* unit of the model'):
@@ -328,7 +329,7 @@ def test_the_date_is_on_every_piece():
 
 @pytest.mark.parametrize(("height", "depth"), [(8, 2.4), (60, 5.0)])
 def test_notches_without_allowance_that_face_each_other_do_not_meet(height, depth):
-    """There is one at each end of a wire across; each is 0.3 of the way deep, at most 5 mm."""
+    """A wire across the piece has a notch at each end, which is 0.3 of the piece's width deep, at most 5 mm."""
     result = grid([0, 100, 200], [0, height], wires=[wirewarp.Wire([1, 4])])
     (piece,) = Pattern.from_result(result, allowance=0, notch_spacing=0).pieces
     (wire,) = piece.of_role("wire")

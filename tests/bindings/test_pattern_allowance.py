@@ -87,7 +87,7 @@ def square(widths, corner: Corner) -> list[Section]:
         ("mitre", 10, 10, 100),
         ("mitre", 20, 10, 200),
         ("step", 20, 20, 400),  # equal widths have no step
-        ("fold-back", 20, 10, 200),  # at a right angle, the mirror image of the neighbor continues it
+        ("fold-back", 20, 10, 200),  # at a right angle, it continues the mirror image of its neighbor
         ("extend", 10, 10, 50),  # straight from end to end: half the square
         ("round", 10, 10, 25 * math.pi),
         ("mitre", 0, 10, 0),
@@ -95,7 +95,7 @@ def square(widths, corner: Corner) -> list[Section]:
 )
 def test_the_area_in_a_corner(kind, a, b, area):
     (outer,) = cut_lines([square([a, b, 0, 0], Corner(kind))]).outer
-    sides = 100 * a + 100 * b  # nothing beyond the corners to sides without allowance
+    sides = 100 * a + 100 * b  # nothing extends beyond corners whose other side has no allowance
     assert signed_area(outer) == pytest.approx(100 * 100 + sides + area, abs=0.3 if kind == "round" else 0.01)
 
 
@@ -181,7 +181,7 @@ def half_strip(section, at_end):
     st.data(),
 )
 def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_whole(sides, widths, of_next, data):
-    """On convex polygons; folded over its stitching line, the allowance does not show beside the piece."""
+    """On convex polygons, the allowance does not extend beyond the piece if it is folded over its stitching line."""
     start = data.draw(st.floats(0, 6))
     angles = start + np.linspace(0, 2 * np.pi, sides, endpoint=False)
     points = 300 * np.column_stack([np.cos(angles), np.sin(angles)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Other libraries read each kind of file except PDF; and rules that hold for all kinds."""
+"""Other libraries read each kind of file except PDF, and the rules of all kinds hold."""
 
 import io
 import re
@@ -68,7 +68,7 @@ def test_presets_for_cutters(tmp_path):
 
 @pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
 def test_names_in_any_script(tmp_path, no_fonts, ending):
-    """Half a surrogate pair, with which names end that were cut off as UTF-16, is a question mark, or left out."""
+    """A name cut off as UTF-16 may end in half a surrogate pair, which becomes a question mark or is left out."""
     names = ["Ärmel", "袖", "كم", "Рукав", 'a"b\\c(d', "\x00\ud800<&>"]
     texts = {"title": "型紙 №1\ud83d", "material": "\ude00", "date": "\ud83d"}
     path = tmp_path / f"ball.{ending}"
@@ -315,7 +315,7 @@ def test_omitted_kinds_of_lines_are_in_no_file(tmp_path):
 
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_formats_list_every_option_for_dialogs(tmp_path, suffix):
-    """They offer exactly the writer's options; paper and keep_places belong to pages."""
+    """They list exactly the writer's options, except paper and keep_places, which belong to pages."""
     chosen = FORMATS[suffix]
     pages = ["paper", "keep_places"] if chosen.has_pages else []
     assert sorted(signature(chosen.write).parameters) == sorted(

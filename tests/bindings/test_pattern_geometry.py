@@ -77,7 +77,7 @@ def test_outlines_without_area_overlap_nothing():
 
 @pytest.mark.parametrize("seed", range(5))
 def test_points_beside_random_outlines_are_judged_as_by_shapely(seed):
-    """A star with a hole that is another star."""
+    """The outline is a star, and its hole another star."""
     random = np.random.default_rng(seed)
     angles = np.sort(random.uniform(0, 2 * np.pi, 40))
     ways = np.column_stack([np.cos(angles), np.sin(angles)])

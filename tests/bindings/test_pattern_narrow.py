@@ -7,7 +7,7 @@ from surfaces import chain_edges, column_chain, half_cylinder
 from wirewarp import Options, flatten
 from wirewarp.pattern import narrowest_width, piece_width, pieces_along
 
-NEAR = 1e-3  # of the width, to which it is searched
+NEAR = 1e-3  # tolerance of the search, as a share of the width
 
 
 def circle(radius, center=(0.0, 0.0), first=0.0, last=2 * np.pi, count=256):
@@ -75,7 +75,7 @@ def test_a_mirrored_piece_is_as_wide():
 
 
 def test_pieces_along_edges_have_them_and_more_than_an_end():
-    """Three strips: the seams between them, edges inside one, and an edge of the model that ends on a seam."""
+    """The edges are seams between three strips, edges inside a strip, and an edge that only ends on a seam."""
     vertices, faces = half_cylinder()
     left, right = column_chain(8, 4, 2), column_chain(8, 4, 6)
     pieces = flatten(vertices, faces, seams=[*chain_edges(left), *chain_edges(right)]).pieces

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Notches along seams are at one place of the model on all pieces that meet there, also on round ones."""
+"""A notch is at the same place of the model on all pieces that meet there, also on round ones."""
 
 import math
 
@@ -41,7 +41,7 @@ def test_a_seam_all_around_begins_at_a_notch_and_has_one_more():
     assert [len(own) for own in found] == [2, 2]
     apart = [np.linalg.norm(first.at - second.at) for first, second in found]
     assert apart[0] == pytest.approx(apart[1], abs=0.01)
-    assert RADIUS < apart[0] < 1.95 * RADIUS  # otherwise the ring could be sewn half a turn off
+    assert RADIUS < apart[0] < 1.95 * RADIUS  # opposite notches would allow sewing the ring half a turn off
     assert [len(own) for own in notches(ring, 0.0)] == [0, 0]
 
 
@@ -60,7 +60,7 @@ def strap(length, **options):
 def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_from_15_mm_on(length, count, place):
     found = notches(strap(length), 100.0)
     assert [len(own) for own in found] == [count, count]
-    # If the seam were turned around, it would miss the notch by 5 mm, or by a fifth of its length.
+    # If the seam were reversed, the notch would be off by 5 mm, or by a fifth of the seam's length.
     assert all(min(point.along, length - point.along) == pytest.approx(place) for own in found for point in own)
 
 

@@ -85,7 +85,7 @@ def test_cutting_lines_alone_have_the_same_pages(paper, keep_places):
 
 @pytest.mark.parametrize("angle", [45, 90])
 def test_every_text_beside_a_piece_is_on_a_sheet(angle):
-    """Wherever a strap is at the edge of a sheet, no sheet is shown only for texts."""
+    """A strap may be anywhere at the edge of a sheet: no sheet is added only for texts."""
     (strap,) = straps(1)
     turned = strap.vertices @ turn(angle)
     low, high = turned.min(axis=0), turned.max(axis=0)
@@ -130,7 +130,7 @@ def test_sheets_show_every_piece_apart_from_others(name, once):
 
 @pytest.mark.parametrize(("once", "most"), [(False, 20), (True, 11)])
 def test_the_fitted_top_takes_few_sheets(tmp_path, once, most):
-    """The map is one of them; it takes 22 and 12 if no piece is rotated."""
+    """The counts include the map. Without rotated pieces, they would be 22 and 12."""
     path = tmp_path / "top.pdf"
     sample("Fitted top", pairs=once, on_fold=once).write(path)
     assert len(pypdfium2.PdfDocument(path)) <= most

@@ -51,7 +51,7 @@ def test_a_pair_is_cut_as_drawn_and_mirrored():
 
 
 def test_pieces_of_one_shape_are_cut_several_times():
-    """A piece without symmetry, one beside it, one after half a turn, and a mirrored one."""
+    """The pieces are one without symmetry, its copy beside it, its copy after half a turn, and its mirror image."""
     corners = np.array([(0, 0), (90, 0), (80, 40), (0, 60)])
     places = [corners, corners + (200, 0), (490, 60) - corners, (corners * (-1, 1) + (700, 0))[::-1]]
     faces = [tuple(range(4 * place, 4 * place + 4)) for place in range(4)]
@@ -80,7 +80,7 @@ def test_holes_must_match_too():
 
 
 def test_a_wire_on_one_half_alone_is_not_lost():
-    for wire, on_fold in (([1, 5], False), ([1, 4], True)):  # to a corner, in the middle
+    for wire, on_fold in (([1, 5], False), ([1, 4], True)):  # the wires lead to a corner, and along the middle
         result = grid([-60, 0, 60], [0, 40], wires=[wirewarp.Wire(wire)])
         assert Pattern.from_result(result, on_fold=True).pieces[0].on_fold == on_fold
 
@@ -90,7 +90,7 @@ def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
     """Pieces on the fabric, opened and mirrored, have their notches where all sides of a seam have them."""
     drawn, whole = sample(name, pairs=True, on_fold=True), sample(name)
     marker = drawn.nested(5000, seconds=0)
-    opened = defaultdict(dict)  # by drawn piece: as it is on the fabric, mirrored or not
+    opened = defaultdict(dict)  # by drawn piece: its copies on the fabric, as drawn and mirrored
     for laid, placement in zip(drawn.laid_on(marker).pieces, marker.placements, strict=True):
         opened[placement.piece - 1][placement.mirrored] = laid
     originals = {piece.name: piece for piece in whole.pieces}
@@ -130,7 +130,7 @@ def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
 
 
 def test_a_copy_keeps_the_grain():
-    """Two equal rectangles are copies, or a rectangle is cut on the fold, only if the grain of the copy is right."""
+    """Equal rectangles are copies, and a rectangle is cut on the fold, only if the grain keeps its direction."""
     points = [(0, 0), (90, 0), (90, 120), (0, 120), (200, 0), (290, 0), (290, 120), (200, 120)]
     result = quads(points, [(0, 1, 2, 3), (4, 5, 6, 7)])
     pieces = [flat_piece(piece, "Front", 1000.0) for piece in result.pieces]
@@ -228,7 +228,7 @@ def test_a_half_opens_at_whichever_of_its_edges_is_the_fold(fold, area):
     sewn = piece.of_role("sew")
     assert len(sewn) == 2 * len(half.pieces[0].of_role("sew"))
     inside = shapely.MultiPoint(np.concatenate([line.points for line in sewn])).convex_hull
-    for line in sewn:  # the piece is on its left, where the names are
+    for line in sewn:  # the piece and the names are to the left of the line
         outside = (line.points[:-1] + line.points[1:]) / 2 + 5 * right_normals(line.points)
         assert all(cut.contains(shapely.Point(point)) for point in outside)
         assert not any(inside.contains(shapely.Point(point)) for point in outside)

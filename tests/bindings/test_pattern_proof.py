@@ -52,13 +52,13 @@ def test_allowances_are_listed_if_no_stitching_lines_are_drawn(tmp_path):
 def test_the_proof_lists_the_places_of_notches(tmp_path):
     pattern = two_squares(notch_spacing=50.0)
     (walk,) = pattern.walks
-    assert walk.notches == (pytest.approx((40, 90, 140)), pytest.approx((40, 90, 140)))  # none in the middle
+    assert walk.notches == (pytest.approx((40, 90, 140)), pytest.approx((40, 90, 140)))  # no notch in the middle
     for piece, places in zip(pattern.pieces, walk.notches, strict=True):
         (side,) = [line.points for line in piece.of_role("sew") if line.seam == 0]
         own = [point for point in piece.points if point.pair]
         assert [point.along for point in own] == list(places)
         starts = [side[0], side[-1]]
-        # All are counted from one end, 10 mm beside the stitching line.
+        # All are measured from one end of the seam.
         assert any(
             [np.hypot(*(point.at - start)) for point in own] == pytest.approx([np.hypot(p, 10) for p in places])
             for start in starts
@@ -72,7 +72,7 @@ def test_the_proof_of_a_marker_states_the_fabric_that_it_needs(tmp_path):
     laid = pattern.laid_on(pattern.nested(1400, seconds=0))
     text = proof_words(laid, tmp_path / "a.pdf")
     assert laid.marker.sentence(laid.units) in text and "In rows" not in text
-    assert "Notches at 55.2 mm, 80.0 mm" in text  # of a sleeve, sewn to itself
+    assert "Notches at 55.2 mm, 80.0 mm" in text  # on the seam of a sleeve, which is sewn to itself
 
 
 def test_sides_of_pieces_with_one_name_have_their_own_allowances(tmp_path):

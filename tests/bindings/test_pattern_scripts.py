@@ -87,7 +87,7 @@ def test_letters_are_placed_side_by_side(folder):
 def test_right_to_left_text_starts_at_the_right(folder):
     assert boxes("من") == [(0, 300), (300, 400)]
     assert boxes("ж من") == [(0, 600), (850, 300), (1150, 400)]
-    # The line starts with the Arabic word, so the other one is to its left.
+    # The line starts with the Arabic word, so the second word is to its left.
     assert boxes("من ж") == [(0, 600), (850, 300), (1150, 400)]
 
 
@@ -120,7 +120,7 @@ def test_they_are_printed_in_the_height_of_the_text(folder):
 
 
 def longest(dark):
-    """Return the pixels of the longest run in the rows where the column is also dark for at least 3 mm."""
+    """Return the length in pixels of the longest dark run in a row, of columns that are dark for at least 3 mm."""
     solid = dark & np.roll(dark, 15, axis=0) & np.roll(dark, -15, axis=0)
     best = 0
     for row in solid[solid.any(axis=1)]:

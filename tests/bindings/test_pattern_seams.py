@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams of the samples: the seam sewn first is pressed open, and ends on both sides on the seam that crosses it."""
+"""On the samples, a seam that is sewn first is pressed open, and both its allowances end on the crossing seam."""
 
 import collections
 import itertools
@@ -13,11 +13,11 @@ from wirewarp.pattern import PatternPiece
 
 NEAR = 15.0  # millimeters of each seam that are checked
 STRAIGHT = 8.0  # degrees: largest turn of the crossing line at a seam
-OTHERS = 10.0  # degrees: smallest extra turn at other seams of the place
+OTHERS = 10.0  # degrees: at other seams of the place, the line must turn by this much more
 
 
 def seam_ends(name: str) -> dict:
-    """Return by vertex and seam, for each side: the piece, the points of the stitching line from there, the angle."""
+    """Return for each vertex and seam its sides: the piece, the points of the stitching line from there, the angle."""
     found = collections.defaultdict(list)
     for piece, flat in zip(sample(name).pieces, flattened(name).pieces, strict=True):
         boundary = np.isin(flat.source_vertex, np.concatenate([each.vertices for each in flat.boundaries]))
@@ -87,7 +87,7 @@ def test_both_allowances_of_a_seam_end_on_the_line_that_crosses_it(name, count):
             checked += 1
             for piece, points, _ in ends[first]:
                 sticks_out, is_missing = off_when_pressed(piece, points)
-                assert sticks_out < 0.5 and is_missing < 0.5  # 6 to 10 with mitres
+                assert sticks_out < 0.5 and is_missing < 0.5  # with mitres, it would be 6 to 10
     assert checked == count
 
 

@@ -19,8 +19,10 @@ CONNECTED = ["Fitted top", "Ball of six gores", "Cushion", "Hat", "Jeans", "Wets
 
 @pytest.mark.parametrize("name", CONNECTED)
 def test_the_kinds_of_steps_add_up_to_the_model(name):
-    """Euler's characteristic of the model is that of its pieces, minus one for each joined piece and each closed
-    ring, plus one where nothing stays open. So no more rings are closed than exist.
+    """Compare Euler's characteristics, so that no more rings are closed than exist.
+
+    That of the model is that of its pieces, minus one for each joined piece and each closed ring, plus one for each
+    body without an open edge.
     """
     steps, result = sample(name).steps, flattened(name)
     assert sorted(step.seam for step in steps) == sorted(f"Seam {n}" for n in range(1, len(result.seams) + 1))
@@ -31,7 +33,7 @@ def test_the_kinds_of_steps_add_up_to_the_model(name):
 
 
 def test_the_top_is_sewn_as_sewers_do():
-    """Shoulders, sleeves while they are flat, sides, then the seams under the arms."""
+    """They sew the shoulders, then the sleeves while they are flat, the sides, and last the seams under the arms."""
     names = ("Front", "Back", "Left sleeve", "Right sleeve")
     steps = sample("Fitted top", piece_names=names).steps
     pieces = [set(step.pieces) for step in steps]

@@ -51,7 +51,7 @@ def box(text):
 
 
 def test_texts_without_room_are_beside_the_piece_with_a_leader_line():
-    """On a strip of 20 by 2 mm."""
+    """The piece is a strip of 20 by 2 mm."""
     pattern = Pattern.from_result(rectangle(20, 2), allowance=0, piece_names=["Cuff"])
     (piece,) = pattern.pieces
     (name,) = (text for text in piece.texts if text.role == "card")
@@ -62,8 +62,8 @@ def test_texts_without_room_are_beside_the_piece_with_a_leader_line():
     first, last = box(name)
     assert np.any(first > high) or np.any(last < low)  # outside of the piece
     assert np.all(leader.points[0] > low) and np.all(leader.points[0] < high)
-    assert np.ptp(leader.points[1:, 1]) == pytest.approx(0)  # and then along the letters
-    assert max(low[1] - leader.points[1, 1], leader.points[1, 1] - high[1]) > 0.4  # between them and the piece
+    assert np.ptp(leader.points[1:, 1]) == pytest.approx(0)  # the leader then runs along the letters
+    assert max(low[1] - leader.points[1, 1], leader.points[1, 1] - high[1]) > 0.4  # between letters and piece
     assert piece.bounds == (pytest.approx(low), pytest.approx(high))
     assert pattern.with_only(["texts"]).pieces[0].of_role("card leader")
     assert not pattern.with_only(["sew"]).pieces[0].of_role("card leader")
@@ -193,7 +193,7 @@ def test_a_wire_shorter_than_its_name_has_none_and_others_have_it_inside():
 
 
 def test_the_number_of_a_seam_avoids_the_end_of_a_wire():
-    """It would be in the middle otherwise."""
+    """Otherwise, the number would be in the middle."""
     wire = wirewarp.Wire([3, 4, 5], name="Waist")
     result = grid([-150, 0, 150], [0, 100, 200], seams=[(1, 4), (4, 7)], wires=[wire])
     for piece in Pattern.from_result(result, allowance=0).pieces:

@@ -107,8 +107,8 @@ def test_refined(name: str, entry: str):
     piece = exact_piece(name, tolerance, method="refined", fairness=fairness)
     assert piece.error is None  # exact lengths, no flipped face, no overlap
     assert piece.report.termination == "converged" and piece.report.factorizations <= 20
-    # Where lines with edges shorter than D/8 meet, corners have less weight than in the reference: the least f is
-    # lower, and E may be a larger part of it.
+    # Where lines with edges shorter than D/8 meet, corners have less weight here than in the reference. The least f is
+    # therefore lower, and E may be a larger part of it.
     vertices, _, wires = read_case(name)
     chains = (*wires, *(boundary.vertices for boundary in piece.boundaries))
     shortest = min(np.linalg.norm(np.diff(vertices[chain], axis=0), axis=1).min() for chain in chains)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Requests that have a solution, found independently of this code. Skipped if they are not available."""
+"""Requests with a known solution, which was found independently of this code. Skipped if they are not available."""
 
 import json
 from pathlib import Path

@@ -34,7 +34,7 @@ def objective(shape: Shape, tolerance: float | None, piece: wirewarp.Piece) -> f
 def test_more_tolerance_never_means_more_distortion(name):
     for method in ("wirewarp++", "refined"):
         before = math.inf
-        for tolerance in (0, 0.05, math.inf):  # a free wire has no corners: it counts for less in the objective
+        for tolerance in (0, 0.05, math.inf):  # a free wire has no corners, so the objective has fewer terms
             pieces = flattened(name, tolerance, method=method).pieces
             least = [piece.report.objective if method == "refined" else piece.metrics.arap_energy for piece in pieces]
             assert np.all(least <= np.multiply(before, 1 + 1e-6) + 1e-18), (method, tolerance)

@@ -53,7 +53,7 @@ def kinds(*reports):
     return [line.kind for line in verdict(*reports).lines]
 
 
-# 99% of the area is below the figure; the shares differ by more, so rounding does not decide.
+# 99% of the area is below the figure. The tested values are far enough apart that rounding does not matter.
 @pytest.mark.parametrize(
     ("stretches", "limits", "expected"),
     [
@@ -150,7 +150,7 @@ def test_success_mentions_exact_lengths_only_if_they_are_fixed():
 
 
 def test_the_figure_is_the_one_that_ranks_suggestions():
-    """Computed here from the core's aspect ratios: the least value that 99% of the area does not exceed."""
+    """The test computes it from the core's aspect ratios: the least value that 99% of the area does not exceed."""
     shape, result, report = SAMPLES["Fitted top"], flattened("Fitted top"), report_of("Fitted top")
     corners = np.asarray(shape.vertices)[shape.triangles()]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
@@ -294,7 +294,7 @@ def test_a_winding_region_is_one():
 
 
 def test_the_list_of_strained_places_begins_with_the_worst_piece():
-    """And it contains every one of the worst pieces, however small."""
+    """The list also contains each of the worst pieces, however small."""
     report = report_of("Toy")
     places = [hint.piece for hint in report.hints if hint.code == "strained"]
     worst_first = sorted(report.pieces, key=lambda piece: -piece.needed)
@@ -317,7 +317,7 @@ def test_unused_tolerances_are_noted():
 
 
 def test_changes_of_length_follow_from_eases():
-    """Three edges of lengths 2, 1 and 1: a wire of length 1.1, and an ease of 1.05 on it and on the next."""
+    """Of three edges of lengths 2, 1 and 1, a wire lengthens the first by 10%, and an ease the first two by 5%."""
     chain = np.array([0, 1, 2, 3])
     broken = SimpleNamespace(vertices=chain, length_3d=4.0, length_2d=5.0, max_edge_error=0.1)
     exact = SimpleNamespace(vertices=np.array([3, 0]), length_3d=1.0, length_2d=0.8, max_edge_error=0.0)
@@ -326,5 +326,5 @@ def test_changes_of_length_follow_from_eases():
     vertices = np.array([[0, 0, 0], [2, 0, 0], [3, 0, 0], [3, 1, 0]], dtype=float)
     asked = asked_of_outline(piece, vertices, {(0, 1): 0.05, (1, 2): 0.05})
     assert asked == pytest.approx([2 * 1.1 * 1.05 + 1 * 1.05 + 1, 0.8])
-    asked = asked_of_outline(piece, vertices, {(1, 0): 0.05, (2, 1): 0.05})  # of the other side
+    asked = asked_of_outline(piece, vertices, {(1, 0): 0.05, (2, 1): 0.05})  # of the side that the piece does not have
     assert asked == pytest.approx([2 * 1.1 + 1 + 1, 0.8])

@@ -90,7 +90,7 @@ def test_other_threads_run_meanwhile(no_forced_switches, measuring):
         nonlocal ticks
         while not stop.is_set():
             ticks += 1
-            time.sleep(0)  # offers the GIL
+            time.sleep(0)  # lets another thread take the GIL
 
     thread = threading.Thread(target=tick)
     thread.start()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The samples keep every guarantee: lengths, seams, wires across pieces and darts, no distortion if none is needed."""
+"""The samples keep every guarantee: lengths, seams, wires across pieces and darts, and no unnecessary distortion."""
 
 import numpy as np
 import pytest
@@ -60,7 +60,7 @@ def parts(result, name):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_refined_method_takes_few_factorizations(name):
-    # On the quarter sphere no step from a free flattening reaches exact lengths, and there is a saddle.
+    # On the quarter sphere, no step from a free flattening reaches exact lengths, and the objective has a saddle.
     most = 16 if name == "Quarter sphere" else 8
     for piece in flattened(name).pieces:
         assert piece.report.factorizations <= most  # 0 if it unfolds
@@ -68,12 +68,12 @@ def test_the_refined_method_takes_few_factorizations(name):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_inner_problem_takes_few_factorizations(name):
-    # On the quarter sphere, symmetry keeps the wires straight: the least-norm steps fail, and there is a saddle.
+    # On the quarter sphere, symmetry keeps the wires straight: least-norm steps fail, and the objective has a saddle.
     most = 24 if name == "Quarter sphere" else 16
     for piece in flattened(name, method="wirewarp++").pieces:
         evaluations = piece.report.gradient_evaluations
         assert 0 < piece.report.inner_solves <= most * (1 + evaluations)
-        assert piece.report.factorizations == (2 if evaluations else 1)  # one more for the first lengths
+        assert piece.report.factorizations == (2 if evaluations else 1)  # one more factorization for the first lengths
         assert piece.report.projected_gradient < 1e-10
         assert piece.report.constraint_residual < 1e-12
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wire, Ease, Options and Cloth are right once they exist: what a value may be, and how it is copied and written."""
+"""Wire, Ease, Options and Cloth check their values when they are made, and can be copied and printed."""
 
 import array
 import copy
@@ -14,7 +14,7 @@ from wirewarp import Cloth, Ease, ErrorCode, FlattenError, Options, Wire
 
 
 def code_of(make):
-    """The code of the FlattenError that it raises."""
+    """Return the code of the FlattenError that the call raises."""
     with pytest.raises(FlattenError) as caught:
         make()
     return caught.value.code

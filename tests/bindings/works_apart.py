@@ -18,9 +18,7 @@ def square_or_crash(number):
 
 
 def hang_or_wait(task):
-    """("hang", path): start another process, write its number to the path, and hang. ("wait", path): wait until
-    then.
-    """
+    """("hang", path): start a process, write its id to the path, and hang. ("wait", path): wait for that file."""
     kind, path = task
     if kind == "hang":
         other = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(3600)"])

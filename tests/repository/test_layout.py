@@ -97,7 +97,7 @@ def test_native_includes_point_one_way(folder: str) -> None:
 
     def includes_upward(file: Path) -> bool:
         ours = [name for name in includes(file) if (CORE / name).is_file()]
-        # Cuts are evaluated by flattening pieces.
+        # The search for cuts flattens pieces to evaluate each cut.
         ours = [name for name in ours if (folder, name) != ("cuts/propose", "flatten.h")]
         return any(Path(name).parent.as_posix() not in allowed for name in ours)
 

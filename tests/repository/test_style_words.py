@@ -42,7 +42,7 @@ OLD_WORDS = {  # with their replacements
     "likewise|shall|be they|for want of|in peace|to speak of|as many again": "plain words",
 }
 PATTERN = re.compile(rf"(?:\b|(?=, ))(?:{'|'.join(OLD_WORDS)})\b", re.IGNORECASE)
-# Names of the API stay as they are: in code of documents and comments, and as strings of one word without title case.
+# Names of the API stay as they are: in code of documents and comments, and as strings of one lower-case word.
 CODE_IN_MARKDOWN = re.compile(r"```.*?```|`[^`\n]*`", re.DOTALL)
 NAME_AS_STRING = re.compile(r"\"(?:[a-z_0-9]+|[A-Z_0-9]+)\"|'(?:[a-z_0-9]+|[A-Z_0-9]+)'|\b\w+::\w+")
 CPP_TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')

@@ -31,7 +31,7 @@ def contents(source: bpy.types.Object) -> tuple:
 
 
 def remember() -> None:
-    """Push an undo step, because a script's changes are not one."""
+    """Push an undo step, because Blender does not make one for a script's changes."""
     with drive.in_view():
         bpy.ops.ed.undo_push(message="Made")
 

@@ -7,7 +7,7 @@ from bpy.props import FloatProperty
 
 
 def number(name: str, description: str, values: tuple[float, ...], **others: Any) -> Any:  # noqa: ANN401
-    """Return a number with one decimal. values: the least, the default, the most usual, and the most if any."""
+    """Return a number with one decimal. values: minimum, default, end of the slider, and maximum if any."""
     known = dict(zip(("min", "default", "soft_max", "max"), values, strict=False))
     return FloatProperty(**{"name": name, "description": description, "precision": 1} | known | others)
 

@@ -28,7 +28,7 @@ def name_with(name: str, ending: str) -> str:
 
 
 def show_where_shown(source: bpy.types.Object, target: bpy.types.Object) -> None:
-    """Adds the target to every local view that shows the source; new objects are in all of them anyway."""
+    """Add the target to every local view that shows the source. Blender adds only new objects by itself."""
     for window in bpy.context.window_manager.windows:
         present = window.view_layer.objects.values()
         for view in _local_views(window) if source in present and target in present else ():

@@ -140,7 +140,7 @@ def _mask(target: bpy.types.Object, elements: bpy.types.bpy_prop_collection, ind
 
 
 def deselect_all(mesh: bpy.types.Mesh) -> None:
-    """Deselect all elements of a mesh in Object Mode, for new elements are selected.
+    """Deselect all elements of a mesh in Object Mode, because new elements are selected.
 
     The selection attributes are removed: Blender 5.0 gives the one on the edges of new meshes a wrong type, and crashes
     when it is written or when Edit Mode begins.

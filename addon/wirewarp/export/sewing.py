@@ -117,7 +117,7 @@ class OBJECT_OT_wirewarp_sewing(OnMesh, bpy.types.Operator):
         with in_object_mode(context):
             target = add_sewing_object(model_or_self(context.active_object))
         context.view_layer.update()  # so that it knows the new object
-        if target.name not in context.view_layer.objects:  # like its flat pieces, if their collection is not shown here
+        if target.name not in context.view_layer.objects:  # if this view layer excludes their collection
             context.scene.collection.objects.link(target)
         for each in context.selected_objects:
             each.select_set(False)

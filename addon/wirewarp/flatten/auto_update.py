@@ -2,10 +2,10 @@
 """Updates flat pieces automatically after changes of the model.
 
 A handler only notes that something changed. The next mouse movement starts the operator wm.wirewarp_watch through the
-keymap, unless a running tool (moving vertices, a knife) consumes the event. Leaving Edit Mode under such a tool would
-crash Blender, timers do run under it, and before 4.2 Python cannot detect it. The operator runs the update with an undo
-step, and the update ends by the same rule. Nobody has to move the mouse: while an update is due, a timer in
-state.memory makes Blender send a mouse movement to the current position.
+keymap, unless a running tool (moving vertices, a knife) consumes the event. A timer cannot replace this event: timers
+also run during such a tool, when leaving Edit Mode crashes Blender, and before 4.2 Python cannot detect the tool. The
+operator runs the update with an undo step, and the update ends by the same rule. Nobody has to move the mouse: while an
+update is due, a timer in state.memory makes Blender send a mouse movement to the current position.
 """
 
 from collections.abc import Callable

@@ -172,8 +172,8 @@ def _read(
         base = marked_mesh(source)
         arrays = object_to_arrays(source, base, depsgraph if use_modifiers else None)
         arrays = replace(arrays, allowance=max(arrays.allowance, allowance), lengths=units)
-        # Results with modifiers are not written to the model, and of objects that share a mesh the last one's are on
-        # it: only the flat pieces know this object's last ids.
+        # The model may lack this object's last ids: results with modifiers are not written to it, and objects that
+        # share a mesh overwrite each other's ids. The flat pieces always have them.
         asks_flat_pieces = use_modifiers or source.data.users > 1
         flat = find_flat_object(source) if asks_flat_pieces else None
         known = known_pieces(source, arrays, flat, flattened_name(source))

@@ -182,7 +182,7 @@ def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side:
 
     side: 0 for the smaller piece, 1 for the larger, so that the armholes of two sleeves are eased alike; an outline has
     only one side. Skips edges that are neither seams nor outlines, and sides with several faces.
-    Raises ObjectError where a line would have no length left.
+    Raises ObjectError if a line would have no length left.
     """
     mesh = target.data
     lines = _sides_of_lines(mesh, _outline_rows(mesh, rows), _places(target))
@@ -277,7 +277,7 @@ def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
     joined = np.flatnonzero(inside[corner_edges(mesh)])
     pairs = np.stack([faces[joined], first_at[corner_edges(mesh)[joined]]])
     piece = np.arange(len(mesh.polygons))
-    while True:  # each face takes the least number of its neighbors, and that face's own
+    while True:  # each face takes the lowest number around it, then the number of the face with that number
         least = piece[pairs].min(axis=0)
         lower = piece.copy()
         for side in pairs:

@@ -53,7 +53,7 @@ class WireKind:
 
     def chosen_tolerance(self) -> float:
         """Return the tolerance to store on the edges. Raises ObjectError if an elastic wire has none."""
-        if self.kind == "ELASTIC" and not self.tolerance > 0:  # nor is it a number in every script
+        if self.kind == "ELASTIC" and not self.tolerance > 0:  # also refuses NaN, which a script may pass
             sentence = "An elastic wire needs a tolerance above 0: set one, or make the wire rigid."
             raise object_error("no_tolerance", sentence)
         return {"RIGID": 0.0, "ELASTIC": self.tolerance, "SUPER_ELASTIC": math.inf}[self.kind]

@@ -140,7 +140,7 @@ class Name:
     normals: np.ndarray  # (c,3)
     reach: float  # distance from the best place to the farthest end of the named line
     piece: int = 0  # piece whose room it needs
-    room: float = np.inf  # the root of the area of that piece; on models, any
+    room: float = np.inf  # the square root of that piece's area; infinite on models
     around: np.ndarray | None = None  # (4,3) corners around the piece; the name is beside it if it does not fit inside
     is_selected: bool = False  # a selected one is always written
 

@@ -12,7 +12,7 @@ from ..export.read import kept_marker, read_outlines
 from ..issues import ObjectError
 from .lines import Name
 
-BELOW = 50.0  # millimeters from the pieces to pages for another arrangement
+BELOW = 50.0  # millimeters between the pieces and the pages below them
 INSET = np.array([0.06, 0.05])  # place of a page's name, in its corner
 
 
@@ -68,9 +68,9 @@ class PageChoices:
 
 
 def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:
-    """Return the pages over the pieces; if they will be arranged differently, these pages below the pieces.
+    """Return the pages over the pieces, or below them if the file will have the pieces in other places.
 
-    The library lays them out as for a PDF. drawn: parts of the pieces in the file; millimeters: in a Blender unit.
+    The library lays the pages out as for a PDF. drawn: parts of the pieces in the file; millimeters: in a Blender unit.
     """
     made = drawn.made
     if made is None or cut.made is None:

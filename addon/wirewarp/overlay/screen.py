@@ -179,9 +179,9 @@ def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHER
 
 
 def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE) -> list[Text]:
-    """Place as many names as fit: none much longer than its line, on another name, or hiding its piece.
+    """Place the names that fit: a name must not be much longer than its line, meet another name or hide its piece.
 
-    span: from left to right, where nothing covers the view; names of points in it stay in it.
+    span: the columns of pixels that nothing covers. The name of a point in the span stays in the span.
     """
     wanted = list(names)
     boxes = [name.box.ravel() for name in wanted if name.box is not None]
@@ -204,7 +204,7 @@ def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: S
 
 
 def _that_fit(name: PlacedName, covered: float, size_of: Callable[[str], Size]) -> Iterator[str]:
-    """Return the texts that fit on their pieces. covered: share of the piece, in square pixels."""
+    """Return the texts that fit on their line and piece. covered: area of the piece that labels hide, in pixels."""
     for text in name.texts:
         size = size_of(text)
         is_last = text == name.texts[-1]

@@ -177,7 +177,7 @@ def _cut_lines(
 
 
 def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
-    """Return sentences on pieces that are drawn once for their mirror images; the flat object is not in Edit Mode."""
+    """Return sentences on pieces that are drawn once for all their copies. The flat object is not in Edit Mode."""
     settings = context.scene.wirewarp
     made = _cut_lines(context, source, flat, settings.pairs, settings.on_fold).made
     return copies_sentences(made) if made else []

@@ -14,14 +14,14 @@ from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
 from .screen import MAX_NAMES, PlacedName, write_over
 from .shown import Drawing, UvDrawing, drawings, extremes, map_notes, shown_map, uv_drawings
 
-# How much nearer to the eye, as a share of its distance, lines on a surface are drawn, so that it does not hide them.
+# Layers are drawn nearer to the eye by these shares of its distance, so that a surface does not hide its lines.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
-# Smallest difference in depth, as a share of the distance: two steps of a 24-bit buffer in perspective if the near
-# plane is at one unit. Views have it at 0.01 units, hence 1e-5 per unit of distance.
+# Two steps of a 24-bit depth buffer. Multiplied by the distance and divided by that of the near plane, this is the
+# smallest difference in depth that shows, as a share of the distance.
 DEPTH_STEP = 2 / 2**24
 HIDDEN_BY = 0.005  # share of the distance from the eye: anything closer to a place belongs to its own surface
-MOST_APART = 8.0  # largest factor: lines on the back of a cushion must stay hidden
+MOST_APART = 8.0  # largest factor of _apart, because lines on the back of a cushion must stay hidden
 
 
 def draw_space() -> None:

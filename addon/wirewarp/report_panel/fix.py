@@ -38,13 +38,13 @@ def _chosen_by_default(fault: Fault) -> object:
 
 
 class Repairs:
-    """A switch for each kind of fault, by its name in small letters. Mixed into operators."""
+    """Mixin of operators with a switch for each kind of fault, named like the kind in lower case."""
 
     __annotations__ = {fault.kind.lower(): _chosen_by_default(fault) for fault in FAULTS}  # noqa: RUF012
 
 
 class BetweenRuns(OnMesh):
-    """Mixed into operators."""
+    """Mixin of operators that work only while no run is under way."""
 
     modes = WORKING_MODES
 

@@ -30,11 +30,11 @@ TO_TRY = "Other fabrics: each changes the pieces, so flatten to see"
 
 
 def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str], list[str]]:
-    """Return the presets that stretch far enough for the present pieces, and the others; the least stretching first.
+    """Return the presets that stretch far enough for the present pieces, and the others; both by increasing stretch.
 
-    present: the fabric of these pieces, which needs no other try.
+    present: the fabric of these pieces, which is not among the others.
 
-    Only another run shows this for sure, because the pieces of each fabric have other shapes.
+    This is an estimate, because another fabric changes the shapes of the pieces.
     """
     across = max((piece.threads.across if piece.threads else piece.needed for piece in report.pieces), default=0.0)
     along = max((piece.threads.along if piece.threads else piece.needed for piece in report.pieces), default=0.0)
@@ -138,7 +138,7 @@ def _draw_state(
     for line in verdict.lines:
         draw_sentence(context, layout, line.text, LEVEL_ICONS[line.kind.level])
     step = next_step(report, left_out, has_suggestions=are_shown(context))
-    is_looked_at = step is not None and step.operator == SHOW  # less urgent than something to do
+    is_looked_at = step is not None and step.operator == SHOW  # drawn after steps that change the model
     if step and not is_looked_at:
         _draw_step(context, layout, step)
     if any(line.kind in FABRIC_HELPS for line in verdict.lines):

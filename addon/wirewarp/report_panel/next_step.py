@@ -139,7 +139,7 @@ FAULTY_CODES = {
     "non_manifold_edge",
     "repeated_face",
     "repeated_vertex_in_face",
-}  # whether Check and Repair has buttons for it
+}  # Check and Repair finds and fixes these
 OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_orientation": "NORMALS"}
 
 
@@ -152,9 +152,9 @@ class NextStep(NamedTuple):
 
 
 def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: bool = False) -> NextStep | None:
-    """Return the step; None if the pieces can be cut, or if suggestions, whose buttons are below, are the next step.
+    """Return the step. Return None if the pieces can be cut, or if the buttons of suggestions below are the next step.
 
-    left_out: see as_seen, of the model as it is now.
+    left_out: see as_seen(); for the model as it is now.
     """
     remedies = [remedy_of(issue) for issue in report.issues]
     if report.with_modifiers and any(remedies):
@@ -165,7 +165,7 @@ def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: boo
         if what not in remedies:
             continue
         is_closed = {issue.code for issue in report.issues if remedy_of(issue) == what} == {CLOSED_CODE}
-        if what == "SEAMS" and (has_suggestions or is_closed):  # one slit only opens a closed model
+        if what == "SEAMS" and (has_suggestions or is_closed):  # the proposed slit would only open the model
             return None
         return NextStep(_reason(report.issues, what), text, icon, MEND, {"what": what})
     if {issue.code for issue in report.issues} & FAULTY_CODES and not report.with_modifiers:

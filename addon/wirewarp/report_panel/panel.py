@@ -226,7 +226,8 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, f"Method: {report.method_name}")
         if report.issues:
             box = layout.box()
-            # Gray, although the next suggestion can be taken without another run.
+            # Gray after a change, although the buttons still work: several suggestions can be marked before the next
+            # run.
             box.active = not has_changed_since(source, report)
             draw_issues(context, box, report)
         if report.hints:

@@ -8,7 +8,7 @@ import numpy as np
 from ..core import LengthText
 from .chains import WireChain, next_corners
 
-# largest mean normal, as a share of the area, of a surface for which inside and outside are known
+# If the sum of a surface's area vectors is a larger share of its area, the surface is too open to have an inside.
 ALL_ROUND = 0.3
 INWARD = (
     "Normals point inward, so pieces show their inside. In Edit Mode use Mesh > Normals > Recalculate Outside, then "

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-# If an odd number of edges meets, only lines with a smaller turn continue.
+# At a vertex of three or another odd number of edges, a line continues only if it turns less than this.
 STRAIGHT_COSINE = np.cos(np.radians(45.0))
 
 
@@ -75,10 +75,10 @@ class WireChain:
 
 
 def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
-    """Return chains of edges (k,2) of vertices positions (n,3).
+    """Return the chains that edges (k,2) form. positions (n,3): of the vertices.
 
-    At a vertex of two edges a chain continues. Where four or more meet, chains continue straight, so that crossing
-    lines stay whole. At an odd number, one edge ends, and so do lines that are not straight.
+    At a vertex of two edges, a chain continues. If four or six edges meet, chains continue as straight as possible, so
+    that crossing lines stay whole. If an odd number meets, one edge ends, and so do lines that turn.
     """
     following, vertex_of_side = _pair_sides(edges, positions).tolist(), edges.ravel().tolist()
     used = [False] * len(edges)
@@ -106,7 +106,7 @@ def chains_of_marks(edges: np.ndarray, marks: EdgeMarks, positions: np.ndarray) 
 def shortest_double(value: np.float32) -> float:
     """Return the float32 0.03 as the double 0.03, not 0.029999999329, because the user entered 0.03."""
     number = float(str(np.float32(value)))
-    return math.nan if math.isnan(number) else number  # the same object, so that equal edges belong to one wire
+    return math.nan if math.isnan(number) else number  # always the same NaN, so that equal edges belong to one wire
 
 
 def _shortest_doubles(values: np.ndarray) -> list[float]:

@@ -79,10 +79,10 @@ def segments_along(edges: np.ndarray, arrays: MeshArrays) -> Segments:
 
 
 def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Return the ends (2k,3) of the segments whose faces the mesh has.
+    """Return the ends (2k,3) of the segments; the mesh may lack some of their faces.
 
-    For each corner of a mesh: polygons (l,) its face, vertices (l,) its vertex, as the segments name them, and its
-    place (l,3).
+    The arrays describe each corner of the mesh: its face and vertex (l,), numbered as in the segments, and its place
+    (l,3).
     """
     near = np.flatnonzero(np.isin(polygons, segments.polygons))
     corner_at = dict(

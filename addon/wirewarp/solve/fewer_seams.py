@@ -16,7 +16,7 @@ from .flatten import FlattenChoices, issue_of_error, library_arguments, result_o
 from .steps import CanceledError, Steps, of_all, reported_as
 from .suggest import Cut
 
-LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric can do the first, plush and knits the last
+LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric allows the first, plush and knits the last
 
 
 def limits_up_to(most: float | None) -> list[float]:
@@ -27,10 +27,10 @@ def limits_up_to(most: float | None) -> list[float]:
 def fewer_seams(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, limits: Sequence[float], remedy: str
 ) -> Steps[list[Cut]]:
-    """Return seams to clear, from few pieces to little stretch: a row for each limit that needs fewer seams.
+    """Return sets of seams to clear: one for each limit that allows fewer seams than the limit below.
 
-    limits: accepted stretches in ascending order. If canceled, the rows so far remain. remedy: a sentence for the
-    ObjectError if every seam is needed.
+    limits: accepted stretches in ascending order; the sets are in the opposite order. If canceled, the sets found so
+    far are returned. remedy: a sentence for the ObjectError if every seam is needed.
     """
     if len(arrays.seams) == 0:
         raise object_error("no_seams", "The model has no seams to simplify. Mark seams, or press Suggest Seams.")

@@ -2,7 +2,7 @@
 """Makes one mesh of the flat pieces, with its measures.
 
 The flat mesh has the source's own faces, quads and n-gons included, so that its edges are the source's edges and
-no others. Measures of triangles are combined by face: energies are added, and of ratios the worst counts.
+no others. Measures of triangles are combined by face: energies are added, and the worst ratio counts.
 """
 
 from collections.abc import Sequence
@@ -23,8 +23,8 @@ def edge_length_variation(
 ) -> np.ndarray:
     """Return the variation of the flat edges, (e,) float32.
 
-    flat (e,2): the edges as vectors; places (e,2): piece and model's edge of each. Lines have the library's value.
-    Inside pieces, the target is the length on the model, stretched like the fabric when worn.
+    flat (e,2): the edges as vectors; places (e,2): piece and model's edge of each. Edges of outlines and wires have the
+    library's value. Other edges are compared as worn: with the built-in stretch of the fabric.
     """
     worn = (choices.cloth.worn_across, choices.cloth.worn_along) if choices.cloth else (0.0, 0.0)
     spatial = _model_lengths(result, arrays, choices)[places[:, 1]]
@@ -264,7 +264,7 @@ def _edges(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return edges (e,2), the edge at each corner (l,), and the source's edge of each edge (e,), all int32.
 
-    Sides of faces with the same ends and the same edge of the source share an edge.
+    Two sides of faces share an edge if they have the same ends and come from the same edge of the source.
     """
     following = next_corners(sizes)
     source_edge = arrays.loop_edges[_edge_corners(source_corner, sizes, arrays)]

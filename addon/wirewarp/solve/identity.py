@@ -17,7 +17,8 @@ from ..core import FlattenResult, SeamReport
 from .arrays import FaceRegions, MeshArrays, Region, area_vectors, edge_lengths, faces_inward
 from .chains import edge_keys
 
-# By axis, towards minus and plus. As on a person who looks along -Y, Blender's front: the left hand is at +X.
+# Names of the negative and positive side by axis, as of a person who faces Blender's front (-Y): the left hand is at
+# +X.
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
 HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # of two pieces on the same side
 FACES_ONE_WAY = (
@@ -64,9 +65,9 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
 
 
 def _halves(side: str, offsets: np.ndarray) -> list[str]:
-    """Return how pieces on one side differ: two by their relative place, more by left and right, or "".
+    """Return words that distinguish pieces on one side: two by their relative place, more by left and right; or "".
 
-    The names in a mirrored pair therefore differ only in the side.
+    Names of a mirrored pair therefore differ only in the side.
     """
     if len(offsets) != 2:
         if len(offsets) == 1 or side in SIDES[0]:

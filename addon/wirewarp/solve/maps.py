@@ -9,7 +9,7 @@ import numpy as np
 
 # Linear RGB at equal steps. From no distortion to the upper end: near white, yellow, orange, red, dark.
 _RISING = ((0.93, 0.93, 0.90), (0.98, 0.80, 0.35), (0.93, 0.42, 0.10), (0.65, 0.07, 0.08), (0.18, 0.01, 0.09))
-# From eased in over unchanged to stretched: blue, near white, orange.
+# From compressed through unchanged to stretched: blue, near white, orange.
 _TWO_SIDED = ((0.002, 0.08, 0.33), (0.10, 0.33, 0.66), (0.92, 0.90, 0.86), (0.89, 0.35, 0.05), (0.38, 0.05, 0.002))
 STEPS = 4096  # steps of a scale, more than a screen can show
 

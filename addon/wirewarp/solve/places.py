@@ -12,9 +12,9 @@ from .flat_mesh import FlatMesh
 from .outlines import FlatPieces, OutlineEdges, number_edges, outline_edges, outline_loops, piece_of_vertices
 
 SAMPLE = 100  # points by which the place of a piece is stored
-# Points of pieces that have a place but at present no shape: (k,4) float64, piece id, source vertex and place.
+# Rows (k,4) of piece id, source vertex and place: points of pieces that have a place but at present no shape.
 NONE_AWAY = np.empty((0, 4))
-LIKE = 0.7  # smallest correlation between a piece and the earlier one whose vertices correspond
+LIKE = 0.7  # smallest correlation of a piece with its earlier shape, point by point, at which it keeps its place
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class _Pieces:
         order = np.argsort(ids, kind="stable")
         present, first = np.unique(ids[order], return_index=True)
         self._vertices = dict(zip(present.tolist(), np.split(order, first[1:]), strict=True))
-        self._vertices.pop(0, None)  # of vertices without a piece
+        self._vertices.pop(0, None)  # the vertices without a piece
         away_ids = away[:, 0].astype(np.int64)
         self._away = {piece_id: away[away_ids == piece_id] for piece_id in np.unique(away_ids).tolist()}
 

@@ -55,21 +55,21 @@ class Cut:
     segments: Segments = field(compare=False)  # drawn lines
     piece: int  # number of the piece in the flattening
     lengths: list[float]  # of each line on the model; of a cut set together; Blender units
-    strain: float  # share that 99% of the piece (of the worst part) stay below with the cut
+    strain: float  # strain that 99% of the piece, or of its worst part, stays below after the cut
     strain_before: float  # infinite for a cut set
     num_pieces: int  # pieces after the first line; after all lines of a cut set, or without the cleared seams
     cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
     width: float | None = None  # of a set: narrowest width of the pieces, Blender units; None until it is measured
-    is_narrow: bool = False  # this leaves no room for two allowances
+    is_narrow: bool = False  # whether this width leaves no room for two allowances
 
     @property
     def is_first(self) -> bool:
-        """Without it the piece has no flat shape."""
+        """Return whether the piece has no flat shape without it."""
         return math.isinf(self.strain_before)
 
     @property
     def is_set(self) -> bool:
-        """Return whether it is a choice of seams for the whole piece or model, of which rows list several."""
+        """Return whether it is a full choice of seams for a piece or model; the rows are then alternatives."""
         return bool(self.cleared) or (self.is_first and len(self.lengths) == 1)
 
 
@@ -153,7 +153,7 @@ def _forbidden_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam
 
 
 def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> list[Cut]:
-    """Return cuts in the library's order. Mirror images are one cut, or one of them if two are no better than one."""
+    """Return cuts in the library's order. Mirror images become one cut, unless one of them alone gains as much."""
     cuts = []
     for index, proposal in enumerate(proposals):
         if proposal.twin is not None and proposal.twin < index:
@@ -191,7 +191,7 @@ def set_for(sets: Sequence[Cut], limit: float) -> int:
 def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:
     """Return the steps of a plan; mirror images are one step. piece: the one to cut; None for any."""
     first = plan[0]
-    # Of any piece: another one, which stays as it is, may be strained more than what is cut first.
+    # If any piece may be cut, a piece that stays as it is may be strained more than the first one to cut.
     before = first.strain_before if piece is not None else max(first.strain_before, first.strain_left)
     ends = [index + 1 for index, each in enumerate(plan) if each.twin is None or each.twin < index]
     return [_cut(plan[:end], plan[end - 1].strain_left, before, arrays) for end in ends]

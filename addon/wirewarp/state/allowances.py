@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marks on one side of an edge, and seam allowances, for meshes in Object Mode.
 
-A value on the face's corner, as scripts may write it, is blended when the edge is split, and comes to lie on another
-edge when the face is flipped or mirrored. What is on edges and faces goes with them whole. So the side that differs
-is the one of the face whose number (wirewarp_face INT, random, 0 none) is on the edge, and its value lies on the edge.
+Scripts may write such a value on a corner of the face. Blender blends it when the edge is split, and moves it to
+another edge when the face is flipped or mirrored. Values on edges and faces stay whole. Marks are therefore stored on
+the edge: the value, and the number of the face on the marked side (wirewarp_face INT, random, 0 none).
 
-A face that is cut, copied or extruded gives its number to others. That does no harm if only one face of an edge has it:
-so faces get numbers of their own before a side is marked. If several faces of an edge have its number, or none of
-several, the side is unknown.
+If a face is cut, copied or extruded, the new faces have its number, too. This does no harm while only one face of the
+edge has the number, so each face gets a number of its own before a side is marked. If several faces of an edge have the
+number, or if it has several faces and none has it, the side is unknown.
 
-wirewarp_allowance FLOAT, on edges, in Blender units: above 0 the width on all sides of the edge; below 0 nothing is
-added, for the cloth lies double there (a fold) or stays raw. 0 is what Blender gives to edges that are new or come from
-another mesh: as NaN and where there is no attribute, the pattern's default. One side of an edge may differ: see sides.
+wirewarp_allowance FLOAT, on edges, in Blender units: above 0, the width on all sides of the edge; below 0, nothing is
+added, because the fabric is folded there or stays raw. 0 means the pattern's default, because Blender gives 0 to new
+edges and to those of joined meshes; NaN and a missing attribute mean the default, too. One side of an edge may have its
+own width: see SIDE_ALLOWANCES.
 """
 
 from collections.abc import Sequence
@@ -51,10 +52,10 @@ class SidedMark:
             check_attribute(mesh, attribute)
 
     def check(self, mesh: bpy.types.Mesh, *, has_modifiers: bool = False) -> None:
-        """Raises ObjectError as check_attributes does, if a side is unknown, or if a side has two values.
+        """Raises ObjectError as check_attributes does, and if a side is unknown or has two values.
 
-        An edge of a single face that is not the marked one has lost its mark with that face. has_modifiers: the mesh is
-        what they made; a Mirror that merges its middle has the same face on both sides there.
+        If an edge has only one face left and it is not the marked one, the mark is ignored. has_modifiers: modifiers
+        made the mesh; where a Mirror modifier merges the middle, both faces of an edge have the same number.
         """
         self.check_attributes(mesh)
         _, counts = marked_corners(mesh, self.side)
@@ -197,7 +198,7 @@ def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
 def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
     """Give this width, as in mark_edges, to the sides of edges that begin at these corners.
 
-    Return how many sides changed: if more than two faces meet, their sides have one width.
+    Return how many sides changed. Edges of more than two faces do not change, because their sides have one width.
     """
     loop_edges = corner_edges(mesh)
     marked = corners[faces_at_edges(mesh)[loop_edges[corners]] <= 2]
@@ -219,7 +220,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
 
 
 def scale_lengths(mesh: bpy.types.Mesh, factor: float) -> None:
-    """Multiplies all marked lengths by the factor. Edges without a length and with the default stay so."""
+    """Multiplies all marked lengths by the factor. Edges without an allowance or with the default do not change."""
     for mark in MARKS:
         lengths = find_values(mesh, mark) if mark.is_length else None
         if lengths is not None:

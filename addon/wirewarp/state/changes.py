@@ -52,7 +52,7 @@ def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
 
 
 def shows_modified(source: bpy.types.Object) -> bool:
-    """Return whether Blender evaluates the modifiers. It skips hidden objects, and some modifiers in Edit Mode."""
+    """Return whether Blender evaluates the modifiers. Blender skips those of hidden objects, and some in Edit Mode."""
     return source.mode == "OBJECT" and source.visible_get()
 
 

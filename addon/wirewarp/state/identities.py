@@ -50,7 +50,7 @@ def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
 
 
 def present_names(mesh: bpy.types.Mesh, report: Report) -> dict[int, str]:
-    """Return the present names of a report's wires by their own ids, all different; copies have the original's name.
+    """Return the present name of each wire of a report, by its own id. Copies have the original's name with a number.
 
     mesh: of the model.
     """

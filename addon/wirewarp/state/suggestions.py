@@ -55,7 +55,7 @@ class Suggestions:
     wire_ids: set[int]  # ids of the wires during the search
     state: dict  # of the model, see model_state
     no_seam: NoSeam  # faces and vertices where the user wants no cut, on the model's own mesh
-    chosen: int  # of the cuts
+    chosen: int  # index in cuts
     with_modifiers: bool = False  # whether modifiers made the edges of the cuts; they are applied when a cut is marked
 
 

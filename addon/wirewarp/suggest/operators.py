@@ -55,18 +55,18 @@ class Search:
     model: Model
     choices: FlattenChoices
     no_seam: NoSeam  # of the model's own mesh
-    with_modifiers: bool  # modifiers that make another mesh
+    with_modifiers: bool  # whether modifiers make another mesh
     steps: Steps[list[Cut]]
     names: dict[int, str]  # of pieces, where they are known
 
     @property
     def is_of_model(self) -> bool:
-        """Cuts that are taken together, of any piece: they may be of several, which they number anew."""
+        """Return whether the cuts may be in several pieces, so that the indices of pieces change."""
         return self.options.kind == "FEWER" or (self.options.target is not None and self.options.piece is None)
 
 
 def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str, piece: int | None) -> Search:
-    """piece: as in the report of the flat pieces; None for any. Raises ObjectError."""
+    """Return the search. piece: index in the report of the flat pieces; None for any. Raises ObjectError."""
     settings = context.scene.wirewarp
     check_local(source, source.data)
     (model,) = read_models(context, [source], settings)
@@ -74,7 +74,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
         raise ObjectError(model.issue)
     depsgraph = context.evaluated_depsgraph_get()
     is_shaped = settings.use_modifiers and bool(shaped_by(source, depsgraph))
-    is_split = len(model.arrays.vertices) != len(source.data.vertices)  # by modifiers that leave the shape as it is
+    is_split = len(model.arrays.vertices) != len(source.data.vertices)  # by modifiers that keep the shape
     if is_shaped or is_split:
         check_modifiers(source)
     report = pieces_report(source)
@@ -85,7 +85,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     )
     if piece is not None and not is_true:
         raise changed_error(source.name)
-    known = report if is_true else last_report(source)  # of a closed model, which has no flat pieces yet
+    known = report if is_true else last_report(source)  # such as that of a closed model, which has no flat pieces
     is_known = known is not None and (is_true or not has_changed(source, known.model_state))
     pieces = known.pieces if is_known else []
     choices = choices_of(settings, meters_per_blender_unit(context.scene))
@@ -100,7 +100,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     if kind == "FEWER":
         limits, remedy = ([target.strain], SET_TARGET) if target else (limits_up_to(_most_stretch(used)), CHOOSE_FABRIC)
         steps = fewer_seams(core.library(), model.arrays, choices, limits, remedy)
-        options = replace(options, target=None)  # the rows are not steps
+        options = replace(options, target=None)  # the sets are alternatives, not steps
     else:
         steps = suggest_cuts(core.library(), model.arrays, choices, options, no_seam)
     if options.target is None:
@@ -121,7 +121,7 @@ def _accepted(choices: FlattenChoices) -> float:
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:
-    """Return the name of the piece that each of them cuts."""
+    """Return the name of the piece that each cut is in."""
     if search.is_of_model:
         return [search.model.facts.object] * len(cuts)
     return [search.names.get(cut.piece, f"Piece {cut.piece + 1}") for cut in cuts]
@@ -137,7 +137,7 @@ def _shown_first(search: Search, cuts: list[Cut]) -> int:
 
 
 def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
-    """For the panel and the overlay. Raises ObjectError if the model is no longer as it was read. In any mode."""
+    """Keep the cuts for the panel and the overlay, in any mode. Raises ObjectError if the model has changed since."""
     model = search.model
     wire_ids = {wire.chain.wire_id for wire in model.arrays.wires}
     found = Suggestions(
@@ -161,7 +161,7 @@ def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
 
 
 class SuggestCuts(OnMesh, WindowSteps):
-    """Mixed into operators. Nothing is written: what is found is in the panel, until the model changes."""
+    """Mixin of operators that search. They write nothing: the panel shows the cuts until the model changes."""
 
     bl_options = {"REGISTER"}
     modes = WORKING_MODES
@@ -208,7 +208,10 @@ class SuggestCuts(OnMesh, WindowSteps):
         return None
 
     def _keep(self, context: bpy.types.Context, cuts: list[Cut]) -> set[str]:
-        """In any mode: leaving Edit Mode under a tool that is still going on crashes Blender. Raises ObjectError."""
+        """Keep and report the cuts. Raises ObjectError.
+
+        This works in any mode, because leaving Edit Mode while a tool runs would crash Blender.
+        """
         found = keep_found(self._search, cuts)
         redraw_views()
         lengths, name = length_text(context.scene), found.names[0]
@@ -226,7 +229,7 @@ class SuggestCuts(OnMesh, WindowSteps):
 
 
 class SuggestForPiece(SuggestCuts):
-    """Mixed into operators that cut one piece or any."""
+    """Mixin of operators that cut one piece or any."""
 
     piece: IntProperty(
         name="Piece",

@@ -121,7 +121,7 @@ def are_shown(context: bpy.types.Context) -> bool:
 
 
 def _shown(context: bpy.types.Context) -> Suggestions | None:
-    """Of the active model, or of that of active flat pieces, while it is as it was."""
+    """Return the suggestions for the active model, or for the model of active flat pieces; None if it has changed."""
     source = shown_source(context)
     found = suggestions_of(source) if source else None
     if found is None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Lines cut into the mesh: those of suggestions, and the button that smooths a seam.
 
-The surface stays, and so do marks, maps and attributes: what is new gets them from what it lies on.
+The surface stays, and so do marks, maps and attributes: new elements get those of the faces and edges that they divide.
 """
 
 from collections.abc import Iterator, Sequence
@@ -33,10 +33,10 @@ from ..ui.editing import OnModel, reporting_refusals
 
 
 def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath], with_modifiers: bool) -> int:
-    """Make edges of the lines, and seams of these. Returns how many edges were no seams before.
+    """Cut the lines into the mesh as edges, and mark these as seams. Returns how many edges were not seams before.
 
-    with_modifiers: whether the lines are on the mesh that modifiers make; they are applied. Raises ObjectError, with
-    nothing changed.
+    with_modifiers: whether the lines are on the mesh that modifiers make. The modifiers are then applied. Raises
+    ObjectError, with nothing changed.
     """
     depsgraph = bpy.context.evaluated_depsgraph_get() if with_modifiers else None
     division = _divided(object_to_arrays(source, marked_mesh(source), depsgraph), paths)
@@ -54,7 +54,7 @@ def take_away(source: bpy.types.Object, seams: Pairs, with_modifiers: bool) -> i
 
 
 def _divided(arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
-    """Raises ObjectError if the lines cannot be cut."""
+    """Return how the lines divide the faces. Raises ObjectError if the lines cannot be cut."""
     try:
         return divide(core.library(), arrays, paths)
     except core.FlattenError as error:
@@ -84,7 +84,7 @@ def cut_lines(mesh: bpy.types.Mesh, division: Division) -> Pairs:
 
 @contextmanager
 def unchanged_on_error(mesh: bpy.types.Mesh) -> Iterator[None]:
-    """Cut all of several lines, or none."""
+    """Restore the mesh if an error occurs, so that all lines are cut or none."""
     before = bmesh.new()
     try:
         before.from_mesh(mesh)
@@ -99,7 +99,7 @@ def unchanged_on_error(mesh: bpy.types.Mesh) -> Iterator[None]:
 
 @contextmanager
 def _edited(mesh: bpy.types.Mesh) -> Iterator[bmesh.types.BMesh]:
-    """Write the mesh at the end, unless something is raised."""
+    """Yield a bmesh of the mesh, and write it back at the end unless an error occurs."""
     edited = bmesh.new()
     try:
         edited.from_mesh(mesh)
@@ -116,13 +116,13 @@ def _split_along(
     pairs: Pairs,
     vertices: dict[int, bmesh.types.BMVert],
 ) -> None:
-    """Split a face along new edges, which do not cross. parts: the face; its new parts are added."""
+    """Split a face along new edges, which do not cross. parts: the face, to which its new parts are added."""
     for a, b in pairs:
         first, second = vertices[a], vertices[b]
         face = next(each for each in parts if {first, second} <= set(each.verts))
         new, corner = bmesh.utils.face_split(face, first, second)
         parts.append(new)
-        for loop in corner.edge.link_loops:  # they are copies of corners that begin other edges
+        for loop in corner.edge.link_loops:  # Blender copied their values from corners at which other edges begin
             for side in _side_layers(edited):
                 loop[side] = 0.0
 
@@ -135,7 +135,7 @@ def _split_edge(
     for index, share in line[1:-1]:
         edge = edited.edges.get((vertices[first], vertices[last]))
         _, vertex = bmesh.utils.edge_split(edge, vertices[first], (share - start) / (1 - start))
-        for loop in vertex.link_loops:  # it begins the second half of what the corner before it began
+        for loop in vertex.link_loops:  # its edge is the second half of the edge that begins at the corner before
             for side in _side_layers(edited):
                 loop[side] = loop.link_loop_prev[side]
         vertices[index], first, start = vertex, index, share
@@ -147,10 +147,10 @@ def _side_layers(edited: bmesh.types.BMesh) -> list[bmesh.types.BMLayerItem]:
 
 
 def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
-    """Each line of these edges becomes a smooth one with the same ends, which is a seam; what was one is none any more.
+    """Replace each line of these seam edges by a smooth seam with the same ends.
 
-    Lines meet each other, other seams and wires where they did, and do not enter painted faces. Vertices keep their
-    indices. Returns the edges of the smooth lines. Raises ObjectError, with no change.
+    The new lines meet each other, other seams and wires in the same places, and do not enter painted faces. Vertices
+    keep their indices. Returns the edges of the smooth lines. Raises ObjectError, with no change.
     """
     mesh, seams = source.data, []
     places = object_to_arrays(source, marked_mesh(source), None).vertices

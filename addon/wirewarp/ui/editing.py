@@ -18,10 +18,10 @@ Execute = Callable[[Operator, bpy.types.Context], set[str]]
 
 
 class OnMesh:
-    """Mixed into operators and panels that need an active mesh."""
+    """Mixin of operators and panels that need an active mesh."""
 
-    modes = frozenset[str]()  # in which they work; empty: all
-    refusal = ""  # the sentence for others, if any
+    modes = frozenset[str]()  # in which the operator or panel works; empty: all
+    refusal = ""  # shown as the reason in any other case
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -34,7 +34,7 @@ class OnMesh:
 
 
 class OnModel(OnMesh):
-    """Mixed into operators. Subclasses name in `on_model` what to do on the model instead."""
+    """Mixin of operators that refuse flat pieces. `on_model` of a subclass says what to do on the model instead."""
 
     on_model = ""
     modes = frozenset({"EDIT_MESH"})
@@ -69,8 +69,7 @@ def reporting_refusals(execute: Execute) -> Execute:
 def change_edited(context: bpy.types.Context, plan: Callable[[bpy.types.Object], Callable[[], T]]) -> list[T]:
     """Plan for each object in Edit Mode, then write all plans: if one object is refused, none is changed.
 
-    plan() and its results are called in Object Mode, unless no edge is selected: then nothing is planned.
-    Raises ObjectError.
+    plan() and its results are called in Object Mode. If no edge is selected, nothing is planned. Raises ObjectError.
     """
     targets = list(context.objects_in_mode_unique_data)
     for target in targets:

@@ -13,12 +13,12 @@ import numpy as np
 from ..core import Level
 from .window_run import Task, shown_progress
 
-WIDE = 330  # in Blender's own pixels; the sidebar starts at half of it
-BESIDE_TEXT = 90  # of the region's width: icon, margins and tabs
-FONT = 0  # of the user interface
-SIZE, THICKNESS = 64, 0.08  # pixels; half the width of the stroke as a share of them
+WIDE = 330  # pixels at interface scale 1; a new sidebar is half as wide
+BESIDE_TEXT = 90  # of these pixels are taken by icon, margins and tabs
+FONT = 0  # Blender's number of the interface font
+SIZE, THICKNESS = 64, 0.08  # size of a mark in pixels; half the width of its strokes, as a share of the size
 Stroke = list[tuple[float, float]]  # y up
-# Marks that Blender only has in gray: their strokes and their color.
+# Strokes and color of marks that Blender has only in gray.
 MARKS: dict[str, tuple[list[Stroke], tuple[float, float, float]]] = {
     "TICK": ([[(0.16, 0.50), (0.40, 0.25), (0.86, 0.76)]], (0.30, 0.78, 0.33)),
     "AMBER": (

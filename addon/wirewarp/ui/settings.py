@@ -102,7 +102,7 @@ def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIR
     if choices is None:
         return ""
     then = asdict(_of_strain(found.choices)) | {"grain_wire": found.grain_wire}
-    # Without a fabric, the strain is the same whatever stands upright.
+    # Without a fabric, the strain does not depend on the upright direction.
     upright = {"orientation", "grain_angle", "grain_wire"} if choices.cloth else set()
     ignored = set(LAYOUT_OPTIONS) - upright
     changed = _changed_choices(source, settings, _of_strain(choices), then, found.wire_ids, ignored)

@@ -162,7 +162,7 @@ class WindowSteps:
         stop()
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Return whether the user may do this during the run: all but stop it, if all that it needs has been read."""
+        """Return whether Blender may handle this event during the run: all but Esc, because all data have been read."""
         return event.type != "ESC"
 
     def wait_for(self, context: bpy.types.Context, steps: Steps[T]) -> T:

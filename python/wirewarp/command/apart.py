@@ -89,9 +89,9 @@ def each_apart(
 
 @contextmanager
 def _ctrl_c_waits() -> Iterator[None]:
-    """Delay Ctrl+C to the end: nobody could end a process that is being started or ended.
+    """Delay Ctrl+C to the end: otherwise, a process that is just starting or ending could be left behind.
 
-    The server, which starts with the first process, must ignore it: it inherits the mask.
+    The server must ignore Ctrl+C: it starts with the first process, and inherits the mask.
     """
     pressed: list[int] = []
     before = signal.signal(signal.SIGINT, lambda number, _: pressed.append(number))
@@ -144,7 +144,7 @@ class _Run(Generic[Result]):
     def kill(self) -> None:
         family = _family(self._process.pid)
         for process in family:
-            with suppress(psutil.Error):  # it has ended by itself
+            with suppress(psutil.Error):  # the process has ended by itself
                 process.kill()
         psutil.wait_procs(family[1:], LEAVE)
         self._close()

@@ -234,7 +234,7 @@ def _writing_options() -> argparse.ArgumentParser:
 def _running_options() -> argparse.ArgumentParser:
     options = argparse.ArgumentParser(add_help=False)
     options.add_argument("--jobs", type=_count, metavar="N", help="models in parallel (1; batch: all cores)")
-    # An hour: a million triangles take ten seconds.
+    # One hour is ample: a million triangles take ten seconds.
     options.add_argument(
         "--time-limit", type=_seconds, default=3600.0, metavar="S", help="maximum seconds per model (3600)"
     )
@@ -275,7 +275,7 @@ def _request(found: Found, given: argparse.Namespace) -> Request:
 
 
 def _made(kind: type[T], given: argparse.Namespace, **others: object) -> T:
-    """Return a request of this kind: its fields have the names of arguments, apart from the others."""
+    """Return a request of this kind from the arguments with the names of its fields, and from the other values."""
     names = [each.name for each in fields(kind)]  # type: ignore[arg-type]
     return kind(**{name: others[name] if name in others else getattr(given, name) for name in names})
 

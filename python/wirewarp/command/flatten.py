@@ -29,7 +29,7 @@ WHEREABOUTS = ("blender", "folder", "model", "refusal", "resume", "seams", "wire
 
 @with_faults_answered
 def flatten_model(request: Request) -> Line:
-    """Return the line. Never raises for faults of the model, the folder or a file that was read again."""
+    """Return the line. Faults of the model, of the folder or of a written file do not raise: they are in the line."""
     try:
         return _line(request)
     except RuntimeError as error:  # the file read again differs from the pattern
@@ -74,7 +74,7 @@ def _done_before(request: Request, made_of: str) -> Line | None:
 def _made_of(request: Request, model: Model | None) -> str:
     """Return a digest of the version, the settings, all files of the model, and the lines.
 
-    For Blender, the file counts.
+    For a Blender file, its content counts.
     """
     settings = {key: str(value) for key, value in asdict(request).items() if key not in WHEREABOUTS}
     names = [request.model.name, *(name if name in FROM_MODEL else Path(name).name for name in request.lines)]

@@ -30,7 +30,7 @@ def found_models(inputs: Iterable[Path]) -> list[Found]:
         elif path.suffix.lower() == LIST:
             found = list(_in_list(path))
         else:
-            found = [Found(path, Path())]  # its line reports whether it exists
+            found = [Found(path, Path())]  # if the file does not exist, the line of the model says so
         if not found:
             raise InputError(f'there is no model in "{path}": none of {", ".join(SUFFIXES)}')
         models += found
@@ -49,7 +49,7 @@ def _in_folder(top: Path) -> Iterator[Found]:
 
 
 def _in_list(path: Path) -> Iterator[Found]:
-    """Paths in a list are relative to the list, and so are its outputs."""
+    """Yield the models of a list. Paths in a list and its outputs are relative to the list."""
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
     except (OSError, ValueError) as error:

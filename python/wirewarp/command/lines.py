@@ -97,9 +97,7 @@ def _is_vertex(value: object) -> bool:
 
 
 def _sides_at_edges(faces: np.ndarray) -> np.ndarray:
-    """Return corners (k,2,2), indices into the ravelled faces: both ends of each two sides of faces on one edge, in
-    the same order.
-    """
+    """Return corners (k,2,2), indices into the raveled faces: for two faces at an edge, its ends in the same order."""
     starts = np.arange(faces.size)
     ends = starts - starts % 3 + (starts + 1) % 3
     corners, vertices = np.column_stack([starts, ends]), faces.ravel()

@@ -61,7 +61,7 @@ def propose_for(request: CutRequest) -> Line:
 
 
 def _width_of_set(mesh: dict[str, Any], cut: DartProposal, meters: float) -> dict[str, Any]:
-    """Return the narrowest width of the pieces that a cut set makes, by its key; nothing for another cut."""
+    """Return the key and the narrowest width of the pieces that a cut set makes; nothing for another cut."""
     if math.isfinite(cut.strain_before):
         return {}
     seams = np.concatenate([np.reshape(mesh["seams"], (-1, 2)), cut.edges])
@@ -69,13 +69,13 @@ def _width_of_set(mesh: dict[str, Any], cut: DartProposal, meters: float) -> dic
 
 
 def _narrowest(mesh: dict[str, Any], seams: np.ndarray, changed: np.ndarray, meters: float) -> float | None:
-    """Return the narrowest width in meters of the flat pieces with some of the changed edges; None without them."""
+    """Return the narrowest width in meters of the flat pieces that have changed edges; None if there are none."""
     pieces = pieces_along(flatten(**mesh | {"seams": seams}).pieces, changed)
     return min(map(piece_width, pieces)) * meters if pieces else None
 
 
 def _fewer(mesh: dict[str, Any], proposal: SeamProposal, meters: float) -> Line:
-    """Return the line of seams that are left out."""
+    """Return the line for seams that can be left out."""
     if len(proposal.opened) == 0:
         return unfinished(NOTHING, "no_proposal", ALL_NEEDED if len(proposal.edges) else NO_SEAMS)
     described = {

@@ -23,7 +23,7 @@ class Repaired:
     model: Model
     seams: np.ndarray  # (k,2) edges with three or more faces, which must be seams
     done: list[str]
-    labels: np.ndarray  # (n,) new vertex of each
+    labels: np.ndarray  # (n,) the new number of each vertex
     divided: dict[frozenset[int], int]  # divided edges, and the vertex that divides each
     reversed: set[tuple[int, int]]  # directed edges of faces that were flipped
 

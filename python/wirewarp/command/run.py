@@ -33,7 +33,7 @@ def run(arguments: Arguments) -> int:
     # Matrices are small and models many, so threads for each matrix would only slow it down.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     for request in with_left([each for each in arguments.requests if isinstance(each, Request)]):
-        _remove_staged(request)  # here, because finished models are skipped later
+        _remove_staged(request)  # now, because finished models are skipped below
     worst = 0
     # The bar is drawn where standard error is a terminal.
     with (
@@ -74,7 +74,7 @@ def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Generator[Line, None, 
                 following += 1
     finally:
         results.close()
-        for request in begun.values():  # of a stopped run
+        for request in begun.values():  # unfinished, if the run was stopped
             _remove_staged(request)
 
 

@@ -53,8 +53,8 @@ def listed_files(report: Path) -> list[str]:
 def take_places(staged: Path, request: Request) -> None:
     """Move the files to their places, and those of the previous run into the staged folder, which is removed.
 
-    The report goes first and comes last: if there is one, all files belong to it. Raises InputError if a file is not
-    ours.
+    The report is removed first and placed last: if there is one, all files belong to it. Raises InputError if a file is
+    not ours.
     """
     earlier = listed_files(request.report_path)
     made = sorted((path.name for path in staged.iterdir()), key=lambda name: name == request.report_path.name)

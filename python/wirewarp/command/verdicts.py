@@ -12,7 +12,8 @@ from .request import AnyRequest, InputError
 READY, NEEDS_STRETCH = "ready to cut", "needs stretch fabric"
 FAILED, REFUSED, STOPPED = "not ready to cut", "refused", "stopped"
 PROPOSED, NOTHING = "proposed", "nothing to propose"
-# Exit codes: the command ends with that of the worst model. With 0, every length is exact and a fabric can do it.
+# Exit codes: the command ends with that of the worst model. 0: every length is exact, and some fabric stretches far
+# enough.
 EXIT_CODES = {READY: 0, NEEDS_STRETCH: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
 Line = dict[str, Any]
 R = TypeVar("R", bound=AnyRequest)
@@ -31,7 +32,7 @@ def unfinished(verdict: str, code: str, problem: str) -> Line:
 
 
 def with_faults_answered(work: Callable[[R], Line]) -> Callable[[R], Line]:
-    """Return the work; a fault of the model or of a file becomes its line."""
+    """Return a function that does the work and returns a line, also for a fault of the model or of a file."""
 
     @wraps(work)
     def answer(request: R) -> Line:

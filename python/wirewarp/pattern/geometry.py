@@ -10,7 +10,7 @@ import pyclipper
 
 GRID = 1e-4  # millimeters: finer than any cutter, and 100 m still fit Clipper's fast integers of 30 bits
 ON_LINE = 1e-3  # millimeters: a closer point is on the line; the grid of cut lines is 10 times finer
-DEPTH = 1e-4  # of the diagonal of the smaller outline's box: with less, shapes touch, apart from rounding
+DEPTH = 1e-4  # share of the diagonal of the smaller outline's box: shapes that overlap less deeply only touch
 STEPS, ROUNDS = 8, 3  # of the search for an innermost point
 SAMPLES = 100  # points on the outline from which distances are measured: enough for text
 PAIRS = 1_000_000  # points and sides compared at a time, to limit memory
@@ -68,7 +68,7 @@ def distances_to(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarr
 
 
 def innermost_point(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray]) -> tuple[np.ndarray, float]:
-    """Return about the point (2,) inside closed outlines (k,2) that is farthest from all lines, and its distance."""
+    """Return the approximate point (2,) inside closed outlines (k,2) farthest from all lines, and its distance."""
     closed = [np.concatenate([outline, outline[:1]]) for outline in outlines]
     spacing = sum(float(lengths_along(outline)[-1]) for outline in closed) / SAMPLES
     around = [sampled(outline, spacing) for outline in closed]

@@ -13,7 +13,7 @@ from .geometry import Motion
 LineRole = Literal["cut", "inner_cut", "sew", "wire", "grain", "fold", "card leader", "name leader"]
 PointRole = Literal["notch", "drill", "clip"]
 TextRole = Literal["card", "line name"]
-# roles of lines to texts beside a piece
+# roles of lines that lead to texts beside a piece
 LEADERS: dict[TextRole, LineRole] = {"card": "card leader", "line name": "name leader"}
 KINDS = {  # parts that a maker may leave out of a file, by roles of lines, points and texts
     "sew": ("sew",),

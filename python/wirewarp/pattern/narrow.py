@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from .._wirewarp import Piece
 
 SCRAP = 0.1  # of the area: smaller parts may be lost
-MOST = 0.5  # least share of the area that disks cover, because they do not reach corners
-STEPS, HALVINGS = 24, 10  # of the search: a waist nearly as wide as the part behind it is found within a step
+MOST = 0.5  # least share of the area that disks must cover; they never reach into corners
+STEPS, HALVINGS = 24, 10  # of the search: each step can find a waist nearly as wide as the part behind it
 ARC, ROUGH_ARC = 1e-3, 0.03  # of the radius: how far round corners may be from the arc, of widths and of areas
 
 Polygon = list[list[int]]
@@ -24,9 +24,9 @@ Polygon = list[list[int]]
 def narrowest_width(outlines: Sequence[np.ndarray]) -> float:
     """Return the diameter of the largest disk that can move through a shape, given by its outlines (k,2).
 
-    This is twice the largest inward offset up to which the shape stays in one part, so that disks of this radius in it
-    cover at least half of the area. Parts of which disks cover less than a tenth of the area do not count. Holes run in
-    the other direction than the outer outline. Lengths may have any unit.
+    This is twice the largest inward offset at which the shape is still one part and disks of this radius cover at least
+    half of its area. Parts with less than a tenth of the area do not count. Holes run in the other direction than the
+    outer outline. Lengths may have any unit.
     """
     points = np.concatenate(outlines)
     low = points.min(axis=0)
@@ -53,7 +53,7 @@ def narrowest_width(outlines: Sequence[np.ndarray]) -> float:
 
 
 def _is_whole(paths: Sequence[Polygon], radius: float, area: float) -> bool:
-    """Return whether disks of this radius cover one part, and what counts of the shape."""
+    """Return whether the area that disks of this radius cover is one part, and the parts of the shape that count."""
     left = _parts(_offset(paths, -radius, ARC))
     if len(left) == 1 and _area(left[0]) >= MOST * area:
         return True
@@ -91,7 +91,7 @@ def piece_width(piece: "Piece") -> float:
 
 
 def pieces_along(pieces: Iterable["Piece"], edges: ArrayLike) -> list["Piece"]:
-    """Return the pieces with a flat shape that have some of these edges (k,2) of the model, inside or not."""
+    """Return the pieces with a flat shape that contain any of these edges (k,2) of the model, also on their outline."""
     wanted = np.sort(np.reshape(edges, (-1, 2)), axis=1).astype(np.int64)
     found = []
     for piece in (piece for piece in pieces if not piece.error):

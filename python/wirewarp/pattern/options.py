@@ -18,7 +18,7 @@ class PatternOptions(TypedDict, total=False):
     allowances: npt.ArrayLike | None  # (k,3) vertex, vertex of an edge of the model, and the width on all its sides
     # (k,3) width on one side of an edge: that of the triangle in which it runs from the first vertex to the second
     side_allowances: npt.ArrayLike | None
-    folds: npt.ArrayLike | None  # (k,2) edges that are not sewn, but at which the fabric lies double: not cut
+    folds: npt.ArrayLike | None  # (k,2) open edges at which the fabric is folded and not cut
     pairs: bool  # draw pieces of one shape once, "Cut 4", also mirrored ones, "Cut 1 pair" (False)
     on_fold: bool  # draw one half of each symmetric piece, "Cut 1 on the fold" (False)
     measures: Sequence[tuple[str, float]]  # names and finished lengths, for the proof sheet (those of the rigid wires)

@@ -126,7 +126,7 @@ class Pattern(PatternData):
         joined, notes = joined_by(laid), notes_on_sides(seams, system)
 
         def described(side: Side) -> dict[str, str]:
-            """Return the names of all seams for which the side is drawn: "Seam 3 / 5"."""
+            """Return the names of all seams whose sides this drawn side represents: "Seam 3 / 5"."""
             by_seam = {own.seam: own for own in copied.copies(side) if own.seam is not None}
             first, *others = (seam_names[seam] for seam in by_seam)
             names = [first, *map(short_name, others)]
@@ -246,7 +246,7 @@ class Pattern(PatternData):
         whole = [at_corner(with_card_anew(unfolded(piece), *card) if piece.on_fold else piece) for piece in self.pieces]
         if not marker.is_of(whole):
             raise problem("The pieces have changed since the marker was made: nest them again.")
-        by_number = {piece.number: piece.without_texts_beside() for piece in whole}  # other pieces are there
+        by_number = {piece.number: piece.without_texts_beside() for piece in whole}  # which may be in other pieces
         laid = [
             replace(by_number[placement.piece], quantity=(1, 0)).placed(marker.motion(placement))
             for placement in marker.placements

@@ -21,7 +21,7 @@ OVERLAP = 10.0  # millimeters that neighboring sheets share, to glue or tape
 
 @dataclass(frozen=True)
 class SeamWalk:
-    """The sides of a seam with their lengths, as a tape measures them."""
+    """The sides of a seam with their lengths, as measured along the line."""
 
     name: str
     pieces: tuple[str, ...]  # name of the piece of each side
@@ -73,7 +73,7 @@ class PatternData:
     walks: list[SeamWalk] = field(default_factory=list)  # by index of the seam
     steps: list[SewingStep] = field(default_factory=list)  # in an order in which the seams can be sewn
     measures: list[tuple[str, float]] = field(default_factory=list)  # names and finished lengths in millimeters
-    marker: Marker | None = None  # the marker that this draws: every copy of a piece is a piece of its own
+    marker: Marker | None = None  # the drawn marker, in which every copy of a piece is a piece of its own
 
     @property
     def allowance_text(self) -> str:

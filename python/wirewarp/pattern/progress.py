@@ -19,13 +19,13 @@ STAGES = {  # start of each stage of making and writing a pattern, as a share of
     "reading again": 0.8,
 }
 T = TypeVar("T")
-Steps = Generator[tuple[str, float], None, T]  # yields the same before each step
+Steps = Generator[tuple[str, float], None, T]  # yields what progress is called with, before each step
 
 
 def in_one_go(steps: Steps[T], progress: Progress | None = None) -> T:
     """Run all steps. Raises FlattenError "cancelled" if progress returns False, unless the steps handle it."""
     asked = 0.0
-    with closing(steps):  # also if progress raises
+    with closing(steps):  # closes the steps even if progress raises
         try:
             while True:
                 stage, fraction = next(steps)

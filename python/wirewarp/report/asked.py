@@ -17,9 +17,9 @@ def kept(line: WireReport | BoundaryReport) -> bool:
 
 
 def asked_of_wire(wire: WireReport, ease: float) -> float:
-    """Return the length with the wire's ease, without the change h that its tolerance allows.
+    """Return the target length of the wire with its ease, before the change h that its tolerance allows.
 
-    The library only reports whether the stretch of the fabric was kept; pieces that do not keep it have no layout.
+    The flat length of a wire that was kept contains the stretch of the fabric, which the library does not report.
     """
     return wire.length_2d * (1 + ease) / (1 + wire.variation) if kept(wire) else wire.length_3d * (1 + ease)
 

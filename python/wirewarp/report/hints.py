@@ -13,7 +13,7 @@ from .strain import PieceStrain, connected_regions, edge_keys, percent_text, thr
 from .wording import needs_text, strain_text
 from .words import tolerance_text
 
-# Stretch above which a dart may help: stretch fabric can do it, but is pulled there.
+# Stretch above which a dart may help: stretch fabric reaches it, but pulls there.
 STRAIN_LIMIT = 0.08
 LARGEST_SHARE = 0.25  # of the area of a piece: if more is strained, only its worst part is a useful place
 MOST_PIECES = 4  # number of pieces with a place in the list

@@ -29,7 +29,7 @@ from .strain import (
     wanted_strain,
 )
 
-AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would change further without it
+AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would change further with a larger one
 UNUSED_TOLERANCES = "This method keeps every wire rigid, so tolerances were not used."
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 Pairs = list[tuple[int, int]]  # edges as vertex pairs
-ANY_FABRIC = 0.03  # a stretch that every fabric can do: the smallest in the core's table, that of woven cotton
+ANY_FABRIC = 0.03  # a stretch that every fabric allows: the smallest in the core's table, that of woven cotton
 
 METHOD_NAMES = {"refined": "Refined", "wirewarp++": "WireWarping++", "wirewarping": "WireWarping, all wires rigid"}
 
@@ -37,7 +37,7 @@ class Lengths:
         ]
 
     def asked_ease(self, side: int = 0) -> float | None:
-        """By how much the flat side was to be longer than on the model, as a fraction; below 0 with negative ease."""
+        """Return the target change of the flat side against the model, as a fraction; below 0 with negative ease."""
         asked = self.length_asked[side]
         return asked / self.length_3d - 1 if asked and self.length_3d else None
 
@@ -53,7 +53,7 @@ class WirePart(Lengths):
     tolerance: float  # inf: free
     ease: float
     ok: bool
-    at_limit: bool  # an elastic wire that would change its length further without its tolerance
+    at_limit: bool  # an elastic wire that would change its length further if its tolerance were larger
 
 
 @dataclass(kw_only=True)
@@ -124,7 +124,7 @@ class Threads:
         return needed > self.limit(way)
 
     def limit(self, way: str) -> float:
-        """Return the maximum stretch; if unknown, what every fabric can do beyond the built-in stretch."""
+        """Return the maximum stretch; if unknown, what every fabric allows beyond the built-in stretch."""
         known: float | None = getattr(self.gives, way)
         return known if known is not None else (1 + (getattr(self.worn, way) or 0.0)) * (1 + ANY_FABRIC) - 1
 
@@ -169,7 +169,10 @@ class Piece:
 
     @property
     def is_strained(self) -> bool:
-        """Return whether lengths are kept, but the fabric must stretch further than it, or every fabric, can."""
+        """Return whether lengths are kept, but the piece needs too much stretch.
+
+        Too much is more than the chosen fabric has, or without one, more than some fabrics have.
+        """
         return self.ok and (self.threads.over if self.threads else self.needed > ANY_FABRIC)
 
     @property
@@ -214,15 +217,15 @@ class Issue:
 class Hint(Issue):
     """A way to improve a good piece."""
 
-    short: str = ""  # the sentence without the advice, for a list below it
-    wire: int | None = None  # index in Report.wires; its name precedes the sentence
+    short: str = ""  # the sentence without the advice, for a list below the advice
+    wire: int | None = None  # index in Report.wires; the wire's name precedes the sentence
 
 
 @dataclass(frozen=True)
 class Note:
     text: str
     is_warning: bool = False
-    piece: int | None = None  # its name precedes the text
+    piece: int | None = None  # index of the piece whose name precedes the text
 
 
 @dataclass(kw_only=True)

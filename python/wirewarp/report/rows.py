@@ -53,7 +53,7 @@ class PieceRow:
     index: int
     name: str
     ok: bool
-    is_strained: bool  # lengths are kept, but the chosen fabric, or not every fabric, stretches as far
+    is_strained: bool  # lengths are kept, but the fabric, or without one some fabrics, cannot stretch as far
     has_layout: bool
     area_3d: float | None
     area_2d: float | None

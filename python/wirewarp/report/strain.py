@@ -24,7 +24,7 @@ NAMES = {"woven": "woven cotton", "swim": "swim knit"}  # for sentences, if the 
 
 @dataclass(frozen=True)
 class PieceStrain:
-    """Per triangle of a piece with a layout, as shares of the flat length."""
+    """Strain of each triangle of a piece with a layout, as a share of the flat length."""
 
     stretch: np.ndarray  # (q,) at least 0; inf where the flat triangle has no area
     ease: np.ndarray  # (q,) from 0 to 1: compression of the fabric
@@ -38,7 +38,7 @@ class PieceStrain:
 
 
 def piece_strain(metrics: Metrics) -> PieceStrain:
-    """Use the library's strain of threads, which measures thick material at mid-thickness.
+    """Return the strain from the library's strain of threads, which measures thick material at mid-thickness.
 
     Threads of lengths p and q with g = p q sin γ between them have the metric (p², g; g, q²): its eigenvalues are the
     squares of the principal stretches of the map from flat to model.
@@ -145,7 +145,7 @@ def connected_regions(piece: Piece, members: np.ndarray) -> list[np.ndarray]:
     triangles = np.flatnonzero(members)
     neighbors = _neighbors(np.asarray(piece.faces)[triangles], len(piece.vertices))
     labels = np.arange(len(triangles))
-    # each takes the lowest label around it; following labels to theirs needs few rounds over long distances
+    # each takes the lowest label around it; following each label to its own label saves rounds over long distances
     while True:
         lowest = np.minimum(labels, labels[neighbors].min(axis=1))
         lowest = lowest[lowest]

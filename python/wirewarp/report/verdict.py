@@ -30,7 +30,7 @@ class Kind(StrEnum):
     CLOSED = "closed"  # only closed pieces failed: they have no cut yet
     NO_FABRIC = "no fabric"  # a piece must stretch to more than twice its length
     BEYOND_FABRIC = "beyond fabric"  # the chosen fabric does not stretch as far
-    NEEDS_STRETCH = "needs stretch"  # no fabric is chosen, and not every fabric can do it
+    NEEDS_STRETCH = "needs stretch"  # no fabric is chosen, and not every fabric stretches far enough
     NOT_AS_SEEN = "not as seen"  # modifiers or shape keys were ignored
     READY = "ready"  # can be cut from the chosen fabric
     READY_FOR_ANY = "ready for any fabric"
@@ -42,7 +42,7 @@ class Kind(StrEnum):
         return Level.BAD if self in (Kind.NOT_FLATTENED, Kind.FAILED) else Level.CAUTION
 
 
-CUTTABLE = (Kind.NEEDS_STRETCH, Kind.READY, Kind.READY_FOR_ANY)  # kinds that some fabric can do
+CUTTABLE = (Kind.NEEDS_STRETCH, Kind.READY, Kind.READY_FOR_ANY)  # kinds for which some fabric stretches far enough
 
 
 @dataclass(frozen=True)
@@ -83,9 +83,9 @@ def verdict(*reports: Report) -> Verdict:
     by_kind: dict[Kind, list[_Entry]] = {}
     for entry in entries:
         by_kind.setdefault(_kind_of(entry), []).append(entry)
-    if Kind.FAILED in by_kind and Kind.CLOSED in by_kind:  # the issues distinguish them
+    if Kind.FAILED in by_kind and Kind.CLOSED in by_kind:  # the issues name the closed ones
         by_kind[Kind.FAILED] += by_kind.pop(Kind.CLOSED)
-    if Kind.NEEDS_STRETCH in by_kind:  # one fabric for all pieces
+    if Kind.NEEDS_STRETCH in by_kind:  # the sentence is about all pieces, which are cut from one fabric
         by_kind[Kind.NEEDS_STRETCH] += by_kind.pop(Kind.READY_FOR_ANY, [])
     whole = [report.object or "the model" for report in reports if any(issue.piece is None for issue in report.issues)]
     lines = [Line(Kind.FAILED, wording.failed_models(_listed(whole, ", ")))] if whole else []

@@ -10,7 +10,7 @@ from .words import counted
 
 LESSER = 0.5  # of stretch and compression: the smaller one is mentioned from this share of the larger one
 NOT_FLATTENED = "Not flattened"
-BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # once, after all pieces
+BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # said once, after all pieces
 EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"
 
 
@@ -60,7 +60,7 @@ def ready(which: str) -> str:
 
 
 def ready_for_stretch(which: str, stretch: float) -> str:
-    """Return the sentence for a fabric of unknown maximum stretch that is stretched as far anyway when worn."""
+    """Return the sentence for a fabric of unknown maximum stretch whose built-in stretch is as large."""
     return f"Ready to cut from fabric that stretches at least {percent_text(stretch)}: {which}"
 
 

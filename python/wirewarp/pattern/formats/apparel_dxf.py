@@ -133,7 +133,7 @@ class _Writer:
         if role in ("grain", "fold"):
             tags.line(layer, points)
             if role == "grain":
-                tags.line("5", points)  # the line to which grading refers
+                tags.line("5", points)  # the reference line of grading
             return
         if role == "cut" and not closed:  # half of a piece: files of AccuMark follow the fold, without the flag
             points = np.concatenate([points, points[:1]])

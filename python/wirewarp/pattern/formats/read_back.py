@@ -25,8 +25,8 @@ QUARTER_TURNS = [np.linalg.matrix_power(np.array([[0.0, 1.0], [-1.0, 0.0]]), cou
 def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[float]:
     """Return the distance in millimeters of the worst point in the file from the outlines (k,2).
 
-    Places and quarter turns of outlines on the sheet are not compared: sheets are packed so. Raises RuntimeError if the
-    file has other outlines or a larger distance.
+    Places and quarter turns of outlines are not compared, because packing on sheets changes them. Raises RuntimeError
+    if the file has other outlines or a larger distance.
     """
     waiting = [_normalized(outline) for outline in outlines]
     worst, count = 0.0, 0

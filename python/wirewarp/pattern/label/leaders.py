@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Places texts beside a piece without room for them, with a line that leads to what they name.
 
-They need no room of their own: a layout by the cut lines alone, without any text, has the same pages.
+The texts need no room of their own: the pages are the same as without them.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -61,7 +61,7 @@ class Beside:
         return None
 
     def _choices(self, texts: Iterable[Text], outward: np.ndarray) -> Iterator[tuple[Text, np.ndarray]]:
-        """Return texts within reach with their leaders, the best first."""
+        """Return texts within reach with their leader lines, the best first."""
         for text in texts:
             centers = self._centers(text.center, outward)
             for angle in ANGLES:

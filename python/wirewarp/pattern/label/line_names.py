@@ -21,7 +21,7 @@ ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their m
 def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[Text], list[Line]]:
     """Return the names of stitching lines, folds and wires: inside the piece, or beside it if there is no room.
 
-    The latter come with lines that lead to them.
+    Lines lead to the names beside it.
     """
     named = [line for line in lines if line.name and line.role in ("sew", "fold", "wire")]
     texts, leaders = [], []
@@ -36,7 +36,7 @@ def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[
 
 
 def _out_of_room(line: Line) -> tuple[list[Text], np.ndarray]:
-    """Return the name at the middle of the line, whole and short, and the unit vector (2,) out of the piece."""
+    """Return the whole and the short name at the middle of the line, and the unit vector (2,) out of the piece."""
     points = np.concatenate([line.points, line.points[:1]]) if line.closed else line.points
     middle, along, inside = _place_on(points, lengths_along(points), 0.5)
     names = dict.fromkeys([line.name, _short(line)])
@@ -65,7 +65,7 @@ def _choices(line: Line) -> Iterator[Text]:
 
 
 def _place_on(points: np.ndarray, along: np.ndarray, share: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the point (2,) at this share of a line (k,2), the unit vector along it, and the one into the piece.
+    """Return the point (2,) at this share of a line (k,2), and the unit vectors along the line and into the piece.
 
     along (k,): see lengths_along.
     """

@@ -60,7 +60,7 @@ def _fits(points: np.ndarray, tangent: np.ndarray, width: float) -> np.ndarray:
 
 
 def _cut_off(corner: np.ndarray, before: np.ndarray, after: np.ndarray, width: float) -> np.ndarray:
-    """Return where the line square to the corner's diagonal, at the limit, cuts both parallel lines: (2,2)."""
+    """Return where the line square to the corner's diagonal, at the limit, crosses both parallel lines: (2,2)."""
     out = before + after
     length = np.linalg.norm(out)
     along = np.array([-before[1], before[0]])  # direction of the line before the turn
@@ -81,7 +81,7 @@ class Corner:
     """How the allowances meet at the end of a section."""
 
     kind: CornerType = "mitre"
-    of_next: bool = False  # the rule ends the allowance of the next section instead
+    of_next: bool = False  # whether the rule ends the allowance of the next section instead
 
 
 @dataclass(frozen=True)

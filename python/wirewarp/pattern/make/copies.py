@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Leaves out copies: all but one piece of one shape, mirrored or not, and one half of a symmetric piece.
+"""Leaves out copies: all but one of the pieces with one shape, mirrored or not, and half of each symmetric piece.
 
-Notches are at the same places on seams that a copy maps to each other; otherwise, the copy would not fit.
+Seams that a copy maps to each other get their notches at the same places; otherwise, the copy would not fit.
 """
 
 from collections import defaultdict
@@ -75,7 +75,7 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
 class SeamGroup:
     """Seams whose notches are at the same places."""
 
-    turned: dict[int, bool]  # by seam: whether places count from the other end than those of the first seam
+    turned: dict[int, bool]  # by seam: whether places are measured from the end opposite to that of the first seam
     is_symmetric: bool = False  # a copy maps a seam to itself, end for end
 
 
@@ -87,7 +87,7 @@ class CopiedSides:
     images: dict[int, list[Side]] = field(default_factory=dict)  # by the id() of a side: its images
 
     def copies(self, side: Side) -> list[Side]:
-        """Return the side, and all sides that it is drawn for, including images of images."""
+        """Return the side and all sides for which it is drawn, including images of images."""
         found = [side]
         for own in found:
             found += [image for image in self.images.get(id(own), ()) if all(image is not other for other in found)]
@@ -106,7 +106,7 @@ def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[
             a, b = side.seam, image.seam
             if a is None or b is None:
                 continue
-            # Outlines run in the other direction in a mirror.
+            # A mirror reverses the direction of outlines.
             is_turned = (forward[id(side)] == forward[id(image)]) == each.is_mirror
             turns[a].append((b, is_turned))
             turns[b].append((a, is_turned))

@@ -14,18 +14,18 @@ import numpy as np
 
 CornerType = Literal["mitre", "right angle", "fold-back", "extend", "step", "round"]
 CORNER_TYPES: tuple[str, ...] = get_args(CornerType)
-MITRE_LIMIT = 2.5  # times the width: a corner that points farther outwards is cut off square
-STRAIGHT = 1e-7  # radians: between the widest possible strips, the wedge of a smaller turn is finer than the grid
+MITRE_LIMIT = 2.5  # times the width: a corner that extends farther is cut off square
+STRAIGHT = 1e-7  # radians: at a smaller turn, the wedge between even the widest strips is finer than the grid
 SHARP = math.radians(30)  # a smaller turn can hardly be seen on fabric, and its allowance needs no end of its own
-STEEP = 1.5  # of the width, difference of the widths over the sine of the turn: above it, a step is better than a slant
+STEEP = 1.5  # times the width: if their difference over the sine of the turn is larger, a step is better than a slant
 SAGITTA = 0.02  # millimeters, of the chords of a round corner
 
 
 def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray | None:
     """Return the path (k,2) of the cut line from y = -a to the second cut line; None if the corner needs none.
 
-    "right angle", "fold-back" and "extend" end the allowance of the first section; the corner of the other is the
-    mirror image. A path beyond the limit is replaced by a mitre.
+    "right angle", "fold-back" and "extend" end the allowance of the first section; mirror the corner to end that of the
+    second. A path beyond the limit is replaced by a mitre.
     """
     if turn < STRAIGHT or (a == 0 and b == 0):
         return None
@@ -72,7 +72,7 @@ def _right_angle(turn: float, a: float, b: float) -> np.ndarray | None:
 
 
 def _fold_back(turn: float, a: float, b: float) -> np.ndarray:
-    """End the first allowance on the cut line of the second, as folded over its stitching line onto the piece."""
+    """End the first allowance so that its end, folded onto the piece, is on the second cut line."""
     return np.array([[(b + a * math.cos(turn)) / math.sin(turn), -a], [b / math.sin(turn), 0.0]])
 
 

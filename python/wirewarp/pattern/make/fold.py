@@ -59,7 +59,7 @@ def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.
             parts[-1].append(points[row] + share * (points[row + 1] - points[row]))
             if height[row] >= 0:
                 parts.append([])
-    if line.closed and len(parts) > 1 and height[0] >= 0:  # it began in the middle of a part
+    if line.closed and len(parts) > 1 and height[0] >= 0:  # the line began in the middle of a part
         parts[0] = parts.pop() + parts[0][1:]
     kept = [np.array(part) for part in parts if len(part) > 1]
     return [(part, False) for part in kept if ((part - origin) @ outward).max() > ON_FOLD]

@@ -17,14 +17,14 @@ from .pieces import Laid
 from .seams import SewnLengths, SewnSide
 
 ON_LINE = 1e-6  # millimeters between a point of a side and the end of a wire there
-APART = 0.2  # millimeters: closer places along a seam are one, found on two of its sides or of mirrored ones
+APART = 0.2  # millimeters: closer places along a seam are the same place, found twice
 BACK = re.compile(r"\bback\b", re.IGNORECASE)
 
 
 def marks(
     laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], groups: Sequence[SeamGroup], spacing: float
 ) -> dict[int, list[Point]]:
-    """Return by piece: notches in pairs along seams, at ends of wires and at smooth ends of seams; clips; holes."""
+    """Return for each piece its notches (along seams, at ends of wires, at smooth ends of seams), clips and holes."""
     found: dict[int, list[Point]] = {piece.index: [] for piece in laid}
     rays = {piece.index: piece.rays for piece in laid}
     wire_ends = {piece.index: _wire_ends(piece) for piece in laid}
@@ -36,7 +36,7 @@ def marks(
             if any(id(own.side) in closed for own in sides):
                 continue
             sewn = SewnLengths.of(sides)
-            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # two, beside each other
+            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # a double notch
                 doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
                 places = [place % sewn.whole for place in doubled] if sides[0].side.is_closed else doubled
             for order, place in enumerate(place for place in places if 0 <= place < sewn.whole):
@@ -79,7 +79,7 @@ def _notches_along(points: Sequence[Point], seam: int, side: int) -> tuple[float
 
 
 def _widths(laid: Sequence[Laid]) -> dict[int, float]:
-    """Return the widest allowance along each side, by the side's id()."""
+    """Return the widest allowance of each side, by the side's id()."""
     widths: dict[int, float] = {}
     for run in (run for piece in laid for outline in piece.outlines for run in outline.runs):
         widths[id(run.side)] = max(widths.get(id(run.side), 0.0), run.width or 0.0)
@@ -95,14 +95,11 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 def _places(
     group: SeamGroup, seams: Sequence[Sequence[SewnSide]], wire_ends: Mapping[int, np.ndarray], spacing: float
 ) -> dict[int, list[float]]:
-    """Return by seam the lengths from its start, as sewn, at which all sides have notches.
-
-    Closed seams begin at one.
-    """
+    """Return for each seam the sewn lengths from its start to its notches. A closed seam has a notch at its start."""
     sewn = {seam: SewnLengths.of(seams[seam]) for seam in group.turned if seams[seam]}
     if not sewn:  # pieces without a layout
         return {}
-    length = next(iter(sewn.values())).whole  # length of the first seam, along which all places count
+    length = next(iter(sewn.values())).whole  # length of the first seam, along which all places are measured
     ends = []
     for seam, own in sewn.items():
         for side in seams[seam]:

@@ -12,13 +12,15 @@ from ..model import PatternPiece
 
 LEVEL = 1e-9  # rise of a unit vector: rounding must not decide which half of a piece with a level fold is drawn
 ALIKE = 0.1  # millimeters between a point and its image: less than the width of a printed line
-IN_PHASE = 1e-3  # share by which a match may be below the best one: pieces may have several axes
+IN_PHASE = 1e-3  # share by which a match may be worse than the best one, because a piece may have several axes
 
 
 @dataclass(frozen=True)
 class Congruence:
-    """z -> turn * conj(z) + shift, a reflection, possibly with a shift along its axis, or z -> turn * z + shift, a
-    rotation; points are complex numbers.
+    """A reflection or a rotation.
+
+    Points are complex numbers. A reflection is z -> turn * conj(z) + shift, possibly with a shift along its axis; a
+    rotation is z -> turn * z + shift.
     """
 
     turn: complex

@@ -16,7 +16,7 @@ from .sections import Dart
 
 DEEPEST = 5.0  # millimeters
 SHARE = 0.5  # of the allowance: notches never reach the stitching line
-ACROSS = 0.3  # of the way across the piece, without allowance: two notches opposite each other do not meet
+ACROSS = 0.3  # of the way across the piece, if it has no allowance: two notches opposite each other do not meet
 NEXT_TO = 2e-3  # millimeters: beside a line, not on it
 LEAST_SPACING = 1.0  # millimeters
 MOST = 10_000  # notches along one seam
@@ -47,7 +47,7 @@ def check_spacing(spacing: float, seam_names: Sequence[str], sides: Sequence[Seq
 
 
 def places_along(length: float, taken: Sequence[float], spacing: float) -> list[float]:
-    """Return lengths of notches from the start of a seam; together with `taken`, they differ from end to end.
+    """Return lengths of notches from the start of a seam. Together with `taken`, they show if the seam is reversed.
 
     taken: existing notches, such as those at the ends of wires.
     """
@@ -66,7 +66,7 @@ def places_along(length: float, taken: Sequence[float], spacing: float) -> list[
 
 
 def symmetric_places(length: float, taken: Sequence[float], spacing: float) -> list[float]:
-    """Return places_along() that are the same from both ends, as `taken` are, for a seam that a mirror reverses."""
+    """Return lengths like places_along() for a seam that a mirror reverses: like `taken`, the same from both ends."""
     if spacing == 0 or length < LEAST_SEAM:
         return []
     steps = math.floor(length / 2 / spacing)
@@ -76,7 +76,7 @@ def symmetric_places(length: float, taken: Sequence[float], spacing: float) -> l
 
 
 def _is_lopsided(places: np.ndarray, length: float) -> bool:
-    """Return whether the same places differ when counted from the other end of the seam."""
+    """Return whether the places differ from those measured from the other end of the seam."""
     turned = np.sort(length - places)
     return bool(np.abs(np.sort(places) - turned).max() >= LOPSIDED)
 
@@ -125,5 +125,5 @@ def drill_hole(dart: Dart) -> Point:
 
 
 def turns_little(first: Side, second: Side) -> bool:
-    """Return whether nothing shows on the fabric between the end of one and the start of the other."""
+    """Return whether the outline turns so little between two sides that the place cannot be seen on fabric."""
     return abs(turn_between(first, second)) < CORNER

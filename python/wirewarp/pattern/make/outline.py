@@ -64,7 +64,7 @@ def _wires(piece: "Piece", sides: np.ndarray) -> list[FlatWire]:
     return found
 
 
-# millimeters from the origin: any fabric is smaller, and Clipper's integers have room for 1000 times as much
+# millimeters from the origin: any fabric is smaller, and Clipper's integers hold 1000 times as much
 FARTHEST = 1e8
 
 
@@ -76,7 +76,7 @@ class Side:
     sources: np.ndarray  # (k,) input vertices; a closed chain repeats its first
     points: np.ndarray  # (k,2)
     seam: int | None  # index into the result's seams; None if nothing is sewn to it
-    is_turned: bool  # runs against the input's triangles: the piece is mirrored
+    is_turned: bool  # runs against the direction of the input's triangles, because the piece is mirrored
 
     @property
     def is_closed(self) -> bool:

@@ -16,7 +16,7 @@ from .seams import SewnSide, longer_texts
 from .sections import Outline, Rules, outline
 from .widths import Widths
 
-GRAIN = 0.7  # of the way across the piece: length of the grain arrow
+GRAIN = 0.7  # length of the grain arrow, as a share of the way across the piece
 FOLD_NAME = "Place on the fold"
 STRAIGHT = 0.5  # millimeters: a fold with a smaller error is straight, because fabric stretches that much
 
@@ -97,7 +97,7 @@ def warnings_of(laid: Laid) -> list[str]:
 
 
 def joined_by(pieces: Sequence[Laid]) -> dict[int, list[str]]:
-    """Return by index of the seam the names of the pieces that it joins, one for each side."""
+    """Return for each seam the names of the pieces that it joins, one for each side."""
     names: dict[int, list[str]] = {}
     for laid in pieces:
         for side in (side for loop in laid.loops for side in loop):
@@ -107,7 +107,7 @@ def joined_by(pieces: Sequence[Laid]) -> dict[int, list[str]]:
 
 
 def notes_on_sides(seams: Sequence[Sequence[SewnSide]], units: UnitSystem) -> dict[int, str]:
-    """Return by the side's id() the notes on sides that are longer than their partners."""
+    """Return notes on sides that are longer than their partners, by the side's id()."""
     notes: dict[int, str] = {}
     for sides in (own for own in seams if own):
         texts = longer_texts([float(own.along[-1]) for own in sides], units)
@@ -121,7 +121,7 @@ def closed_cuts(laid: Laid) -> list[Line]:
 
 
 def _sewn(laid: Laid, describe: Callable[[Side], Mapping[str, str]]) -> list[Line]:
-    """Return stitching lines and folds. describe: gives fields of the line of a side of a seam."""
+    """Return stitching lines and folds. describe: returns the fields of the line for a side of a seam."""
     lines = []
     for own in laid.outlines:
         for run in own.runs:
@@ -149,7 +149,7 @@ def grain_line(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray
 def finished(
     laid: Laid, points: Sequence[Point], describe: Callable[[Side], Mapping[str, str]], material: str
 ) -> PatternPiece:
-    """Return the piece, still without texts. describe: gives fields of the line of a side of a seam."""
+    """Return the piece, still without texts. describe: returns the fields of the line for a side of a seam."""
     lines = [*closed_cuts(laid), *(Line("inner_cut", slit) for own in laid.outlines for slit in own.slits)]
     lines += [*_sewn(laid, describe), *laid.wires]
     lines.append(grain_line(laid.sew_loops, [wire.points for wire in laid.wires], laid.grain))

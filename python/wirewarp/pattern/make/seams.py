@@ -34,7 +34,7 @@ def longer_texts(lengths: Sequence[float], units: UnitSystem) -> list[str]:
     return [longer_text(length, min(lengths), units.text) for length in lengths]
 
 
-STRAIGHT = math.radians(1)  # crossing lines with a smaller difference in straightness are alike
+STRAIGHT = math.radians(1)  # crossing lines are equally straight if they differ by less
 SAME_LENGTH = 0.01  # millimeters
 AT_VERTEX = 1e-6  # millimeters along a side from one of its points: rounding
 

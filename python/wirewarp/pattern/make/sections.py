@@ -18,7 +18,7 @@ from .widths import Widths
 
 Darts = Literal["close", "cut", "slit"]
 WIDEST_DART = math.radians(50)  # folded away in fabric; a wider gap, such as that of a cone, is cut out
-LEAST_GAP = 0.01  # millimeters: the legs of a narrower dart are one line, and no cut line fits between them
+LEAST_GAP = 0.01  # millimeters: no cut line fits between the legs of a narrower dart, which is cut as one line
 HIGHEST_CAP = 1.0  # times the mouth of the dart: a cap that would extend farther is flat
 
 

@@ -20,7 +20,7 @@ from .sections import WIDEST_DART
 
 RANKS: dict[StepKind, int] = {"dart": 0, "flat": 1, "ring": 2, "all around": 2, "closing": 3}
 Likeness = tuple[set[int], float]
-ROOM_FOR_GAP = 150.0  # millimeters: in a shorter seam, a hand's width of 75 mm would be more than half
+ROOM_FOR_GAP = 150.0  # millimeters: in a shorter seam, an opening of a hand's width, 75 mm, would be more than half
 
 
 def sewing_steps(
@@ -78,7 +78,7 @@ def _fitness(side: Side) -> tuple[bool, float]:
 
 
 def _likeness(sides: Sequence[Side]) -> Likeness:
-    """Return what a seam shares with its counterpart on the other side, which is sewn next: pieces and length."""
+    """Return the pieces and the length, by which a seam finds its counterpart on the other side, which is sewn next."""
     return {side.piece for side in sides}, round(float(sides[0].along[-1]), 1)
 
 

@@ -13,7 +13,7 @@ from ..geometry import GRID, Motion, signed_area
 from ..model import PatternPiece
 
 Grain = Literal["one way", "both ways", "free"]
-NEAR = 0.2  # millimeters: tolerance of simplified outlines, outwards, because searches are faster with fewer points
+NEAR = 0.2  # millimeters: largest outward error of simplified outlines, whose fewer points make searches faster
 ROUND = 0.01  # millimeters: error of an arc of straight lines
 
 

@@ -52,7 +52,7 @@ class Cloth:
 def nesting(
     pieces: Sequence[PatternPiece], cloth: Cloth, times: int, seconds: float, units: UnitSystem, preview: Preview | None
 ) -> Steps[Marker]:
-    """Do the work of Pattern.nesting. pieces: none of them half a piece on the fold."""
+    """Do the work of Pattern.nesting. pieces: opened if they are on the fold."""
     count = sum(sum(piece.quantity) for piece in pieces)
     if type(times) is not int or not 1 <= times * count <= MOST_PIECES:
         raise problem(f"times is {times!r}: give a whole number from 1, for at most {MOST_PIECES} pieces in all.")

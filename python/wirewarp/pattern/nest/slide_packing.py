@@ -29,7 +29,7 @@ class Place:
 
 @dataclass(frozen=True)
 class _Profile:
-    """A turned item."""
+    """An item in one of its turns."""
 
     angle: float
     low: np.ndarray  # (r,) start in each row that it meets, from its lowest point
@@ -57,7 +57,9 @@ class SlidePacking:
         self._random = np.random.default_rng(0)
 
     def trials(self) -> Generator[list[Place] | None, None, None]:
-        """Yield packings without end, each in another order, which is kept if it needs no more cloth; None in between.
+        """Yield packings without end, and None in between.
+
+        Each packing has another order of the items. The order is kept if it needs no more fabric.
 
         Raises TooLargeError if an item does not fit.
         """

@@ -19,7 +19,7 @@ from .tiles import Tile, Tiles
 SIZE = np.array([166.0, 158.0])  # millimeters that the squares and bars take; fits on A4 and Letter
 CORNER = 4.0
 NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0  # millimeters: height of the name of a sheet, and of the names of its neighbors
-KEY = (18.0, 150.0)  # millimeters from the lower left corner of all this to the upper left one of the key of lines
+KEY = (18.0, 150.0)  # millimeters from the lower left corner of all squares and bars to the upper left one of the key
 KEY_ROWS, KEY_WIDTH, KEY_HEIGHT, KEY_SAMPLE, KEY_TEXT = 3, 44.0, 7.0, 12.0, 3.0
 TICK = 3.0
 UNIT = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
@@ -92,7 +92,7 @@ def grid_marks(pattern: PatternData, size: np.ndarray) -> Marks:
 
 
 def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
-    """Return the frame, its name, diamonds that two sheets complete, and the names of the neighbors."""
+    """Return the frame, the sheet's name, half diamonds that the neighbors complete, and the names of the neighbors."""
     low, high = np.array([MARGIN, MARGIN]), MARGIN + plan.shown
     strokes = [Stroke("sheet", low + plan.shown * UNIT, True)]
     texts = [_own_name(plan, row, column)]
@@ -116,7 +116,7 @@ def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
 
 
 def _own_name(plan: Tiles, row: int, column: int) -> Text:
-    """Return "C3 of 11" for a corner of the sheet without a piece, if there is one."""
+    """Return the text "C3 of 11", in a corner of the sheet without a piece if there is one."""
     low = next(tile.low for tile in plan.tiles if (tile.row, tile.column) == (row, column))
     words = f"{sheet_name(row, column)} of {len(plan.tiles)}"
     inset = np.array([text_width(words, NAME_TEXT) / 2 + 2.0, 7.0])

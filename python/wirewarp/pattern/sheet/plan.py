@@ -37,9 +37,9 @@ class Sheet(Page):
 class Plan(Generic[P]):
     pattern: P  # in its places on the sheets
     sheets: list[Sheet]
-    layers: tuple[str, ...] = ()  # in addition to those of pieces
+    layers: tuple[str, ...] = ()  # layers of the file in addition to those of the pieces
     hidden: tuple[str, ...] = ()  # layers that are shown only on request
-    thinnest: float = 0.0  # millimeters, of all lines
+    thinnest: float = 0.0  # millimeters: least width of all lines
     cover: Sheet | None = None  # the first page, with a map of the others
     text_sheets: Sheets | None = None  # sheets to tape together; texts should stay on one of them
 
@@ -150,7 +150,7 @@ def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
 
 
 def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
-    """Plan the fabric with its edges, on pages as wide as the roll of paper. Pages of a longer one overlap."""
+    """Plan the fabric with its edges, on pages as wide as the roll of paper. The pages of a long one overlap."""
     page_width(marker, width, pattern.units)
     length = marker.length if marker.sheet_length is None else marker.sheet_length
     most = LONGEST - 2 * MARGIN - SIZE[1]
@@ -203,6 +203,6 @@ def _tiles(pattern: P, paper: str, keep_places: bool) -> Plan[P]:
 
 
 def _met(pieces: Sequence[PatternPiece], low: np.ndarray, high: np.ndarray) -> list[int]:
-    """Return the indices of the pieces whose box, with its border, meets the one from low (2,) to high (2,)."""
+    """Return the indices of the pieces whose box, with its border, meets the box from low (2,) to high (2,)."""
     boxes = (piece.bounds for piece in pieces)
     return [n for n, box in enumerate(boxes) if np.all(box[0] - BORDER < high) and np.all(box[1] + BORDER > low)]

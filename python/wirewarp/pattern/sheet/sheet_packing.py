@@ -20,10 +20,10 @@ CELL = OVERLAP  # millimeters, about: the overlap of two sheets is one cell
 
 @dataclass(frozen=True)
 class Shape:
-    """The cells of a piece. A sheet has n by m of them."""
+    """The cells that a piece covers. A sheet has n by m cells."""
 
     cells: np.ndarray  # (columns, rows) bool
-    needed: np.ndarray  # (n, m, columns, rows) bool: sheets that it needs if it begins in that cell of a sheet
+    needed: np.ndarray  # (n, m, columns, rows) bool: the sheets that the piece needs if it begins in that cell
 
 
 class Placed(NamedTuple):
@@ -57,7 +57,7 @@ def placed_on_sheets(
     best, work = None, 0
     for count in columns:
         narrowest = [min(shape.cells.shape[0] for shape in turned) for turned in shapes]
-        if max(narrowest) > count * per_sheet[0] + 1:  # the last sheet shows its overlap, too
+        if max(narrowest) > count * per_sheet[0] + 1:  # no sheet follows the last one, so its overlap is usable, too
             continue
         for order in orders:
             # Each piece is tried over about all cells that are used in the end.
@@ -77,7 +77,10 @@ def placed_on_sheets(
 def _placed(
     shapes: Sequence[Sequence[Shape]], columns: int, per_sheet: np.ndarray, fewest: int
 ) -> tuple[int, np.ndarray, list[int]] | None:
-    """Return the number of sheets, the start cells (p,2) of the pieces and their turns. None: not fewer."""
+    """Return the number of sheets, the start cells (p,2) of the pieces, and their turns.
+
+    Return None if this does not need fewer sheets than the best arrangement so far.
+    """
     width = columns * per_sheet[0] + 1
     taken = np.zeros((width, 0), dtype=bool)  # cells of placed pieces
     used = np.zeros((columns, 0), dtype=bool)  # sheets
@@ -167,7 +170,7 @@ def _shape(outlines: Sequence[np.ndarray], cell: np.ndarray, per_sheet: np.ndarr
 
 
 def _needed(cells: np.ndarray, per_sheet: np.ndarray) -> np.ndarray:
-    """Return Shape.needed. If a part is only in the first cells of a sheet, the sheet before shows it."""
+    """Return Shape.needed. The sheet before shows a part that is only in the first cells of a sheet."""
     sums = np.pad(cells.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     ends = []
     for count, own in zip(cells.shape, per_sheet.tolist(), strict=True):

@@ -20,7 +20,7 @@ from .sheet_packing import placed_on_sheets
 INSET = 5.0  # around the pattern, so that no cut line is on the edge of the printed area
 MOST_SHEETS = 2000
 MOST_PACKED = 60  # number of sheets above which no better arrangement is searched for: it would take seconds
-MOST_WIDTHS = 8  # number of column counts that are tried, for the same reason
+MOST_WIDTHS = 8  # number of different column counts to try, for the same reason
 TURNS = (0.0, 90.0, 180.0, 270.0)  # degrees: on paper a piece may be turned freely, but looks better square
 P = TypeVar("P", bound=PatternData)
 
@@ -170,7 +170,7 @@ def _check_count(count: int, pattern: PatternData) -> None:
 def _with_tiles(pattern: P, sheet: np.ndarray, columns: int | None = None) -> Tiles[P]:
     """Return the pattern on sheets.
 
-    columns: from 0, 0 to the right and upwards; None: the necessary ones, from the upper left.
+    columns: number of them, from 0, 0 to the right and upwards; None: as many as needed, from the upper left.
     """
     shown = sheet - 2 * MARGIN
     step, top = shown - OVERLAP, pattern.size[1] + INSET
