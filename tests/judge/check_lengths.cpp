@@ -27,7 +27,8 @@ EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side,
   double share = 1;
   if (is_stretched && judged.unstretched) {
     share = stretched_share(judged, edge);
-    rounding += kRounding * judged.uv_size(judged.unstretched->pieces[piece]);  // rounding of its directions
+    // The directions come from this result, so its rounding counts, too.
+    rounding += kRounding * judged.uv_size(judged.unstretched->pieces[piece]);
   }
   const double slack = 1.0001e-9 * in_space + rounding;
   return {share * in_space, judged.length_2d(side) / (1 + ease), slack / (1 + ease)};

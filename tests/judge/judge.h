@@ -15,8 +15,9 @@ namespace wirewarp::test {
 std::vector<std::string> broken_guarantees(const FlattenInput& input, const Options& options,
                                            const FlattenResult& result, const FlattenResult* unstretched = nullptr);
 
-/// Returns a sentence for everything that a piece of legal input may expect beyond the guarantees: a piece that unfolds
-/// is flat, and none fails for internal reasons of the solver. fault: the one fault that the input was given.
+/// Returns a sentence for everything that users may expect beyond the guarantees, but that the result does not do. A
+/// piece that unfolds must be flat, and no piece of legal input may fail for internal reasons of the solver. fault: the
+/// fault that was added to the input, if any.
 std::vector<std::string> broken_expectations(const FlattenInput& input, const Options& options,
                                              const FlattenResult& result, const std::optional<ErrorCode>& fault,
                                              const FlattenResult* unstretched = nullptr);

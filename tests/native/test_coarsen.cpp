@@ -142,7 +142,7 @@ TEST(Prolong, FollowsQuadraticMaps) {
   for (const VertexHandle v : c.chart.mesh.vertices()) {
     const CoarsePlace& place = c.coarse.places[v.idx()];
     if ((c.fine_point(v.idx()) - Eigen::Vector3d(1, 1, 0)).cwiseAbs().maxCoeff() > 0.8)
-      continue;  // where Jᵢ is one-sided
+      continue;  // near the outline, Jᵢ is a one-sided derivative
     Eigen::RowVector2d flat_place(0, 0);
     for (int k = 0; k < 3; ++k) flat_place += place.weights[k] * coarse_uv.row(place.vertices[k]);
     linear += (flat_place - wanted.row(v.idx())).squaredNorm();

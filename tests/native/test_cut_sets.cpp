@@ -225,7 +225,7 @@ TEST(CutSetSearch, ReturnsASetThatMeetsTheTargetFirst) {
   CutOptions cut_options = rough();
   const std::vector<DartProposal> sets = propose_seams(head(), {}, cut_options);
   ASSERT_GT(sets.size(), 1U);
-  cut_options.strain = 0.99 * sets[1].strain;  // only slightly better than this set
+  cut_options.strain = 0.99 * sets[1].strain;  // a target that this set misses by 1%
   EXPECT_LE(propose_seams(head(), {}, cut_options).front().strain, *cut_options.strain);
 }
 
@@ -307,8 +307,8 @@ std::vector<VertexPair> across(int n) {
 TEST(MergeSections, MeasuresTheThreadsOfAFabric) {
   const FlattenInput input = bump(8);
   Options options;
-  options.cloth =
-      cloth_preset("woven").cloth;  // shears: its threads stretch by a quarter of what other materials stretch
+  // A woven fabric shears: its threads stretch by a quarter of the stretch of other materials.
+  options.cloth = cloth_preset("woven").cloth;
   const SurfaceToCut surface(input, options);
   const ExactEvaluation exact(surface, options, StopToken());
   const FlatPieces uncut = exact.uncut();

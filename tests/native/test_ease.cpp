@@ -87,9 +87,9 @@ TEST(Ease, BetweenTwoMarksAppliesToTheEdgesBetween) {
   EXPECT_NEAR(result.seams.at(0).eases[0], 0.1 * 3 / 8, 1e-9);
 }
 
-/// A strip of height H, one end of which is longer by r, becomes a sector: threads lie on circles, those at height y
-/// are longer by r y/H, and E is the integral of the square. The free sides of a strip relax by the same amount at any
-/// width, so the difference of two widths does not depend on them.
+/// A strip of height H with one end that is longer by a share r becomes a sector of a ring. Its threads become circles:
+/// at height y, a thread is longer by the share r y/H, and E is the integral of the square of this share. The free
+/// sides of a strip relax by the same amount at any width, so the difference of two widths does not depend on them.
 TEST(Ease, OfOneEndTurnsACylinderIntoASector) {
   const double ease = 0.05, height = 1;
   const int rows = 8;
@@ -98,7 +98,7 @@ TEST(Ease, OfOneEndTurnsACylinderIntoASector) {
     test::add_wire(input, test::grid_row(width * rows, 0));
     input.wires.back().ease = ease;
     Options options;
-    options.fairness = Options::least_fairness;  // corners turn at almost no cost
+    options.fairness = Options::least_fairness;  // corners change their angles at almost no cost
     const FlattenResult result = flatten(input, options);
     expect_good(input, result);
     EXPECT_NEAR(result.wires.at(0).length_2d, (1 + ease) * result.wires[0].length_3d, 1e-9);

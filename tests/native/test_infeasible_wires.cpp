@@ -92,7 +92,7 @@ TEST(InfeasibleWires, ADenseNetGetsOneToleranceForAll) {
   ASSERT_TRUE(is_refused(refused));
   ASSERT_FALSE(refused.error->elements.proposed_tolerances.empty());
   for (const ProposedTolerance& p : refused.error->elements.proposed_tolerances) {
-    EXPECT_LT(p.tolerance, 0.1);  // sides and diagonals of squares with slopes up to 0.2 π
+    EXPECT_LT(p.tolerance, 0.1);  // every wire is one edge: a side or diagonal of a square, with a slope up to 0.2 π
     EXPECT_EQ(p.tolerance, refused.error->elements.proposed_tolerances[0].tolerance);
     input.wires.at(p.wire).tolerance = p.tolerance;
   }
@@ -199,8 +199,8 @@ TEST(RelaxedLengths, StopsWhenAsked) {
   const Chart& chart = charts.charts.at(0);
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   int asked = 0;
-  const StopToken stop(
-      [&](const char*) { return ++asked < 3; });  // answers yes to the two questions of the first system
+  // Answers yes to the two questions of the first system.
+  const StopToken stop([&](const char*) { return ++asked < 3; });
   Budget budget(kMaxRelaxFactorizations);
   EXPECT_THROW(relax_lengths({chart, 0.1}, start, {budget, stop}), Stopped);
   EXPECT_EQ(budget.spent(), 1);
@@ -224,7 +224,7 @@ TEST(InfeasibleWires, ThePapersMethodsProposeTolerancesForTheRefinedOne) {
     const Piece fixed = flatten(looser).pieces.at(0);
     EXPECT_TRUE(has_exact_lengths(fixed)) << fixed.error->what();
     if (method != Method::wirewarping) continue;
-    const Piece still_rigid = flatten(looser, options).pieces.at(0);  // because this method ignores tolerances
+    const Piece still_rigid = flatten(looser, options).pieces.at(0);  // this method ignores tolerances
     ASSERT_TRUE(is_refused(still_rigid));
     EXPECT_NE(std::string(still_rigid.error->what()).find("use the refined method"), std::string::npos);
   }

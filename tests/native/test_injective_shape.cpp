@@ -26,7 +26,7 @@ FlattenInput finger(double tolerance = 0) {
   return input;
 }
 
-/// A saddle with a vent, whose sides would overlap in the plane.
+/// A saddle with a vent. The sides of the vent would overlap in the plane.
 FlattenInput saddle_with_vent() {
   return test::keep_faces(test::saddle(24, 0.5),
                           [](const Eigen::Vector3d& p) { return !(std::abs(p.x()) < 0.1 && p.y() > -0.5); });

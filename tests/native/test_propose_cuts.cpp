@@ -251,8 +251,8 @@ TEST(ProposeCuts, AvoidEdgesThatMayHaveNoSeam) {
   for (const FlattenInput& input : {hill(n), two_hills(n)}) {
     for (const auto& propose : {propose_darts, propose_seams}) {
       CutOptions cut_options = few();
-      const std::vector<VertexPair> forbidden =
-          propose(input, {}, cut_options, {}).front().edges;  // only the best proposal
+      // Forbids only the best proposal.
+      const std::vector<VertexPair> forbidden = propose(input, {}, cut_options, {}).front().edges;
       cut_options.no_seam.resize(static_cast<Eigen::Index>(forbidden.size()), 2);
       for (std::size_t i = 0; i < forbidden.size(); ++i) {
         cut_options.no_seam.row(static_cast<Eigen::Index>(i)) << forbidden[i][1],

@@ -74,7 +74,7 @@ TEST(Questions, ARefusalEndsARunOfManyChartsInAnyStage) {
 }
 
 TEST(Questions, AreAskedAmongOverlapsOfACrumpledPiece) {
-  const int n = 800;  // that all overlap: 320,000 pairs
+  const int n = 800;  // number of triangles, which all overlap: 320,000 pairs
   Triangles faces(n, 3);
   Positions2 uv(3 * n, 2);
   for (int f = 0; f < n; ++f) {
@@ -102,7 +102,8 @@ TEST(Questions, AreAskedWhileBoxesArePacked) {
 TEST(Questions, AreAskedWhileWiresAreExtended) {
   const int n = 41, num_wires = 30;
   FlattenInput input = test::flat_rectangle(n - 1, n - 1, 1, 1);
-  for (int i = 0; i < num_wires; ++i) {  // one edge each, far apart: at least one end is extended
+  // Each wire is one edge far from the others: at least one of its ends is extended.
+  for (int i = 0; i < num_wires; ++i) {
     const int v = 3 + 6 * (i % 6) + n * (3 + 7 * (i / 6));
     test::add_wire(input, {v, v + n});
   }

@@ -120,8 +120,8 @@ TEST(InThreads, StartsNothingAfterAnException) {
           throw std::runtime_error("work " + std::to_string(i));
         }
         while (!has_thrown) std::this_thread::yield();
-        std::this_thread::sleep_for(
-            std::chrono::milliseconds(10));  // so that the exception arrives before all work is done
+        // The exception arrives before all work is done.
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
         ++done;
       });
     } catch (const std::runtime_error& error) {

@@ -93,8 +93,9 @@ void add_faces(const HalfEdgeMesh& mesh, Springs& springs) {
   }
 }
 
-/// Adds a cone over a hole, steep enough to meet the loop at right angles. With radius r = loop length / 2π, the
-/// weights are tan(π/4) = 1 over the distance, and l / 2r² at the apex.
+/// Adds a cone over a hole, which is so steep that it meets the loop at right angles. So its corners at the loop count
+/// as right angles: each adds tan(π/4) = 1 over the length to the weights of its edges. A corner at the apex adds l /
+/// 2r², with l the length of the edge opposite to it and 2π r that of the loop.
 void add_cone(const HalfEdgeMesh& mesh, const HalfEdgeChain& hole, int apex, Springs& springs) {
   const double radius = length_of(mesh, hole) / (2 * kPi);
   for (const HalfedgeHandle h : hole) {

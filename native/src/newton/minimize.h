@@ -20,7 +20,7 @@ namespace wirewarp {
 /// are allowed but do not open.
 Solution minimize(const Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
-/// Returns the shape with its f and length error, without taking a step and without what the stage forbids. The
+/// Returns the shape with its f and length error. Takes no step, and does not check what the stage forbids. The
 /// solution is converged if the shape is isometric.
 Solution evaluate(const Problem& problem, const Stage& stage, const Shape& shape);
 

@@ -64,8 +64,8 @@ bool take_steps_with_factor(NewtonState& state, double slope) {
     const double fall = std::abs(step.slope / slope);
     if (!(fall < NewtonConstants::falls_fast)) break;
     slope = step.slope;
-    const double left =
-        is_first ? std::abs(slope) : fall * std::abs(slope);  // upper bound of the decrease after this step
+    // Upper bound of the decrease after this step.
+    const double left = is_first ? std::abs(slope) : fall * std::abs(slope);
     const bool is_last = left < state.worthwhile_decrease();
     move_along(step, state);
     if (is_last) return true;

@@ -18,8 +18,8 @@ namespace wirewarp {
 namespace {
 
 constexpr double kOpening = 0.1;  // slope of an opened rim against the shut slit, far less than angles of triangles
-constexpr double kOfHeight =
-    1.0 / 3;  // largest share of the height of a face by which a rim moves into it, so that none flips
+// A rim moves into a face by at most this share of the face's height, so that no face flips.
+constexpr double kOfHeight = 1.0 / 3;
 constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the result, where pieces are rotated
 
 /// Returns the distance along the rims to the nearest tip, for the vertex where each half-edge begins.

@@ -19,8 +19,8 @@ namespace wirewarp {
 
 struct CoupledSolution {
   std::vector<Solution> charts;  // have no multipliers; each has the factorizations of the whole group
-  double projected_gradient =
-      std::numeric_limits<double>::quiet_NaN();  // PieceReport::projected_gradient; NaN for one chart
+  // PieceReport::projected_gradient; NaN for one chart.
+  double projected_gradient = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Minimizes from starts near exact lengths. The starts may be farther from exact lengths if the stage forbids flips

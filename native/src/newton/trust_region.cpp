@@ -25,7 +25,7 @@ std::vector<int> free_parts(const NewtonState& state) {
   return free;
 }
 
-/// Returns the forces in the wires, turned by a quarter at each vertex. At a saddle the way down may break a symmetry
+/// Returns the force of the wires at each vertex, rotated by 90 degrees. At a saddle the way down may break a symmetry
 /// that the gradient has; these forces break it, too.
 Positions2 forces_across_symmetry(const NewtonState& state) {
   Positions2 tension = Positions2::Zero(state.now.uv.rows(), 2), turned(tension.rows(), 2);

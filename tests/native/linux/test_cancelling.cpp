@@ -15,7 +15,7 @@
 namespace wirewarp::test_cancelling {
 namespace {
 
-/// The most work between two questions, and the work after the first refusal.
+/// The largest amount of work between two questions to the caller, or after the last one.
 struct WorkBetweenQuestions {
   void answer() {
     const FrontCounts now = count_fronts();
@@ -42,8 +42,8 @@ TEST(Cancelling, EndsARunAtOnceInEveryStage) {
   for (const double tolerance : {0.0, 1e-4}) {
     const FlattenInput input = test::saddle_of_wires(3, tolerance);
     const long fronts = fronts_of(input);
-    const auto num_wires =
-        static_cast<long>(input.wires.size());  // the search for tolerances makes all of them elastic
+    // The search for tolerances makes all of them elastic.
+    const auto num_wires = static_cast<long>(input.wires.size());
     for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
       Options options;
       options.method = method;

@@ -19,10 +19,11 @@
 namespace wirewarp {
 namespace {
 
-/// A piece counts as larger only by more than the rounding of its area when the input is rotated.
+/// A piece counts as larger only if its area exceeds the other one by this factor, so that rounding in rotated input
+/// does not decide.
 constexpr double kClearlyLarger = 1 + 1e-9;
 
-/// How much a cut lowers the largest strain of all pieces, and how much that of its own piece.
+/// How much a cut lowers the largest strain of all pieces, then how much it lowers the strain of its own piece.
 using Gain = std::pair<double, double>;
 
 /// Returns the cuts with the largest gains, with DartProposal::twin as an index into this list. A mirrored pair counts

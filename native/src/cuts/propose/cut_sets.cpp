@@ -157,8 +157,8 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   }
 }
 
-/// Adds bisections of one part, which help where no single line does. A part that folds in the coarse evaluation has no
-/// energy without a cut; then the shortest bisections come first, and exact evaluations measure their gain.
+/// Adds bisections of one part, which help where no single line does. If a part folds in the coarse evaluation, its
+/// energy without a cut is unknown: then the shortest bisections come first, and exact evaluations measure their gain.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[set.parts[part]]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());

@@ -211,7 +211,7 @@ std::vector<HalfEdgeChain> PieceSearch::best_chains() const {
   return chains;
 }
 
-/// Keeps the first of the chains that are beside each other's mirror images.
+/// Drops each chain that is beside the mirror image of an earlier one.
 std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<HalfEdgeChain>& chains) const {
   std::vector<HalfEdgeChain> kept, images;
   for (const HalfEdgeChain& chain : chains) {

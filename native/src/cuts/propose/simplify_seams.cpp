@@ -43,7 +43,7 @@ struct Part {
 
   const Chart chart;
   const MirroredCuts mirrored;
-  CutMask cut;  // the remaining ones of the seams that may be removed
+  CutMask cut;  // the removable seams that are left
 };
 
 class SeamSimplifier {

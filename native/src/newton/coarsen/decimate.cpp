@@ -111,7 +111,8 @@ Decimation::Decimation(const Chart& chart, const HeldNetwork& network, double ed
   }
 }
 
-/// Returns the faces from the half-edge first, which leaves the vertex, counter-clockwise to its neighbor last.
+/// Fills the fan with the faces around a vertex, counter-clockwise from the half-edge `first`, which leaves the vertex,
+/// to its neighbor `last`. turn: the angle of the fan in the plane.
 void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, Fan& fan) const {
   fan.rim.clear();
   fan.faces.clear();
@@ -121,7 +122,7 @@ void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, F
   HalfedgeHandle h = first;
   auto spoke = mesh_.point(mesh_.to_vertex_handle(h)) - origin;
   fan.rim.push_back(mesh_.to_vertex_handle(h));
-  fan.positions.push_back({spoke.norm(), 0});  // stores length and angle until all angles are known
+  fan.positions.push_back({spoke.norm(), 0});  // has length and angle until the total angle is known
   do {
     fan.faces.push_back(mesh_.face_handle(h));
     h = next_counterclockwise(mesh_, h);

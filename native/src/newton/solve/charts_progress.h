@@ -60,7 +60,7 @@ class ChartsProgress {
   double begin_, end_;
   const std::thread::id caller_ = std::this_thread::get_id();
   std::mutex mutex_;
-  std::vector<double> part_of_all_;  // per chart
+  std::vector<double> part_of_all_;  // per chart: its share of the whole work
   std::vector<double> share_done_;   // per chart: finished share of its own part
   double done_ = 0;
   std::string stage_ = "charts";  // the latest stage

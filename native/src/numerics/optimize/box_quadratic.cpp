@@ -12,7 +12,8 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()), slope = g;
   double value = 0;  // of the model
   for (int i = 0; i < kMaxFactorizations; ++i) {
-    std::vector<int> free;  // variables not in the active set (at a bound that the model pushes against)
+    // Variables outside of the active set, which has those at a bound that the model pushes against.
+    std::vector<int> free;
     for (int k = 0; k < g.size(); ++k) {
       const bool is_active = (d[k] <= lower[k] && slope[k] > 0) || (d[k] >= upper[k] && slope[k] < 0);
       if (!is_active) free.push_back(k);
@@ -34,7 +35,7 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
     if (!(down < 0)) break;
     const Eigen::VectorXd change_of_slope = b * step;
     const double curvature = step.dot(change_of_slope);
-    const double share = curvature > -down ? -down / curvature : 1;  // to the minimum along the step
+    const double share = curvature > -down ? -down / curvature : 1;  // share of the step up to the minimum along it
     d = (d + share * step).cwiseMax(lower).cwiseMin(upper);
     slope += share * change_of_slope;
     value += share * (down + share * curvature / 2);

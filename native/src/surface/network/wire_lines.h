@@ -10,13 +10,13 @@ namespace wirewarp {
 
 /// One side of a line at a vertex where it continues.
 struct LineBend {
-  WireNode node;        // α of all sectors on this side; ℓ, their mean
+  WireNode node;        // α: total angle of the sectors on this side; ℓ: their mean
   int num_sectors = 1;  // more than one if other lines cross or meet the line on this side
 };
 
 /// The lines of a network. Two wires that meet end to end, with no others, are one line.
 struct WireLines {
-  std::vector<LineBend> bends;    // of the sides inside the chart
+  std::vector<LineBend> bends;    // for the sides of lines that are inside the chart
   std::vector<WireNode> corners;  // the sectors between two lines, which are nodes of the network
 };
 

@@ -9,7 +9,7 @@ namespace wirewarp {
 
 /// How far a smooth line may be from the path that it replaces.
 enum class Nearness {
-  touching,  // within the triangles that touch the path: a geodesic would remove an intended bend of the cut
+  touching,  // within the triangles that touch the path, because a geodesic would remove an intended bend of the cut
   anywhere,  // the geodesic between the same ends that the path shrinks to
 };
 
