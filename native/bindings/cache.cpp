@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp.Cache: solved pieces from one run to the next.
+// wirewarp.Cache, which keeps solved pieces for the next run.
 #include "wirewarp/cache.h"
 
 #include "bind.h"

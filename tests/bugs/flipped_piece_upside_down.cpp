@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A failed piece that was flipped was upside down with Orientation::up: its area is negative, and so was the mean over
-// it.
+// A failed piece that was flipped was upside down with Orientation::up: its area is negative, so the mean gradient over
+// it had the wrong sign.
 #include <gtest/gtest.h>
 
 #include "surface/orientation/rising_direction.h"

@@ -9,8 +9,8 @@
 namespace wirewarp::outer_loop_was_a_slit_test {
 namespace {
 
-/// Returns a sheet with a spike at one end of a slit of one edge and hardly any at the other: the slit turns by nearly
-/// 2 pi.
+/// Returns a sheet with a slit of one edge, which has a high spike at one end and a low one at the other. So the slit
+/// turns by nearly 2 pi.
 FlattenInput rough_sheet_with_two_slits() {
   FlattenInput input = test::make_grid(6, 6, [](double s, double t) {
     const bool is_spike = std::abs(s - 0.5) < 1e-9 && (std::abs(t - 0.5) < 1e-9 || std::abs(t - 1.0 / 3) < 1e-9);

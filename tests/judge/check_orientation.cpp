@@ -11,7 +11,7 @@ namespace wirewarp::test {
 namespace {
 
 constexpr double kDirectionRounding = 1e-6;
-constexpr double kShortChord = 0.1;  // over a line's length; below it, the line's box is upright instead of its chord
+constexpr double kShortChord = 0.1;  // chord over the line's length; if it is less, the line's box is upright instead
 constexpr double kStraight = 0.087266462599716;  // 5 degrees
 constexpr double kLevel = 0.01;
 

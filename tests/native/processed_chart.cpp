@@ -80,7 +80,7 @@ void expect_own_parts_kept(const Chart& chart, const Chart& refined) {
 }
 
 void expect_sound_helpers(const Chart& chart, const Chart& refined) {
-  std::set<int> edges;  // of wires and outlines
+  std::set<int> edges;  // edges of wires and outlines
   for (const HalfEdgeChain& loop : refined.boundary_loops) {
     for (const HalfedgeHandle h : loop) edges.insert(refined.mesh.edge_handle(h).idx());
   }

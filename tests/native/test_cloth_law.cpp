@@ -66,7 +66,7 @@ TEST(ClothLaw, StretchOnTheBiasCostsBothThreadsAndShear) {
 
 TEST(ClothLaw, ShearBeyondLockingCostsMore) {
   Cloth cloth = kDenim;
-  cloth.locking = kPi / 6;  // of sine 1/2
+  cloth.locking = kPi / 6;  // the sine of this angle is 1/2
   const double sine = 0.8, cosine = 0.6, excess = sine - 0.5;
   EXPECT_NEAR(ClothLaw(cloth).density(map_of(rows(1, -sine, 0, cosine))),
               (0.06 * sine * sine + 10 * excess * excess) / cosine, kRounding);
@@ -96,7 +96,7 @@ TEST(ClothLaw, FlippedOrDegenerateTrianglesAreInfinite) {
 /// ARAP is |J − R|²: at rest, ½ dJ·H dJ is the square of the symmetric part of dJ.
 TEST(ClothLaw, IsotropicClothIsArapToSecondOrder) {
   const ClothLaw law(cloth_of(1, 1, 0.5));
-  Eigen::Matrix4d arap;  // as a function of J₁₁, J₁₂, J₂₁, J₂₂
+  Eigen::Matrix4d arap;  // Hessian by J₁₁, J₁₂, J₂₁, J₂₂
   arap << 2, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 2;
   const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity();
   EXPECT_EQ(law.density(rest), 0);

@@ -131,8 +131,8 @@ TEST(ElasticSeams, StartWithinTheToleranceIfNominalLengthsAreInfeasible) {
 
 TEST(ElasticSeams, WithoutAFeasibleLengthAreAnError) {
   FlattenInput input = two_triangles(1.4, 1.5);
-  input.eases = {ease_along({0, 3}, 2),
-                 ease_along({3, 1}, -0.6)};  // 3 and 0.4: one piece needs at least 2.6, the other at most 2
+  // With sides 3 and 0.4 times as long, one piece needs a seam of at least 2.6, the other of at most 2.
+  input.eases = {ease_along({0, 3}, 2), ease_along({3, 1}, -0.6)};
   for (const Piece& piece : flatten(input).pieces) {
     ASSERT_TRUE(piece.error);
     EXPECT_EQ(piece.error->code, ErrorCode::infeasible_lengths);

@@ -67,7 +67,7 @@ struct Fault {
   const char* name;
   FlattenInput input;
   Code code;
-  const char* words;  // of the message
+  const char* words;  // words that the message must contain
   std::vector<int> faces = {};
   std::vector<int> vertices = {};
   std::vector<VertexPair> edges = {};

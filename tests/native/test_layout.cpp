@@ -167,7 +167,7 @@ TEST(RisingDirection, IsTheMeanGradientOfTheTriangles) {
   const Eigen::Vector3d up = Eigen::Vector3d(1, 2, 3).normalized();
   Eigen::Vector2d sum(0, 0);
   for (const FaceHandle f : chart.mesh.faces()) {
-    Eigen::Matrix2d edges;  // as rows
+    Eigen::Matrix2d edges;  // one edge per row
     Eigen::Vector2d rises;
     const HalfedgeHandle h = chart.mesh.halfedge_handle(f);
     const VertexHandle a = chart.mesh.from_vertex_handle(h), b = chart.mesh.to_vertex_handle(h);

@@ -20,7 +20,7 @@ using Unroll = std::function<Planar(int column, int row)>;
 /// A trace from a grid vertex, and the distance of its points from the straight line in the unrolled plane.
 struct UnrolledTrace {
   double length = 0;        // from the start to the last point, in the unrolled plane
-  double largest_miss = 0;  // from the line
+  double largest_miss = 0;  // largest distance from the straight line
   std::size_t num_points = 0;
 };
 

@@ -184,7 +184,7 @@ TEST(ProposedSeamsOfAGarment, LeadToFlatPieces) {
     EXPECT_LE(follow_proposals(input, result), 3);
     EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{});
     EXPECT_LE(result.pieces.size(), 5u);
-    for (const Piece& piece : result.pieces) EXPECT_LT(piece.metrics.arap_energy, 0.1);  // like the pieces of a tailor
+    for (const Piece& piece : result.pieces) EXPECT_LT(piece.metrics.arap_energy, 0.1);  // as a tailor would cut them
   }
 }
 

@@ -25,7 +25,7 @@ namespace {
 // Processor time of all threads, so that other programs do not count. One of 10,000 cases takes 13 s, and the
 // sanitizers take 30 times as long.
 constexpr long kSecondsPerCase = 1000;
-std::array<char, 64> current_case{};  // for the signal handler, which may not allocate
+std::array<char, 64> current_case{};  // text for the signal handler, which may not allocate
 
 /// 0 removes the limit.
 void limit_time(long seconds) {
@@ -43,7 +43,7 @@ using Counts = std::map<std::string, int>;
 struct Outcome {
   std::string name;  // "flat", or the code of the error
   std::vector<std::string> broken;
-  Counts starts = {};  // for pieces without an error
+  Counts starts = {};  // starts of the pieces without an error
 
   void add(std::vector<std::string> sentences) {
     for (std::string& sentence : sentences) broken.push_back(std::move(sentence));

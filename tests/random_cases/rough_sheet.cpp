@@ -107,8 +107,7 @@ Faces largest_region(const Faces& faces) {
   return kept;
 }
 
-/// Returns the faces without those at vertices where the others only touch in a point. Repeats until no such vertices
-/// are left.
+/// Drops faces at vertices where the remaining faces only touch in a point. Repeats until no such vertices are left.
 Faces without_pinches(Faces faces) {
   for (bool has_changed = true; has_changed;) {
     faces = largest_region(faces);

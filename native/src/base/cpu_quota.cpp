@@ -39,8 +39,8 @@ Cores quota_of_group(const Folder& group) {
                cores_of(text_of(group / "cpu.cfs_quota_us") + " " + text_of(group / "cpu.cfs_period_us")));
 }
 
-/// Returns the smallest quota of a group and of all groups above it, up to the folder in which the tree is mounted. In
-/// a container the group's own folder may be missing, because the tree is mounted from there.
+/// Returns the smallest quota of a group and of the groups above it, up to the folder where the tree is mounted. In a
+/// container the group's own folder may be missing, because the tree is mounted from there.
 Cores quota_in_tree(const Folder& mount, Folder group) {
   Cores least = quota_of_group(mount);
   for (; group.has_relative_path(); group = group.parent_path()) {

@@ -12,7 +12,7 @@
 // Along a line (a wire or a boundary loop) the deviation shrinks with ℓ, and the sum becomes an integral as the mesh is
 // refined. The angle between two lines that meet deviates equally on every mesh: weight 1/ℓ would constrain it more on
 // finer meshes and make the piece worse. So a corner between lines has at most the weight of one with edges of D/8. The
-// rest of the weight acts on the line through its k corners on a side, divided among them:
+// rest of the weight acts on the line itself and is divided by k, the number of its corners on that side:
 //
 //   corner   w = D³ / max(ℓ, D/8)
 //   line     w = (D³/ℓ − D³ / max(ℓ, D/8)) / k,  D³/ℓ where it passes none,  ℓ the mean of its corners

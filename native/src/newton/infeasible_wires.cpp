@@ -38,7 +38,7 @@ constexpr std::size_t kMostElasticWires = 200;
 constexpr double kLadder[] = {0.001, 0.002, 0.003, 0.005, 0.01, 0.015, 0.02, 0.03,
                               0.05,  0.075, 0.1,   0.15,  0.2,  0.3,   0.5};
 
-using Tolerances = std::map<int, double>;  // by wire
+using Tolerances = std::map<int, double>;  // tolerance of each wire
 
 bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
 

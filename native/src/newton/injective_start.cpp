@@ -11,12 +11,12 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kFirstStiffness = 1;   // of ρ l / √area: a wire is as stiff as the surface beside it
+constexpr double kFirstStiffness = 1;   // first value of ρ l / √area: a wire is as stiff as the surface beside it
 constexpr double kStiffening = 4;       // factor of ρ if the length errors fall by less than this factor
 constexpr double kStiffest = 1e6;       // beyond, rounding errors spoil the steps
 constexpr double kStiff = 1e4;          // ρ at which lengths with errors above kHopeless contradict one another
 constexpr double kHopeless = 1e-2;      // strain
-constexpr int kStepsPerMultiplier = 5;  // at most: as long as λ is far from its limit, no exact minimum is needed
+constexpr int kStepsPerMultiplier = 5;  // the most; as long as λ is far from its limit, no exact minimum is needed
 constexpr double kEnough = 1e-2;        // slope over Φ below which the minimum is near enough for the next λ
 constexpr double kShortestStep = 1e-9;  // after thirty halvings
 constexpr double kInside = 0.9;         // share of the longest injective step that is taken

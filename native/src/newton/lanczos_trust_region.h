@@ -55,7 +55,7 @@ class LanczosTrustRegion {
 
   double first_ = 0;                    // β₀: g = -β₀ G v₁
   std::vector<Eigen::VectorXd> basis_;  // v
-  Eigen::VectorXd eigenvalues_;         // of T
+  Eigen::VectorXd eigenvalues_;         // eigenvalues of T
   Eigen::MatrixXd eigenvectors_;
 };
 

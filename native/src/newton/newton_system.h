@@ -70,8 +70,8 @@ class NewtonSystem {
     Eigen::VectorXd r2;
   };
 
-  /// A solution of A d = r₁ + Jᵀ τ on the wires. d has x of each vertex, then its y. Off the wires, it has intermediate
-  /// values for finish(), which accepts sums of such d, too.
+  /// A solution factor of A d = r₁ + Jᵀ τ on the wires. d has x of each vertex, then its y. Off the wires, it has
+  /// intermediate values for finish(), which accepts sums of such d, too.
   struct Solution {
     Eigen::VectorXd d;
     Eigen::VectorXd tensions;     // τ
@@ -128,8 +128,8 @@ class NewtonSystem {
   std::vector<VertexPair> pinned_;  // per connected part, against rigid motions: the first cannot move, the second
                                     // cannot turn about it
   std::vector<VertexMatrix::Block> edge_blocks_;
-  std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // of h and the ends a, b of each elastic edge
-  Eigen::Index num_positions_;                                      // unknowns before h
+  std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // h with the ends a, b of each elastic edge
+  Eigen::Index num_positions_;                                      // number of unknowns before h
   Eigen::ArrayXd constant_;      // values of L + the Hessian of F + 10⁻⁴ M + the pin that never turns
   Eigen::VectorXd stiffness_;    // ρ
   Eigen::MatrixXd stiffness_h_;  // S

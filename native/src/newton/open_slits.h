@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Charts with slits. The rims of a shut slit are two chains that end at the same points and lie on one another. At such
-// a shape the set of shapes with exact lengths is not smooth: if the chains are straight, the branch of shapes with a
-// shut slit, bent to one side or the other, crosses the branch where the slit opens or its rims pass through each
-// other, and the derivatives of the lengths are dependent. Newton steps cannot change branches. So each branch is
-// searched by itself, and slits whose rims would pass through each other are sewn:
+// a shape, the set of shapes with exact lengths is not smooth, because two branches cross if the chains are straight.
+// On one branch, the slit stays shut and bends to one side or the other. On the other branch, the slit opens, or its
+// rims pass through each other. The derivatives of the lengths are dependent there, and Newton steps cannot change
+// branches. So each branch is searched by itself, and slits whose rims would pass through each other are sewn:
 //
 //   1. Sew all slits and find the least distorted shape. It has the lengths of the open chart, too.
 //   2. From there, open all slits a little and minimize.

@@ -19,7 +19,7 @@ namespace wirewarp {
 struct Stage {
   const Cloth* cloth = nullptr;                 // its energy is part of f; null: the shape error of Eq. (4)
   const TargetLengths* lengths = nullptr;       // null: nominal lengths, and the layout is free to turn
-  Injectivity injectivity = Injectivity::none;  // of all iterates, the start included
+  Injectivity injectivity = Injectivity::none;  // required of all iterates, including the start
   Target target = Target::minimum;
 };
 

@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr int kMaxProjectSteps = 10;               // with one factor
+constexpr int kMaxProjectSteps = 10;               // largest number of steps with one factor
 constexpr double kShortestProjectStep = 1.0 / 64;  // shorter steps do not make the lengths better
 constexpr double kSufficientProjectStep = 0.1;  // share of the predicted decrease of the strain that a step must reach
 

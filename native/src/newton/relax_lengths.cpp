@@ -17,8 +17,8 @@ constexpr double kWeightOfBoundary = 1000;   // W of boundary edges; far above, 
 // Share of the tolerance that is used, so that h stays within it in spite of smoothing.
 constexpr double kWithinTolerance = 0.99;
 constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};  // values of σ; the last one separates strains of 1e-4 from 0
-constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // for each σ
-constexpr double kWorthwhile = 1e-5;                         // predicted decrease over Φ
+constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // number of steps for each σ
+constexpr double kWorthwhile = 1e-5;                         // least predicted decrease over Φ
 constexpr double kShortestRelaxStep = 1e-3;                  // after ten halvings
 
 /// Makes all wire parts of several edges elastic, whatever their tolerance, because their edges share a variation. A

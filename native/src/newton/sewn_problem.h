@@ -32,11 +32,11 @@ class SewnProblem {
 
  private:
   const Problem& open_;
-  Stage stage_;  // of the open problem
+  Stage stage_;  // stage of the open problem
   SewnChart sewn_;
   Problem problem_;
   std::optional<TargetLengths> lengths_;
-  std::vector<int> row_;  // of the sewn constraints, one per row of the open ones
+  std::vector<int> row_;  // row of the sewn constraints for each row of the open ones
   int num_rows_;          // of the sewn constraints
 };
 

@@ -14,7 +14,7 @@ namespace wirewarp {
 struct Start {
   const char* name;  // PieceReport::start
   std::optional<Shape> (*make)(Problem& problem, const Control& control);
-  Injectivity injectivity = Injectivity::none;  // of the start and of shapes refined from it
+  Injectivity injectivity = Injectivity::none;  // required of the start and of shapes refined from it
 };
 
 /// Returns the unfolded chart if it is folded from a plane (newton/unfold.h); usually this is the final shape.

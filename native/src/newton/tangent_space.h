@@ -29,7 +29,7 @@ class TangentSpace {
   const NewtonSystem& system_;
   const LengthConstraints& constraints_;
   std::vector<int> free_;
-  Eigen::LLT<Eigen::MatrixXd> factor_h_;  // of S of the free parts
+  Eigen::LLT<Eigen::MatrixXd> factor_h_;  // factor of S of the free parts
 };
 
 }  // namespace wirewarp

@@ -32,9 +32,9 @@ void PrintTo(const OuterCase& outer_case, std::ostream* out) { *out << outer_cas
 struct ShapeErrorOf {
   Warp& warp;
   std::vector<int> parts;
-  Eigen::VectorXd variation;  // of all parts
+  Eigen::VectorXd variation;  // h of all parts
   double least = std::numeric_limits<double>::infinity();
-  bool is_defined = true;  // at every h so far
+  bool is_defined = true;  // whether ψ(h) was defined at every h so far
 
   static double evaluate(unsigned size, const double* elastic, double* gradient, void* data) {
     ShapeErrorOf& self = *static_cast<ShapeErrorOf*>(data);

@@ -29,8 +29,8 @@ class MirroredCuts {
 
  private:
   const HalfEdgeMesh& mesh_;
-  std::vector<EdgeHandle> image_;  // of each edge; empty: no plane
-  std::vector<int> side_;          // of each edge: -1 or 1; 0 if it is its own image
+  std::vector<EdgeHandle> image_;  // image of each edge; empty: there is no plane
+  std::vector<int> side_;          // side of each edge: -1 or 1; 0 if it is its own image
   CutMask has_image_, is_in_plane_;
 };
 

@@ -32,7 +32,7 @@ constexpr double kApart = 0.15;
 struct OutlinePoint {
   VertexHandle vertex;
   double at = 0;    // position along the loop, scene units
-  double turn = 0;  // of the outline, radians
+  double turn = 0;  // turn of the outline, radians
 };
 
 using OutlineLoop = std::vector<OutlinePoint>;

@@ -34,7 +34,7 @@ class CutProgress {
     enter(0, 1);
   }
 
-  /// Continues between these shares of the round. Reported progress never decreases.
+  /// Reports the following progress between these shares of the round. Reported progress never decreases.
   void enter(double from, double to) {
     from_ = from;
     to_ = to;

@@ -31,7 +31,7 @@ class CutSetSearch {
   /// A set of cuts, evaluated exactly.
   struct CutSet {
     CutMask cut;
-    FlatPieces pieces;                  // of the whole input
+    FlatPieces pieces;                  // pieces of the whole input
     std::vector<std::size_t> parts;     // indices of the parts of the piece
     std::vector<PieceFigures> figures;  // of the parts
     DartProposal proposal;
@@ -59,7 +59,7 @@ class CutSetSearch {
 
   const FlatPieces& pieces_;
   const Chart& input_chart_;
-  const bool is_flat_;  // with too much strain
+  const bool is_flat_;  // whether the piece has a flat shape, but with too much strain
   const Chart chart_;   // in canonical order
   const PartMap map_;
   const std::vector<VertexHandle> image_;

@@ -31,11 +31,11 @@ using FlatPieces = std::vector<std::shared_ptr<const FlatPiece>>;
 
 /// Figures of a piece, or of all its parts together.
 struct PieceFigures {
-  double energy = 0;  // over the 3D area
-  double strain = 0;  // of the most strained part
+  double energy = 0;  // energy over the 3D area
+  double strain = 0;  // strain of the most strained part
   double area = 0;    // in 3D, scene units squared
   int num_pieces = 0;
-  std::optional<FlattenError> error;  // of any part
+  std::optional<FlattenError> error;  // error of any part
 };
 
 /// Returns the figures of all pieces. If one has no flat shape, energy and strain are infinite.
@@ -95,7 +95,7 @@ class ExactEvaluation {
                     const std::vector<VertexPair>& opened) const;
 
   const SurfaceToCut& surface_;
-  const FlattenInput& input_;  // in the middle of the material
+  const FlattenInput& input_;  // the surface in the middle of the material
   const NeededStretch needed_;
   InternalOptions options_;
   StopToken stop_;

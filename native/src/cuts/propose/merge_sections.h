@@ -61,7 +61,7 @@ class SectionMerger {
   const MirroredCuts& mirrored_;
   const bool has_other_measure_;  // strain is measured in threads or beyond eases, so free maps cannot estimate it
   const ExactEvaluation& exact_;
-  const ExactEvaluation quick_;  // with fewer factorizations
+  const ExactEvaluation quick_;  // limited to fewer factorizations
   double most_strain_ = 0;
   std::function<void(double)> report_;
   std::map<CutMask, Rejected> rejected_;

@@ -17,8 +17,8 @@
 namespace wirewarp {
 namespace {
 
-/// The coarse copy may rank almost equal cuts wrongly. So cuts in more places than requested are evaluated exactly, and
-/// others up to this share of all that were tried on the copy.
+/// The coarse copy may rank almost equal cuts wrongly. So the cuts of more places than requested are evaluated exactly,
+/// and further cuts up to this share of all cuts that were tried on the copy.
 constexpr int kMorePlaces = 3;
 constexpr double kShareEvaluated = 0.05;
 
@@ -140,7 +140,7 @@ bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const 
 }  // namespace
 
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain) {
-  std::set<int> wires;  // with fixed or elastic lengths
+  std::set<int> wires;  // wires with fixed or elastic lengths
   for (const WirePart& part : chart.wire_parts) {
     if (part.kind == WireKind::rigid || part.kind == WireKind::elastic) wires.insert(part.wire_index);
   }

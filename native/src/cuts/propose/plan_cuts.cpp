@@ -147,7 +147,7 @@ class PlanOfCuts {
     return most;
   }
 
-  FlatPieces pieces_;  // with the cuts so far
+  FlatPieces pieces_;  // pieces with all cuts so far
   const CutKind kind_;
   const CutTarget& target_;
   const ExactEvaluation& exact_;

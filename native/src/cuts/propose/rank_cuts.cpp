@@ -37,7 +37,7 @@ class CutSearch {
   const double longest_;
   const StopToken& stop_;
   std::map<VertexHandle, SmoothPaths> paths_from_;  // keyed by the start of tried cuts
-  std::map<CutEnds, double> energies_;              // of all tried cuts
+  std::map<CutEnds, double> energies_;              // energies of all tried cuts
 };
 
 void CutSearch::try_all(const std::vector<CutEnds>& cuts) {

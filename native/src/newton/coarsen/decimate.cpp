@@ -12,11 +12,11 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kLongestEdge = 2;      // of a new edge, relative to the target length
-constexpr double kWorstQuality = 0.25;  // of a new face: 1 is equilateral, 0 has no area
+constexpr double kLongestEdge = 2;      // length of a new edge over the target length
+constexpr double kWorstQuality = 0.25;  // quality of a new face: 1 is equilateral, 0 has no area
 // A choice counts as better only by more than this factor, so that rotating or scaling the mesh does not change it.
 constexpr double kClearly = 1 + 1e-9;
-constexpr double kSharpestTurn = kPi / 4;  // of a wire; sharper corners are not removed
+constexpr double kSharpestTurn = kPi / 4;  // turn of a wire; sharper corners are not removed
 constexpr double kWorthwhile = 0.02;       // share of the vertices that a round must remove
 
 /// The faces on one side of a vertex, laid out in the plane with the vertex at the origin: all around it, or from one
@@ -24,7 +24,7 @@ constexpr double kWorthwhile = 0.02;       // share of the vertices that a round
 struct Fan {
   std::vector<VertexHandle> rim;  // counter-clockwise; if closed, the first is repeated
   std::vector<FaceHandle> faces;
-  std::vector<Eigen::Vector2d> positions;  // of the rim
+  std::vector<Eigen::Vector2d> positions;  // positions of the rim in the plane
   double angle = 0;                        // on the surface
 };
 
@@ -56,8 +56,8 @@ class Decimation {
   double longest_edge_;
   std::vector<char> is_kept_, is_locked_;
   std::vector<WireNeighbors> wire_neighbors_;
-  std::vector<std::array<int, 3>> corners_;  // of each face, in the order of Place::weights
-  std::vector<int> first_point_;             // of each face: first removed vertex in it
+  std::vector<std::array<int, 3>> corners_;  // corners of each face, in the order of Place::weights
+  std::vector<int> first_point_;             // first removed vertex in each face
   std::vector<Place> places_;
   std::vector<int> face_of_point_;
   std::vector<Fan> fans_;  // around the current vertex

@@ -24,9 +24,9 @@ struct CoarsePlace {
 
 struct DecimatedMesh {
   HalfEdgeMesh mesh;
-  std::vector<int> fine_vertex;     // of each vertex of the mesh
-  std::vector<int> coarse_vertex;   // of each vertex of the chart; -1: removed
-  std::vector<CoarsePlace> places;  // of each vertex of the chart; not set for removed ones on wires
+  std::vector<int> fine_vertex;     // for each vertex of the mesh
+  std::vector<int> coarse_vertex;   // for each vertex of the chart; -1: removed
+  std::vector<CoarsePlace> places;  // for each vertex of the chart; not set for removed vertices on wires
 };
 
 /// network: the lines on which wire vertices stay. edge_length: the target, scene units; no new edge is longer than

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs: the fine wire edges that one coarse edge replaces.
 //
-// Unrolled into the plane with the mean turning of its two sides, a run has a chord. The chord's length is that of the
-// coarse edge, and the angles between the chord and the end edges are added to the coarse surface angles there. The
-// difference between the two sides' turning is added at the nearer end.
+// A run is unrolled into the plane with the mean turning of its two sides. The coarse edge has the length of the chord,
+// which connects the ends of the unrolled run. The angles between the chord and the end edges change the surface angles
+// there. So does the turning of each side beyond the mean, mostly at the nearer end.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ struct WireRun {
   std::vector<double> headings;  // of each edge, unrolled, relative to the chord
   double walked_length = 0;      // sum of the edges
   double chord_length = 0;
-  double one_sided[2] = {0, 0};  // turning of either side beyond the mean, for the first and last vertex
+  double one_sided[2] = {0, 0};  // turning beyond the mean of both sides, for the first and last vertex
 };
 
 /// Divides all wires into runs at the vertices that stay, one flag per chart vertex. Wires must not meet or end at

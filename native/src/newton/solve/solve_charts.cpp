@@ -151,7 +151,7 @@ class ChartsSolver {
   ProgressReport& report_;
   CacheSession& session_;
   ChartsProgress progress_;
-  std::vector<Group> groups_;  // of several charts
+  std::vector<Group> groups_;  // groups of several charts
   std::vector<SolvedChart> solved_;
   std::vector<const Group*> group_of_chart_;  // null: of one chart
   std::vector<char> is_nominal_;              // begun with its elastic seams at h = ease

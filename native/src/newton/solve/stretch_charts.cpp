@@ -33,7 +33,7 @@ class StretchedGroup {
           return refine_without_overlap(k, fixed, budget);
         }) {}
 
-  /// For charts without flipped triangles.
+  /// Solves the group. Its charts must have no flipped triangles.
   void solve() {
     const GroupSolver::Outcome common = solver_.solve_together();
     for (std::size_t k = 0; k < group_.size(); ++k) {
@@ -45,8 +45,9 @@ class StretchedGroup {
     }
   }
 
-  /// For a chart that is flipped or overlaps itself without the stretch. fixed: with fixed elastic seams. ran_out:
-  /// whether the limit of factorizations ended a solver of the stage before. Returns whether a shape has the lengths.
+  /// Solves a chart that is flipped or overlaps itself without the stretch. fixed: the chart with fixed elastic seams.
+  /// ran_out: whether the limit of factorizations ended a solver of the stage before. Returns whether a shape has the
+  /// lengths.
   bool solve_faulty(std::size_t k, const Chart& fixed, bool ran_out) {
     if (refine_faulty(k, fixed, ran_out)) return true;
     explain(k, ran_out);

@@ -10,7 +10,7 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
                                           const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
   constexpr int kMaxFactorizations = 50;
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()), slope = g;
-  double value = 0;  // of the model
+  double value = 0;  // value of the model
   for (int i = 0; i < kMaxFactorizations; ++i) {
     // Variables outside of the active set, which has those at a bound that the model pushes against.
     std::vector<int> free;

@@ -7,7 +7,8 @@
 namespace wirewarp {
 namespace {
 
-/// A site at exactly the reach is outside it, even with rounded coordinates: snapped paths do not move again.
+/// A site exactly at the reach counts as outside, even with rounded coordinates, so that snapped paths do not move
+/// again.
 constexpr double kRoundedReach = 1 - 1e-9;
 
 const std::vector<int> kNoSites;

@@ -104,7 +104,7 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
 
 /// Closes the loops after a step tangent to them, with the present factor.
 bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const {
-  constexpr int kMaxRestorations = 40;  // each takes one solve, less than a shorter step with a new factor
+  constexpr int kMaxRestorations = 40;  // one takes a solve, which is faster than a new factor
   constexpr double kWorthwhile = 0.8;   // share of the gap; a step that leaves more has stalled
   const Eigen::VectorXd no_gradient = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);

@@ -40,7 +40,7 @@ class InteriorPlacement {
 
   std::vector<int> interior_;         // chart vertices off the network, in the order of the matrix rows
   Matrix to_network_;                 // B, one column per chart vertex
-  std::optional<MultifrontalLu> lu_;  // of I - W
+  std::optional<MultifrontalLu> lu_;  // factors of I - W
 };
 
 }  // namespace wirewarp

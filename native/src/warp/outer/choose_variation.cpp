@@ -19,7 +19,7 @@ constexpr double kIsometry = 1e-14;     // shape error of strains of 1e-7, the r
 constexpr int kMaxEvaluations = 100;    // 6 to 25 are usual, for 4 to 232 wires
 constexpr std::size_t kManyParts = 50;  // with more parts, BFGS learns their interaction too slowly
 constexpr double kShortest = -0.99;     // keeps 1 + h > 0, with room for the line search
-constexpr double kLongest = 100;        // for free wires without another bound; finite, because the box needs a bound
+constexpr double kLongest = 100;        // bound on h of free wires; finite, because the box needs one
 
 OuterSolution measured(const Warp& warp, const Eigen::VectorXd& variation, WarpedShape shape) {
   OuterSolution solution;

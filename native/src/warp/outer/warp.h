@@ -15,7 +15,7 @@ namespace wirewarp {
 
 struct WarpedShape {
   Positions2 uv;            // one row per chart vertex, scene units
-  Eigen::VectorXd lengths;  // of the wire edges
+  Eigen::VectorXd lengths;  // lengths of the wire edges
   InnerSolution inner;      // if it is not feasible (the lengths cannot be kept), uv is empty
 };
 
