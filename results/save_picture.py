@@ -15,7 +15,7 @@ COLORS = 256  # the maximum for a PNG with a palette
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Save with the most frequent colors, the flat ones of scales and surfaces, and close the figure.
+    """Save the figure with its most frequent colors, which are those of scales and surfaces, and close it.
 
     Other colors, at borders of lines and letters, are replaced by the nearest of them.
     """

@@ -20,8 +20,8 @@ def add_sector(
 ) -> list[np.ndarray]:
     """Fill the sector of longitudes begin..end around a pole. Return the vertices of each row, pole first.
 
-    surface(row, longitudes) returns the points (c, 3) of a row; row 0 is the pole. Faces point along the pole for
-    increasing longitudes unless flipped.
+    surface(row, longitudes) returns the points (c, 3) of a row; row 0 is the pole. Faces point in the direction of the
+    pole if longitudes increase, or in the opposite one if flipped.
     """
     fan = []
     for row in range(rows + 1):

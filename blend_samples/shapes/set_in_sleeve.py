@@ -9,7 +9,7 @@ from . import bodice, torso
 from .curves import chord_lengths, hermite_curves
 from .shape import Shape, ShapeBuilder
 
-NECK_DEPTH = {1: 0.30, -1: 0.08}  # of the neckline's middle, in v between shoulder line and underarm
+NECK_DEPTH = {1: 0.30, -1: 0.08}  # depth of the neckline's middle, in v between shoulder line and underarm
 # Middle of the elbow and of the cuff; radii there, from the underarm to the shoulder side, and from front to back.
 ELBOW, CUFF = np.array([0.308, 0.004, 0.225]), np.array([0.404, -0.026, -0.005])
 ELBOW_RADII, CUFF_RADII = np.array([0.062, 0.066]), np.array([0.048, 0.052])

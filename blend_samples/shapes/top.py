@@ -9,7 +9,7 @@ from . import bodice, torso
 from .curves import chord_lengths, hermite_curves
 from .shape import Shape, ShapeBuilder
 
-NECK_DEPTH = {1: 0.40, -1: 0.12}  # of the neckline's middle, in v between shoulder line and underarm
+NECK_DEPTH = {1: 0.40, -1: 0.12}  # depth of the neckline's middle, in v between shoulder line and underarm
 CUFF_CENTER = np.array([0.285, 0.005, 0.385])
 CUFF_RADII = np.array([0.058, 0.064])  # along the sleeve's underarm-to-shoulder direction, and front to back
 ARM = np.array([0.76, 0.0, -0.65]) / np.hypot(0.76, 0.65)  # direction of the left arm

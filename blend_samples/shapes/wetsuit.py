@@ -9,7 +9,7 @@ from . import bodice, torso
 from .curves import coons_patch, cubic_spline
 from .shape import Shape, ShapeBuilder
 
-NECK_DEPTH = {1: 0.17, -1: 0.05}  # of the neckline's middle, in v between shoulder line and underarm
+NECK_DEPTH = {1: 0.17, -1: 0.05}  # depth of the neckline's middle, in v between shoulder line and underarm
 # Longitudes of the side panels' seams at hem, waist and bust line; the seams end in the armhole.
 SEAM_LONGITUDES = {1: np.radians([57, 55, 59]), -1: np.radians([59, 57, 61])}
 TOLERANCE = 0.05

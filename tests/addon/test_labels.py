@@ -48,7 +48,7 @@ def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another(addon):
     (below,) = arrange([front], size_of)
     assert below.base + HEIGHT < 90
     assert below.left + size_of("Front")[0] / 2 == 100
-    back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # at that place
+    back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # takes that place
     above, _ = arrange([front, back], size_of)
     assert above.base > 110
 

@@ -145,7 +145,7 @@ def test_cuts_disappear_if_their_path_is_painted(addon):
     assert found(addon, source) is None
     with pytest.raises(RuntimeError, match="Nothing is suggested"):
         bpy.ops.object.wirewarp_mend(what="SUGGESTION")
-    source.vertex_groups.clear()  # an attribute cannot have the name beside it
+    source.vertex_groups.clear()  # a vertex group and an attribute cannot have the same name
     source.update_tag()
     bpy.context.view_layer.update()
     SUGGEST["DARTS"]()

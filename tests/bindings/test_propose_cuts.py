@@ -109,7 +109,7 @@ def test_no_cut_runs_along_an_edge_without_seams(propose):
 
 
 def test_a_plan_keeps_to_its_limits():
-    """Targets, the number of cuts, their length and edges without seams."""
+    """The limits are targets, the number of cuts, their length and edges without seams."""
     first, second = plan_cuts(*DOME, strain=0.0, most=2)
     assert second.strain_before == pytest.approx(first.strain, rel=1e-6)
     assert len(plan_cuts(*DOME, strain=first.strain + 1e-6, most=2)) == 1
@@ -118,4 +118,4 @@ def test_a_plan_keeps_to_its_limits():
     for cut in plan_cuts(*DOME, strain=0.0, most=1, no_seam=first.edges, longest=1.0, seams=[]):
         assert cut.length <= 1.0 and not taken & {frozenset(pair) for pair in cut.edges.tolist()}
     cuts = plan_cuts(*DOME, kind="seam", strain=0.0, most=2)
-    assert len(flatten(*DOME, seams=np.concatenate([cut.edges for cut in cuts])).pieces) == 3  # pieces of pieces
+    assert len(flatten(*DOME, seams=np.concatenate([cut.edges for cut in cuts])).pieces) == 3  # a part is cut again

@@ -136,7 +136,7 @@ def fits(value: object, hint: object) -> bool:
 
 
 def all_within(value: object) -> list:
-    """Return the object and all of ours in its attributes."""
+    """Return the object and all objects of our classes in its attributes."""
     if isinstance(value, list):
         return [inner for each in value for inner in all_within(each)]
     if type(value).__name__ not in CLASSES:

@@ -26,7 +26,7 @@ def own_imports(file: Path) -> set[Path]:
 
 
 def room_of(file: Path) -> str:
-    """Return the package that contains a file, or the file's name in the root."""
+    """Return the package that contains the file; for a file in the root, its own name."""
     first = file.relative_to(ADDON).parts[0]
     return first.removesuffix(".py")
 

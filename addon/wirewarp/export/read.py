@@ -46,7 +46,7 @@ EDITED = "The flat pieces were edited by hand, and a seam of the model is missin
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternParts:
     """Return the pattern data of a model in Object Mode.
 
-    Raise ObjectError if no piece exists or is up to date.
+    Raise ObjectError if pieces are missing or outdated.
     """
     report, flat = current_pieces(source)
     return _parts(scene, source, report, flat, bpy.context.evaluated_depsgraph_get())

@@ -180,7 +180,7 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Wait for the end of another mode or run after a change."""
+        """Return whether an update is due and may run; it waits for the end of other modes and runs."""
         return is_due(context.scene) and OBJECT_OT_wirewarp_update.poll(context)
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
@@ -195,9 +195,10 @@ class WM_OT_wirewarp_watch(bpy.types.Operator):
 def updating_in(group: str) -> Callable:
     """Return the operator that updates within the last undo step, if the step has this name.
 
-    With an undo step of its own, undo would first remove only the pieces, which would then not match the marks. Blender
-    joins steps of one undo group, and reads an operator's group when it is registered. Each group has its own operator,
-    because unregistering one makes Blender forget all operations, and with them Adjust Last Operation.
+    If the update had its own undo step, the first undo would restore only the earlier pieces, which would not match the
+    marks. Blender joins steps of one undo group, and reads an operator's group when it is registered. Each group has
+    its own operator, because unregistering one makes Blender forget all operations, and with them Adjust Last
+    Operation.
     """
     if group == LABEL:
         return bpy.ops.object.wirewarp_update

@@ -32,7 +32,7 @@ NO_ANGLE = "Grain Angle was not used: it needs Upright: Grain Wire and a grain w
 class Model:
     """An object as it was read, by name, because the object may be deleted before the results exist."""
 
-    name: str  # with the library's, Object.name_full
+    name: str  # and that of its library: Object.name_full
     facts: Facts
     state: dict | None  # see model_state; None if it could not be read
     notes: list[Note]
@@ -55,7 +55,7 @@ class Outcome:
     seams: Sequence[SeamIdentity] = ()
     arrays: MeshArrays | None = None  # of the model, with the present ids of its seams
     pieces: FlatMesh | None = None  # None if there is no layout
-    is_elsewhere: bool = False  # whether some pieces are in a place that had none
+    is_elsewhere: bool = False  # whether some pieces are in new places
 
 
 def solve_models(

@@ -190,7 +190,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """In a script and for Adjust Last Operation."""
+        """Flatten at once, in a script and for Adjust Last Operation."""
         return self.flatten_now(context, self._sources(context))
 
     def _sources(self, context: bpy.types.Context) -> list[bpy.types.Object]:

@@ -11,7 +11,7 @@ from ..ui.layout import SidebarPanel, draw_sentence
 from ..ui.settings import draw_ease
 
 SIDES = (("ALL", "All Sides"), ("NONE", "Clear Ease"), ("ONE", "One Side"), ("OTHER", "Other Side"))
-OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # labels for a selected side
+OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # buttons if a side of a flat piece is selected
 
 
 class VIEW3D_PT_wirewarp_mark(OnMesh, SidebarPanel, bpy.types.Panel):

@@ -241,7 +241,7 @@ class ReportSection(SidebarPanel):
 
     bl_parent_id = "VIEW3D_PT_wirewarp_report"
     bl_options = {"DEFAULT_CLOSED"}
-    table = ""  # of ReportTables
+    table = ""  # name of a table of ReportTables
 
     @classmethod
     def rows(cls, context: bpy.types.Context) -> list:

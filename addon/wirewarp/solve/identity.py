@@ -118,7 +118,7 @@ def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegio
 def _names_by(
     regions: Sequence[Region], piece_of_face: np.ndarray, faces_in_piece: np.ndarray
 ) -> list[tuple[int, str]]:
-    """Return (piece, name); of several regions of one piece, the one with the fewest other pieces."""
+    """Return (piece, name). If a piece has several regions, the one with the fewest other pieces names it."""
     if not regions:
         return []
     counts = np.array([np.bincount(piece_of_face[each.faces], minlength=len(faces_in_piece)) for each in regions])

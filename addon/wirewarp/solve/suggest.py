@@ -54,7 +54,7 @@ class Cut:
     paths: list[SurfacePath] = field(compare=False)  # the same cut as lines, for library.cut_mesh
     segments: Segments = field(compare=False)  # drawn lines
     piece: int  # number of the piece in the flattening
-    lengths: list[float]  # of each line on the model; of a cut set together; Blender units
+    lengths: list[float]  # of each line on the model, or the total of a cut set; Blender units
     strain: float  # strain that 99% of the piece, or of its worst part, stays below after the cut
     strain_before: float  # infinite for a cut set
     num_pieces: int  # pieces after the first line; after all lines of a cut set, or without the cleared seams

@@ -124,7 +124,7 @@ class WindowRun(Generic[T]):
         return self._result
 
     def stop(self) -> None:
-        """Stop in any case."""
+        """Stop the run, finished or not. A second call does nothing."""
         global _current
         if _current is not self:
             return

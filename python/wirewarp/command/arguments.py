@@ -289,7 +289,7 @@ def _check_fewer(parser: argparse.ArgumentParser, given: argparse.Namespace) -> 
 
 
 def _clashes(requests: Sequence[Request]) -> dict[int, str]:
-    """Return a sentence for each request, by number, that would write a file which another one writes or reads."""
+    """Return a sentence, by its number, for each request that would write a file which another one writes or reads."""
     clashes: dict[int, str] = {}
     writers: dict[Path, int] = {}
     for number, request in enumerate(requests):

@@ -27,7 +27,7 @@ def word_of(verdict: Verdict) -> str:
 
 
 def unfinished(verdict: str, code: str, problem: str) -> Line:
-    """Return the line of a model of which nothing was written."""
+    """Return the line of a model for which no files were written."""
     return {"verdict": verdict, "problems": [problem], "codes": [code]}
 
 

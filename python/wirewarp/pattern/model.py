@@ -94,7 +94,7 @@ class PatternPiece:
     area: float = 0.0  # square millimeters inside the stitching lines, of the whole piece
     copied_names: tuple[str, ...] = ()  # names of the pieces that its other copies replace
     deviation: float = 0.0  # millimeters: largest distance of a copy from the flattened shape
-    allowances: tuple[float, ...] = ()  # different widths outside its stitching lines, in millimeters, without 0
+    allowances: tuple[float, ...] = ()  # all different widths outside its stitching lines except 0, in millimeters
 
     def of_role(self, *roles: str) -> list[Line]:
         return [line for line in self.lines if line.role in roles]

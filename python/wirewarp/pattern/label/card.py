@@ -65,7 +65,7 @@ def _name_with_copies(piece: PatternPiece) -> str:
 def with_card_anew(
     piece: PatternPiece, count: int, heading: str, units: UnitSystem, sheets: Sheets = ANYWHERE
 ) -> PatternPiece:
-    """Return a changed piece with new texts, but only of the kinds that it had."""
+    """Return a changed piece with new texts, but only with those kinds of texts that it had."""
     roles = {text.role for text in piece.texts}
     whole = with_card(piece, piece.number, count, heading, units, sheets)
     left_out = {LEADERS[role] for role in LEADERS if role not in roles}
@@ -83,7 +83,7 @@ def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], drawn: list[
 
 
 def _short_cards(texts: list[str], outlines: list[np.ndarray]) -> list[Text]:
-    """Return the cards at the middle of the piece, for which they are too large."""
+    """Return short cards at the middle of a piece that is too small to contain them."""
     center, _ = innermost_point(outlines, [])
     return [Text((text,), center, LEAST_HEIGHT) for text in texts]
 

@@ -104,7 +104,7 @@ class Beside:
 def _leaders(text: Text, centers: np.ndarray, target: np.ndarray) -> np.ndarray:
     """Return for each center (c,2) of the text a line (3,2) that does not cross the letters.
 
-    It leads from the target to the nearer end of a base line or top line of the letters, and along it.
+    The line leads from the target to the nearer end of the letters' top or bottom edge, and along this edge.
     """
     sides = np.where((target - centers) @ axes(text) > 0, 1, -1)
     along, up = (sides[:, [side]] * axes(text)[:, side] for side in (0, 1))

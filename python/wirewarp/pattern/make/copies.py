@@ -36,7 +36,7 @@ class Copies:
 def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool, on_fold: bool) -> Copies:
     """Return the copies.
 
-    pieces: those of laid, with their lines. pairs: whether pieces of one shape are drawn once.
+    pieces: the same pieces as `laid`, with their lines. pairs: whether pieces of one shape are drawn once.
     """
     found = Copies({}, {})
 

@@ -137,12 +137,13 @@ def turn_between(first: Side, second: Side) -> float:
 
 
 def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
-    """Return (junction's input vertex, seam) of the seams that are sewn before those that cross them at their end.
+    """Return (vertex of the junction, seam) for the seams that are sewn before those that cross their end.
 
     Once a seam is sewn, a line that crosses it should continue straight. At each junction, the first seam is therefore
-    the one over which its two neighbors are nearest to a straight line, or the shorter one of equals. Then follow
-    others that share no corner with a chosen one. Equal neighbors, as at the pole of a ball, are both left out, which
-    keeps symmetry. The answer is the same on both sides of a seam, so that its two allowances end alike.
+    the one over which its two neighbors are nearest to a straight line, or the shorter one of equals. Other seams of
+    the junction follow if they share no corner with a chosen one. Equal neighbors, as at the pole of a ball, are both
+    left out, so that symmetric pieces stay symmetric. The answer is the same on both sides of a seam, so that its two
+    allowances end alike.
     """
     angles: dict[int, dict[int, list[float]]] = defaultdict(lambda: defaultdict(list))
     beside: dict[tuple[int, int], set[int]] = defaultdict(set)
