@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Symmetric positive definite matrices on graphs, for the tests of src/cholesky.
+// Symmetric positive definite matrices on graphs, for the tests of src/numerics/cholesky.
 #pragma once
 
 #include <Eigen/SparseCore>

@@ -65,7 +65,7 @@ double ShapeError::energy_and_gradient(const Positions2& uv, Positions2& gradien
     const LinearMap map = map_of(t, uv);
     sum += t.area * map.squared_distance_from_rotation();
 
-    // ∂E/∂J = 2A (J - L) = A (2z, 2w less 2ẑ), entry by entry.
+    // ∂E/∂J = 2A (J - L). Its similarity part is A (2z - 2ẑ), and its reflection part is A 2w.
     const double stretch = map.norm_z > 0 ? 1 - 2 / map.norm_z : 1;
     add_to_corners(t, t.area * stretch * map.z1, t.area * stretch * map.z2, t.area * map.w1, t.area * map.w2, gradient);
   }

@@ -130,7 +130,7 @@ class NewtonSystem {
   std::vector<VertexMatrix::Block> edge_blocks_;
   std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // h with the ends a, b of each elastic edge
   Eigen::Index num_positions_;                                      // number of unknowns before h
-  Eigen::ArrayXd constant_;      // values of L + the Hessian of F + 10⁻⁴ M + the pin that never turns
+  Eigen::ArrayXd constant_;      // values of L + the Hessian of F + 10⁻⁴ M + the pins that do not depend on uv
   Eigen::VectorXd stiffness_;    // ρ
   Eigen::MatrixXd stiffness_h_;  // S
   Positions2 directions_;        // d̂

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kOrdinarySteps = 5;  // the token is polled once per this many steps
 constexpr int kMaxSteps = 60;      // with 30, some nets stop at errors of 1e-11
-constexpr int kRemembered = 5;     // steps: with 3, nets of 128 wires take a tenth longer; with 8, as long
+constexpr int kRemembered = 5;     // previous steps; nets of 128 wires take a tenth longer with 3, as long with 8
 constexpr double kMostLeft = 0.9;  // largest share of the error left by a step; 0.45 takes 5% more factorizations
 
 /// Anderson's acceleration: the combination of previous steps that minimizes the linearly extrapolated error.

@@ -185,7 +185,7 @@ bool SectionMerger::open_one(bool is_half) {
   return false;
 }
 
-/// Returns symmetric candidates. Drops those that were rejected beside the same pieces.
+/// Returns symmetric candidates. Drops those that were rejected before with the same pieces beside them.
 std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) const {
   std::vector<HalfEdgeChain> sections;
   for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {

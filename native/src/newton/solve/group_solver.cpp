@@ -51,7 +51,7 @@ GroupSolver::Outcome GroupSolver::solve(const std::vector<Part>& parts, bool kee
       before_[part.member].report.factorizations = solved(part).report.factorizations;
       solved(part) = before_[part.member];
     } else if (stop_.is_stopped()) {
-      report_cancelled(solved(part).report);  // even if this chart was finished: the group is not
+      report_cancelled(solved(part).report);  // even if this chart is finished, because its group is not
     }
   }
   return outcome;

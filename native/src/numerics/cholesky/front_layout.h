@@ -53,7 +53,7 @@ struct FrontLayout {
   std::vector<int> front_of_vertex;  // front in which each vertex is a pivot
   std::size_t panel_tiles = 0;
   std::size_t schur_tiles = 0;
-  int largest_front = 0;  // tiles, pivots and rows
+  int largest_front = 0;  // tiles of pivots and rows
   int kept_root = -1;     // front that is assembled but not eliminated; -1: none
 
   FrontSet all_fronts;               // fronts to eliminate

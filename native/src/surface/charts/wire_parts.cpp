@@ -76,7 +76,7 @@ HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int f
   return chain;
 }
 
-/// Does nothing for ratio 1, so that a chart whose targets are its 3D lengths has no list.
+/// Does nothing for ratio 1, so that a chart has no list if its targets are its 3D lengths.
 void multiply_length(Chart& chart, HalfedgeHandle h, double ratio) {
   if (ratio == 1) return;
   chart.length_ratio.resize(chart.mesh.n_edges(), 1);

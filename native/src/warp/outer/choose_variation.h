@@ -28,9 +28,9 @@ struct VariationBounds {
   std::vector<int> elastic_parts() const;
 };
 
-/// Returns |h| <= tolerance for elastic parts and -0.99 <= h <= 100 for super-elastic ones. WireWarping keeps the
-/// user's wires rigid; only its helper wires are free. The least-norm solution has no gradient by h, so h is 0
-/// everywhere.
+/// Returns the bounds |h| <= tolerance for elastic parts and -0.99 <= h <= 100 for super-elastic ones. WireWarping
+/// keeps the user's wires rigid; only its helper wires are free. The least-norm solution has no gradient by h, so h is
+/// 0 everywhere.
 VariationBounds variation_bounds(const Chart& chart, const Options& options);
 
 /// Returns h0, the start of the search: the lengths of a free ARAP flattening, clamped to the bounds. h0 = 0 if ψ(0) is
