@@ -31,7 +31,7 @@ LADDER = 60  # number of requested proposals, more than any cut set has
 FEWEST = 2  # number of sets to which darts are added; adding darts to larger sets gave longer cuts
 DARTS = 20  # maximum number of darts: half the largest number of cuts in a set
 CHOICE = 5  # number of proposed darts, the default of propose_darts()
-SETS = "\n## Sets of seams for closed models\n"  # a section by bench/cut_sets.py, which stays
+SETS = "\n## Sets of seams for closed models\n"  # heading of the section by bench/cut_sets.py, which is kept
 CLOCK_LIMIT = 10 * LIMIT  # seconds of wall time; more than LIMIT, because other processes may use the core
 
 
@@ -174,7 +174,7 @@ def verdict(peer: Outcome, own: Outcome) -> str:
 
 
 def in_brief(rows: list[tuple[Outcome, Outcome]]) -> str:
-    """Return counts and medians of who has the shorter cuts, over the surfaces that both can cut."""
+    """Return how often each has the shorter cuts, and medians, over the surfaces that both can cut."""
     both = [(peer, own) for peer, own in rows if peer.figures and own.figures]
     if not both:
         return "Neither cut the surfaces that the other did."

@@ -121,8 +121,9 @@ def with_version(text: str) -> str:
 
 
 def write_extension(folder: Path, platform: str, wheels: list[Path]) -> Path:
-    """Write everything in one folder, which Blender 4.2 and later skip: earlier ones, without extensions, then do not
-    scatter the files.
+    """Write everything in one folder, which Blender 4.2 and later ignore.
+
+    Earlier Blenders have no extensions and would otherwise scatter the files.
     """
     files = addon_files()
     for wheel in wheels:

@@ -57,7 +57,7 @@ def register() -> Callable[[], None]:
                 getattr(bpy.app.handlers, name).append(bpy.app.handlers.persistent(function))
                 undo.callback(_remove_handler, name, function)
         undo.callback(auto_update.forget_joining)
-        for forget in reversed(FORGET):  # in reverse order
+        for forget in reversed(FORGET):  # `undo` calls them in reverse order
             undo.callback(forget)
         return undo.pop_all().close
 

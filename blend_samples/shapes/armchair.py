@@ -24,8 +24,8 @@ def armchair_cover(
 ) -> Shape:
     """Return the cover with a rigid line around its outside and elastic lines along and across.
 
-    Numbers of edges: arm, half a corner and back along the wall; outside, roll and inside over it; across an arm's
-    front, whose sides get the remaining edges of the roll.
+    The arguments are numbers of edges. Along the wall: arm, half a corner, back. Over the wall: outside, roll, inside.
+    `across` is the width of an arm's front, whose sides get the remaining edges of the roll.
     """
     builder = ShapeBuilder()
     wall = builder.add_grid(_wall(arm, corner, back, outside, roll, inside))

@@ -316,7 +316,7 @@ def test_marking_flattening_renaming_and_removing_are_noticed(addon, among_other
     assert names_drawn(addon) == {"Sleeve"}
     source.data.vertices[0].co.x = float("nan")
     flatten_fails("not numbers, or far")
-    assert names_drawn(addon) == {"Sleeve", "Bump"}  # for its report
+    assert names_drawn(addon) == {"Sleeve", "Bump"}  # it has a report now
     bpy.data.objects.remove(among_others)
     source.hide_set(True)
     assert names_drawn(addon) == set()

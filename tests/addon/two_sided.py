@@ -38,7 +38,7 @@ def ease(target, line, **settings):
 
 
 def lengths(source, line):
-    """Return the line's length on the model, on the left and on the right piece; two equal ones inside a piece."""
+    """Return the line's length on the model, on the left and on the right piece; equal flat lengths inside a piece."""
     flat = flat_of(source).data
     model = read(source.data.vertices, "co", np.float32, 3).astype(float)
     sources = read(flat.attributes["source_vertex"].data, "value", np.int32)

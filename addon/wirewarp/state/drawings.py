@@ -47,7 +47,7 @@ def kept_drawing(
 ) -> T:
     """Return build(), or its last result if `made_of` is unchanged or if a build now would delay the user.
 
-    model: another object whose Edit Mode counts.
+    model: another object; in its Edit Mode, builds wait for a pause, too.
     """
     drawings, now = state_of(owner).drawings, time.monotonic()
     entry: _Entry | None = drawings.get(what)

@@ -95,7 +95,7 @@ class Request(ModelRequest):
 
     @property
     def picture_path(self) -> Path:
-        """Return the path. NAME.png would be the texture of many models."""
+        """Return the path. It is not NAME.png, because many models have a texture of that name."""
         return self.folder / f"{self.model.stem}-strain.png"
 
     def marker_path(self, kind: str) -> Path:

@@ -86,7 +86,7 @@ class Marker:
         return len(sizes) == len(self.made_of) and all(map(Size.is_like, sizes, self.made_of))
 
     def motion(self, placement: Placement) -> Motion:
-        """Return the motion to the place in one drawing, with sheets above each other."""
+        """Return the motion to the place in a drawing of all sheets, one above the other."""
         above = 0.0 if self.sheet_length is None else placement.sheet * (self.sheet_length + SHEETS_APART)
         return Motion(np.array([placement.x, placement.y + above]), placement.angle, placement.mirrored)
 

@@ -138,7 +138,7 @@ def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:
 def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:
     """Return the line (k,2) across the mouth of a dart. Folded, it continues the outlines on both sides.
 
-    Each of these, reflected in its leg, therefore continues to the point where both meet.
+    It therefore consists of the two outlines, each reflected in its leg, up to the point where they meet.
     """
     a, b = dart.mouth
     flat = np.array([a, b])
