@@ -44,8 +44,8 @@ Charts cut(const Run& run, const EdgeTable& edges, ProgressReport& report, Secon
   return cut_into_charts(run.input, edges, stop.in("charts"));
 }
 
-/// Pieces that are flat when the caller cancels are measured if this takes no more calls of a WorkMeter than this: half
-/// a second at most.
+/// If the caller cancels, pieces that are flat already are still measured, unless that takes more calls of a WorkMeter
+/// than this: half a second at most.
 constexpr int kQuestionsAfterCancel = 25;
 
 StopToken while_measuring(ProgressReport& report) {

@@ -28,7 +28,8 @@ namespace wirewarp::test_minimize {
 namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
-constexpr double kSameMinimum = 1e-7;  // of f, because each run stops when the next step would gain less than 1e-9
+// Relative difference of f, because each run stops when the next step would gain less than 1e-9 of it.
+constexpr double kSameMinimum = 1e-7;
 
 struct Case {
   explicit Case(const FlattenInput& input) : charts(test::charts_of(input)) {}

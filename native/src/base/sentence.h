@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words of a sentence: the first few elements by number and the count of the rest; wires; percentages.
+// Words of a sentence: lists that name a few elements and count the rest, wires, percentages.
 #pragma once
 
 #include <cstddef>

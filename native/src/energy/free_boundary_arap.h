@@ -17,7 +17,7 @@ struct FreeBoundaryArap {
   Positions2 uv;           // one row per chart vertex, scene units
   double energy = 0;       // E of Eq. (4), scene units squared
   int iterations = 0;      // steps; each solves the factored system once
-  int factorizations = 0;  // 1, plus 1 for the embedding on a circle
+  int factorizations = 0;  // number of factorizations: 1, and 1 more for an embedding on a circle
   bool converged = false;  // the last step lowered E by less than 1e-6 of it
 };
 

@@ -248,7 +248,7 @@ Eigen::VectorXd NewtonSystem::changes_of_length(const Eigen::VectorXd& d) const 
   return constraints_.apply(directions_, Eigen::Map<const Positions2>(d.data(), num_positions_ / 2, 2));
 }
 
-/// Returns the norm of the relative motions of the two ends of all edges.
+/// Returns the norm of the motions of all edges, where an edge's motion is that of one end relative to the other.
 double NewtonSystem::relative_motion(const Eigen::VectorXd& d) const {
   double sum = 0;
   for (const LengthConstraints::Edge& edge : constraints_.edges()) {

@@ -103,7 +103,7 @@ class PlanOfCuts {
     return comes_with_mirror_image(cut, proposals) ? *cut.strain_with_twin : cut.strain;
   }
 
-  /// Whether the cut lowers the strain without those mirror images that may not be taken.
+  /// Whether the cut lowers the strain, together with its mirror image if both may be taken.
   bool helps(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
     return strain_if_taken(cut, proposals) < cut.strain_before;
   }

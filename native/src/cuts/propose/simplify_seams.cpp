@@ -21,7 +21,7 @@
 namespace wirewarp {
 namespace {
 
-/// Share of the progress when the input is flattened with all its seams.
+/// Progress once the input has been flattened with all its seams.
 constexpr double kFlattened = 0.1;
 
 VertexPair sorted(const VertexPair& ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }

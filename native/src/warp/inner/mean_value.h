@@ -13,7 +13,7 @@ struct WeightedVertex {
   double weight;  // positive
 };
 
-/// Writes the neighbors of an interior vertex and their mean-value weights, which sum to 1, to ring, in the order of
+/// Fills `ring` with the neighbors of an interior vertex and their mean-value weights, which sum to 1, in the order of
 /// the mesh's vertex circulator. With α_j the 3D angle at the center of the triangle after neighbor j, and l_j the edge
 /// to neighbor j,
 ///
