@@ -20,8 +20,8 @@ Injectivity injectivity_of(const Chart& chart, const Positions2& uv);
 /// found. The token is polled in the stages "start" and "shape". Throws Stopped and FactorizationFailed.
 std::optional<Shape> reach_injectively(Problem& problem, const Stage& stage, const Control& control);
 
-/// Improves an exact solution that is not injective: replaces it by the least distorted shape without flips, then by the
-/// least distorted one without overlaps. Keeps the last exact shape if none is found or the caller stops.
+/// Improves an exact solution that is not injective: replaces it by the least distorted shape without flips, then by
+/// the least distorted one without overlaps. Keeps the last exact shape if none is found or the caller stops.
 void make_injective(Problem& problem, Stage stage, const Control& control, Solution& solution);
 
 }  // namespace wirewarp
