@@ -23,7 +23,7 @@ JITTER = 0.3  # in edges; about as uneven as scanned and sculpted models
 JITTERED_SIZES = [10_000, 100_000]
 NET_SIZE, NETS = 40_000, [8, 32, 128]  # triangles; numbers of wires (128 wires are 2.2 edges apart)
 LIMIT, FULL_LIMIT = 120.0, 900.0  # seconds of wall time for one method on one surface
-LARGEST = {  # maximum number of triangles of a method that takes longer than all others together
+LARGEST = {  # maximum number of triangles for methods that would take longer than all others together
     flatteners.ARAP_CONVERGED: 100_000,
     flatteners.SLIM: 100_000,
     flatteners.SLIM_CONVERGED: 10_000,

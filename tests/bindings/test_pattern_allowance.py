@@ -221,6 +221,6 @@ def test_a_tip_inside_of_a_section_is_a_mitre_that_is_cut_square_at_its_limit(de
     straight_on = shapely.LineString([tip, (50 * width, 0)]).intersection(shapely.LinearRing(outer))
     expected = min(2.5 * width, width / math.sin(half))
     assert shapely.distance(straight_on, shapely.Point(tip)) == pytest.approx(expected, abs=1e-3)
-    if expected == 2.5 * width:  # square to the direction straight on
+    if expected == 2.5 * width:  # the cut is square to the middle line of the tip
         edge = outer[np.abs(outer[:, 0] - expected) < 1e-3]
         assert len(edge) == 2 and edge[:, 1].sum() == pytest.approx(0, abs=1e-3)

@@ -229,7 +229,7 @@ def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
 
 
 def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
-    """Assign the model's materials to its faces, and the add-on's to failed ones. Without any, the user's stay."""
+    """Assign the model's materials to its faces, and the add-on's to failed ones. Without both, the user's stay."""
     kept = [material for material in mesh.materials if not (material and material.name == FAILED_MATERIAL)]
     own = [slot.material for slot in source.material_slots]
     shown = own or kept

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """From flat pieces to the cutting table: allowances, notches, and files to print, plot and cut.
 
-Everything is in millimeters, y upwards. Needs pyclipper, and pydyf and uharfbuzz for PDF; markers
-are shorter where spyrrow is installed.
+Everything is in millimeters, y upwards. Needs pyclipper, and pydyf and uharfbuzz for PDF; markers are shorter if
+spyrrow is installed.
 """
 
 from . import geometry as geometry
