@@ -25,8 +25,8 @@ def narrowest_width(outlines: Sequence[np.ndarray]) -> float:
     """Return the diameter of the largest disk that can move through a shape, given by its outlines (k,2).
 
     This is twice the largest inward offset at which the shape is still one part and disks of this radius cover at least
-    half of its area. Parts with less than a tenth of the area do not count. Holes run in the opposite direction to the
-    outer outline. Lengths may have any unit.
+    half of its area. Parts in which the disks cover less than a tenth of the area do not count. Holes run in the
+    opposite direction to the outer outline. Lengths may have any unit.
     """
     points = np.concatenate(outlines)
     low = points.min(axis=0)
