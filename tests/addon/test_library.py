@@ -103,7 +103,7 @@ def test_a_library_for_another_python_or_system(addon, library_copy, suffix, mad
     check_sentence(addon, rf"is made for {made_for}; {here}\. Remove WireWarp")
 
 
-SPOILED = {  # what the library's __init__ is instead, and what is said then
+SPOILED = {  # text of the library's __init__, and the resulting sentence
     "another version": ('__version__ = "99.0.0"\n', r"but the library found is 99\.0\.0\. Remove WireWarp"),
     "another package": ("", "the library found is of an unknown version. Remove WireWarp"),
     "breaks down": (

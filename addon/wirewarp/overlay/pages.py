@@ -64,7 +64,7 @@ class PageChoices:
     paper: str | float  # as the library takes it
     arrangement: str  # "IN_ROWS", "AS_LAID_OUT" or "MARKER"
     cloth: Cloth  # the fabric of a marker
-    marker: str  # the stored marker, see export.markers
+    marker: str  # the stored marker, see export.read
 
 
 def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:

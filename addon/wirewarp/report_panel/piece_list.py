@@ -88,7 +88,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if chosen:
             draw_figures(context, self.layout, chosen)
             report = shown_report(context)
-            offered = offered_piece(context, source, report) if report else None  # by the panel of Flatten
+            offered = offered_piece(context, source, report) if report else None  # has buttons below Flatten
             has_seams = bool(report and report.seams)
             if chosen.ok and chosen.needed >= WORTH_A_CUT and offered != chosen.index:
                 draw_suggest(self.layout, context.scene.wirewarp, chosen.index, has_seams=has_seams)
