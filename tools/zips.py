@@ -45,7 +45,7 @@ Libraries = Callable[[str, str], list[Path]]  # returns the wheels of other pack
 
 
 def write_zips(folder: Path, libraries: Libraries = library_wheels) -> list[Path]:
-    """Write for each platform with wheels of this version in the folder the extension and, if possible, the legacy zip.
+    """Write the extension and, if possible, the legacy zip of each platform with wheels of this version in the folder.
 
     Raises StepError for a wheel of an unknown platform, and if there is no wheel.
     """

@@ -142,7 +142,7 @@ def test_a_mirror_is_applied_and_the_copies_are_wires_of_their_own(marked, addon
 
 @pytest.mark.parametrize("use_modifiers", [False, True])
 def test_a_copy_of_a_wire_has_the_name_of_its_original(addon, use_modifiers):
-    """A wire that ends before the edge of a half, and its copy on the other half."""
+    """The wire ends before the edge of a half, and the other half has its copy."""
     source = grid("Half", lambda x, y: (x + 1, y, 0.2 * x * x))
     mark(source, lambda a, b: ALONG(a, b) and min(a.x, b.x) > 0.4)
     source.modifiers.new("Other Half", "MIRROR")

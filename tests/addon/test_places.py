@@ -287,7 +287,7 @@ def test_the_button_that_rearranges_is_shown_if_places_are_kept(source, addon):
     assert buttons() == with_button - 2  # narrow and wide
     bpy.context.scene.wirewarp.keep_places = True
     select_only(flat_of(source))
-    assert buttons() == with_button  # of their model
+    assert buttons() == with_button  # the buttons of their model
     describe = addon.flatten.operators.OBJECT_OT_wirewarp_flatten.description
     words = [describe(bpy.context, SimpleNamespace(only_active=only)) for only in (False, True)]
     assert "keep the length" in words[0] and "lay out all its pieces again" in words[1]

@@ -92,7 +92,7 @@ def _with_flipped(model: Model, rows: np.ndarray) -> Model:
 
 
 def _labels(vertices: np.ndarray, close: float) -> np.ndarray:
-    """Return the first (n,) of the vertices that are close to each."""
+    """Return for each vertex (n,) the first one of those that are close to it."""
     labels = np.arange(len(vertices))
     pairs = _close_pairs(vertices, close)
     while True:  # follow chains of close vertices

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 SCRAP = 0.1  # of the area: smaller parts may be lost
 MOST = 0.5  # least share of the area that disks must cover; they never reach into corners
 STEPS, HALVINGS = 24, 10  # of the search: each step can find a waist nearly as wide as the part behind it
-ARC, ROUGH_ARC = 1e-3, 0.03  # of the radius: how far round corners may be from the arc, of widths and of areas
+ARC, ROUGH_ARC = 1e-3, 0.03  # errors of round corners as shares of the radius, for widths and for areas
 
 Polygon = list[list[int]]
 
