@@ -108,11 +108,12 @@ constexpr Entry kEntries[] = {
     {ErrorCode::infeasible_lengths,
      {"infeasible_lengths", "No flat shape has all the lengths that were set.",
       "Give the named wires a tolerance, use less stretch, or cut the piece with a seam.",
-      "reason: \"wires\" if the proposed tolerances help, \"outline\" if only a seam does, \"stretch\" if the piece "
-      "can be flattened without the fabric's stretch, \"method\" if the refined method flattens "
+      "reason: \"wires\" if the proposed tolerances help, \"outline\" if only a seam does, \"stretch\" if no shape "
+      "was found with the lengths that the fabric's stretch requires, \"method\" if the refined method flattens "
       "it; " WIREWARP_NAMED_WIRES
       ", in the order of the proposed tolerances (reason \"wires\"); is_refined: whether the "
       "method was refined (reason \"wires\"); has_wires: whether wires run inside the piece (reason \"outline\"); "
+      "is_good_unstretched: whether its shape without the stretch is free of flips and overlaps (reason \"stretch\"); "
       "max_factorizations: the option, if the solver stopped at it while it was still getting closer"}},
     {ErrorCode::not_solvable,
      {"not_solvable",
