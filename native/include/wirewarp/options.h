@@ -66,7 +66,8 @@ struct Options {
   /// current shape. All starts and stages count: a coarser mesh, closed slits and elastic seams. A factorization of
   /// pieces coupled by elastic seams counts for each of them. The same limit applies again to the stretch of a fabric,
   /// which starts from the piece without stretch, and again to each coupled piece alone if no stretched shapes with
-  /// common lengths are found. The search for contradicting wires has its own limits. >= 1.
+  /// common lengths are found, and to each piece that is flipped or overlaps itself without the stretch. The search for
+  /// contradicting wires has its own limits. >= 1.
   int max_factorizations = 200;
 
   /// For the refined method: fabric that the pieces are cut from, with x along its weft and y along its warp. None: an
