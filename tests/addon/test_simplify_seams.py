@@ -66,6 +66,28 @@ def test_developable_strips_become_one_piece_again(addon, capfd):
     assert found(addon, source) is None
 
 
+@pytest.mark.parametrize("is_mirrored", [False, True])
+def test_a_wide_hem_leaves_room_where_it_has_no_neighbor(addon, is_mirrored):
+    """The strips become a rectangle that is 2 wide and π long."""
+    source = strips(half_cylinder, rows=(-0.5, 0.5))
+    source.scale.x = -1 if is_mirrored else 1
+    bpy.context.scene.wirewarp.allowance = 0.0
+    places = read(source.data.vertices, "co", np.float32, 3)[edge_vertices(source.data)]
+
+    def is_narrow(axis, end, width):
+        rows = np.flatnonzero((abs(places[:, :, axis] - end) < 1e-6).all(axis=1))
+        addon.state.allowances.mark_edges(source.data, rows, width)
+        SIMPLIFY()
+        (cut,) = found(addon, source).cuts
+        assert cut.width == pytest.approx(2, rel=0.001)
+        return cut.is_narrow
+
+    assert not is_narrow(0, 1.0, 2.5)  # along an end
+    assert not is_narrow(1, 1.0, 1.5)  # along a long side
+    assert is_narrow(1, -1.0, 1.0) and not is_narrow(1, -1.0, 0.4)  # along the other one: 1.5 + 1 > 2 > 1.5 + 0.4
+    assert is_narrow(0, -1.0, 1.0)  # along the other end: 2.5 + 1 > π
+
+
 def test_rows_go_from_few_pieces_to_little_stretch_with_the_figures_of_flattening(addon):
     source = strips(bump, rows=(-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75), faces="triangles")
     before, seams = needed(addon, source), pairs(seams_of(source))

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from surfaces import chain_edges, column_chain, half_cylinder
 from wirewarp import Options, flatten
-from wirewarp.pattern import narrowest_width, piece_width, pieces_along
+from wirewarp.pattern import has_room, narrowest_width, piece_width, pieces_along
 
 NEAR = 1e-3  # tolerance of the search, as a share of the width
 
@@ -56,16 +56,39 @@ def test_a_piece_is_measured_flat():
         assert piece_width(piece) == pytest.approx(sides.min(), rel=NEAR)
 
 
-def test_a_hole_leaves_the_width_beside_it():
-    size = 6
-    rows, columns = np.divmod(np.arange((size + 1) ** 2), size + 1)
-    vertices = np.column_stack([columns, rows, 0 * rows]).astype(float)
-    cells = [(x, y) for y in range(size) for x in range(size) if not (2 <= x < 4 and 1 <= y < 5)]
-    corners = [y * (size + 1) + x for x, y in cells]
-    faces = [face for a in corners for face in ((a, a + 1, a + size + 2), (a, a + size + 2, a + size + 1))]
+def sheet(columns, rows, is_hole, options=None):
+    """Return the flat sheet of squares of side 1 without those where is_hole(x, y), as a piece."""
+    lower, left = np.divmod(np.arange((rows + 1) * (columns + 1)), columns + 1)
+    vertices = np.column_stack([left, lower, 0 * lower]).astype(float)
+    cells = [(x, y) for y in range(rows) for x in range(columns) if not is_hole(x, y)]
+    corners = [y * (columns + 1) + x for x, y in cells]
+    faces = [face for a in corners for face in ((a, a + 1, a + columns + 2), (a, a + columns + 2, a + columns + 1))]
     used, faces = np.unique(faces, return_inverse=True)
-    (piece,) = flatten(vertices[used], faces.reshape(-1, 3)).pieces
+    (piece,) = flatten(vertices[used], faces.reshape(-1, 3), options=options or Options()).pieces
+    return piece, vertices[used]
+
+
+def test_a_hole_leaves_the_width_beside_it():
+    piece, _ = sheet(6, 6, lambda x, y: 2 <= x < 4 and 1 <= y < 5)
     assert piece_width(piece) == pytest.approx(1.0, rel=NEAR)
+    assert has_room(piece, 0.49) and not has_room(piece, 0.51)
+
+
+BAR = 1.0  # width of the bar of an H, between squares of three times that
+
+
+@pytest.mark.parametrize("is_mirrored", [False, True])
+def test_only_the_allowances_at_the_narrow_place_need_room_there(is_mirrored):
+    piece, vertices = sheet(7, 3, lambda x, y: x == 3 and y != 1, Options(mirror=is_mirrored))
+    index = {tuple(place): vertex for vertex, place in enumerate(vertices[:, :2].astype(int).tolist())}
+    assert piece_width(piece) == pytest.approx(BAR, rel=NEAR)
+    assert has_room(piece, 0.49) and not has_room(piece, 0.51)
+    far = [(index[0, y + 1], index[0, y]) for y in range(3)]  # down the left end, where a hem is twice the bar's width
+    assert has_room(piece, 0.4, far, np.full(3, 2 * BAR))
+    below = [(index[3, 1], index[4, 1])]  # counterclockwise, so the bar is on the left
+    assert has_room(piece, 0.4, below, [0.59]) and not has_room(piece, 0.4, below, [0.61])
+    assert has_room(piece, 0.4, np.flip(below), [0.61])  # the other side of this edge is not part of the piece
+    assert has_room(piece, 0.0) and not has_room(piece, 5.0)
 
 
 def test_a_mirrored_piece_is_as_wide():

@@ -171,7 +171,8 @@ def _read(
         check_target(source, writes_model=not use_modifiers)
         base = marked_mesh(source)
         arrays = object_to_arrays(source, base, depsgraph if use_modifiers else None)
-        arrays = replace(arrays, allowance=max(arrays.allowance, allowance), lengths=units)
+        widest = max(arrays.allowance, allowance)
+        arrays = replace(arrays, allowance=widest, default_allowance=allowance, lengths=units)
         # The model may lack this object's last ids: results with modifiers are not written to it, and objects that
         # share a mesh overwrite each other's ids. The flat pieces always have them.
         asks_flat_pieces = use_modifiers or source.data.users > 1

@@ -65,9 +65,11 @@ class MeshArrays:
     uv_maps: dict[str, np.ndarray]  # (l,2) float32, the model's own maps by name
     own_map: str  # the one of these that seams can be taken from; "": none
     allowance: float  # the widest allowance, in Blender units
+    side_allowances: np.ndarray  # (l,) float32, as side_eases, in Blender units; 0 the default, below 0 none
     loose_marks: int  # edges without a face that are marked as wires: they are ignored
     loose_eases: int  # edges with the ease of a wire that are not wires: it has no effect
     mirrored: bool
+    default_allowance: float = 0.0  # of sides without an own allowance, in Blender units
     lengths: LengthText = LengthText("", 1.0)  # format of lengths in sentences; no unit if the scene is unknown
 
 

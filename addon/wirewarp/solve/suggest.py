@@ -60,7 +60,7 @@ class Cut:
     num_pieces: int  # pieces after the first line; after all lines of a cut set, or without the cleared seams
     cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
     width: float | None = None  # of a set: narrowest width of the pieces, Blender units; None until it is measured
-    is_narrow: bool = False  # whether this width leaves no room for two allowances
+    is_narrow: bool = False  # whether two allowances of a piece have no room beside each other
 
     @property
     def is_first(self) -> bool:

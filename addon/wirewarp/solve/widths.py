@@ -10,7 +10,7 @@ import numpy as np
 
 from ..core import Cache, pattern
 from .arrays import MeshArrays
-from .chains import edge_keys
+from .chains import edge_keys, next_corners
 from .flatten import FlattenChoices, flatten_arrays
 from .steps import CanceledError, Steps, of_all, reported_as
 from .suggest import Cut, from_few_pieces
@@ -45,22 +45,35 @@ def _measured(
     found, solved = [], library.Cache()
     for index, cut in enumerate(cuts):
         steps = _narrowest(library, arrays, choices, cut, solved)
-        width = yield from reported_as(steps, partial(of_all, index, len(cuts)))
-        is_narrow = width is not None and width < 2 * arrays.allowance
+        width, is_narrow = yield from reported_as(steps, partial(of_all, index, len(cuts)))
         found.append(replace(cut, width=width, is_narrow=is_narrow))
     return found
 
 
 def _narrowest(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, cut: Cut, solved: Cache
-) -> Steps[float | None]:
-    """Return the narrowest width of the pieces that the set changes, in Blender units; None if none is flat."""
+) -> Steps[tuple[float | None, bool]]:
+    """Return the narrowest width of the pieces that the set changes, and whether one has no room for its allowances.
+
+    The width is in Blender units; None if no piece is flat.
+    """
     count = len(arrays.vertices)
     is_cleared = np.isin(edge_keys(arrays.seams, count), edge_keys(cut.cleared, count))
     seams = np.concatenate([arrays.seams[~is_cleared], np.array(cut.edges, dtype=np.int32).reshape(-1, 2)])
     result = yield from flatten_arrays(library, replace(arrays, seams=seams), choices, solved)
-    widths = []
+    sides, allowances = _own_allowances(arrays)
+    widths, is_narrow = [], False
     for piece in pattern.pieces_along(result.pieces, cut.cleared or cut.edges):
         widths.append(pattern.piece_width(piece))
+        is_narrow = is_narrow or not pattern.has_room(piece, arrays.default_allowance, sides, allowances)
         yield 1.0
-    return min(widths, default=None)
+    return min(widths, default=None), is_narrow
+
+
+def _own_allowances(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
+    """Return sides (k,2) in the direction of their triangle, and their allowances (k,) in Blender units."""
+    corners = np.flatnonzero(arrays.side_allowances)
+    following = next_corners(arrays.polygon_sizes)[corners]
+    ends = (following, corners) if arrays.mirrored else (corners, following)
+    sides = np.column_stack([arrays.loop_vertices[each] for each in ends])
+    return sides, np.maximum(arrays.side_allowances[corners], 0)

@@ -202,8 +202,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
     """
     loop_edges = corner_edges(mesh)
     marked = corners[faces_at_edges(mesh)[loop_edges[corners]] <= 2]
-    both, alone = _where_set(read_values(mesh, ALLOWANCE)), _where_set(SIDE_ALLOWANCES.read(mesh))
-    widths = np.where(alone != 0, alone, both[loop_edges])
+    both, widths = _where_set(read_values(mesh, ALLOWANCE)), corner_widths(mesh)
     widths[marked] = width
     rows = np.unique(loop_edges[marked])
     beside = np.flatnonzero(np.isin(loop_edges, rows))
@@ -240,6 +239,15 @@ def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
     return MarkedAllowances(*_set_ones(edges, read_values(mesh, ALLOWANCE)), *_set_ones(sides, side_widths))
 
 
+def corner_widths(mesh: bpy.types.Mesh) -> np.ndarray:
+    """Return the width (l,) of the edge that begins at each corner, on the side of its face: 0 for the default.
+
+    NONE means that there is no allowance. Edges inside pieces may have widths, too.
+    """
+    both, alone = _where_set(read_values(mesh, ALLOWANCE)), _where_set(SIDE_ALLOWANCES.read(mesh))
+    return np.where(alone != 0, alone, both[corner_edges(mesh)])
+
+
 def widest_allowance(mesh: bpy.types.Mesh) -> float:
     """Returns the largest width that is marked on seams and outlines, in Blender units; 0 for none."""
     on_outlines = _on_outlines(mesh)
@@ -254,7 +262,7 @@ def _on_outlines(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _where_set(widths: np.ndarray) -> np.ndarray:
-    """Return the widths, 0 where they are NONE."""
+    """Return the widths, 0 where none is marked."""
     return np.where(is_set(widths), widths, np.float32(0))
 
 

@@ -22,7 +22,7 @@ from ..issues import note, object_error, warning
 from ..names import NO_SEAM, PIECE, SEAM, UV_LAYER
 from ..solve.arrays import FaceRegions, MeshArrays, NamedWire, Region
 from ..solve.chains import WireChain, chains_of_marks
-from .allowances import SIDE_EASES, widest_allowance
+from .allowances import SIDE_EASES, corner_widths, widest_allowance
 from .identities import chain_names
 from .marked_mesh import MarkedMesh, own_ids, read_ids, read_marked
 
@@ -176,6 +176,7 @@ def _to_arrays(
         uv_maps={layer.name: read_uv(layer) for layer in mesh.uv_layers if layer.name != UV_LAYER},
         own_map=own_map.name if (own_map := own_uv_map(mesh)) else "",
         allowance=widest_allowance(mesh),
+        side_allowances=corner_widths(mesh),
         loose_marks=len(marked.marks.take(~in_face).rows),
         loose_eases=int(np.count_nonzero(marked.marks.eases[~marked.marks.are_wires])),
         mirrored=mirrored,

@@ -13,9 +13,11 @@ from .geometry import RESOLUTION, signed_area
 if TYPE_CHECKING:
     from .._wirewarp import Piece
 
-SCRAP = 0.1  # of the area: smaller parts may be lost
+SCRAP = 0.1  # of the area: smaller parts, such as the tip of a tail, are cut off or stay unsewn
 MOST = 0.5  # least share of the area that disks must cover; they never reach into corners
-STEPS, HALVINGS = 24, 10  # of the search: each step can find a waist nearly as wide as the part behind it
+# Of the search: a waist is found if it is narrower than the part behind it by a step, 1/24 of the widest disk. Ten
+# halvings of a step are 1/24,000 of it, which is less than a thread even in a piece a meter wide.
+STEPS, HALVINGS = 24, 10
 ARC, ROUGH_ARC = 1e-3, 0.03  # errors of round corners as shares of the radius, for widths and for areas
 
 Polygon = list[list[int]]
@@ -50,6 +52,44 @@ def narrowest_width(outlines: Sequence[np.ndarray]) -> float:
         else:
             broken = radius
     return 2 * whole * step
+
+
+def has_room(piece: "Piece", allowance: float, sides: ArrayLike = (), widths: ArrayLike = ()) -> bool:
+    """Return whether the allowances of a piece with a flat shape have room beside each other inside its outline.
+
+    They have room if the piece stays in one part when a strip as wide as its allowance is taken off along each side.
+    Parts below a tenth of the area do not count. allowance: of all sides but these (k,2), which have the widths (k,);
+    a side is given by two vertices of the model in the direction of its face. All widths are in scene units.
+    """
+    own, count = outline_sides(piece), 1 + int(max(piece.source_vertex.max(), np.max(sides, initial=0)))
+    given = dict(zip((np.reshape(sides, (-1, 2)) @ [count, 1]).tolist(), np.ravel(widths).tolist(), strict=True))
+    keys = piece.source_vertex[own].astype(np.int64) @ [count, 1]
+    strips = np.array([given.get(key, allowance) for key in keys.tolist()])
+    narrowest = piece_width(piece)
+    if narrowest >= 2 * strips.max():
+        return True
+    return narrowest >= 2 * strips.min() and _is_whole_without(_outlines(piece), piece.vertices[own], strips)
+
+
+def _is_whole_without(outlines: Sequence[np.ndarray], sides: np.ndarray, widths: np.ndarray) -> bool:
+    """Return whether a shape is one part without strips of these widths (k,) along the sides (k,2,2)."""
+    points = np.concatenate(outlines)
+    low = points.min(axis=0)
+    size = float((points.max(axis=0) - low).max())
+    step = 4 * size / RESOLUTION
+    paths = [np.rint((outline - low) / step).astype(np.int64).tolist() for outline in outlines]
+    lines = np.rint((sides - low) / step).astype(np.int64)
+    reach = np.minimum(widths, size) / step  # a strip as wide as the shape covers all of it
+    clipper = pyclipper.Pyclipper()
+    clipper.AddPaths(paths, pyclipper.PT_SUBJECT, True)
+    for width in np.unique(reach[reach > 0]).tolist():
+        around = pyclipper.PyclipperOffset(2.0, ROUGH_ARC * width)
+        around.AddPaths(lines[reach == width].tolist(), pyclipper.JT_ROUND, pyclipper.ET_OPENROUND)
+        clipper.AddPaths(around.Execute(width), pyclipper.PT_CLIP, True)
+    rule = pyclipper.PFT_NONZERO
+    left = _parts(clipper.Execute(pyclipper.CT_DIFFERENCE, rule, rule))
+    parts = [_area(_offset(part, reach.max(), ROUGH_ARC)) for part in left]
+    return sum(part >= SCRAP * _area(paths) for part in parts) == 1
 
 
 def _is_whole(paths: Sequence[Polygon], radius: float, area: float) -> bool:
