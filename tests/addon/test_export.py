@@ -48,7 +48,7 @@ def export_fails(match, tmp_path, name="refused.svg", **settings):
 @pytest.mark.parametrize(("name", "begins"), [("a.pdf", b"%PDF"), ("a.dxf", b"  0\r\nSECTION"), ("a.plt", b"IN;")])
 def test_the_name_of_the_file_says_its_format(source, tmp_path, capfd, name, begins):
     assert export(tmp_path, name).read_bytes().startswith(begins)
-    assert "Verified to 0.0" in capfd.readouterr().out
+    assert "Its lengths are right to 0.0" in capfd.readouterr().out
     export_fails(r"must end in \.svg", tmp_path, f"b{name[1:]}", format="SVG")
 
 
@@ -85,12 +85,13 @@ def pages(path):
 
 def test_sheets_and_sizes_are_shown_before_anything_is_written(source, tmp_path, addon):
     sheets, largest = described(addon, format="PDF", paper="A4", allowance=10.0)
-    count = 1 + int(re.fullmatch(r"2 pieces on (\d+) sheets and a first page with the map of A4\.", sheets)[1])
+    count, drawn = map(int, re.fullmatch(r"2 pieces on (\d+) sheets of A4: a map and (\d+) .* pattern\.", sheets).groups())
+    assert count == 1 + drawn
     assert pages(export(tmp_path, "a.pdf", paper="A4")) == count
     wide, high = re.fullmatch(r"Largest piece: Top (?:Left|Right), (\d+) × (\d+) mm\.", largest).groups()
     assert 100 < min(int(wide), int(high)) < 150 and 200 < max(int(wide), int(high)) < 260
     sheets, _ = described(addon, format="PDF", paper="A4", proof_sheet=True)
-    assert sheets.endswith(" sheets, a first page with the map and 1 proof sheet of A4.")
+    assert sheets == f"2 pieces on {count + 1} sheets of A4: a map, {drawn} sheets of the pattern and 1 proof sheet."
     assert pages(export(tmp_path, "a.pdf", paper="A4", proof_sheet=True)) == count + 1
 
 

@@ -302,6 +302,16 @@ def test_a_map_shows_its_figure_or_why_it_is_missing(addon, source, notes):
     assert notes("STRETCH_COLOR") == ["Not flattened: no map", "Changed since: flatten again"]
 
 
+def test_edit_mode_of_flat_pieces_is_no_change(source, notes):
+    bpy.context.view_layer.objects.active = flat_of(source)
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert notes("STRETCH_COLOR") == ["In Edit Mode: no map"]
+    bpy.ops.object.mode_set(mode="OBJECT")
+    bpy.context.view_layer.objects.active = source
+    bpy.ops.object.mode_set(mode="EDIT")
+    assert notes("STRETCH_COLOR") == []  # the flat pieces show it
+
+
 def test_failed_elements_are_drawn_on_model_pieces_and_map(addon, notes):
     source = grid("Spike", lambda x, y: (x, y, 2 * (1 - x * x) * (1 - y * y)))
     mark(source, on_line(0, 0.0))

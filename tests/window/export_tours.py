@@ -65,11 +65,11 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
     path = Path(bpy.app.tempdir) / "pattern.pdf"
     yield from open_dialog(path)
     operator = browser().spaces.active.active_operator
-    assert "sheets and a first page with the map of A4." in described(operator)
+    assert "sheets of A4: a map and " in described(operator)
     operator.paper = "A0"  # Blender updates the dialog only after the user does something
-    assert "with the map of A4." in described(operator)
+    assert "sheets of A4: a map and " in described(operator)
     yield from tick_failed_pieces()
-    assert operator.failed_pieces and "with the map of A0." in described(operator)
+    assert operator.failed_pieces and "sheets of A0: a map and " in described(operator)
     assert source.mode == "EDIT"
     drive.screenshot("dialog")
     yield from press_export()

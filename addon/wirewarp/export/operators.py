@@ -149,11 +149,11 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
             return [f"{count} on {length} of a roll of {width}, {counted(len(pages), 'page')}."]
         if len(pages) == 1:
             return size_sentences(made, pages[0])
-        what = [counted(len(pages) - 1, "sheet"), "a first page with the map"]
+        what, total = ["a map", f"{counted(len(pages) - 1, 'sheet')} of the pattern"], len(pages)
         if self.proof_sheet:
-            whole = made.page_sizes(**self._write_options() | {"proof": True})
-            what.append(counted(len(whole) - len(pages), "proof sheet"))
-        sheets = f"{', '.join(what[:-1])} and {what[-1]} of {pattern.PAPERS[str(paper)].label}"
+            total = len(made.page_sizes(**self._write_options() | {"proof": True}))
+            what.append(counted(total - len(pages), "proof sheet"))
+        sheets = f"{total} sheets of {pattern.PAPERS[str(paper)].label}: {', '.join(what[:-1])} and {what[-1]}"
         return [f"{count} on {sheets}.", largest_sentence(made)]
 
 

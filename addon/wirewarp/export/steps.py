@@ -2,6 +2,7 @@
 """Common part of the export operators: a dialog that shows sizes beforehand, and a run that writes the file."""
 
 import json
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
@@ -213,7 +214,8 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
             keep_marker(source, KeptMarker(cloth, made.marker))
         only, settings = self._notes
         sizes = " ".join(self.size_sentences(made))
-        said = f'"{written.path.name}": {sizes} Verified to {written.off:.2f} mm. Print at 100% scale.'
+        off = max(math.ceil(100 * written.off), 1) / 100
+        said = f'"{written.path.name}": {sizes} Its lengths are right to {off:g} mm. Print at 100% scale.'
         warnings = [sentence for sentence in [crossing_sentence(made), *written.warnings] if sentence]
         if self.report_path:
             try:

@@ -47,7 +47,8 @@ def shown_map(context: bpy.types.Context) -> ColorMap | None:
 
 def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
     """Return sentences on why the chosen map is missing on some objects."""
-    without = [each.target for each in shown if each.surface is None and not each.target.data.is_editmode]
+    missing = [each.target for each in shown if each.surface is None]
+    without = [target for target in missing if not _is_edited(target)]
     reports = [last_report(model_or_self(target)) for target in without]
     whys = {"Not flattened: no map": any(report is None or report.flat_object is None for report in reports)}
     has_no_cloth = [report is not None and color_map in CLOTH_MAPS and not _has_cloth(report) for report in reports]
@@ -56,7 +57,14 @@ def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
     whys["Changed since: flatten again"] = any(
         is_flat and not no_cloth for is_flat, no_cloth in zip(flattened, has_no_cloth, strict=True)
     )
+    whys["In Edit Mode: no map"] = len(missing) == len(shown) > len(without)
     return [why for why, is_so in whys.items() if is_so]
+
+
+def _is_edited(target: bpy.types.Object) -> bool:
+    """Return whether the object or its flat pieces, which hold its map, are in Edit Mode."""
+    flat = find_flat_object(target)
+    return target.data.is_editmode or (flat is not None and flat.data.is_editmode)
 
 
 def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
