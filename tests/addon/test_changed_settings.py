@@ -46,6 +46,21 @@ def give(addon, source, **settings):
     return addon.ui.settings.settings_sentence(source, report, bpy.context.scene.wirewarp)
 
 
+def test_a_verdict_for_other_settings_has_no_tick(addon, source, monkeypatch):
+    drawn = []
+    panel = addon.report_panel.flatten_panel
+    monkeypatch.setattr(panel, "draw_sentence", lambda _context, _layout, text, icon: drawn.append((text, icon)))
+    bpy.context.scene.wirewarp.cloth = "NEOPRENE"
+    bpy.ops.object.wirewarp_flatten(cloth="NEOPRENE")
+    draw_panels(addon)
+    (verdict,) = {text for text, icon in drawn if icon == "TICK"}
+    drawn.clear()
+    bpy.context.scene.wirewarp.cloth = "WOVEN"
+    draw_panels(addon)
+    assert (SENTENCE.format("Fabric"), "INFO") in drawn and (verdict, "BLANK1") in drawn
+    assert all(icon != "TICK" for _, icon in drawn)
+
+
 @pytest.mark.parametrize(
     ("settings", "names"),
     [

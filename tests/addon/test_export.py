@@ -85,7 +85,8 @@ def pages(path):
 
 def test_sheets_and_sizes_are_shown_before_anything_is_written(source, tmp_path, addon):
     sheets, largest = described(addon, format="PDF", paper="A4", allowance=10.0)
-    count, drawn = map(int, re.fullmatch(r"2 pieces on (\d+) sheets of A4: a map and (\d+) .* pattern\.", sheets).groups())
+    counts = re.fullmatch(r"2 pieces on (\d+) sheets of A4: a map and (\d+) sheets of the pattern\.", sheets)
+    count, drawn = map(int, counts.groups())
     assert count == 1 + drawn
     assert pages(export(tmp_path, "a.pdf", paper="A4")) == count
     wide, high = re.fullmatch(r"Largest piece: Top (?:Left|Right), (\d+) × (\d+) mm\.", largest).groups()

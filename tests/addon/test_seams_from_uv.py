@@ -126,6 +126,18 @@ def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addo
     assert uv_seams_of(addon, source) is None
 
 
+def test_seams_of_the_map_that_the_fabric_cannot_do_come_after_suggestions(addon):
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
+    source, buttons = bpy.context.active_object, []
+    flatten_fails("is closed", cloth="MINKY")
+    found = uv_seams_of(addon, source)
+    assert found.is_beyond_fabric and not found.is_good and found.stretch > 0.2  # minky has 20% across
+    assert ", more than this fabric has." in draw_panels(addon, buttons)
+    assert buttons.index("object.wirewarp_suggest_seams") < buttons.index("object.wirewarp_mend")
+    flatten_fails("is closed")  # without a fabric, the seams of the map are as good as others
+    assert uv_seams_of(addon, source).is_good
+
+
 def test_before_the_first_run_the_seams_of_the_map_are_a_button(addon):
     """A model with one island per piece becomes a pattern in one click, but not if something is marked already."""
     source, buttons = with_islands(), []

@@ -53,9 +53,8 @@ def test_developable_strips_become_one_piece_again(addon, capfd):
     words = draw_panels(addon)
     assert "Fewer Seams, Strips 1 piece, 0.0%, −" in words
     assert cut.width == pytest.approx(2, rel=0.001) and not cut.is_narrow  # of a rectangle, π long
-    assert (
-        "length of cleared seams, narrowest width." in words and "Above" not in words and "Clear and Flatten" in words
-    )
+    assert "length of cleared seams." in words and "Above" not in words and "Clear and Flatten" in words
+    assert "Narrowest place of a piece: 2" in words
     places = read(source.data.vertices, "co", np.float32, 3)[np.unique(cut.cleared)]
     for target in (source, flat_of(source)):  # on the pieces, on both sides of each seam
         (drawn,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == target)

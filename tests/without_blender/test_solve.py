@@ -46,11 +46,13 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.098)] == [3, 5, 8, 9]  # 8 reach the limit
     sets = suggest.from_few_pieces(sets, 0.5)
     assert [each.num_pieces for each in sets] == [3, 5, 9]
-    assert [suggest.set_for(sets, limit) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
+    assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
+    assert suggest.set_for(sets, [0.05, 0.5]) == 2  # a set for both directions of the fabric
+    assert suggest.set_for(sets, [0.01, 0.2]) == 1  # there is none
     sets[1] = replace(sets[1], is_narrow=True)
-    assert [suggest.set_for(sets, limit) for limit in (0.5, 0.2, 0.01)] == [0, 2, 2]
+    assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.01)] == [0, 2, 2]
     narrow = [replace(each, is_narrow=True) for each in sets]
-    assert suggest.set_for(narrow, 0.2) == 1
+    assert suggest.set_for(narrow, [0.2]) == 1
 
 
 def test_mirror_images_without_common_figures_are_one_row(addon):

@@ -135,8 +135,12 @@ def _draw_state(
         return
     left_out = _left_out(context, source, report)
     verdict = as_seen(report.tables.verdict, left_out)
+    # The last run counts, even if it kept the earlier pieces: flattening again would change nothing.
+    changed = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
+    if changed:
+        draw_sentence(context, layout, changed, "INFO")
     for line in verdict.lines:
-        draw_sentence(context, layout, line.text, LEVEL_ICONS[line.kind.level])
+        draw_sentence(context, layout, line.text, "BLANK1" if changed else LEVEL_ICONS[line.kind.level])
     step = next_step(report, left_out, has_suggestions=are_shown(context))
     is_looked_at = step is not None and step.operator == SHOW  # drawn after steps that change the model
     if step and not is_looked_at:
@@ -154,10 +158,6 @@ def _draw_state(
         _draw_step(context, layout, step)
     if report.issues and not (step and step.operator == CHECK):
         layout.operator(CHECK, icon="TOOL_SETTINGS")
-    # The last run counts, even if it kept the earlier pieces: flattening again would change nothing.
-    sentence = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
-    if sentence:
-        draw_sentence(context, layout, sentence, "INFO")
 
 
 def _may_use_uv_seams(source: bpy.types.Object) -> bool:

@@ -183,6 +183,7 @@ def uv_step(found: UvSeams | None) -> NextStep:
     sentence = ""
     if found:
         became = f"{found.failed} of them fail" if found.failed else f"stretch {percent_text(found.stretch)}"
+        became += ", more than this fabric has" if found.is_beyond_fabric else ""
         sentence = f"The seams of the UV map make {counted(found.pieces, 'piece')}, {became}."
     return NextStep(sentence, "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
 

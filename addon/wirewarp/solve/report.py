@@ -49,10 +49,11 @@ class UvSeams:
     pieces: int
     failed: int
     stretch: float  # of the good pieces, see Piece.stretch
+    is_beyond_fabric: bool = False  # whether the chosen fabric does not stretch that far
 
     @property
     def is_good(self) -> bool:
-        return not self.failed
+        return not (self.failed or self.is_beyond_fabric)
 
 
 @dataclass(kw_only=True)
@@ -115,7 +116,10 @@ def uv_seams(result: FlattenResult, arrays: MeshArrays, meters: float, cloth: Cl
     pieces = _library_report(result, arrays, meters, cloth).pieces
     good = [piece for piece in pieces if piece.ok]
     return UvSeams(
-        pieces=len(pieces), failed=len(pieces) - len(good), stretch=max((piece.needed for piece in good), default=0.0)
+        pieces=len(pieces),
+        failed=len(pieces) - len(good),
+        stretch=max((piece.needed for piece in good), default=0.0),
+        is_beyond_fabric=cloth is not None and any(piece.is_strained for piece in good),
     )
 
 

@@ -179,13 +179,15 @@ def from_few_pieces(sets: Sequence[Cut], limit: float) -> list[Cut]:
     return kept
 
 
-def set_for(sets: Sequence[Cut], limit: float) -> int:
-    """Return which set to show: the fewest pieces within the maximum stretch, otherwise the least stretch.
+def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
+    """Return which set to show: the fewest pieces within the first limit that a set keeps, otherwise the least stretch.
 
-    A set with narrow pieces is shown only if there is no other.
+    limits: maximum stretches of the fabric, the smaller direction first. A set with narrow pieces is shown only if
+    there is no other.
     """
     wide = [index for index, each in enumerate(sets) if not each.is_narrow] or list(range(len(sets)))
-    return next((index for index in wide if sets[index].strain <= limit), wide[-1])
+    within = (index for limit in limits for index in wide if sets[index].strain <= limit)
+    return next(within, wide[-1])
 
 
 def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:
@@ -243,11 +245,10 @@ def step_text(kind: str, cut: Cut, text: LengthText) -> str:
 
 def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> str:
     """Return the text of a button in the list, which fits a narrow sidebar."""
-    width = "" if cut.width is None else f", {text.rough(cut.width)}"
     if cut.cleared:
-        return f"{counted(cut.num_pieces, 'piece')}, {percent_text(cut.strain)}, −{text.rough(cut.lengths[0])}{width}"
+        return f"{counted(cut.num_pieces, 'piece')}, {percent_text(cut.strain)}, −{text.rough(cut.lengths[0])}"
     if target is None and cut.is_first:
-        return f"{counted(cut.num_pieces, 'piece')}, {_shares(cut)}, {text.rough(cut.lengths[0])}{width}"
+        return f"{counted(cut.num_pieces, 'piece')}, {_shares(cut)}, {text.rough(cut.lengths[0])}"
     if target is None:
         return cut_text(cut, text)
     step = step_text(kind, cut, text)

@@ -98,26 +98,25 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     names = {each.piece_id: each.name for each in pieces if each.piece_id}
     options = SearchOptions(kind, piece, target, is_smooth, names)
     if kind == "FEWER":
-        limits, remedy = ([target.strain], SET_TARGET) if target else (limits_up_to(_most_stretch(used)), CHOOSE_FABRIC)
+        up_to = limits_up_to(next(iter(known_stretch(used)), None))
+        limits, remedy = ([target.strain], SET_TARGET) if target else (up_to, CHOOSE_FABRIC)
         steps = fewer_seams(core.library(), model.arrays, choices, limits, remedy)
         options = replace(options, target=None)  # the sets are alternatives, not steps
     else:
         steps = suggest_cuts(core.library(), model.arrays, choices, options, no_seam)
     if options.target is None:
-        steps = with_widths(steps, core.library(), model.arrays, choices, _accepted(used))
+        steps = with_widths(steps, core.library(), model.arrays, choices, _accepted(used)[0])
     return Search(options, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
 
 
-def _most_stretch(choices: FlattenChoices) -> float | None:
-    """Return the maximum stretch of the fabric; None if unknown. Pieces are turned so that the larger one counts."""
-    known = [limit for limit in maximum_stretch(choices.cloth) if limit is not None] if choices.cloth else []
-    return max(known, default=None)
+def known_stretch(choices: FlattenChoices) -> list[float]:
+    """Return the maximum stretches of the fabric, the smaller first: every piece within it gets a good verdict."""
+    return sorted(limit for limit in maximum_stretch(choices.cloth) if limit is not None) if choices.cloth else []
 
 
-def _accepted(choices: FlattenChoices) -> float:
-    """Return the maximum stretch of the fabric, or of soft fabrics if it is unknown."""
-    most = _most_stretch(choices)
-    return SOFT if most is None else most
+def _accepted(choices: FlattenChoices) -> list[float]:
+    """Return the maximum stretches of the fabric, or that of soft fabrics if they are unknown."""
+    return known_stretch(choices) or [SOFT]
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:

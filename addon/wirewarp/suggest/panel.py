@@ -19,8 +19,9 @@ from ..ui.window_run import SUGGEST
 KINDS = ("darts", "seams")
 LABELS = {"DARTS": "Suggested Darts", "SEAMS": "Suggested Seams", "FEWER": "Fewer Seams"}
 TARGET_LABELS = {"DARTS": "Stretch with Darts", "SEAMS": "Stretch with Seams"}
-COLUMNS = "Pieces, stretch, length of {}"
+COLUMNS = "Pieces, stretch, length of {}."
 FROM_FEW = "Above: fewer pieces. Below: less stretch."
+WIDTH = "Narrowest place of a piece: {}."
 NARROW = "A piece is only {} wide in one place, less than two allowances. It may be too narrow to sew."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
@@ -83,6 +84,8 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
         cut = found.cuts[found.chosen]
         if cut.is_narrow:
             draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
+        elif cut.width is not None:
+            draw_sentence(context, layout, WIDTH.format(lengths.rough(cut.width)), "INFO")
         take = layout.column(align=True)
         take.scale_y = 1.2
         text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
@@ -111,7 +114,6 @@ def _explained(cuts: Sequence[Cut]) -> str:
     if not cuts[0].is_set:
         return ""
     columns = COLUMNS.format("cleared seams" if cuts[0].cleared else "seams")
-    columns += "." if all(cut.width is None for cut in cuts) else ", narrowest width."
     return f"{columns} {FROM_FEW}" if len(cuts) > 1 else columns
 
 

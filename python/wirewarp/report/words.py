@@ -64,8 +64,11 @@ class LengthText:
         return text.removeprefix("-") if float(text) == 0 else f"{float(text):+.{_DECIMALS.get(self.unit, 4)}f}"
 
     def rough(self, length: float) -> str:
-        """Return the length with three digits."""
-        return f"{float(f'{length * self.per_blender_unit:.3g}'):.10g} {self.unit}".rstrip()
+        """Return the length with three digits: "39.4 mm", "2.31 m"."""
+        number, unit = float(f"{length * self.per_blender_unit:.3g}"), self.unit
+        if unit == "mm" and abs(number) >= 1000:
+            number, unit = number / 1000, "m"
+        return f"{number:.10g} {unit}".rstrip()
 
     @property
     def area_unit(self) -> str:
