@@ -4,7 +4,8 @@
 python bench/cut_sets.py MESH.obj...
 
 For each model, the row is the set with the fewest pieces within the stretch of plush and knits, or else the one with
-the least stretch.
+the least stretch. *With room* counts pieces with room for their allowances, and *bends* vertices inside a seam where
+it turns sharply.
 """
 
 import sys
@@ -15,12 +16,14 @@ import numpy as np
 import wirewarp
 from mesh_files import Mesh, read_obj
 from tables import table
-from wirewarp.pattern import piece_width
+from wirewarp.pattern import has_room, piece_width
 
 SOFT = 0.2  # maximum stretch of plush and knits
 HEIGHT = 300  # mm of the finished toy, along its largest side
+ALLOWANCE = 6  # mm: the usual one of plush, and a millimeter for the turn of the fabric
+BEND = 30  # degrees
 SAME_PLACE = 1e-4  # of the largest side: mirrored vertices are that close
-HEAD = ["mesh", "triangles", "pieces", "strain", "length", "narrowest, mm", "symmetric", "s"]
+HEAD = ["mesh", "triangles", "pieces", "with room", "strain", "length", "narrowest, mm", "bends", "symmetric", "s"]
 
 
 def mirror_images(vertices: np.ndarray) -> list[int] | None:
@@ -47,6 +50,21 @@ def is_symmetric(edges: np.ndarray, images: list[int]) -> bool:
     return mirrored == {frozenset(pair) for pair in edges.tolist()}
 
 
+def num_bends(vertices: np.ndarray, edges: np.ndarray) -> int:
+    """Return at how many vertices between two edges of a seam it turns by more than BEND."""
+    beside: dict[int, list[int]] = {}
+    for a, b in edges.tolist():
+        beside.setdefault(a, []).append(b)
+        beside.setdefault(b, []).append(a)
+    count = 0
+    for vertex, ends in beside.items():
+        if len(ends) == 2:
+            ahead, back = (vertices[end] - vertices[vertex] for end in ends)
+            cosine = -(ahead @ back) / (np.linalg.norm(ahead) * np.linalg.norm(back))
+            count += cosine < np.cos(np.radians(BEND))
+    return count
+
+
 def measure(name: str, mesh: Mesh) -> list[str]:
     vertices, faces = mesh
     begin = time.process_time()
@@ -57,15 +75,18 @@ def measure(name: str, mesh: Mesh) -> list[str]:
     points = vertices[faces]
     area = np.linalg.norm(np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]), axis=1).sum() / 2
     pieces = wirewarp.flatten(vertices, faces, seams=best.edges).pieces
-    width = min(map(piece_width, pieces)) * HEIGHT / float(np.ptp(vertices, axis=0).max())
+    scale = HEIGHT / float(np.ptp(vertices, axis=0).max())
+    width = min(map(piece_width, pieces)) * scale
     images = mirror_images(vertices)
     return [
         name,
         f"{len(faces):,}",
         str(best.num_pieces),
+        str(sum(has_room(piece, ALLOWANCE / scale) for piece in pieces)),
         f"{100 * best.strain:.1f}%",
         f"{best.length / np.sqrt(area):.2f}",
         f"{width:.1f}",
+        str(num_bends(vertices, best.edges)),
         "–" if images is None else "yes" if is_symmetric(best.edges, images) else "no",
         f"{seconds:.0f}",
     ]
