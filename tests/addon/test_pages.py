@@ -2,11 +2,13 @@
 """The pages drawn over flat pieces are those of the PDF."""
 
 import re
+from types import SimpleNamespace
 from xml.etree import ElementTree
 
 import bpy
 import numpy as np
 import pytest
+from everything import AnyLayout, sidebar
 from surfaces import bump, flat_of, flat_places, grid, mark_seam, on_line, select_edges, select_only
 from view_context import view_context
 
@@ -84,6 +86,17 @@ def test_copies_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path,
     bpy.ops.object.wirewarp_export(filepath=str(tmp_path / "a.svg"), pairs=True, on_fold=True)
     root = ElementTree.parse(tmp_path / "a.svg").getroot()
     assert [path.get("data-role") for path in root.iter("{http://www.w3.org/2000/svg}path")].count("cut") == 1
+
+
+def test_equal_pieces_are_named_below_the_export_button(addon, source):
+    """Otherwise turning them on would move the button away from the mouse."""
+    bpy.context.scene.wirewarp.pairs = True
+    select_only(source)
+    drawn = []
+    panel = SimpleNamespace(layout=AnyLayout(drawn, drawn))
+    bpy.types.VIEW3D_PT_wirewarp_export.draw(panel, sidebar())
+    named = [index for index, text in enumerate(drawn) if text.startswith("Cut ")]
+    assert named and drawn.index("object.wirewarp_export") < min(named)
 
 
 def test_pages_lie_over_the_pieces_or_beside_them_with_what_is_printed(addon, source):

@@ -25,14 +25,15 @@ class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
         row = layout.row(align=True)
         row.prop(settings, "pairs", toggle=True)
         row.prop(settings, "on_fold", toggle=True)
-        flat = find_flat_object(shown_source(context))
-        if (settings.pairs or settings.on_fold) and flat is not None and not flat.data.is_editmode:
-            for sentence in shown_copies(context, shown_source(context), flat):
-                draw_sentence(context, layout, sentence)
         row = layout.row(align=True)
         if not draw_progress(row, EXPORT, "object.wirewarp_export"):
             row.operator("object.wirewarp_export", icon="EXPORT")
             row.prop(settings, "show_pages", text="", icon="DOCUMENTS")
+        # Below the button, which a choice above it therefore never moves.
+        flat = find_flat_object(shown_source(context))
+        if (settings.pairs or settings.on_fold) and flat is not None and not flat.data.is_editmode:
+            for sentence in shown_copies(context, shown_source(context), flat):
+                draw_sentence(context, layout, sentence)
         if settings.show_pages:
             draw_pages(context, layout, shown_source(context))
 
