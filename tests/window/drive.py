@@ -220,5 +220,6 @@ def main() -> None:
         coverage.process_startup()
     install(os.environ["WIREWARP_ZIP"])
     bpy.context.preferences.view.show_splash = False
+    bpy.context.preferences.system.viewport_aa = os.environ.get("WIREWARP_VIEWPORT_AA", "8")
     tours = one_after_another(importlib.import_module(Path(script).stem), names)
     bpy.app.timers.register(Driver(tours), first_interval=0.5, persistent=True)
