@@ -136,3 +136,21 @@ def test_one_module_of_the_add_on_imports_the_core() -> None:
         return "wirewarp" in imports(file) or bool(by_name.search(file.read_text()))
 
     assert offenders(listed("addon/**/*.py"), imports_core) == ["addon/wirewarp/core.py"]
+
+
+def test_tests_omitted_under_the_sanitizers_exist() -> None:
+    """GoogleTest ignores names of tests that do not exist."""
+    native = "\n".join(file.read_text() for file in listed("tests/native/**/*.cpp", "tests/bugs/*.cpp"))
+    lines = (ROOT / "tests" / "native" / "without_sanitizers.txt").read_text().splitlines()
+    missing = []
+    for name in lines:
+        if name.startswith("#"):
+            continue
+        found = re.fullmatch(r"(?:(\w+)/)?(\w+)\.(\w+)(?:/(\w+))?", name)
+        assert found, name
+        prefix, suite, test, case = found.groups()
+        defined = rf"TEST(_F|_P)?\({suite},\s+{test}\)"
+        instantiated = rf"INSTANTIATE_TEST_SUITE_P\({prefix},\s+{suite}\b" if prefix else ""
+        if not (re.search(defined, native) and re.search(instantiated, native) and (not case or f'"{case}"' in native)):
+            missing.append(name)
+    assert missing == []
