@@ -74,6 +74,18 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     assert not any(cut.is_narrow for cut in found(addon, source).cuts)
 
 
+def test_a_set_that_the_fabric_may_not_do_in_both_directions_has_a_warning(addon):
+    source = ball()
+    settings = bpy.context.scene.wirewarp
+    settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 90, 80
+    SUGGEST["SEAMS"]()
+    assert "in one direction" not in draw_panels(addon)
+    least = min(cut.strain for cut in found(addon, source).cuts)
+    settings.gives_along = 100 * least / 2  # the other direction stretches far enough for every set
+    SUGGEST["SEAMS"]()
+    assert "in one direction, so the pieces may need another fabric." in draw_panels(addon)
+
+
 @pytest.mark.parametrize("lines", ["SMOOTH", "EDGES"])
 def test_a_cut_of_a_modified_mesh_applies_the_modifiers_when_it_is_marked(addon, lines):
     source = grid("Bump", bump, size=4)

@@ -145,6 +145,11 @@ def maximum_stretch(cloth: ClothChoice) -> tuple[float | None, float | None]:
     return cloth.gives_across or across, cloth.gives_along or along
 
 
+def known_stretch(cloth: ClothChoice | None) -> list[float]:
+    """Return the maximum stretches of the fabric, the smaller first: every piece within it gets a good verdict."""
+    return sorted(limit for limit in maximum_stretch(cloth) if limit is not None) if cloth else []
+
+
 def _without_stretch(cloth: ClothChoice) -> Cloth:
     return Cloth(cloth.weft, cloth.warp, cloth.shear) if cloth.name == "custom" else Cloth.preset(cloth.name)
 

@@ -17,7 +17,7 @@ from ..flatten.read import active_target, check_sources, find_source, is_current
 from ..issues import ObjectError, changed_error, object_error
 from ..properties import reset_unknown
 from ..solve.fewer_seams import fewer_seams, limits_up_to
-from ..solve.flatten import FlattenChoices, maximum_stretch, used_choices
+from ..solve.flatten import FlattenChoices, known_stretch, used_choices
 from ..solve.steps import CanceledError, Steps
 from ..solve.suggest import (
     Cut,
@@ -98,7 +98,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     names = {each.piece_id: each.name for each in pieces if each.piece_id}
     options = SearchOptions(kind, piece, target, is_smooth, names)
     if kind == "FEWER":
-        up_to = limits_up_to(next(iter(known_stretch(used)), None))
+        up_to = limits_up_to(next(iter(known_stretch(used.cloth)), None))
         limits, remedy = ([target.strain], SET_TARGET) if target else (up_to, CHOOSE_FABRIC)
         steps = fewer_seams(core.library(), model.arrays, choices, limits, remedy)
         options = replace(options, target=None)  # the sets are alternatives, not steps
@@ -109,14 +109,9 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     return Search(options, model, used, own, is_shaped or is_split, steps, {each.index: each.name for each in pieces})
 
 
-def known_stretch(choices: FlattenChoices) -> list[float]:
-    """Return the maximum stretches of the fabric, the smaller first: every piece within it gets a good verdict."""
-    return sorted(limit for limit in maximum_stretch(choices.cloth) if limit is not None) if choices.cloth else []
-
-
 def _accepted(choices: FlattenChoices) -> list[float]:
     """Return the maximum stretches of the fabric, or that of soft fabrics if they are unknown."""
-    return known_stretch(choices) or [SOFT]
+    return known_stretch(choices.cloth) or [SOFT]
 
 
 def _names_of(search: Search, cuts: list[Cut]) -> list[str]:

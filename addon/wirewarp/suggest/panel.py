@@ -6,7 +6,8 @@ from collections.abc import Sequence
 import bpy
 
 from ..blender.objects import length_text
-from ..core import counted
+from ..core import counted, percent_text
+from ..solve.flatten import known_stretch
 from ..solve.suggest import Cut, row_text, shortfall
 from ..state.drawings import Same, kept_drawing
 from ..state.memory import stamp
@@ -23,6 +24,7 @@ COLUMNS = "Pieces, stretch, length of {}."
 FROM_FEW = "Above: fewer pieces. Below: less stretch."
 WIDTH = "Narrowest place of a piece: {}."
 NARROW = "A piece is only {} wide in one place, less than two allowances. It may be too narrow to sew."
+BEYOND = "This fabric stretches only {} in one direction, so the pieces may need another fabric."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -86,6 +88,9 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
         elif cut.width is not None:
             draw_sentence(context, layout, WIDTH.format(lengths.rough(cut.width)), "INFO")
+        limit = next(iter(known_stretch(found.choices.cloth)), None)
+        if cut.is_set and limit is not None and cut.strain > limit:
+            draw_sentence(context, layout, BEYOND.format(percent_text(limit)), "AMBER")
         take = layout.column(align=True)
         take.scale_y = 1.2
         text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
