@@ -68,6 +68,16 @@ def test_every_edge_of_every_outline_is_as_long_as_on_the_model(source, tmp_path
     assert np.sort(drawn) == pytest.approx(np.sort(expected), abs=ROUNDED)
 
 
+def test_a_seam_of_one_edge_inside_a_piece_opens_nothing(tmp_path):
+    """Suggested sets of seams may leave such an edge."""
+    target = grid("Bump", bump, size=4)
+    mark_seam(target, lambda a, b: sorted((a[0], b[0])) == [0.0, 0.5] and a[1] == b[1] == 0.0)
+    assert sum(edge.use_seam for edge in target.data.edges) == 1
+    bpy.ops.object.wirewarp_flatten()
+    drawing = Drawing(export(tmp_path, "a.svg"))
+    assert drawing.pieces and len(drawing.outlines()) == 1
+
+
 def test_the_next_export_does_not_start_from_the_last_file():
     properties = bpy.ops.object.wirewarp_export_svg.get_rna_type().properties
     assert properties["filepath"].is_skip_save and not properties["notch_spacing"].is_skip_save

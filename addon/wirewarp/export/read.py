@@ -104,6 +104,8 @@ def _pieces(
         own = outline.edges[outline.piece == piece.index]
         chains = [pattern.Chain(np.array(chain.vertices), chain.seam) for chain in piece.outline]
         edges = set(map(tuple, flat.source_vertex[own].tolist()))
+        closed = _closed_slits(chains, edges)
+        chains = [chain for chain in chains if tuple(chain.sources.tolist()) not in closed]
         steps = [step for chain in chains for step in zip(chain.sources[:-1], chain.sources[1:], strict=True)]
         if not edges.issuperset(steps):  # faces of a mirrored object have the opposite order
             own = own[:, ::-1]
@@ -112,6 +114,12 @@ def _pieces(
         inside, grain = wires.get(piece.index, []), grains.get(piece.index, UPRIGHT)
         found.append(pattern.FlatPiece(piece.name, flat.vertices, flat.source_vertex, own, chains, inside, grain))
     return found
+
+
+def _closed_slits(chains: Sequence[pattern.Chain], outline: set[tuple[int, int]]) -> set[tuple[int, ...]]:
+    """Return both sides of each seam of one edge inside the piece: it divides no vertex, so it opens nothing."""
+    single = {tuple(chain.sources.tolist()) for chain in chains if len(chain.sources) == 2}
+    return {side for side in single if side[::-1] in single and not {side, side[::-1]} & outline}
 
 
 def _inner_wires(
