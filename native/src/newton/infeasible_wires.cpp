@@ -256,9 +256,13 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   stop.check();
   if (!free.is_exact()) return {};
   ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.shape.uv}, stop);
+  std::map<Tolerances, bool> known;  // doubled() keeps free wires as they are, and other choices may be equal, too
   const auto lie_flat = [&](const Tolerances& tolerances) {
     stop.check();
-    return !tolerances.empty() && lies_flat(with_tolerances(chart, tolerances), options, stop);
+    if (tolerances.empty()) return false;
+    const auto [answer, is_new] = known.try_emplace(tolerances, false);
+    if (is_new) answer->second = lies_flat(with_tolerances(chart, tolerances), options, stop);
+    return answer->second;
   };
   const auto first_flat = [&](const std::vector<Tolerances>& choice) {
     const auto found = std::find_if(choice.begin(), choice.end(), lie_flat);

@@ -11,6 +11,8 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
   constexpr int kMaxFactorizations = 50;
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()), slope = g;
   double value = 0;  // value of the model
+  Eigen::LLT<Eigen::MatrixXd> factor;
+  std::vector<int> factored;  // variables of the factor
   for (int i = 0; i < kMaxFactorizations; ++i) {
     // Variables outside of the active set, which has those at a bound that the model pushes against.
     std::vector<int> free;
@@ -19,7 +21,10 @@ Eigen::VectorXd minimize_quadratic_in_box(const Eigen::VectorXd& g, const Eigen:
       if (!is_active) free.push_back(k);
     }
     if (free.empty()) break;
-    const Eigen::LLT<Eigen::MatrixXd> factor(b(free, free));
+    if (free != factored) {
+      factor.compute(b(free, free));
+      factored = free;
+    }
     Eigen::VectorXd newton = -slope(free).cwiseQuotient(b.diagonal()(free));
     if (factor.info() == Eigen::Success) newton = factor.solve(-slope(free));
     const double predicted = -slope(free).dot(newton);
