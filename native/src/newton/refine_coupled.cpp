@@ -16,44 +16,42 @@ namespace wirewarp {
 namespace {
 
 /// The lengths of all charts as those of the combined one.
-std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, const std::vector<const Chart*>& charts,
-                                             const std::vector<TargetLengths>& lengths) {
-  if (lengths.empty()) return std::nullopt;
-  TargetLengths all{{}, {}, lengths.front().flat_share};
+std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, const std::vector<CoupledChart>& charts) {
+  if (!charts.front().lengths) return std::nullopt;
+  TargetLengths all{{}, {}, charts.front().lengths->flat_share};
   for (std::size_t c = 0; c < charts.size(); ++c) {
-    for (GrainRow grain : lengths[c].grains) {
+    for (GrainRow grain : charts[c].lengths->grains) {
       grain.a += combined.first_vertex[c];
       grain.b += combined.first_vertex[c];
       all.grains.push_back(grain);
     }
-    std::vector<double> ratios = lengths[c].ratio;
-    ratios.resize(charts[c]->mesh.n_edges(), 1);
+    std::vector<double> ratios = charts[c].lengths->ratio;
+    ratios.resize(charts[c].chart.mesh.n_edges(), 1);
     all.ratio.insert(all.ratio.end(), ratios.begin(), ratios.end());
   }
   return all;
 }
 
 /// Combines the starts of all charts. Charts stay in place, because they have no entry of the matrix in common.
-Shape combine_starts(const CombinedCharts& combined, const Problem& whole, const std::vector<Problem>& problems,
-                     const std::vector<TargetLengths>& lengths, const std::vector<Shape>& starts) {
-  std::size_t num_rows = whole.network().edges.size(), next_row = num_rows;
-  for (const TargetLengths& one : lengths) num_rows += one.grains.size();
+Shape combine_starts(const CombinedCharts& combined, const std::vector<CoupledChart>& charts, const Problem& whole,
+                     const std::vector<Problem>& problems, std::size_t num_grains) {
+  std::size_t next_row = whole.network().edges.size();
   Shape all{Positions2(static_cast<Eigen::Index>(combined.chart.mesh.n_vertices()), 2),
             {},
-            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(num_rows))};
-  for (std::size_t c = 0; c < starts.size(); ++c) {
-    all.uv.middleRows(combined.first_vertex[c], starts[c].uv.rows()) = starts[c].uv;
+            Eigen::VectorXd::Zero(static_cast<Eigen::Index>(next_row + num_grains))};
+  for (std::size_t c = 0; c < charts.size(); ++c) {
+    const auto& [uv, variation, multipliers] = charts[c].start;
+    all.uv.middleRows(combined.first_vertex[c], uv.rows()) = uv;
     const HeldNetwork& own = problems[c].network();
-    const Eigen::VectorXd& multipliers = starts[c].multipliers;
-    const auto multiplier = [&](std::size_t row) {
+    const auto multiplier = [&given = multipliers](std::size_t row) {
       const auto index = static_cast<Eigen::Index>(row);
-      return index < multipliers.size() ? multipliers[index] : 0;
+      return index < given.size() ? given[index] : 0;
     };
     for (std::size_t e = 0; e < own.edges.size(); ++e) {
       const int there = whole.network().wire_edge_of_edge[combined.first_edge[c] + own.edges[e].edge.idx()];
       all.multipliers[there] = multiplier(e);
     }
-    for (std::size_t g = 0; g < (lengths.empty() ? 0 : lengths[c].grains.size()); ++g) {
+    for (std::size_t g = 0; g < (charts[c].lengths ? charts[c].lengths->grains.size() : 0); ++g) {
       all.multipliers[static_cast<Eigen::Index>(next_row++)] = multiplier(own.edges.size() + g);
     }
   }
@@ -94,26 +92,30 @@ Solution minimize_near(Problem& problem, const Stage& stage, const Shape& start,
 
 }  // namespace
 
-CoupledSolution refine_coupled(const std::vector<const Chart*>& charts, double fairness, Stage stage,
-                               const std::vector<TargetLengths>& lengths, const std::vector<Shape>& starts,
+CoupledSolution refine_coupled(const std::vector<CoupledChart>& charts, double fairness, const Stage& stage,
                                const Control& control) {
-  const CombinedCharts combined = combine(charts);
-  Problem problem(combined.chart, fairness);
+  std::vector<const Chart*> members;
   std::vector<Problem> problems;
-  for (const Chart* chart : charts) problems.emplace_back(*chart, fairness);
-  const std::optional<TargetLengths> all = combine_lengths(combined, charts, lengths);
-  stage.lengths = all ? &*all : nullptr;
-  const Shape start = combine_starts(combined, problem, problems, lengths, starts);
-  const Solution whole = minimize_near(problem, stage, start, charts.size() == 1, control);
+  for (const CoupledChart& one : charts) {
+    members.push_back(&one.chart);
+    problems.emplace_back(one.chart, fairness);
+  }
+  const CombinedCharts combined = combine(members);
+  Problem problem(combined.chart, fairness);
+  const std::optional<TargetLengths> lengths = combine_lengths(combined, charts);
+  Stage of_group = stage;
+  if (lengths) of_group.lengths = &*lengths;
+  const Shape start = combine_starts(combined, charts, problem, problems, lengths ? lengths->grains.size() : 0);
+  const Solution whole = minimize_near(problem, of_group, start, charts.size() == 1, control);
   CoupledSolution coupled;
-  stage.injectivity = Injectivity::none;
-  if (charts.size() > 1) coupled.projected_gradient = projected_gradient(problem, stage, whole.shape);
+  of_group.injectivity = Injectivity::none;
+  if (charts.size() > 1) coupled.projected_gradient = projected_gradient(problem, of_group, whole.shape);
   Solution figures = whole;
   figures.shape = {};
   for (std::size_t c = 0; c < charts.size(); ++c) {
     Solution one = figures;
-    const auto num_parts = static_cast<Eigen::Index>(charts[c]->wire_parts.size());
-    one.shape = {whole.shape.uv.middleRows(combined.first_vertex[c], starts[c].uv.rows()),
+    const auto num_parts = static_cast<Eigen::Index>(charts[c].chart.wire_parts.size());
+    one.shape = {whole.shape.uv.middleRows(combined.first_vertex[c], charts[c].start.uv.rows()),
                  whole.shape.variation.segment(combined.first_part[c], num_parts),
                  {}};
     one.objective = problems[c].objective({stage.cloth}).value(one.shape.uv) / problems[c].area();

@@ -8,7 +8,6 @@
 // matrix has one block for each chart, and only the Schur complement of h, dense and small, couples them.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "newton/control.h"
@@ -17,18 +16,22 @@
 
 namespace wirewarp {
 
-struct CoupledSolution {
-  std::vector<Solution> charts;  // have no multipliers; each has the factorizations of the whole group
-  // PieceReport::projected_gradient; NaN for one chart.
-  double projected_gradient = std::numeric_limits<double>::quiet_NaN();
+/// A chart of a coupled group.
+struct CoupledChart {
+  const Chart& chart;
+  const TargetLengths* lengths;  // null: nominal lengths, and the layout is free to turn; the same for the whole group
+  /// Near exact lengths, but perhaps farther if the stage forbids flips and the start has none. Its multipliers: one
+  /// per edge of the chart's held network, then one per grain row; missing ones are 0.
+  Shape start;
 };
 
-/// Minimizes from starts near exact lengths. The starts may be farther from exact lengths if the stage forbids flips
-/// and they have none. Their multipliers: one per edge of the chart's held network, then one per grain row; missing
-/// ones are 0. lengths: one per chart, or empty if charts are free to turn; those of the stage come from them. All
-/// solutions are exact, or none.
-CoupledSolution refine_coupled(const std::vector<const Chart*>& charts, double fairness, Stage stage,
-                               const std::vector<TargetLengths>& lengths, const std::vector<Shape>& starts,
+struct CoupledSolution {
+  std::vector<Solution> charts;             // have no multipliers; each has the factorizations of the whole group
+  double projected_gradient = kNoGradient;  // unless the group is one chart
+};
+
+/// Minimizes from the starts. stage: without lengths, which the charts have. All solutions are exact, or none.
+CoupledSolution refine_coupled(const std::vector<CoupledChart>& charts, double fairness, const Stage& stage,
                                const Control& control);
 
 }  // namespace wirewarp

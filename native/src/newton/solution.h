@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "energy/fair_shape_error.h"
@@ -23,6 +24,8 @@ enum class SolutionStatus {
   stalled,     // exact lengths; another step could reduce f
   converged,   // exact lengths; another step is predicted to gain less than 1e-9 of f, or less than rounding errors
 };
+
+inline constexpr double kNoGradient = std::numeric_limits<double>::quiet_NaN();  // PieceReport::projected_gradient
 
 /// The result of a solver.
 struct Solution {

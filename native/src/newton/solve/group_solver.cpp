@@ -70,17 +70,14 @@ bool GroupSolver::were_good(const std::vector<Part>& parts) const {
 
 /// Returns false if there are no common lengths. Each factorization counts for each of the parts.
 bool GroupSolver::take_common_shapes(const std::vector<Part>& parts, Budget& budget) {
-  std::vector<const Chart*> charts;
-  std::vector<TargetLengths> lengths;
-  std::vector<Shape> starts;
+  std::vector<CoupledChart> charts;
   for (const Part& part : parts) {
-    charts.push_back(&part.chart);
-    starts.push_back({solved(part).uv, {}, solved(part).multipliers});
-    if (run_.options.cloth) lengths.push_back(group_[part.member].lengths);
+    const TargetLengths* lengths = run_.options.cloth ? &group_[part.member].lengths : nullptr;
+    charts.push_back({part.chart, lengths, {solved(part).uv, {}, solved(part).multipliers}});
   }
   const Stage stage = run_.options.cloth ? Stage{&*run_.options.cloth, nullptr, Injectivity::local} : Stage{};
   const StageTimer timer(solved(parts.front()).report.seconds, "shape");
-  CoupledSolution found = refine_coupled(charts, run_.options.fairness, stage, lengths, starts, {budget, stop_});
+  CoupledSolution found = refine_coupled(charts, run_.options.fairness, stage, {budget, stop_});
   const bool is_exact = found.charts.front().is_exact();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     SolvedChart& one = solved(parts[i]);

@@ -2,14 +2,10 @@
 // Writes what the solvers report about a piece: its figures, or the attempts if no shape was found.
 #pragma once
 
-#include <limits>
-
 #include "newton/refine_chart.h"
 #include "warp/outer/choose_variation.h"
 
 namespace wirewarp {
-
-inline constexpr double kNoGradient = std::numeric_limits<double>::quiet_NaN();  // PieceReport::projected_gradient
 
 void report_solution(const OuterSolution& solution, PieceReport& report);
 

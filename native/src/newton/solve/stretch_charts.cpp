@@ -60,8 +60,7 @@ class StretchedGroup {
                   Budget& budget) const {
     TargetLengths lengths = group_[k].lengths;
     lengths.grains = {hold_upright(fixed, start, run_.options)};
-    return refine_coupled({&fixed}, run_.options.fairness, stage, {lengths}, {Shape{start}}, {budget, stop_})
-        .charts.front();
+    return refine_coupled({{fixed, &lengths, {start}}}, run_.options.fairness, stage, {budget, stop_}).charts.front();
   }
 
   Stage stage_of_cloth(Injectivity injectivity) const { return {&*run_.options.cloth, nullptr, injectivity}; }
@@ -145,7 +144,7 @@ class StretchedGroup {
     const GroupMember& member = group_[k];
     set_stretched_lengths(member, member.chart);
     if (is_folded) propose_seams_for_layout(member.chart, run_, stop_, member.solved);
-    lie_flat(member);
+    make_flat(member);
   }
 
   /// Replaces the layout by an error. Its proposed seams are evaluated at the stretched lengths; others would not help.
@@ -171,7 +170,7 @@ class StretchedGroup {
   }
 
   /// Turns the layout in the plane of the stretched cloth into the flat one.
-  static void lie_flat(const GroupMember& member) {
+  static void make_flat(const GroupMember& member) {
     const Chart& chart = member.chart;
     const Eigen::RowVector2d& share = member.lengths.flat_share;
     SolvedChart& one = member.solved;
