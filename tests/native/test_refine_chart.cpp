@@ -123,7 +123,7 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   const Chart& chart = charts.charts.at(0);
   Problem problem(chart, Options{}.fairness);
   Budget budget(100);
-  std::optional<Shape> start = wires_alone(problem, {budget});
+  std::optional<Shape> start = make_start(Start::wires, problem, {budget});
   ASSERT_TRUE(start);
   Solution saddle;
   for (int i = 0; i < 5; ++i) {
@@ -131,9 +131,8 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
     saddle = minimize(problem, {}, *start, {one_step});
     EXPECT_TRUE(saddle.is_exact());
     const Positions2 turned = -saddle.shape.uv.colwise().reverse();
-    *start = {(saddle.shape.uv + turned) / 2,
-              {},
-              saddle.shape.multipliers};  // without the asymmetric part, which rounding causes
+    // Without the asymmetric part, which rounding causes.
+    *start = {(saddle.shape.uv + turned) / 2, {}, saddle.shape.multipliers};
   }
   const Solution found = minimize(problem, {}, *start, {budget});
   EXPECT_TRUE(found.is_exact() && found.is_converged());

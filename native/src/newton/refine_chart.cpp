@@ -13,28 +13,23 @@
 namespace wirewarp {
 namespace {
 
-constexpr Start kUnfolded{"unfolded", unfolded};
-constexpr Start kCoarse{"coarse", coarse_shape};
-constexpr Start kFree{"free", free_shape};
-constexpr Start kWiresAlone{"wires", wires_alone};
-constexpr Start kInjective{kInjectiveStart, injective_shape, Injectivity::local};
-
 /// The starts in the order of trial; native/README.md says how often each was successful.
-constexpr std::initializer_list<Start> kStarts{kUnfolded, kCoarse, kFree, kWiresAlone, kInjective};
+constexpr std::initializer_list<Start> kStarts{Start::unfolded, Start::coarse, Start::free, Start::wires,
+                                               Start::injective};
 
 /// Returns the first exact shape. is_large: also starts from a coarser chart.
 Solution try_starts(Problem& problem, Stage stage, bool is_large, const Control& control) {
   Solution found;
   bool is_any_infeasible = false;
-  for (const Start& start : kStarts) {
-    if (start.make == coarse_shape && !is_large) continue;
-    const std::optional<Shape> made = attempt([&] { return start.make(problem, control); });
+  for (const Start start : kStarts) {
+    if (start == Start::coarse && !is_large) continue;
+    const std::optional<Shape> made = attempt([&] { return make_start(start, problem, control); });
     if (control.stop.is_stopped()) break;
     if (!made) continue;
-    stage.injectivity = start.injectivity;
+    stage.injectivity = start == Start::injective ? Injectivity::local : Injectivity::none;
     found = minimize(problem, stage, *made, control.in("shape"));
     if (found.is_exact()) {
-      found.start = start.name;
+      found.start = name_of(start);
       return found;
     }
     is_any_infeasible = is_any_infeasible || found.status == SolutionStatus::infeasible;
@@ -50,7 +45,7 @@ Solution try_starts(Problem& problem, Stage stage, bool is_large, const Control&
 Solution refine_with_slits(Problem& problem, const Stage& stage, std::size_t large_chart, const Control& control) {
   if (const std::optional<Positions2> flat = unfold(problem.chart())) {
     Solution unfolded = evaluate(problem, stage, {*flat});
-    unfolded.start = kUnfolded.name;
+    unfolded.start = name_of(Start::unfolded);
     if (unfolded.is_converged()) return unfolded;
   }
   const auto solve_sewn = [&](Problem& sewn) {

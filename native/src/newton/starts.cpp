@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "newton/starts.h"
 
+#include <array>
+#include <stdexcept>
 #include <utility>
 
 #include "newton/coarse_start.h"
@@ -11,20 +13,7 @@
 #include "warp/topology/unjoined_wires.h"
 
 namespace wirewarp {
-
-std::optional<Shape> unfolded(Problem& problem, const Control&) {
-  std::optional<Positions2> uv = unfold(problem.chart());
-  if (!uv) return std::nullopt;
-  return Shape{std::move(*uv)};
-}
-
-std::optional<Shape> coarse_shape(Problem& problem, const Control& control) {
-  return start_from_coarse(problem, control);
-}
-
-std::optional<Shape> free_shape(Problem& problem, const Control& control) {
-  return Shape{problem.free_map(control.stop.in("start"))};
-}
+namespace {
 
 std::optional<Shape> wires_alone(Problem& problem, const Control& control) {
   const Chart& chart = problem.chart();
@@ -47,8 +36,29 @@ std::optional<Shape> wires_alone(Problem& problem, const Control& control) {
   return Shape{std::move(shape.uv)};
 }
 
-std::optional<Shape> injective_shape(Problem& problem, const Control& control) {
-  return reach_injectively(problem, {nullptr, nullptr, Injectivity::local}, control);
+}  // namespace
+
+const char* name_of(Start start) {
+  constexpr std::array<const char*, 5> names{"unfolded", "coarse", "free", "wires", kInjectiveStart};
+  return names.at(static_cast<std::size_t>(start));
+}
+
+std::optional<Shape> make_start(Start start, Problem& problem, const Control& control) {
+  switch (start) {
+    case Start::unfolded: {
+      std::optional<Positions2> uv = unfold(problem.chart());
+      return uv ? std::optional(Shape{std::move(*uv)}) : std::nullopt;
+    }
+    case Start::coarse:
+      return start_from_coarse(problem, control);
+    case Start::free:
+      return Shape{problem.free_map(control.stop.in("start"))};
+    case Start::wires:
+      return wires_alone(problem, control);
+    case Start::injective:
+      return reach_injectively(problem, {nullptr, nullptr, Injectivity::local}, control);
+  }
+  throw std::logic_error("not a Start");
 }
 
 }  // namespace wirewarp
