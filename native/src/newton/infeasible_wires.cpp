@@ -43,13 +43,13 @@ using Tolerances = std::map<int, double>;  // tolerance of each wire
 bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
 
 /// Returns the wires whose lengths the relaxed shape changes, all free.
-Tolerances giving_way(const Chart& chart, const RelaxedShape& relaxed, double kept) {
+Tolerances wires_to_free(const Chart& chart, const RelaxedShape& relaxed, double kept) {
   Tolerances wires;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     const WirePart& part = chart.wire_parts[i];
     const auto p = static_cast<Eigen::Index>(i);
-    const bool gives_way = relaxed.strain_rms[p] > kUneven || relaxed.tolerance_violation[p] > kept;
-    if (is_held(part) && gives_way) wires[part.wire_index] = kFreeTolerance;
+    const bool is_violated = relaxed.strain_rms[p] > kUneven || relaxed.tolerance_violation[p] > kept;
+    if (is_held(part) && is_violated) wires[part.wire_index] = kFreeTolerance;
   }
   return wires;
 }
@@ -242,8 +242,9 @@ std::optional<RelaxedShape> relax(Problem& problem, const StopToken& stop) {
 
 /// Returns whether even the cheapest way to break lengths breaks some: a longer search would not keep them.
 bool shows_conflict(const RelaxedShape& relaxed) {
-  const bool wires_give_way = (relaxed.strain_rms.array() > kKept || relaxed.tolerance_violation.array() > kKept).any();
-  return relaxed.is_minimum && (wires_give_way || relaxed.outline_strain > kKept);
+  const bool are_wires_violated =
+      (relaxed.strain_rms.array() > kKept || relaxed.tolerance_violation.array() > kKept).any();
+  return relaxed.is_minimum && (are_wires_violated || relaxed.outline_strain > kKept);
 }
 
 std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const InternalOptions& options,
@@ -257,7 +258,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   if (!free.is_exact()) return {};
   ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.shape.uv}, stop);
   std::map<Tolerances, bool> known;  // doubled() keeps free wires as they are, and other choices may be equal, too
-  const auto lie_flat = [&](const Tolerances& tolerances) {
+  const auto are_sufficient = [&](const Tolerances& tolerances) {
     stop.check();
     if (tolerances.empty()) return false;
     const auto [answer, is_new] = known.try_emplace(tolerances, false);
@@ -265,12 +266,12 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
     return answer->second;
   };
   const auto first_flat = [&](const std::vector<Tolerances>& choice) {
-    const auto found = std::find_if(choice.begin(), choice.end(), lie_flat);
+    const auto found = std::find_if(choice.begin(), choice.end(), are_sufficient);
     return found == choice.end() ? Tolerances() : *found;
   };
-  Tolerances freed = giving_way(chart, relaxed, kKept);
+  Tolerances freed = wires_to_free(chart, relaxed, kKept);
   if (!search.work(freed)) {
-    freed = giving_way(chart, relaxed, kPerhapsKept);
+    freed = wires_to_free(chart, relaxed, kPerhapsKept);
     if (!search.work(freed)) freed.clear();
   }
   const Tolerances few = search.on_few_wires(freed);
@@ -278,10 +279,10 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   Tolerances proposed;
   if (are_few_elastic) proposed = first_flat({few, doubled(few)});
   if (proposed.empty()) {
-    proposed = search.lowest_shared(freed, kFreeTolerance, lie_flat);
+    proposed = search.lowest_shared(freed, kFreeTolerance, are_sufficient);
     // Naming more wires is worthwhile if that more than halves their tolerance.
     const double below = proposed.empty() ? kFreeTolerance : proposed.begin()->second / 2;
-    const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), below, lie_flat);
+    const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), below, are_sufficient);
     if (!of_many.empty()) proposed = of_many;
   }
   if (proposed.empty() && !are_few_elastic) proposed = first_flat({few, doubled(few)});

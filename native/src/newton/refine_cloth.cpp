@@ -47,8 +47,8 @@ class ClothRefinement {
   };
 
   std::vector<Turn> best_turns(const Positions2& uv) const;
-  TargetLengths held_as(const Positions2& uv) const { return {{hold_direction(pair_, uv)}, {}}; }
-  Solution minimize_held(const Shape& start);
+  TargetLengths lengths_in_direction_of(const Positions2& uv) const { return {{hold_direction(pair_, uv)}, {}}; }
+  Solution minimize_in_direction(const Shape& start);
   Solution minimize_turning(const Shape& upright);
   double slope_of(const Shape& shape) const;
   void turn_up(Positions2& uv) const;
@@ -66,8 +66,8 @@ class ClothRefinement {
 
 /// Keeps the direction of the start. If the piece overlaps itself and did not before, minimizes once more with a
 /// barrier against overlaps.
-Solution ClothRefinement::minimize_held(const Shape& start) {
-  const TargetLengths lengths = held_as(start.uv);
+Solution ClothRefinement::minimize_in_direction(const Shape& start) {
+  const TargetLengths lengths = lengths_in_direction_of(start.uv);
   Solution held;
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
     held =
@@ -109,7 +109,7 @@ Solution ClothRefinement::minimize_turning(const Shape& upright) {
   double curvature = 0;
   for (const Turn& turn : best_turns(upright.uv)) {
     if (!may_go_on()) break;
-    Solution held = minimize_held({turn.uv, {}, upright.multipliers});
+    Solution held = minimize_in_direction({turn.uv, {}, upright.multipliers});
     if (!is_sound(held) || (is_sound(best) && held.objective >= best.objective)) continue;
     best = std::move(held);
     curvature = turn.curvature;
@@ -122,7 +122,7 @@ Solution ClothRefinement::minimize_turning(const Shape& upright) {
     angle = std::clamp(angle, -longest, longest);
     if (std::abs(slope * angle) < NewtonConstants::worthwhile * best.objective || !best.is_converged()) return best;
     if (!may_go_on()) break;
-    Solution trial = minimize_held({turned(best.shape.uv, angle), {}, best.shape.multipliers});
+    Solution trial = minimize_in_direction({turned(best.shape.uv, angle), {}, best.shape.multipliers});
     if (trial.is_converged() && is_sound(trial) && trial.objective < best.objective) {
       const double change = (slope_of(trial.shape) - slope) / angle;
       curvature = change > 0 ? change : 0;
@@ -152,7 +152,7 @@ std::optional<Solution> ClothRefinement::refine(const Solution& upright) {
   Shape start{upright.shape.uv, {}, Eigen::VectorXd(forces.size() + 1)};
   start.multipliers << forces, 0;
   const bool is_turned = options_.orientation == Orientation::best;
-  Solution found = is_turned ? minimize_turning(start) : minimize_held(start);
+  Solution found = is_turned ? minimize_turning(start) : minimize_in_direction(start);
   if (!is_sound(found)) return std::nullopt;
   if (is_turned) turn_up(found.shape.uv);
   return found;

@@ -58,9 +58,9 @@ void unroll(const WireNetwork& network, const std::vector<int>& node_at_arrival,
       continue;
     }
     heading += (turn_at(left) - turn_at(right)) / 2;
-    const double tolerance_violation = (turn_at(left) + turn_at(right)) / 2;
-    run.one_sided[0] += (1 - walked / run.walked_length) * tolerance_violation;
-    run.one_sided[1] += walked / run.walked_length * tolerance_violation;
+    const double turning = (turn_at(left) + turn_at(right)) / 2;
+    run.one_sided[0] += (1 - walked / run.walked_length) * turning;
+    run.one_sided[1] += walked / run.walked_length * turning;
   }
   run.chord_length = end.norm();
   const double chord = std::atan2(end.y(), end.x());

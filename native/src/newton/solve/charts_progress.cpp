@@ -44,7 +44,7 @@ bool ChartsProgress::go_on(std::size_t chart, const char* stage) {
     advance(chart, has_begun ? share + kPerStep * std::max(0.0, span.end - share) : span.begin);
     stage_ = stage;
   }
-  return std::this_thread::get_id() == caller_ ? tell() : !report_.is_cancelled();
+  return std::this_thread::get_id() == caller_ ? report() : !report_.is_cancelled();
 }
 
 void ChartsProgress::finish(std::size_t chart) {
@@ -52,10 +52,10 @@ void ChartsProgress::finish(std::size_t chart) {
     const std::lock_guard lock(mutex_);
     advance(chart, 1);
   }
-  if (std::this_thread::get_id() == caller_) tell();  // because thousands of charts may report no step
+  if (std::this_thread::get_id() == caller_) report();  // because thousands of charts may report no step
 }
 
-bool ChartsProgress::tell() {
+bool ChartsProgress::report() {
   std::string stage;
   double done = 0;
   {

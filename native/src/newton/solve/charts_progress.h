@@ -32,7 +32,7 @@ class ChartsProgress {
         throw;
       }
     };
-    if (count > 0) run_in_threads(count, num_cores(), work_or_stop_all, [&] { tell(); });
+    if (count > 0) run_in_threads(count, num_cores(), work_or_stop_all, [&] { report(); });
   }
 
   /// Whether the other charts keep all other cores busy, so that threads for this chart alone would gain nothing.
@@ -51,7 +51,7 @@ class ChartsProgress {
 
   /// Reports the progress of all charts, in the thread that created this object. Returns false once the caller has
   /// canceled.
-  bool tell();
+  bool report();
 
  private:
   void advance(std::size_t chart, double share);

@@ -9,7 +9,7 @@ namespace wirewarp {
 namespace {
 
 /// Solves a chart that had no shape at h = ease from scratch there, to get its error.
-void solve_anew(const GroupMember& member, const Run& run, const StopToken& stop) {
+void solve_from_scratch(const GroupMember& member, const Run& run, const StopToken& stop) {
   SolvedChart& solved = member.solved;
   Budget budget(run.options.max_factorizations);
   budget.spend(solved.report.factorizations);
@@ -33,7 +33,7 @@ void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, c
       continue;
     }
     if (!member.is_nominal) {
-      solve_anew(member, run, in_shape);
+      solve_from_scratch(member, run, in_shape);
       continue;
     }
     const Chart fixed = with_fixed_seams(member.chart);
