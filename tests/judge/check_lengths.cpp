@@ -39,8 +39,8 @@ bool is_all_rigid(const Options& options) {
   return options.method == Method::wirewarping || options.inner == Inner::least_norm;
 }
 
-/// Returns the edges of a wire inside pieces without an error, part by part. Parts end on seams and borders, and where
-/// pieces touch.
+/// Returns the edges of a wire inside pieces that keep their lengths, part by part. Parts end on seams and borders, and
+/// where pieces touch.
 std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<EdgeLengths>> parts(1);
   const auto piece_at = [&](std::size_t i) {
@@ -55,8 +55,7 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
     const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
     const Side side = judged.sides().at(edge).front();
     const Piece& piece = judged.result.pieces[piece_at(i)];
-    // Outlines are checked elsewhere; failed pieces guarantee nothing.
-    if (judged.is_outline(edge) || piece.error) continue;
+    if (judged.is_outline(edge) || !keeps_lengths(piece)) continue;  // outlines are checked elsewhere
     parts.back().push_back(lengths_of(judged, edge, side, 0, wire.ease == 0));
   }
   const bool goes_on = wire.vertices.front() == wire.vertices.back() && !begins_part(0);
@@ -100,12 +99,6 @@ double ease_of(const Judged& judged, const Side& side) {
     }
   }
   return 0;
-}
-
-/// Whether all lengths of a piece are guaranteed: it has no error, or one that is reported only if they are exact.
-bool keeps_lengths(const Piece& piece) {
-  return !piece.error || piece.error->code == ErrorCode::flipped_faces ||
-         piece.error->code == ErrorCode::overlapping_faces;
 }
 
 /// Returns the sides of an outline edge in pieces that keep their lengths, without their own eases.
@@ -188,6 +181,11 @@ void check_plain_edge(Judged& judged, const Edge& edge) {
 }
 
 }  // namespace
+
+bool keeps_lengths(const Piece& piece) {
+  return !piece.error || piece.error->code == ErrorCode::flipped_faces ||
+         piece.error->code == ErrorCode::overlapping_faces;
+}
 
 void check_outline(Judged& judged, const Piece& piece) {
   std::set<Edge> with_wire;

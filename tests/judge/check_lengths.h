@@ -5,7 +5,11 @@
 
 namespace wirewarp::test {
 
-/// Checks that outline edges without a wire are exact in a piece without an error, and that inner edges are not torn.
+/// Whether all lengths of a piece are guaranteed: it has no error, or one that is reported only if they are exact.
+bool keeps_lengths(const Piece& piece);
+
+/// Checks that outline edges without a wire are exact in a piece that keeps its lengths, and that inner edges are not
+/// torn.
 void check_outline(Judged& judged, const Piece& piece);
 
 /// Checks that rigid wires are exact, and that the edges of each part of an elastic one have the same h within its

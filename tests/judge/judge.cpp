@@ -52,7 +52,11 @@ void check_piece(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
   // For a cloth, only the direction of two vertices is defined, and stretch turns directions other than weft and warp.
   if (judged.has_layout(piece) && !judged.options.cloth) check_orientation(judged, number);
-  if (piece.error) return check_error(judged, number);
+  if (piece.error) {
+    check_error(judged, number);
+    if (judged.has_layout(piece) && keeps_lengths(piece)) check_outline(judged, piece);
+    return;
+  }
   if (!std::isfinite(judged.uv_size(piece))) {
     return judged.say("piece " + std::to_string(number) + " has no error and no coordinates");
   }

@@ -69,7 +69,7 @@ void expect_broken(const std::string& sentence, JudgeCase good, const Spoil& spo
   expect_reported(guarantees, sentence, std::move(good), spoil);
 }
 
-void expect_unexpected(const std::string& sentence, JudgeCase good, const Spoil& spoil) {
+void expect_broken_expectation(const std::string& sentence, JudgeCase good, const Spoil& spoil) {
   expect_reported(expectations, sentence, std::move(good), spoil);
 }
 
@@ -99,8 +99,8 @@ Spoil turned(int number, double angle) {
   };
 }
 
-void fail(JudgeCase& sheets, ErrorCode code) {
-  Piece& piece = sheets.result.pieces.at(0);
+void fail(JudgeCase& sheets, ErrorCode code, int number) {
+  Piece& piece = sheets.result.pieces.at(number);
   piece.error = FlattenError(code, "The piece cannot be flattened.", {{piece.source_vertex.at(0)}, {}, {}}, true);
 }
 

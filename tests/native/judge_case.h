@@ -29,14 +29,14 @@ using Spoil = std::function<void(JudgeCase&)>;
 void expect_broken(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
 /// Expects the same of broken_expectations(), which is given no expected error.
-void expect_unexpected(const std::string& sentence, JudgeCase good, const Spoil& spoil);
+void expect_broken_expectation(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
 // Move or turn the piece with this number, together with its corners in corner_uv. Directions are those of the piece.
 Spoil moved_vertex(int number, int source_vertex, double right, double up);
 Spoil moved(int number, double right, double up);
 Spoil turned(int number, double angle);
 
-/// Gives piece 0 of two_sheets() an error that has a layout and names one vertex.
-void fail(JudgeCase& sheets, ErrorCode code);
+/// Gives a piece of two_sheets() an error that has a layout and names one vertex.
+void fail(JudgeCase& sheets, ErrorCode code, int number = 0);
 
 }  // namespace wirewarp::test

@@ -20,7 +20,7 @@ namespace wirewarp::test_judge {
 namespace {
 
 using test::expect_broken;
-using test::expect_unexpected;
+using test::expect_broken_expectation;
 using test::fail;
 using test::flattened;
 using test::JudgeCase;
@@ -67,13 +67,32 @@ TEST(Judge, ReportsWrongLengths) {
   expect_broken("wire \"elastic\" breaks", two_sheets(), [](JudgeCase& c) { c.input.wires.at(1).tolerance = 1e-5; });
 }
 
+TEST(Judge, ReportsWrongLengthsOfFaultyPieces) {
+  // Pieces that overlap themselves have exact lengths. Their errors must propose a seam inside them.
+  const VertexPair inside[2]{{10, 11}, {14, 15}};
+  JudgeCase faulty = two_sheets();
+  for (const int number : {0, 1}) {
+    fail(faulty, ErrorCode::overlapping_faces, number);
+    faulty.result.pieces[number].error->elements.proposed_seams = {inside[number]};
+  }
+  const int corner = 0, on_the_seam = 4, on_rigid = 1 + 9 * 4, on_elastic = 2 + 9 * 2;
+  expect_broken("outline 0-", faulty, moved_vertex(0, corner, 1e-6, 1e-6));
+  expect_broken("outline 4-", faulty, moved_vertex(1, on_the_seam, 1e-6, 1e-6));
+  expect_broken("wire \"rigid\" breaks", faulty, moved_vertex(0, on_rigid, 1e-6, 1e-6));
+  expect_broken("wire \"elastic\" breaks", faulty, moved_vertex(0, on_elastic, 1e-6, 1e-6));
+
+  JudgeCase beside_good = two_sheets();
+  beside_good.result.pieces[0].error = faulty.result.pieces[0].error;
+  expect_broken("outline 4-", beside_good, moved_vertex(0, on_the_seam, 1e-6, 1e-6));
+}
+
 TEST(Judge, ReportsFailuresThatLegalInputMustNotHave) {
   for (const ErrorCode code : {ErrorCode::not_solvable, ErrorCode::lengths_not_kept}) {
     const std::string sentence = std::string("a piece fails with ") + describe(code).name;
-    expect_unexpected(sentence, two_sheets(), [&](JudgeCase& c) { fail(c, code); });
+    expect_broken_expectation(sentence, two_sheets(), [&](JudgeCase& c) { fail(c, code); });
   }
   const auto fail_by_mesh = [](JudgeCase& c) { fail(c, ErrorCode::zero_area_face); };
-  expect_unexpected("legal input has the error zero_area_face", two_sheets(), fail_by_mesh);
+  expect_broken_expectation("legal input has the error zero_area_face", two_sheets(), fail_by_mesh);
   JudgeCase faulty = two_sheets();
   fail_by_mesh(faulty);
   const auto reported =
@@ -83,9 +102,10 @@ TEST(Judge, ReportsFailuresThatLegalInputMustNotHave) {
 
 TEST(Judge, ReportsPiecesThatUnfoldButAreNotFlat) {
   const JudgeCase patch = flattened(test::cylinder_patch(6, 4, 1, 2, 1));
-  expect_unexpected("a piece that unfolds is distorted", patch, [](JudgeCase& c) { c.result.corner_uv *= 1 + 1e-5; });
-  expect_unexpected("a piece that unfolds has the error infeasible_lengths", patch,
-                    [](JudgeCase& c) { fail(c, ErrorCode::infeasible_lengths); });
+  expect_broken_expectation("a piece that unfolds is distorted", patch,
+                            [](JudgeCase& c) { c.result.corner_uv *= 1 + 1e-5; });
+  expect_broken_expectation("a piece that unfolds has the error infeasible_lengths", patch,
+                            [](JudgeCase& c) { fail(c, ErrorCode::infeasible_lengths); });
 }
 
 TEST(Judge, KnowsTheLengthsOfAStretchedFabric) {
