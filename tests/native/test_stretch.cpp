@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -202,6 +203,77 @@ TEST(Stretch, FinishedPiecesKeepTheirLengthsWhenCanceled) {
     }
   }
   EXPECT_GT(finished, 0) << "no piece was ever compared";
+}
+
+/// Adds wires with an ease, which the stretch does not shorten, along all inner rows of a grid and, if requested, along
+/// all inner columns.
+FlattenInput with_eased_wires(FlattenInput grid, int nx, int ny, double ease, bool along_columns) {
+  for (int j = 1; j < ny; ++j) test::add_wire(grid, test::grid_row(nx, j));
+  for (int i = 1; along_columns && i < nx; ++i) test::add_wire(grid, test::grid_column(nx, ny, i));
+  for (Wire& wire : grid.wires) wire.ease = ease;
+  return grid;
+}
+
+constexpr double kShorter = 0.3;                     // ease of wires that flip a piece
+constexpr double kFitting = 1 / (1 - kShorter) - 1;  // with this stretch, the outline fits them
+
+/// A flat sheet with wires that are too short for it.
+FlattenInput sheet_with_short_wires() {
+  const int n = 6;
+  return with_eased_wires(test::flat_rectangle(n, n, 1, 1), n, n, -kShorter, true);
+}
+
+/// Flattens one piece, which is flipped without the stretch.
+Piece flat_although_flipped(const FlattenInput& input, double stretch, int max_factorizations = 100) {
+  Options options = stretched(0, 0);
+  options.max_factorizations = max_factorizations;
+  const std::optional<FlattenError> before = flatten(input, options).pieces.at(0).error;
+  EXPECT_TRUE(before && before->code == ErrorCode::flipped_faces);
+  options.cloth->stretch = {stretch, stretch};
+  return flatten(input, options).pieces.at(0);
+}
+
+TEST(Stretch, AFlippedPieceIsGoodIfItsOutlineShrinksToItsWires) {
+  const Piece piece = flat_although_flipped(sheet_with_short_wires(), kFitting);
+  EXPECT_FALSE(piece.error) << piece.report.message;
+  EXPECT_LT(piece.metrics.cloth_energy, 1e-16);
+  EXPECT_NEAR(piece.metrics.area_2d, (1 - kShorter) * (1 - kShorter) * piece.metrics.area_3d, 1e-9);
+}
+
+TEST(Stretch, AFlippedPieceMayOverlapItselfAfterwards) {
+  // This part of a cone spans 1.1 turns in the plane, and its wires leave it no other shape.
+  const int nx = 16, ny = 3;
+  const FlattenInput cone = test::cone_patch(nx, ny, 1, 3, std::asin(7.0 / 8), 1.1 * 2 * kPi * 8 / 7);
+  const Piece piece = flat_although_flipped(with_eased_wires(cone, nx, ny, -kShorter, true), kFitting);
+  ASSERT_TRUE(piece.error);
+  EXPECT_EQ(piece.error->code, ErrorCode::overlapping_faces);
+  EXPECT_FALSE(piece.error->elements.proposed_seams.empty());
+  EXPECT_NEAR(piece.metrics.area_2d, (1 - kShorter) * (1 - kShorter) * piece.metrics.area_3d, 1e-9);
+}
+
+TEST(Stretch, AFlippedPieceIsSolvedFromScratchIfItsOldShapeIsTooFarAway) {
+  const int n = 3;
+  const double stretch = 0.3;
+  const FlattenInput hill = test::make_grid(n, n, [](double s, double t) -> Eigen::Vector3d {
+    return {s, t, 0.5 * std::exp(-8 * ((s - 0.5) * (s - 0.5) + (t - 0.5) * (t - 0.5)))};
+  });
+  const Piece piece = flat_although_flipped(with_eased_wires(hill, n, n, 0.7, false), stretch);
+  ASSERT_TRUE(piece.error);
+  EXPECT_EQ(piece.error->code, ErrorCode::flipped_faces);
+  for (const BoundaryReport& boundary : piece.boundaries) {
+    EXPECT_NEAR(boundary.length_2d, boundary.length_3d / (1 + stretch), kRelative * boundary.length_3d);
+  }
+}
+
+TEST(Stretch, AFlippedPieceWithoutAShapeNamesTheLimitIfItWasReached) {
+  for (const int max_factorizations : {2, 100}) {
+    const Piece piece = flat_although_flipped(sheet_with_short_wires(), -0.3, max_factorizations);
+    ASSERT_TRUE(piece.error);
+    EXPECT_EQ(piece.error->code, ErrorCode::infeasible_lengths);
+    EXPECT_FALSE(piece.error->has_layout);
+    EXPECT_EQ(piece.error->arguments.count("max_factorizations") > 0, max_factorizations == 2);
+    EXPECT_LE(piece.report.factorizations, 2 * max_factorizations) << "one limit for each of two stages";
+  }
 }
 
 TEST(Stretch, ShrinksAPlateWithHoles) {
