@@ -255,8 +255,8 @@ TEST(ProposeCuts, AvoidEdgesThatMayHaveNoSeam) {
       const std::vector<VertexPair> forbidden = propose(input, {}, cut_options, {}).front().edges;
       cut_options.no_seam.resize(static_cast<Eigen::Index>(forbidden.size()), 2);
       for (std::size_t i = 0; i < forbidden.size(); ++i) {
-        cut_options.no_seam.row(static_cast<Eigen::Index>(i)) << forbidden[i][1],
-            forbidden[i][0];  // in either direction
+        const auto [end, begin] = forbidden[i];  // either direction forbids the edge
+        cut_options.no_seam.row(static_cast<Eigen::Index>(i)) << begin, end;
       }
       for (const DartProposal& cut : propose(input, {}, cut_options, {})) {
         for (const VertexPair& edge : cut.edges) {

@@ -278,8 +278,8 @@ TEST(ProposedSeamsOfARing, LeadToFlatPieces) {
 
 TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
   FlattenInput two_handles = cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; });
-  for (const int dropped_faces :
-       {1, 3}) {  // 1 leaves one loop; 3 leaves two, as the first and the last triangle are apart
+  // 1 leaves one loop; 3 leaves two, as the first and the last triangle are apart.
+  for (const int dropped_faces : {1, 3}) {
     FlattenInput input = two_handles;
     const auto faces = static_cast<int>(two_handles.faces.rows());
     input.faces = two_handles.faces.middleRows(dropped_faces > 1 ? 1 : 0, faces - (dropped_faces > 1 ? 2 : 1));

@@ -52,8 +52,8 @@ TEST(SolutionKey, DependsOnWhatTheShapeDependsOnAndNothingElse) {
   EXPECT_NE(key_of(changed, 0), key_of(input, 0));
   EXPECT_EQ(key_of(changed, 1), key_of(input, 1));
   changed = input;
-  test::add_seam(changed,
-                 {test::grid_row(16, 4)[6], test::grid_row(16, 4)[7]});  // a slit, which does not change the faces
+  // A slit, which does not change the faces.
+  test::add_seam(changed, {test::grid_row(16, 4)[6], test::grid_row(16, 4)[7]});
   EXPECT_NE(key_of(changed, 0), key_of(input, 0));
   EXPECT_EQ(key_of(changed, 1), key_of(input, 1));
   changed = input;

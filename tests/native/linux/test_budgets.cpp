@@ -102,8 +102,8 @@ TEST(Budgets, NewtonSystemsAllocateEquallyOftenOnEveryMesh) {
 
 struct RefinementCost {
   int factorizations;
-  double
-      substitutions;  // full substitutions, each forward and back through all fronts with up to four right-hand sides
+  /// Full substitutions, each forward and back through all fronts with up to four right-hand sides.
+  double substitutions;
 };
 
 RefinementCost cost_of_refinement(const FlattenInput& input) {
