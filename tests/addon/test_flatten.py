@@ -3,6 +3,7 @@
 
 import math
 
+import bmesh
 import bpy
 import numpy as np
 import pytest
@@ -28,6 +29,7 @@ from surfaces import (
 
 pytestmark = pytest.mark.api
 
+SEAM_ID = "wirewarp_seam"
 FLOAT32 = 2e-6  # relative: coordinates of about 1 and edges of about 0.2 in single precision
 
 
@@ -247,16 +249,45 @@ def test_several_objects_are_flattened_and_others_ignored():
     assert max(boxes[0]) < min(boxes[1]) or max(boxes[1]) < min(boxes[0])
 
 
-def test_edit_mode_is_left_and_entered_again_with_the_edits_in():
+def test_a_run_in_edit_mode_uses_the_edits_and_does_not_leave_it():
+    """It writes the same as in Object Mode: a second run there changes nothing."""
     source = grid("Bump", bump)
     select_edges(source, on_line(1, 0.0))
     bpy.ops.mesh.wirewarp_mark()
     bpy.ops.mesh.mark_seam(clear=False)
+    edit = bmesh.from_edit_mesh(source.data)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
-    assert bpy.context.mode == "EDIT_MESH"
+    assert edit.is_valid and bpy.context.mode == "EDIT_MESH"  # Blender frees this mesh when Edit Mode ends
     bpy.ops.object.mode_set(mode="OBJECT")
     assert len(flat_of(source).data.vertices) == len(source.data.vertices) + 9
     assert sum(read(source.data.edges, "select", bool)) == 8
+
+    def written():
+        values = [read(source.data.attributes[name].data, "value", np.int32) for name in ("wirewarp_piece", SEAM_ID)]
+        return [*values, uv_of(source.data)], wire_marks(source.data), source.data.uv_layers.active.name
+
+    arrays, *others = written()
+    assert [np.count_nonzero(each) for each in arrays[:2]] == [64, 8]
+    bpy.ops.object.wirewarp_flatten()
+    arrays_after, *others_after = written()
+    assert others == others_after
+    for before, after in zip(arrays, arrays_after, strict=True):
+        np.testing.assert_array_equal(before, after)
+
+
+@pytest.mark.parametrize("shape", ["modifiers", "shape keys", "edited pieces"])
+def test_a_run_returns_to_edit_mode_where_that_hides_the_shape(shape):
+    source = grid("Bump", bump)
+    flatten(source)
+    if shape == "modifiers":
+        source.modifiers.new("Subdivision", "SUBSURF")
+    elif shape == "shape keys":
+        source.shape_key_add(name="Basis")
+    select_only(source, *([flat_of(source)] if shape == "edited pieces" else []))
+    bpy.ops.object.mode_set(mode="EDIT")
+    edit = bmesh.from_edit_mesh(source.data)
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+    assert not edit.is_valid and bpy.context.mode == "EDIT_MESH"
 
 
 def test_only_pieces_that_changed_are_solved_again(addon):

@@ -199,7 +199,7 @@ def test_flat_pieces_that_are_edited_in_another_scene(source, addon):
     select_only(flat_of(source))
     bpy.ops.object.mode_set(mode="EDIT")
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
-        addon.flatten.read.check_target(source, writes_model=True)
+        addon.flatten.read.check_target(source, writes_model=True, edited=())
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
         addon.export.read.read_pattern(bpy.context.scene, source)
 

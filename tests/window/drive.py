@@ -134,6 +134,17 @@ def click_button(command: str, share: float = 0.4) -> Tour:
     raise AssertionError(f"no button of the sidebar runs {command}")
 
 
+def operator_log() -> str:
+    """Return the commands in the log of the Info editor."""
+    window, area = window_manager().windows[0], window_manager().windows[0].screen.areas[-1]
+    before, area.type = area.type, "INFO"
+    with bpy.context.temp_override(window=window, area=area, region=area.regions[-1]):
+        bpy.ops.info.select_all(action="SELECT")
+        bpy.ops.info.report_copy()
+    area.type = before
+    return window_manager().clipboard
+
+
 def window_manager() -> bpy.types.WindowManager:
     return bpy.context.window_manager
 

@@ -68,6 +68,8 @@ def auto_update() -> drive.Tour:
     yield lambda: flat_vertices(source) == 90 and not window_run.is_running()
     assert bpy.context.mode == "EDIT_MESH"
     drive.screenshot("auto_update")
+    log = drive.operator_log()
+    assert "bpy.ops.mesh.mark_seam" in log and "mode" not in log.split("bpy.ops.mesh.mark_seam")[-1]
     yield from undo()
     yield lambda: flat_vertices(bpy.data.objects["Bump"]) == 81
     for _ in range(10):

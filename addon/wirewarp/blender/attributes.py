@@ -9,6 +9,7 @@ import hashlib
 import json
 from typing import Any
 
+import bmesh
 import bpy
 import numpy as np
 
@@ -49,7 +50,7 @@ _PLURALS = {"POINT": "vertices", "EDGE": "edges", "FACE": "faces", "CORNER": "fa
 def find_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray | None:
     """Returns (k,) int32 or float32, of any values; None if the mesh has no such attribute of this type on this domain.
 
-    This and all functions below need a mesh that is not in Edit Mode.
+    Functions that return values need a mesh that is not in Edit Mode.
     """
     return read_attribute(mesh, attribute.name, attribute.data_type, attribute.domain)
 
@@ -72,11 +73,25 @@ def has_attributes(mesh: bpy.types.Mesh, *attributes: Attribute) -> bool:
 
 
 def write_values(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:
-    """Writes (k,) values, and makes the attribute if there is none."""
+    """Writes (k,) values in either mode, and makes the attribute if there is none."""
+    if mesh.is_editmode:
+        _write_edited(mesh, attribute, values)
+        return
     found = mesh.attributes.get(attribute.name)
     if found is None:
         found = mesh.attributes.new(attribute.name, attribute.data_type, attribute.domain)
     found.data.foreach_set("value", values)
+
+
+def _write_edited(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:
+    """Write values of edges or faces in Edit Mode."""
+    edit = bmesh.from_edit_mesh(mesh)
+    elements = {"EDGE": edit.edges, "FACE": edit.faces}[attribute.domain]
+    layers = {"INT": elements.layers.int, "FLOAT": elements.layers.float}[attribute.data_type]
+    layer = layers.get(attribute.name) or layers.new(attribute.name)
+    for element, value in zip(elements, values.tolist(), strict=True):
+        element[layer] = value
+    bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
 
 
 def write_marked(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:

@@ -125,8 +125,18 @@ def read_uv(layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
     return read(layer.uv, "vector", np.float32, 2) if HAS_UV_ATTRIBUTES else read(layer.data, "uv", np.float32, 2)
 
 
+def write_edited_uv(mesh: bpy.types.Mesh, name: str, places: np.ndarray) -> None:
+    """Write (l,2) float32 to this UV map of a mesh in Edit Mode, a new one if there is none."""
+    edit = bmesh.from_edit_mesh(mesh)
+    layer = edit.loops.layers.uv.get(name) or edit.loops.layers.uv.new(name)
+    corners = (corner for face in edit.faces for corner in face.loops)
+    for corner, place in zip(corners, places.tolist(), strict=True):
+        corner[layer].uv = place
+    bmesh.update_edit_mesh(mesh, loop_triangles=False, destructive=False)
+
+
 def write_uv(layer: bpy.types.MeshUVLoopLayer, places: np.ndarray) -> None:
-    """(l,2) float32"""
+    """(l,2) float32, in Object Mode"""
     if HAS_UV_ATTRIBUTES:
         layer.uv.foreach_set("vector", places.ravel())
     else:

@@ -19,6 +19,11 @@ from .views import show_place, work_area
 WORKING_MODES = frozenset({"OBJECT", "EDIT_MESH"})
 
 
+def edited_meshes(context: bpy.types.Context) -> set[bpy.types.Mesh]:
+    """Return the meshes in the Edit Mode of this view layer; context.objects_in_mode may be of the window's."""
+    return {each.data for each in context.view_layer.objects if each.type == "MESH" and each.mode == "EDIT"}
+
+
 @contextmanager
 def in_object_mode(context: bpy.types.Context) -> Iterator[None]:
     """Leaves Edit Mode, so that mesh data is current and can be written, and returns to it at the end."""

@@ -28,7 +28,7 @@ from .operators import FlattenSteps
 from .read import find_source
 
 WATCH = "wm.wirewarp_watch"
-EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, because leaving and entering it is slow
+EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, where reading and writing them is slow
 
 
 def forget_change(scene: bpy.types.Scene) -> None:

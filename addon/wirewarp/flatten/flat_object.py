@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import check_free, write_marked, write_values
-from ..blender.mesh import add_seams, add_sharp_edges, write_corners, write_edges, write_faces
+from ..blender.mesh import add_seams, add_sharp_edges, write_corners, write_edges, write_edited_uv, write_faces
 from ..blender.mesh import write_uv as write_layer
 from ..blender.objects import remove_object
 from ..blender.selection import deselect_all
@@ -61,11 +61,13 @@ def write_uv(mesh: bpy.types.Mesh, flat: FlatMesh, corner_count: int) -> float:
     Returns the scale in Blender units per UV unit, which is also stored on the mesh.
     """
     places, scale = _in_unit_square(flat.vertices)
-    layer = mesh.uv_layers.get(UV_LAYER) or mesh.uv_layers.new(name=UV_LAYER, do_init=False)
     of_corners = np.zeros((corner_count, 2), dtype=np.float32)
     _pairs(of_corners)[flat.source_corner] = _pairs(places)[flat.loop_vertices]
-    write_layer(layer, of_corners)
-    mesh.uv_layers.active = layer
+    if mesh.is_editmode:
+        write_edited_uv(mesh, UV_LAYER, of_corners)
+    else:
+        write_layer(mesh.uv_layers.get(UV_LAYER) or mesh.uv_layers.new(name=UV_LAYER, do_init=False), of_corners)
+    mesh.uv_layers.active = mesh.uv_layers[UV_LAYER]
     mesh[UV_SCALE] = scale
     return scale
 

@@ -10,7 +10,7 @@ from bpy.props import BoolProperty, StringProperty
 from .. import core
 from ..blender.files import OPTIONS, check_room, given_file, replaced_file, unwritten
 from ..blender.objects import meters_per_blender_unit
-from ..blender.selection import WORKING_MODES, hold_whole_file, in_object_mode
+from ..blender.selection import WORKING_MODES, hold_whole_file
 from ..blender.views import is_over_sidebar, redraw_views, show_objects, work_area
 from ..core import Issue
 from ..issues import ObjectError, object_error
@@ -24,7 +24,15 @@ from ..ui.editing import reporting_refusals
 from ..ui.settings import draw_settings
 from ..ui.window_run import WindowSteps, fault_sentence
 from .models import Model, Outcome, failed_report, solve_models
-from .read import active_target, check_current, check_sources, find_source, mesh_targets, read_models
+from .read import (
+    active_target,
+    check_current,
+    check_sources,
+    find_source,
+    in_suitable_mode,
+    mesh_targets,
+    read_models,
+)
 from .write import write_results
 
 # Events during a run that only move the view.
@@ -46,7 +54,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
 
     def begin_run(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
         """Read the models now, and solve them while modal() waits."""
-        with in_object_mode(context):
+        with in_suitable_mode(context, sources, self):
             self._models = read_models(context, sources, self)
         self._scene, self._view_layer = _place(context)
         what = sources[0].name if len(sources) == 1 else f"{len(sources)} objects"
@@ -60,7 +68,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
 
     def flatten_now(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
         """Read, solve and write while Blender waits."""
-        with in_object_mode(context):
+        with in_suitable_mode(context, sources, self):
             models = read_models(context, sources, self)
             outcomes = self.wait_for(context, self._solving(context, models))
             self._write(context, outcomes)
@@ -86,8 +94,9 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         if context.mode not in WORKING_MODES or _place(context) != (self._scene, self._view_layer):
             sentence = "The mode or the scene changed during the run, so nothing was written. Flatten again."
             return self.give_up(context, "elsewhere", sentence, "ERROR")
+        sources = [each for each in map(find_source, self._models) if each and each.type == "MESH"]
         try:
-            with in_object_mode(context):
+            with in_suitable_mode(context, sources, self):
                 check_current(context, self._models, self)
                 self._write(context, outcomes)
         except ObjectError as error:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads objects in Object Mode into models that need no Blender, and checks whether they are still the same."""
+"""Reads objects into models that need no Blender, and checks whether they are still the same."""
 
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Protocol
 
@@ -8,8 +10,9 @@ import bpy
 import numpy as np
 
 from .. import core
-from ..blender.mesh import element_counts
+from ..blender.mesh import current_mesh, element_counts
 from ..blender.objects import check_local, length_text, linear_part, meters_per_blender_unit, metric
+from ..blender.selection import edited_meshes, in_object_mode
 from ..core import Issue, LengthText, quoted
 from ..issues import ObjectError, object_error
 from ..solve.report import Facts
@@ -79,14 +82,51 @@ def _nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Obje
     return "Nothing to flatten: select a mesh object."
 
 
-def check_target(target: bpy.types.Object, writes_model: bool) -> None:
+class RunSettings(Protocol):
+    """Settings of the panel or operator that reading and writing need."""
+
+    use_modifiers: bool
+    keep_places: bool
+
+
+@contextmanager
+def in_suitable_mode(
+    context: bpy.types.Context, sources: list[bpy.types.Object], settings: RunSettings
+) -> Iterator[None]:
+    """Leaves Edit Mode if these models cannot be read or written there, and returns to it at the end.
+
+    Blender's log shows each change of the mode, so Auto avoids it: plain models are read and written in Edit Mode.
+    """
+    edited = edited_meshes(context)
+    if any(_needs_object_mode(source, settings, edited) for source in sources):
+        with in_object_mode(context):
+            yield
+    else:
+        yield
+
+
+def _needs_object_mode(source: bpy.types.Object, settings: RunSettings, edited: Collection[bpy.types.Mesh]) -> bool:
+    """Return whether Edit Mode hides what a run reads, or the run replaces a mesh that is edited."""
+    if settings.use_modifiers:
+        return True
+    flat = find_flat_object(source)
+    if flat is not None and flat.data in edited:
+        return True
+    is_shaped = source.data.shape_keys is not None or any(modifier.show_viewport for modifier in source.modifiers)
+    return source.data in edited and is_shaped
+
+
+def check_target(target: bpy.types.Object, writes_model: bool, edited: Collection[bpy.types.Mesh]) -> None:
     """Raises ObjectError if the results cannot be written. writes_model: whether also to the base mesh.
 
-    All conditions are checked here before the first result is written. The object is in Object Mode.
+    All conditions are checked here before the first result is written. edited: the meshes in Edit Mode here.
     """
     linear_part(target)
-    check_not_edited(target)
-    if is_flat_mesh(target.data):
+    check_not_edited(target, edited)
+    with current_mesh(target) as mesh:
+        is_flat = is_flat_mesh(mesh)
+        check_attributes(mesh)
+    if is_flat:
         raise object_error(
             "flat_pieces",
             f'"{target.name}" holds flat pieces, and their model was deleted: bring it back, or select another one. To '
@@ -95,7 +135,6 @@ def check_target(target: bpy.types.Object, writes_model: bool) -> None:
     check_local(target, target)
     if writes_model:
         check_local(target, target.data)
-    check_attributes(target.data)
     if writes_model:
         check_id_room(target)
         check_uv_room(target)
@@ -116,19 +155,13 @@ def _check_users(target: bpy.types.Object) -> None:
             raise ObjectError(Issue("multi_user_scale", sentence))
 
 
-class RunSettings(Protocol):
-    """Settings of the panel or operator that reading and writing need."""
-
-    use_modifiers: bool
-    keep_places: bool
-
-
 def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], settings: RunSettings) -> list[Model]:
     """Return the models; an object that cannot be flattened becomes a model with an issue."""
     context.view_layer.update()
     depsgraph, units = context.evaluated_depsgraph_get(), length_text(context.scene)
     allowance = context.scene.wirewarp.allowance / (1000 * meters_per_blender_unit(context.scene))
-    return [_read(source, depsgraph, units, allowance, settings) for source in sources]
+    edited = edited_meshes(context)
+    return [_read(source, depsgraph, units, allowance, settings, edited) for source in sources]
 
 
 def find_source(model: Model) -> bpy.types.Object | None:
@@ -143,7 +176,7 @@ def is_current(model: Model) -> bool:
 
 
 def check_current(context: bpy.types.Context, models: list[Model], settings: RunSettings) -> None:
-    """Raises ObjectError if an object in Object Mode has changed since it was read, or cannot be written any more."""
+    """Raises ObjectError if an object has changed since it was read, or cannot be written any more."""
     context.view_layer.update()
     changed = [model.facts.object for model in models if not is_current(model)]
     if changed:
@@ -151,11 +184,16 @@ def check_current(context: bpy.types.Context, models: list[Model], settings: Run
         raise object_error("changed", sentence)
     for model in models:
         if model.issue is None:
-            check_target(find_source(model), writes_model=not settings.use_modifiers)
+            check_target(find_source(model), not settings.use_modifiers, edited_meshes(context))
 
 
 def _read(
-    source: bpy.types.Object, depsgraph: bpy.types.Depsgraph, units: LengthText, allowance: float, settings: RunSettings
+    source: bpy.types.Object,
+    depsgraph: bpy.types.Depsgraph,
+    units: LengthText,
+    allowance: float,
+    settings: RunSettings,
+    edited: Collection[bpy.types.Mesh],
 ) -> Model:
     """Read a model. allowance: the default, in Blender units."""
     use_modifiers = settings.use_modifiers
@@ -164,11 +202,11 @@ def _read(
         mesh=source.data.name,
         with_modifiers=use_modifiers,
         shaped_by=shaped_by(source, depsgraph),
-        counts=element_counts(source.data),
+        counts=_counts(source, edited),
     )
     arrays = known = seams = state = solved = by_map = issue = None
     try:
-        check_target(source, writes_model=not use_modifiers)
+        check_target(source, not use_modifiers, edited)
         base = marked_mesh(source)
         arrays = object_to_arrays(source, base, depsgraph if use_modifiers else None)
         widest = max(arrays.allowance, allowance)
@@ -185,6 +223,14 @@ def _read(
         issue = error.issue
     notes = left_out(source, arrays, use_modifiers)
     return Model(source.name_full, facts, state, notes, arrays, known, seams, solved, by_map, issue)
+
+
+def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dict[str, int]:
+    """Return the counts of the present elements. Blender crashes if a mesh is read that is edited elsewhere."""
+    if source.data not in edited:
+        return element_counts(source.data)
+    with current_mesh(source) as mesh:
+        return element_counts(mesh)
 
 
 def solved_pieces(source: bpy.types.Object) -> tuple[core.Cache, core.Cache]:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the results in Object Mode, once all of them exist."""
+"""Writes the results once all of them exist."""
 
 import bpy
 import numpy as np
 
+from ..blender.mesh import current_mesh
 from ..blender.objects import show_where_shown
 from ..issues import note, warning
 from ..names import UV_LAYER
@@ -65,7 +66,9 @@ def _write_pieces(
     flat = write_flat_object(context.scene, source, pieces, arrays, record, models)
     follow_name(source, outcome.model.known.model_name)
     if source.data.library is None:
-        update_names(source.data, wires_on(source.data))
+        with current_mesh(source) as mesh:
+            wires = wires_on(mesh)
+        update_names(source.data, wires)
     outcome.identities = with_new_names(source, outcome.model.known, outcome.identities)
     write_pieces(source, outcome.result, arrays, outcome.identities, not settings.use_modifiers)
     write_seams(source, arrays, outcome.seams, not settings.use_modifiers)

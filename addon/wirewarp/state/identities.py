@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 
 from ..blender.attributes import find_values, has_attributes, write_values
-from ..blender.mesh import edge_vertices
+from ..blender.mesh import current_mesh, edge_vertices
 from ..core import FlattenResult, Report
 from ..names import PIECE, SEAM, SOURCE_FACE, SOURCE_VERTEX
 from ..solve.arrays import MeshArrays
@@ -266,6 +266,7 @@ def write_seams(
         if not entry.name or GIVEN.fullmatch(entry.name):
             entry.seam_id, entry.name = identity.seam_id, identity.name
     if on_model:
-        ids = read_ids(source.data, SEAM)
+        with current_mesh(source) as mesh:
+            ids = read_ids(mesh, SEAM)
         ids[arrays.seam_edges] = arrays.seam_ids
         write_values(source.data, SEAM, ids)

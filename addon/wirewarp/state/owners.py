@@ -4,6 +4,8 @@
 Scripts and users may have changed the pointer, and converted or replaced the objects.
 """
 
+from collections.abc import Collection
+
 import bpy
 
 from ..blender.objects import name_with
@@ -61,13 +63,14 @@ def earlier_sentence(target: bpy.types.Object) -> str:
     return f'"{target.name}" is a copy of earlier pieces, or belongs to them. Use "{flat.name}" and delete the others.'
 
 
-def check_not_edited(target: bpy.types.Object) -> None:
+def check_not_edited(target: bpy.types.Object, handled: Collection[bpy.types.Mesh] = ()) -> None:
     """Raises ObjectError if the mesh of the model or of its pieces is in Edit Mode, which hides attributes.
 
-    in_object_mode leaves the Edit Mode of one view layer; other scenes and windows have theirs.
+    in_object_mode leaves the Edit Mode of one view layer; other scenes and windows have theirs. handled: meshes that
+    the caller reads and writes in Edit Mode.
     """
     for each in filter(None, [target, find_flat_object(target)]):
-        if each.data.is_editmode:
+        if each.data.is_editmode and each.data not in handled:
             raise object_error(
                 "edited_elsewhere",
                 f'The mesh "{each.data.name}" is being edited in another scene or view layer: leave Edit Mode there '

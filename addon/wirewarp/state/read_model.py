@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 
 from ..blender.mesh import (
+    current_mesh,
     edge_vertices,
     evaluated_mesh,
     face_starts,
@@ -121,7 +122,8 @@ def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.
     """Return the object's base mesh or, with a depsgraph, the mesh with modifiers. Raises ObjectError."""
     linear = linear_part(source)
     if depsgraph is None:
-        return _to_arrays(source.data, base, source, linear, has_modifiers=False)
+        with current_mesh(source) as mesh:
+            return _to_arrays(mesh, base, source, linear, has_modifiers=False)
     with evaluated_mesh(source, depsgraph) as mesh:
         return _to_arrays(mesh, read_marked(mesh), source, linear, has_modifiers=True)
 
