@@ -21,6 +21,7 @@ from surfaces import (
     read,
     select_edges,
     select_only,
+    tube,
 )
 from view_context import view_context
 
@@ -352,18 +353,27 @@ def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
 
 
 def test_a_closed_model_has_not_failed_but_a_closed_piece_beside_a_good_one_is_in_the_legend(addon):
+    """Its proposed slit is not drawn: it only opens the piece, and no button below Flatten marks it."""
     corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     source = make_object("Closed", corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
     assert list(addon.overlay.shown.drawings(view_context())) == []  # because it has no marks
     flatten_fails("is closed")
     (drawing,) = addon.overlay.shown.drawings(view_context())
-    assert drawing.target == source and drawing.failures.kinds == {"proposed"}
-    assert len(drawing.failures.triangles) == 0
-    proposed = addon.state.reports.last_report(source).issues[0].proposed_seams
-    ends = [corners[vertex] for pair in proposed for vertex in sorted(pair)]
-    assert sorted(map(tuple, drawing.failures.lines["proposed"].tolist())) == sorted(ends)
+    assert drawing.target == source and drawing.failures.kinds == set()
+    assert addon.state.reports.last_report(source).issues[0].proposed_seams
     select_only(source, grid("Bump", bump))
     bpy.ops.object.join()
     flatten_fails("closed")
     found = addon.overlay.failures.failures(bpy.context.active_object)
-    assert found.kinds == {"proposed", "failed"} and len(found.triangles) > 0
+    assert found.kinds == {"failed"} and len(found.triangles) > 0
+
+
+def test_proposed_seams_are_drawn_while_a_button_marks_them(addon):
+    source = tube()
+    flatten_fails("tube")
+    issue = addon.state.reports.last_report(source).issues[0]
+    drawn = addon.overlay.failures.failures(source).lines["proposed"]
+    ends = [tuple(source.data.vertices[vertex].co) for pair in issue.proposed_seams for vertex in sorted(pair)]
+    assert sorted(map(tuple, drawn.tolist())) == sorted(ends)
+    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # its cuts have the button now
+    assert "proposed" not in addon.overlay.failures.failures(source).lines

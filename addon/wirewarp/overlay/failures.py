@@ -73,7 +73,7 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
     pairs = np.sort(source[edge_vertices(mesh)], axis=1)
     masks = {
         "failed": _failed_edges(mesh, pairs, issues, faces),
-        "proposed": _named(pairs, [edge for issue in report.issues for edge in issue.proposed_seams]),
+        "proposed": _named(pairs, [] if current_suggestions(model_or_self(target)) else report.offered_seams),
     }
     return _Elements({kind: mask for kind, mask in masks.items() if mask.any()}, faces)
 

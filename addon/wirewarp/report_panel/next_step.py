@@ -11,7 +11,7 @@ from bpy.props import EnumProperty
 
 from ..blender.objects import meters_per_blender_unit, world_box
 from ..blender.views import show_objects, work_area
-from ..core import BEYOND_FABRIC, CLOSED_CODE, STRAINED, Issue, counted, percent_text
+from ..core import BEYOND_FABRIC, STRAINED, Issue, counted, percent_text
 from ..solve.report import ObjectReport, UvSeams
 from ..state.reports import last_report
 from ..state.settings import FlattenSettings
@@ -164,8 +164,7 @@ def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: boo
     for what, (text, icon) in REMEDIES.items():
         if what not in remedies:
             continue
-        is_closed = {issue.code for issue in report.issues if remedy_of(issue) == what} == {CLOSED_CODE}
-        if what == "SEAMS" and (has_suggestions or is_closed):  # the proposed slit would only open the model
+        if what == "SEAMS" and (has_suggestions or not report.offered_seams):
             return None
         return NextStep(_reason(report.issues, what), text, icon, MEND, {"what": what})
     if {issue.code for issue in report.issues} & FAULTY_CODES and not report.with_modifiers:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..core import (
+    CLOSED_CODE,
     TORN,
     FlattenResult,
     Issue,
@@ -75,6 +76,18 @@ class ObjectReport(Report):
     def left_out(self) -> list[str]:
         """Return the modifiers and shape keys that the run ignored."""
         return [] if self.with_modifiers else self.shaped_by
+
+    @property
+    def offered_seams(self) -> list[tuple[int, int]]:
+        """Return the proposed seams that the next step marks, as vertex pairs.
+
+        There are none if the UV map has good seams, or if all are slits of closed pieces, which only open these.
+        """
+        issues = [issue for issue in self.issues if issue.proposed_seams]
+        is_good = self.uv_seams is not None and self.uv_seams.is_good
+        if is_good or all(issue.code == CLOSED_CODE for issue in issues):
+            return []
+        return [edge for issue in issues for edge in issue.proposed_seams]
 
     @property
     def tables(self) -> ReportTables:
