@@ -69,6 +69,16 @@ def test_scale_is_seen_and_place_does_not_matter(source, has_changed):
     assert has_changed()
 
 
+def test_applying_a_scale_of_one_changes_nothing(source, has_changed):
+    """Blender may make a positive zero of each negative one then."""
+    source.data.vertices[40].co.x = -0.0
+    flatten(source)
+    bpy.ops.object.transform_apply(location=False, rotation=False, scale=True)
+    source.data.vertices[40].co.x = 0.0  # if this version of Blender does not
+    source.data.update()
+    assert not has_changed()
+
+
 def test_selecting_naming_modifiers_and_a_shape_key_in_edit_mode_change_nothing(source, has_changed):
     source.data.wirewarp_names[0].name = "Bust"
     source.data.uv_layers.new(name="Mine")

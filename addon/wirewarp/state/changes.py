@@ -78,7 +78,8 @@ def _is_scaled(source: bpy.types.Object, then: dict) -> bool:
 
 
 def _digests(mesh: MarkedMesh) -> dict[str, str]:
-    return {SHAPE: _digest([mesh.places, *_faces(mesh)]), MARKS: _digest(_marks(mesh))}
+    places = mesh.places + np.float32(0)  # Apply Scale turns -0 into 0, which is no change
+    return {SHAPE: _digest([places, *_faces(mesh)]), MARKS: _digest(_marks(mesh))}
 
 
 def _modified_state(source: bpy.types.Object) -> dict:
