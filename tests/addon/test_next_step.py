@@ -83,6 +83,9 @@ def test_a_fault_is_fixed_and_the_model_flattened_with_one_click(addon, make, sa
     flatten_fails(said)
     step = step_of(addon, source)
     assert step.text == button
+    (issue,) = addon.state.reports.last_report(source).issues
+    fault = issue.sentence.partition(". ")[0]
+    assert draw_panels(addon).count(fault) == 4  # beside the verdict and in the report; narrow and wide
     assert MEND(**step.settings) == {"FINISHED"}
     assert len(source.data.polygons) == faces and ready(addon, source)
     assert len(source.data.vertices) == (49 * 49 if make is loose_faces else len(source.data.vertices))

@@ -22,7 +22,17 @@ from ..suggest.panel import are_shown, draw_suggest
 from ..ui.layout import LEVEL_ICONS, SidebarPanel, draw_progress, draw_sentence
 from ..ui.settings import draw_settings, settings_sentence, shown_report, untrue_sentence
 from ..ui.window_run import FLATTEN
-from .next_step import CHECK, SHOW, NextStep, draw_first_steps, next_step, piece_to_cut, uv_step, wants_seams
+from .next_step import (
+    CHECK,
+    SHOW,
+    NextStep,
+    draw_first_steps,
+    failure_text,
+    next_step,
+    piece_to_cut,
+    uv_step,
+    wants_seams,
+)
 
 ICON = "MATCLOTH"
 FAR_ENOUGH = "These stretch far enough for the present pieces"
@@ -142,6 +152,8 @@ def _draw_state(
     for line in verdict.lines:
         draw_sentence(context, layout, line.text, "BLANK1" if changed else LEVEL_ICONS[line.kind.level])
     step = next_step(report, left_out, has_suggestions=are_shown(context))
+    if report.issues and verdict.kind is not Kind.CLOSED:
+        draw_sentence(context, layout, failure_text(report, step), "INFO")
     is_looked_at = step is not None and step.operator == SHOW  # drawn after steps that change the model
     if step and not is_looked_at:
         _draw_step(context, layout, step)

@@ -11,7 +11,7 @@ from bpy.props import EnumProperty
 
 from ..blender.objects import meters_per_blender_unit, world_box
 from ..blender.views import show_objects, work_area
-from ..core import BEYOND_FABRIC, STRAINED, Issue, counted, percent_text
+from ..core import BEYOND_FABRIC, STRAINED, Issue, counted, issue_text, percent_text
 from ..solve.report import ObjectReport, UvSeams
 from ..state.reports import last_report
 from ..state.settings import FlattenSettings
@@ -232,6 +232,15 @@ def is_shown(report: ObjectReport, entry: Issue) -> bool:
     if not report.with_modifiers:
         return True
     return entry.piece is not None and report.pieces[entry.piece].has_layout
+
+
+def failure_text(report: ObjectReport, step: NextStep | None) -> str:
+    """Return the fault that the step is about, or else the first one, without the remedy. There is at least one."""
+    what = step.settings.get("what") if step else None
+    found = [report.issues[step.settings["index"]]] if step and what == "ISSUE" else []
+    found += [issue for issue in report.issues if remedy_of(issue) == what]
+    fault = issue_text(report, [*found, *report.issues][0]).partition(". ")[0]
+    return f"{fault.rstrip('.')}."
 
 
 def _reason(issues: Sequence[Issue], what: str) -> str:
