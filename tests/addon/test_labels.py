@@ -18,8 +18,11 @@ def size_of(text):
 
 
 def label(addon, *texts, at=(100, 100), room=200.0, piece=1, box=None, selected=False):
+    """box: outermost points of the piece, or two opposite corners of a rectangle."""
     points = np.array([at], dtype=float)
     around = None if box is None else np.array(box, dtype=float)
+    if box is not None and len(box) == 2:
+        around = np.array([(x, y) for x in around[:, 0] for y in around[:, 1]])
     return addon.overlay.screen.PlacedName(texts, points, 100.0, ("Flat", piece), room, around, selected)
 
 
@@ -51,6 +54,24 @@ def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another(addon):
     back = label(addon, "Back", at=(100, 60), piece=2, box=[(0, 0), (200, 88)])  # takes that place
     above, _ = arrange([front, back], size_of)
     assert above.base > 110
+
+
+def test_the_name_beside_a_slanted_piece_touches_it(addon):
+    """It is at the lowest point, not below the middle of the box around the piece."""
+    slanted = label(addon, "Left sleeve", at=(200, 200), room=20.0, box=[(100, 90), (110, 80), (300, 310), (290, 320)])
+    (below,) = addon.overlay.screen.arrange([slanted], size_of)
+    assert below.left + size_of("Left sleeve")[0] / 2 == 110 and 0 < 80 - (below.base + HEIGHT) < HEIGHT
+    taken = [label(addon, "Front", at=(110, 70), piece=2, box=[(0, 0), (200, 79)])]
+    above, _ = addon.overlay.screen.arrange([slanted, *taken], size_of)
+    assert above.left + size_of("Left sleeve")[0] / 2 == 290 and 0 < above.base - 320 < HEIGHT
+
+
+def test_the_outermost_vertices_of_a_piece_are_around_it(addon):
+    source = grid("Sheet", lambda x, y: (x, y, 0.0))
+    flatten(source)
+    (middle,) = addon.overlay.objects._middles(flat_of(source).data).values()
+    low, high = middle.around.min(axis=0), middle.around.max(axis=0)
+    assert len(middle.around) == 4 and np.allclose(high - low, (2, 2, 0))
 
 
 def test_a_name_at_the_edge_is_not_hidden_by_the_toolbar(addon):

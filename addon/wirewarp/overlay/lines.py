@@ -141,7 +141,7 @@ class Name:
     reach: float  # distance from the best place to the farthest end of the named line
     piece: int = 0  # piece whose room it needs
     room: float = np.inf  # the square root of that piece's area; infinite on models
-    around: np.ndarray | None = None  # (4,3) corners around the piece; the name is beside it if it does not fit inside
+    around: np.ndarray | None = None  # (c,3) outermost points of the piece; the name is beside it if it does not fit
     is_selected: bool = False  # a selected one is always written
 
 

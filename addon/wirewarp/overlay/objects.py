@@ -43,6 +43,8 @@ from .lines import (
     wire_runs,
 )
 
+# Unit vectors (2,32). None is along an axis, so that both ends of a straight side are outermost in some direction.
+DIRECTIONS = np.array([[np.cos(angle), np.sin(angle)] for angle in np.pi * (np.arange(32) + 0.5) / 16]).T
 ARROW = 0.4  # length of a grain arrow as a share of the size of its piece
 
 
@@ -133,7 +135,7 @@ class _Middle:
     piece_id: int
     place: np.ndarray  # (3,) the face nearest to its middle
     reach: float  # distance to its farthest face
-    around: np.ndarray  # (4,3) corners of the box around it
+    around: np.ndarray  # (c,3) its outermost vertices
 
 
 def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
@@ -148,8 +150,8 @@ def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
         middle = (own.min(axis=0) + own.max(axis=0)) / 2
         place = own[np.argmin(np.linalg.norm(own - middle, axis=1))]
         vertices = places[corners[piece_of_corner == piece], :2]
-        (left, bottom), (right, top) = vertices.min(axis=0), vertices.max(axis=0)
-        around = np.array([(x, y, 0.0) for x in (left, right) for y in (bottom, top)])
+        outermost = np.unique(np.argmax(vertices @ DIRECTIONS, axis=0))
+        around = np.column_stack([vertices[outermost], np.zeros(len(outermost))])
         reach = float(np.linalg.norm(own - place, axis=1).max())
         found[piece] = _Middle(int(ids[faces[0]]), place, reach, around)
     return found

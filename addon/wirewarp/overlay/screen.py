@@ -126,6 +126,7 @@ def _add_scale(
 FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
 NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of its line
+SAME = 1.0  # pixels: points this close to the lowest one count as lowest
 COVERED = 0.25  # maximum share of a piece that all its labels may hide
 LONG_COVERED = 0.03  # maximum share that one label may hide with more than its short text
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
@@ -145,7 +146,7 @@ class PlacedName(NamedTuple):
     reach: float  # of the named line
     owner: tuple[str, int]  # object and piece whose room it needs
     room: float  # root of the area of that piece
-    box: np.ndarray | None  # (2,2) around the piece; the name is beside it if it does not fit inside
+    around: np.ndarray | None  # (c,2) outermost points of the piece; the name is beside it if it does not fit inside
     is_selected: bool  # a selected one is always written
 
 
@@ -184,7 +185,7 @@ def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: S
     span: the columns of pixels that nothing covers. The name of a point in the span stays in the span.
     """
     wanted = list(names)
-    boxes = [name.box.ravel() for name in wanted if name.box is not None]
+    boxes = [_box(name.around).ravel() for name in wanted if name.around is not None]
     placed: list[Text] = []
     taken, covered = Taken(np.array(boxes).reshape(-1, 4), span), dict[tuple[str, int], float]()
     for name in wanted:
@@ -195,12 +196,17 @@ def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: S
                 covered[name.owner] = covered.get(name.owner, 0.0) + _area(size_of(text))
                 break
         else:
-            corner = None if name.box is None else taken.place_beside(name.box, size_of(name.texts[-1]))
+            corner = None if name.around is None else taken.place_beside(name.around, size_of(name.texts[-1]))
             if corner is not None:
                 placed.append(Text(name.texts[-1], *corner))
         if len(placed) == MAX_NAMES:
             break
     return placed
+
+
+def _box(points: np.ndarray) -> np.ndarray:
+    """Return the lower left and the upper right corner (2,2) of the box around points (c,2)."""
+    return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 def _that_fit(name: PlacedName, covered: float, size_of: Callable[[str], Size]) -> Iterator[str]:
@@ -307,16 +313,20 @@ class Taken:
         pushed = np.clip(middles - width / 2, low + aside, max(low, high - width) - aside)
         return np.where((middles >= low) & (middles <= high), pushed, middles - width / 2)
 
-    def place_beside(self, box: np.ndarray, size: Size) -> Corner | None:
-        """Return a place below, above, right or left of the box (2,2) around a piece, and on no other piece."""
+    def place_beside(self, around: np.ndarray, size: Size) -> Corner | None:
+        """Return a place below, above, right or left of a piece, and on no other piece.
+
+        around (c,2): its outermost points. The text is beside its lowest point, not beside the middle of a box around
+        it, which may be far from a piece that the view shows at an angle.
+        """
         (width, height), room = size, TEXT_MARGIN * size[1]
-        low, high = box
-        middle = (low + high) / 2 - (width / 2, height / 2)
+        low, high = _box(around)
+        across, upward = around[:, 0] - width / 2, around[:, 1] - height / 2
         corners = [
-            (middle[0], low[1] - height - room),
-            (middle[0], high[1] + room),
-            (high[0] + room, middle[1]),
-            (low[0] - width - room, middle[1]),
+            (across[around[:, 1] < low[1] + SAME].mean(), low[1] - height - room),
+            (across[around[:, 1] > high[1] - SAME].mean(), high[1] + room),
+            (high[0] + room, upward[around[:, 0] > high[0] - SAME].mean()),
+            (low[0] - width - room, upward[around[:, 0] < low[0] + SAME].mean()),
         ]
         return self._take(np.array(corners), size, np.concatenate([self._texts, self._pieces]))
 

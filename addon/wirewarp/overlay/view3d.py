@@ -118,13 +118,12 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
             continue
         reach = float(own_reaches[own_seen][0])
         room = name.room * reach / name.reach if name.reach else np.inf
-        box = None
+        around = None
         if name.around is not None:
-            corners, _ = _in_region(context, name.around @ np.array(linear).T + np.array(matrix.translation))
-            box = np.array([corners.min(axis=0), corners.max(axis=0)])
+            around, _ = _in_region(context, name.around @ np.array(linear).T + np.array(matrix.translation))
         owner = drawing.target.name_full, name.piece
         is_selected = name.is_selected or name.piece == chosen
-        yield PlacedName(name.texts, own[own_seen], reach, owner, room, box, is_selected)
+        yield PlacedName(name.texts, own[own_seen], reach, owner, room, around, is_selected)
 
 
 def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bool:
