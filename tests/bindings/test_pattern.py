@@ -220,6 +220,19 @@ def test_an_inward_corner_is_clipped():
     assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # from the corner of the cut line
 
 
+def test_a_gap_filled_by_allowance_has_no_clips():
+    across, up = (0, 100, 112, 212), (0, 100, 300)  # a gap of 12 mm from the top
+    result = quads(
+        [(x, y) for y in up for x in across],
+        [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (4, 5, 9, 8), (6, 7, 11, 10)],
+    )
+    clips = {}
+    for allowance in (4.0, 10.0):
+        (piece,) = Pattern.from_result(result, allowance=allowance).pieces
+        clips[allowance] = [point.depth for point in piece.points if point.role == "clip"]
+    assert clips == {4.0: pytest.approx([4 * math.sqrt(2) - 2] * 2, abs=1e-3), 10.0: []}
+
+
 def test_pieces_with_different_allowances_are_not_a_pair():
     points = [(0, 0), (100, 0), (100, 50), (0, 80), (200, 0), (300, 0), (300, 80), (200, 50)]
     result = quads(points, [(0, 1, 2, 3), (4, 5, 6, 7)])

@@ -49,11 +49,12 @@ def marks(
                         found[own.side.piece].append(replace(point, side=which))
     for piece in laid:
         own_rays = rays[piece.index]
+        stitching = Rays([np.concatenate([side.points[:-1] for side in loop]) for loop in piece.loops])
         for outline, loop in zip(piece.outlines, piece.loops, strict=True):
             found[piece.index] += _free_notches(loop, wire_ends[piece.index], own_rays, widths)
             found[piece.index] += [drill_hole(dart) for dart in outline.darts]
             if outline.sections and not outline.darts:
-                found[piece.index] += clips(loop, own_rays)
+                found[piece.index] += clips(loop, own_rays, stitching)
     return found
 
 

@@ -95,8 +95,12 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
     return Point("notch", at_sew + allowance * outward, -outward, min(DEEPEST, room), pair, length if pair else None)
 
 
-def clips(loop: Sequence[Side], rays: Rays) -> list[Point]:
-    """Return clips at inward corners of the stitching line: without them, the allowance cannot be turned."""
+def clips(loop: Sequence[Side], rays: Rays, stitching: Rays) -> list[Point]:
+    """Return clips at inward corners of the stitching line: without them, the allowance cannot be turned.
+
+    rays: to the cut lines. stitching: to the stitching lines of the piece. A clip that would reach one of them has no
+    cut line before it, because the allowances on both sides of a narrow gap fill the gap.
+    """
     found = []
     points = np.concatenate([side.points[:-1] for side in loop])
     normals = right_normals(np.concatenate([points[-1:], points, points[:1]]))
@@ -106,7 +110,7 @@ def clips(loop: Sequence[Side], rays: Rays) -> list[Point]:
         outward = before[row] + after[row]
         outward /= np.linalg.norm(outward)
         allowance = rays.length(points[row], outward)
-        if allowance > 2 * CLIP_SHORT:
+        if 2 * CLIP_SHORT < allowance < stitching.length(points[row] + outward * NEXT_TO, outward):
             found.append(Point("clip", points[row] + allowance * outward, -outward, allowance - CLIP_SHORT))
     return found
 
