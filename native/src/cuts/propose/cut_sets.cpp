@@ -41,16 +41,16 @@ constexpr double kWorthSewing = 0.02;
 /// Lower strains count as this one, because their ratios are meaningless.
 constexpr double kFlat = 1e-4;
 
-/// A set with more pieces than a less strained one is listed only if it is shorter by this factor.
-constexpr double kMuchShorter = 0.9;
-
 /// Progress once the piece is open, and once it is cut finely enough, as measured on a cow and a penguin.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
-/// Number of sets made by merging sections of the last one, and the ratio of their allowed strains: from 5% for woven
-/// fabric to 10%, and to 20% for plush and knits.
-constexpr int kMergedSets = 3;
+/// Sets are merged for the target, then for strains in this ratio: from 5% for woven fabric to 10%, and to 20%. With a
+/// low target, there are at most this many.
 constexpr double kStrainStep = 2;
+constexpr std::size_t kMergedSets = 3;
+
+/// The most strain of plush and knits. Sets are merged up to about this strain, or to twice a larger target.
+constexpr double kSoftStrain = 0.2;
 
 /// Cuts that remove at least this share of the energy come before those that remove more for their length, because many
 /// small darts are slow to sew and to find. Between 0 and 0.5, the sets of a ball, a head and a penguin differ little
@@ -69,6 +69,15 @@ FlattenError too_strained(const Chart& chart) { return no_set(chart, {{"reason",
 
 FlattenError too_long(const Chart& chart, double length, double longest) {
   return no_set(chart, {{"reason", "too_long"}, {"length", length}, {"limit", longest}});
+}
+
+/// Returns the allowed strains of merged sets. The last one is the nearest to the most that is useful, as a ratio.
+std::vector<double> allowed_strains(double least, double target) {
+  const double most = std::max(kSoftStrain, kStrainStep * target);
+  std::vector<double> allowed{least};
+  while (allowed.size() < kMergedSets && allowed.back() * std::sqrt(kStrainStep) < most)
+    allowed.push_back(allowed.back() * kStrainStep);
+  return allowed;
 }
 
 }  // namespace
@@ -231,7 +240,7 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
     const bool meets_target = !best.empty() && strain <= target_ && best.back().strain > target_;
     if (!best.empty() && !meets_target && strain > (1 - kWorthSewing) * best.back().strain) continue;
     const auto has_needless_pieces = [&](const DartProposal& shorter) {
-      return shorter.num_pieces > set.proposal.num_pieces && shorter.length > kMuchShorter * set.proposal.length;
+      return shorter.num_pieces > set.proposal.num_pieces;
     };
     best.erase(std::remove_if(best.begin(), best.end(), has_needless_pieces), best.end());
     best.push_back(set.proposal);
@@ -253,10 +262,11 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
 /// Adds sets with fewer sections than the last one: with the same allowed strain, and with higher and higher ones.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_);
-  double most_strain = std::max(target_, sets.back().proposal.strain);
-  for (int i = 0; i < kMergedSets; ++i, most_strain *= kStrainStep) {
-    merger.run(most_strain, [&](double share) {
-      const double reached = kCut + (1 - kCut) * (i + share) / kMergedSets;
+  const std::vector<double> allowed = allowed_strains(std::max(target_, sets.back().proposal.strain), target_);
+  const auto count = static_cast<double>(allowed.size());
+  for (std::size_t i = 0; i < allowed.size(); ++i) {
+    merger.run(allowed[i], [&](double share) {
+      const double reached = kCut + (1 - kCut) * (static_cast<double>(i) + share) / count;
       progress_.enter(reached, reached);
     });
     sets.push_back(with_figures(merger.state().cut, merger.state().pieces));

@@ -16,7 +16,7 @@
 namespace wirewarp {
 namespace {
 
-std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, bool has_cloth,
+std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, const InternalOptions& options,
                                                const NeededStretch& needed) {
   PartMap edges(chart);
   FlatPiece flat{std::move(chart), std::move(edges), {}, 0, 0, 0};
@@ -24,11 +24,13 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
   const Metrics& metrics = piece.metrics;
   if (!flat.chart.error) {
     flat.area = metrics.area_3d;
-    flat.energy = (has_cloth ? metrics.cloth_energy : metrics.arap_energy) * metrics.area_3d;
+    flat.energy = (options.cloth ? metrics.cloth_energy : metrics.arap_energy) * metrics.area_3d;
   }
   if (!flat.error) {
     flat.strain = needed.of(piece);
     flat.face_strain = needed.of_faces(piece);
+    const bool is_large = flat.chart.mesh.n_faces() >= options.large_chart;  // its coarse start has half of the limit
+    flat.is_final = piece.report.termination == Termination::converged && !is_large;
   }
   return std::make_shared<FlatPiece>(std::move(flat));
 }
@@ -187,7 +189,7 @@ FlatPieces ExactEvaluation::flatten_along_seams(Charts charts) const {
   const FlattenResult result = flatten_charts(charts, input_, options_, stop_);
   FlatPieces pieces;
   for (std::size_t c = 0; c < charts.charts.size(); ++c) {
-    pieces.push_back(as_flat_piece(std::move(charts.charts[c]), result.pieces[c], options_.cloth.has_value(), needed_));
+    pieces.push_back(as_flat_piece(std::move(charts.charts[c]), result.pieces[c], options_, needed_));
   }
   return pieces;
 }

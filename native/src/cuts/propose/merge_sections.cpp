@@ -156,7 +156,7 @@ void SectionMerger::run(double most_strain, const std::function<void(double)>& r
 }
 
 /// Removes one more section, or half of one; returns false if none can be removed. Evaluates several at a time. The
-/// first that is allowed is removed if it is still allowed after more factorizations.
+/// first that is allowed is removed if its shapes are final, or if it is still allowed after more factorizations.
 bool SectionMerger::open_one(bool is_half) {
   const std::vector<CutMask> candidates = list_candidates(is_half);
   const std::size_t at_once = num_cores();
@@ -174,7 +174,7 @@ bool SectionMerger::open_one(bool is_half) {
       const CutMask& mask = candidates[first + i];
       const FlatPieces pieces = beside(mask);
       const double allowed = allowed_beside(pieces);
-      if (is_allowed(tried[i].strain, allowed)) tried[i] = without(mask, exact_);
+      if (is_allowed(tried[i].strain, allowed) && !tried[i].is_final) tried[i] = without(mask, exact_);
       if (is_allowed(tried[i].strain, allowed)) {
         state_ = std::move(tried[i].after);
         return true;
@@ -242,12 +242,13 @@ double SectionMerger::least_strain_without(const CutMask& mask, double allowed) 
 }
 
 SectionMerger::Trial SectionMerger::without(const CutMask& mask, const ExactEvaluation& exact) const {
-  Trial trial{0, {state_.cut, exact.with_cut(state_.pieces, {}, edges_of(mask))}};
+  Trial trial{0, {state_.cut, exact.with_cut(state_.pieces, {}, edges_of(mask))}, true};
   CutState& after = trial.after;
   const FlatPieces joined = beside(mask);
   for (std::size_t e = 0; e < mask.size(); ++e) after.cut[e] = after.cut[e] != 0 && mask[e] == 0;
   for (const std::shared_ptr<const FlatPiece>& piece : after.pieces) {
     if (std::find(state_.pieces.begin(), state_.pieces.end(), piece) != state_.pieces.end()) continue;
+    trial.is_final = trial.is_final && piece->is_final;
     if (piece->error && !is_part_of(piece->chart, joined) && had_error(piece->chart)) continue;
     trial.strain = std::max(trial.strain, piece->error ? kNoFlatShape : piece->strain);
   }
@@ -257,7 +258,7 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, const ExactEval
 /// Flattens the new pieces only if their free maps need no more than the allowed strain.
 SectionMerger::Trial SectionMerger::try_without(const CutMask& mask) const {
   const double allowed = allowed_beside(beside(mask)), least = least_strain_without(mask, allowed);
-  return is_allowed(least, allowed) ? without(mask, quick_) : Trial{least, {}};
+  return is_allowed(least, allowed) ? without(mask, quick_) : Trial{least, {}, false};
 }
 
 }  // namespace wirewarp
