@@ -20,6 +20,7 @@ BUILD = ROOT / "build"
 DEBIAN_PYTHON = Path("/usr/bin/python3").resolve()  # such as "/usr/bin/python3.11"; Debian's Blender runs on it
 DEBIAN_VERSION = DEBIAN_PYTHON.name.removeprefix("python")
 CORES = len(os.sched_getaffinity(0))
+FAST_TO_COMPILE = "-O1 -DNDEBUG"  # for builds that only show that sources and scripts are complete
 TIME_STAMP = "315532800"  # time of files in archives: 1980, the first that a zip can store
 SYSTEM_PATH = "/usr/local/sbin:/usr/sbin:/sbin:/usr/bin:/bin"  # dpkg needs the sbin folders
 CALLERS_PATH = os.environ.get("PATH", "")

@@ -14,6 +14,7 @@ from tools.environment import (
     BUILD,
     DEBIAN_PYTHON,
     DEBIAN_VERSION,
+    FAST_TO_COMPILE,
     ROOT,
     TIME_STAMP,
     output_of,
@@ -62,7 +63,9 @@ def source_package_tests() -> None:
     shutil.rmtree(unpacked, ignore_errors=True)
     shutil.unpack_archive(source_package(), unpacked)
     python = venv("source", DEBIAN_PYTHON, PYTEST, HYPOTHESIS, NUMPY[DEBIAN_VERSION], *PATTERN)
-    options = ("--config-settings=cmake.define.FETCHCONTENT_FULLY_DISCONNECTED=ON", "--no-deps", "--force-reinstall")
+    definitions = {"FETCHCONTENT_FULLY_DISCONNECTED": "ON", "CMAKE_CXX_FLAGS_RELEASE": FAST_TO_COMPILE}
+    settings = [f"--config-settings=cmake.define.{name}={value}" for name, value in definitions.items()]
+    options = (*settings, "--no-deps", "--force-reinstall")
     (sources,) = unpacked.iterdir()
     # without ccache, as users build
     install: list[str | Path] = [python, "-m", "pip", "install", *options, sources]
