@@ -176,9 +176,9 @@ def _look_for_changes(settings: bpy.types.PropertyGroup, _context: bpy.types.Con
 
 
 def _aim_at_fabric(settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:
-    """Make the fabric's maximum stretch the target of suggested cuts."""
+    """Make the target of suggested cuts the maximum stretch of the fabric, in the direction that stretches less."""
     if settings.cloth not in {"NONE", "CUSTOM"}:
-        settings.aim_stretch = 100 * max(Cloth.preset(settings.cloth.lower()).limits)
+        settings.aim_stretch = 100 * min(Cloth.preset(settings.cloth.lower()).limits)
 
 
 class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, EaseAmount, bpy.types.PropertyGroup):

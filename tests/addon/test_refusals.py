@@ -202,6 +202,8 @@ def test_flat_pieces_that_are_edited_in_another_scene(source, addon):
         addon.flatten.read.check_target(source, writes_model=True, edited=())
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
         addon.export.read.read_pattern(bpy.context.scene, source)
+    bpy.context.view_layer.objects.active = source  # as in another view layer: only the pieces are in Edit Mode
+    flatten_fails('The mesh "Bump Flat" is being edited in another scene')
 
 
 def test_no_export_replaces_a_blender_file(source, tmp_path):

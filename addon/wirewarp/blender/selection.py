@@ -20,7 +20,12 @@ WORKING_MODES = frozenset({"OBJECT", "EDIT_MESH"})
 
 
 def edited_meshes(context: bpy.types.Context) -> set[bpy.types.Mesh]:
-    """Return the meshes in the Edit Mode of this view layer; context.objects_in_mode may be of the window's."""
+    """Return the meshes in the Edit Mode of this view layer; context.objects_in_mode may be of the window's.
+
+    None if the active object is not in Edit Mode, because in_object_mode cannot leave that of other objects then.
+    """
+    if context.mode != "EDIT_MESH":
+        return set()
     return {each.data for each in context.view_layer.objects if each.type == "MESH" and each.mode == "EDIT"}
 
 

@@ -226,7 +226,7 @@ def _read(
 
 
 def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dict[str, int]:
-    """Return the counts of the present elements. Blender crashes if a mesh is read that is edited elsewhere."""
+    """Return the counts of the present elements. Reading a mesh that is edited elsewhere would crash Blender."""
     if source.data not in edited:
         return element_counts(source.data)
     with current_mesh(source) as mesh:

@@ -323,10 +323,10 @@ class Taken:
         low, high = _box(around)
         across, upward = around[:, 0] - width / 2, around[:, 1] - height / 2
         corners = [
-            (across[around[:, 1] < low[1] + SAME].mean(), low[1] - height - room),
-            (across[around[:, 1] > high[1] - SAME].mean(), high[1] + room),
-            (high[0] + room, upward[around[:, 0] > high[0] - SAME].mean()),
-            (low[0] - width - room, upward[around[:, 0] < low[0] + SAME].mean()),
+            (across[around[:, 1] <= low[1] + SAME].mean(), low[1] - height - room),
+            (across[around[:, 1] >= high[1] - SAME].mean(), high[1] + room),
+            (high[0] + room, upward[around[:, 0] >= high[0] - SAME].mean()),
+            (low[0] - width - room, upward[around[:, 0] <= low[0] + SAME].mean()),
         ]
         return self._take(np.array(corners), size, np.concatenate([self._texts, self._pieces]))
 

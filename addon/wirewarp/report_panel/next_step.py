@@ -181,8 +181,8 @@ def uv_step(found: UvSeams | None) -> NextStep:
     """Return the step that marks the seams of the UV map, with the result of trying them; None before the first run."""
     sentence = ""
     if found:
-        became = f"{found.failed} of them fail" if found.failed else f"stretch {percent_text(found.stretch)}"
-        became += ", more than this fabric has" if found.is_beyond_fabric else ""
+        beyond = ", more than this fabric has" if found.is_beyond_fabric else ""
+        became = f"{found.failed} of them fail" if found.failed else f"stretch {percent_text(found.stretch)}{beyond}"
         sentence = f"The seams of the UV map make {counted(found.pieces, 'piece')}, {became}."
     return NextStep(sentence, "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
 
@@ -238,7 +238,7 @@ def failure_text(report: ObjectReport, step: NextStep | None) -> str:
     """Return the fault that the step is about, or else the first one, without the remedy. There is at least one."""
     what = step.settings.get("what") if step else None
     found = [report.issues[step.settings["index"]]] if step and what == "ISSUE" else []
-    found += [issue for issue in report.issues if remedy_of(issue) == what]
+    found += [issue for issue in report.issues if what and remedy_of(issue) == what]
     fault = issue_text(report, [*found, *report.issues][0]).partition(". ")[0]
     return f"{fault.rstrip('.')}."
 

@@ -146,7 +146,7 @@ def maximum_stretch(cloth: ClothChoice) -> tuple[float | None, float | None]:
 
 
 def known_stretch(cloth: ClothChoice | None) -> list[float]:
-    """Return the maximum stretches of the fabric, the smaller first: every piece within it gets a good verdict."""
+    """Return the known maximum stretches of the fabric, the smaller first. The verdict takes 3% for an unknown one."""
     return sorted(limit for limit in maximum_stretch(cloth) if limit is not None) if cloth else []
 
 

@@ -22,7 +22,7 @@ from ..core import (
     verdict,
 )
 from .arrays import MeshArrays
-from .flatten import ClothChoice, issue_of_piece, library_cloth, library_marks, maximum_stretch
+from .flatten import ClothChoice, issue_of_piece, known_stretch, library_cloth, library_marks, maximum_stretch
 from .identity import PieceIdentity, SeamIdentity
 from .mirrored_pieces import with_mirror_images
 
@@ -132,7 +132,7 @@ def uv_seams(result: FlattenResult, arrays: MeshArrays, meters: float, cloth: Cl
         pieces=len(pieces),
         failed=len(pieces) - len(good),
         stretch=max((piece.needed for piece in good), default=0.0),
-        is_beyond_fabric=cloth is not None and any(piece.is_strained for piece in good),
+        is_beyond_fabric=bool(known_stretch(cloth)) and any(piece.is_strained for piece in good),
     )
 
 

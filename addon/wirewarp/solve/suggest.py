@@ -272,7 +272,7 @@ def shortfall(kind: str, cuts: list[Cut], target: Target) -> str:
 def cut_text(cut: Cut, text: LengthText) -> str:
     """Return "stretch 12 → 6.0%, 140 mm"; for mirror images "2×140 mm".
 
-    For a cut set, return "3 pieces, stretch 6.0%, seams 1.40 m"; for seams to clear "4 pieces, stretch 5.0 → 9.5%, 270
+    For a cut set, return "3 pieces, stretch 6.0%, seams 1.4 m"; for seams to clear "4 pieces, stretch 5.0 → 9.5%, 270
     mm less seam".
     """
     if cut.cleared:

@@ -55,19 +55,20 @@ def _narrowest(
 ) -> Steps[tuple[float | None, bool]]:
     """Return the narrowest width of the pieces that the set changes, and whether one has no room for its allowances.
 
-    The width is in Blender units; None if no piece is flat.
+    If there are such pieces, the width is theirs. It is in Blender units; None if no piece is flat.
     """
     count = len(arrays.vertices)
     is_cleared = np.isin(edge_keys(arrays.seams, count), edge_keys(cut.cleared, count))
     seams = np.concatenate([arrays.seams[~is_cleared], np.array(cut.edges, dtype=np.int32).reshape(-1, 2)])
     result = yield from flatten_arrays(library, replace(arrays, seams=seams), choices, solved)
     sides, allowances = _own_allowances(arrays)
-    widths, is_narrow = [], False
+    widths, without_room = [], []
     for piece in pattern.pieces_along(result.pieces, cut.cleared or cut.edges):
         widths.append(pattern.piece_width(piece))
-        is_narrow = is_narrow or not pattern.has_room(piece, arrays.default_allowance, sides, allowances)
+        if not pattern.has_room(piece, arrays.default_allowance, sides, allowances):
+            without_room.append(widths[-1])
         yield 1.0
-    return min(widths, default=None), is_narrow
+    return min(without_room or widths, default=None), bool(without_room)
 
 
 def _own_allowances(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:

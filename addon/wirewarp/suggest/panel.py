@@ -14,7 +14,7 @@ from ..state.memory import stamp
 from ..state.settings import TargetSettings
 from ..state.suggestions import Suggestions, current_suggestions, suggestions_of
 from ..ui.layout import SidebarPanel, draw_progress, draw_sentence
-from ..ui.settings import figures_sentence, shown_source
+from ..ui.settings import figures_sentence, known_choices, shown_source
 from ..ui.window_run import SUGGEST
 
 KINDS = ("darts", "seams")
@@ -24,7 +24,7 @@ COLUMNS = "Pieces, stretch, length of {}."
 FROM_FEW = "Above: fewer pieces. Below: less stretch."
 WIDTH = "Narrowest place of a piece: {}."
 NARROW = "A piece is only {} wide in one place, less than two allowances. It may be too narrow to sew."
-BEYOND = "This fabric stretches only {} in one direction, so the pieces may need another fabric."
+BEYOND = "This fabric stretches only {} in its tighter direction, so the pieces may need another fabric."
 TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
@@ -88,7 +88,8 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
         elif cut.width is not None:
             draw_sentence(context, layout, WIDTH.format(lengths.rough(cut.width)), "INFO")
-        limit = next(iter(known_stretch(found.choices.cloth)), None)
+        choices = known_choices(context.scene.wirewarp)
+        limit = next(iter(known_stretch(choices.cloth)), None) if choices else None
         if cut.is_set and limit is not None and cut.strain > limit:
             draw_sentence(context, layout, BEYOND.format(percent_text(limit)), "AMBER")
         take = layout.column(align=True)

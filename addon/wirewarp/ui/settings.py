@@ -110,7 +110,7 @@ def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIR
 
 
 def _of_strain(choices: FlattenChoices) -> FlattenChoices:
-    """Return the choices without the fabric's maximum stretch, which the search does not use."""
+    """Return the choices without the fabric's maximum stretch, which no figure of a suggestion depends on."""
     fabric = choices.cloth
     return replace(choices, cloth=replace(fabric, gives_across=0.0, gives_along=0.0)) if fabric else choices
 
