@@ -64,13 +64,16 @@ def test_sentences_are_counted_as_a_reader_counts_them():
 def test_pages_have_short_sentences():
     pages = [page for pattern in PAGES for page in ROOT.glob(pattern) if page.name not in GENERATED]
     assert len(pages) > 15
-    found = {page.name: long_ones(page_sentences(page)) for page in pages}
+    found = {page.relative_to(ROOT).as_posix(): long_ones(page_sentences(page)) for page in pages}
     assert {name: long for name, long in found.items() if long} == {}
 
 
 def test_the_add_on_and_the_command_line_have_short_sentences():
     sources = sorted(source for folder in ("addon", "python") for source in (ROOT / folder).rglob("*.py"))
-    texts = {source.name: [text for text in window_texts(source) if len(text.split()) > 3] for source in sources}
+    texts = {
+        source.relative_to(ROOT).as_posix(): [text for text in window_texts(source) if len(text.split()) > 3]
+        for source in sources
+    }
     assert sum(map(len, texts.values())) > 300
     found = {name: [s for text in each for s in long_ones(sentences(text))] for name, each in texts.items()}
     assert {name: long for name, long in found.items() if long} == {}

@@ -23,7 +23,7 @@ namespace wirewarp {
 namespace {
 
 constexpr double kTolerance = 0.03;
-constexpr int kPiece = 3'000, kNet = 40'000, kCached = 10'000, kSmallNet = 360;  // triangles
+constexpr int kPiece = 3'000, kNet = 40'000, kCached = 10'000, kSmallNet = 360;  // triangles, about
 
 struct Comparison {
   std::string name;

@@ -27,7 +27,7 @@ struct CoupledChart {
 
 struct CoupledSolution {
   std::vector<Solution> charts;             // have no multipliers; each has the factorizations of the whole group
-  double projected_gradient = kNoGradient;  // unless the group is one chart
+  double projected_gradient = kNoGradient;  // of the group; kNoGradient if it is one chart
 };
 
 /// Minimizes from the starts. stage: without lengths, which the charts have. All solutions are exact, or none.

@@ -44,12 +44,13 @@ constexpr double kFlat = 1e-4;
 /// Progress once the piece is open, and once it is cut finely enough, as measured on a cow and a penguin.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
-/// Sets are merged for the target, then for strains in this ratio: from 5% for woven fabric to 10%, and to 20%. With a
-/// low target, there are at most this many.
+/// Sets are merged for the target, then for strains in this ratio: from 5% for woven fabric to 10%, and to 20%. At
+/// most this many, which matters for low targets.
 constexpr double kStrainStep = 2;
 constexpr std::size_t kMergedSets = 3;
 
-/// The most strain of plush and knits. Sets are merged up to about this strain, or to twice a larger target.
+/// The most strain of plush. Sets are merged up to about this strain, or to twice a larger target: those for more
+/// strain, which only stretchy knits take, are the slowest to find.
 constexpr double kSoftStrain = 0.2;
 
 /// Cuts that remove at least this share of the energy come before those that remove more for their length, because many
@@ -229,9 +230,9 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
   return std::nullopt;
 }
 
-/// Selects the sets to propose. sets: the shortest first. Drops sets that are hardly better than a shorter one, and
-/// sets longer than one that meets the target. The longest comes first. If there are too many, keeps sets whose strains
-/// have about equal ratios from one to the next.
+/// Selects the sets to propose. sets: the shortest first. Drops sets that are hardly better than a shorter one, sets
+/// with more pieces than a less strained one, and sets longer than one that meets the target. The longest comes first.
+/// If there are too many, keeps sets whose strains have about equal ratios from one to the next.
 std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {

@@ -30,7 +30,8 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
     flat.strain = needed.of(piece);
     flat.face_strain = needed.of_faces(piece);
     const bool is_large = flat.chart.mesh.n_faces() >= options.large_chart;  // its coarse start has half of the limit
-    flat.is_final = piece.report.termination == Termination::converged && !is_large;
+    const bool may_turn = options.cloth && options.orientation == Orientation::best;  // the limit ends the comparison
+    flat.is_final = piece.report.termination == Termination::converged && !is_large && !may_turn;
   }
   return std::make_shared<FlatPiece>(std::move(flat));
 }
