@@ -19,7 +19,7 @@ from text import degrees, picture, table
 
 STRAINED = 1e-3  # samples with less are unfolded: they need no stretch
 CHOICES: dict[str, dict[str, str]] = {
-    "No cloth": {},
+    "No fabric": {},
     "Woven": {"cloth": "woven"},
     "Woven, best direction": {"cloth": "woven", "orientation": "best"},
     "Jersey": {"cloth": "jersey"},
@@ -77,7 +77,7 @@ def draw(inputs: Inputs, name: str, found: dict[str, Strained]) -> str:
     columns = [Column(choice, inputs.shapes[name], found[choice].result) for choice in CHOICES]
     path = inputs.pictures / f"cloth_{name.lower().replace(' ', '_')}.png"
     draw_sheet(path, columns, [THREAD_STRAIN], view, cell_width, aspect)
-    return picture(f"{name}: model, and how far the threads of each cloth are strained", path)
+    return picture(f"{name}: model, and how far the threads of each fabric are strained", path)
 
 
 def range_of(values: list[float]) -> str:
@@ -98,7 +98,7 @@ def worn_subsection(inputs: Inputs) -> str:
         for choice, worn in choices.items()
     ]
     change = {
-        measure: [choices["Woven"][measure] / choices["No cloth"][measure] for choices in inputs.worn.values()]
+        measure: [choices["Woven"][measure] / choices["No fabric"][measure] for choices in inputs.worn.values()]
         for measure in ("gap", "slide", "strain")
     }
     return f"""### Simulated fit
@@ -112,7 +112,7 @@ their model (`results/wear_in_newton.py`), without gravity and friction.
 *Gap*: distance of the fabric from the model at rest. *Slide*: distance of each point from its place on the model.
 *Strain*: 99th percentile of the strain of the more strained thread. *Worst wire*: largest change of a wire's length.
 Both are measured as worn.
-Pieces flattened for the woven have {range_of(change["gap"])} times the gap of those flattened without a cloth,
+Pieces flattened for the woven have {range_of(change["gap"])} times the gap of those flattened without a fabric,
 {range_of(change["slide"])} times the slide and {range_of(change["strain"])} times the strain: on the body, fabric
 slides until its threads carry little load, with or without a fabric choice. So the shape between exact outlines
 affects the fit less than the outlines.
@@ -124,17 +124,17 @@ def section(inputs: Inputs) -> str:
         name: {choice: cut_from(shape, options) for choice, options in CHOICES.items()}
         for name, shape in inputs.shapes.items()
     }
-    found = {name: row for name, row in every.items() if row["No cloth"].thread > STRAINED}
-    share = {choice: [row[choice].thread / row["No cloth"].thread for row in found.values()] for choice in CHOICES}
-    energy = [row["Woven"].energy / row["No cloth"].energy for row in found.values()]
+    found = {name: row for name, row in every.items() if row["No fabric"].thread > STRAINED}
+    share = {choice: [row[choice].thread / row["No fabric"].thread for row in found.values()] for choice in CHOICES}
+    energy = [row["Woven"].energy / row["No fabric"].energy for row in found.values()]
     seconds = {choice: sum(row[choice].seconds for row in every.values()) for choice in CHOICES}
     times = ", ".join(
-        f"{seconds[choice] / seconds['No cloth']:.1f} times as long for {choice[0].lower()}{choice[1:]}"
+        f"{seconds[choice] / seconds['No fabric']:.1f} times as long for {choice[0].lower()}{choice[1:]}"
         for choice in CHOICES
-        if choice != "No cloth"
+        if choice != "No fabric"
     )
     woven, best = range_of(share["Woven"]), range_of(share["Woven, best direction"])
-    lower = sum(row["Jersey"].warp < row["No cloth"].warp for row in found.values())
+    lower = sum(row["Jersey"].warp < row["No fabric"].warp for row in found.values())
     unfolded = [name for name in every if name not in found]
     rows = [[name, *(strains(row[choice]) for choice in CHOICES)] for name, row in found.items()]
     return f"""## Fabrics

@@ -84,7 +84,7 @@ def draw(inputs: Inputs, name: str, as_made: Strained) -> str:
 
 def in_each_cloth(shape: Shape) -> dict[str, Strained]:
     """Return results by description. If the sample is stretched when worn, each knit is also stretched."""
-    found = {cloth or "no cloth": made_in(shape, cloth) for cloth in CLOTHS}
+    found = {cloth or "no fabric": made_in(shape, cloth) for cloth in CLOTHS}
     if any(shape.stretch):
         across, along = (f"{100 * share:.0f}%" for share in shape.stretch)
         found |= {f"{cloth} stretched {across} / {along}": made_in(shape, cloth, shape.stretch) for cloth in KNITS}
@@ -134,6 +134,6 @@ one side if one piece must be fuller than the other, at a sleeve head or an elbo
 {1000 * eased(as_made[SLEEVE]):.0f} mm of it *E* of the sleeve and its bodice
 {change(plain_sleeve, as_made[SLEEVE].energy)}. For gathers, use an ease of 50% to 150% with more fairness, so that
 the long edge stays smooth, and no fabric: the strain there becomes folds, which hardly any fabric resists, while a
-woven would shear instead (shear {degrees(unwoven.shear)} without a cloth, {degrees(woven.shear)}
+woven would shear instead (shear {degrees(unwoven.shear)} without a fabric, {degrees(woven.shear)}
 with it).
 """
