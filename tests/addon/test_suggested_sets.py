@@ -83,7 +83,7 @@ def test_a_set_that_the_fabric_may_not_do_in_both_directions_has_a_warning(addon
     least = min(cut.strain for cut in found(addon, source).cuts)
     settings.gives_along = 100 * least / 2  # the other direction stretches far enough for every set
     SUGGEST["SEAMS"]()
-    assert "in one direction, so the pieces may need another fabric." in draw_panels(addon)
+    assert "in its tighter direction, so the pieces may need another fabric." in draw_panels(addon)
 
 
 @pytest.mark.parametrize("lines", ["SMOOTH", "EDGES"])
