@@ -22,7 +22,7 @@ WORKING_MODES = frozenset({"OBJECT", "EDIT_MESH"})
 def edited_meshes(context: bpy.types.Context) -> set[bpy.types.Mesh]:
     """Return the meshes in the Edit Mode of this view layer; context.objects_in_mode may be of the window's.
 
-    None if the active object is not in Edit Mode, because in_object_mode cannot leave that of other objects then.
+    The set is empty unless the active object is in Edit Mode, because in_object_mode cannot leave Edit Mode otherwise.
     """
     if context.mode != "EDIT_MESH":
         return set()

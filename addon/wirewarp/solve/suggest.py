@@ -183,7 +183,7 @@ def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
     """Return which set to show: the fewest pieces within the first limit that a set keeps, otherwise the least stretch.
 
     limits: maximum stretches of the fabric, the smaller direction first. A set with narrow pieces is shown only if
-    there is no other.
+    all sets have narrow pieces.
     """
     wide = [index for index, each in enumerate(sets) if not each.is_narrow] or list(range(len(sets)))
     within = (index for limit in limits for index in wide if sets[index].strain <= limit)

@@ -242,7 +242,7 @@ def read_allowances(mesh: bpy.types.Mesh) -> MarkedAllowances:
 def corner_widths(mesh: bpy.types.Mesh) -> np.ndarray:
     """Return the width (l,) of the edge that begins at each corner, on the side of its face: 0 for the default.
 
-    NONE means that there is no allowance. Edges inside pieces may have widths, too.
+    NONE marks an edge without an allowance. Edges inside pieces may have widths, too.
     """
     both, alone = _where_set(read_values(mesh, ALLOWANCE)), _where_set(SIDE_ALLOWANCES.read(mesh))
     return np.where(alone != 0, alone, both[corner_edges(mesh)])

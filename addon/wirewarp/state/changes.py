@@ -78,7 +78,7 @@ def _is_scaled(source: bpy.types.Object, then: dict) -> bool:
 
 
 def _digests(mesh: MarkedMesh) -> dict[str, str]:
-    places = mesh.places + np.float32(0)  # Apply Scale turns -0 into 0, which is no change
+    places = mesh.places + np.float32(0)  # Apply Scale turns -0 into 0, but the shape stays the same
     return {SHAPE: _digest([places, *_faces(mesh)]), MARKS: _digest(_marks(mesh))}
 
 
