@@ -24,7 +24,7 @@ from surfaces import bumpy_sheet  # noqa: E402 (the folder must be on the path f
 # Names in Debian 12's Blender and in Debian 13's, which has extensions.
 addon = sys.modules.get("wirewarp_addon") or sys.modules["bl_ext.user_default.wirewarp"]
 core = addon.core
-choices_of = addon.properties.choices_of
+choices_of = addon.state.settings.choices_of
 solve_models, read_models = addon.flatten.models.solve_models, addon.flatten.read.read_models
 write_results = addon.flatten.write.write_results
 in_one_go = addon.solve.steps.in_one_go

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""./dev bench takes too long for tests, so that only this small run notices if the add-on's functions move."""
+
+import json
+import os
+import runpy
+import sys
+from pathlib import Path
+
+import pytest
+
+SCRIPT = Path(__file__).resolve().parents[2] / "bench" / "flatten_in_blender.py"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="./dev bench runs on Linux")
+def test_flatten_is_timed_beside_blenders_unwrap(tmp_path, monkeypatch):
+    output = tmp_path / "blender.json"
+    monkeypatch.setattr(sys, "argv", ["blender", "--", str(output), "200"])
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    monkeypatch.delitem(sys.modules, "surfaces")  # the script has another module of this name
+    cores = os.sched_getaffinity(0)
+    try:
+        runpy.run_path(str(SCRIPT))
+    finally:
+        os.sched_setaffinity(0, cores)
+    (run,) = json.loads(output.read_text(encoding="utf-8"))["runs"]
+    assert run["triangles"] == 200
+    assert all(run[step] > 0 for step in ("flatten", "unwrap", "read", "solve", "write"))
