@@ -10,9 +10,9 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kCoarsening = 4;       // length of a coarse edge over that of a fine one: a sixteenth of the faces
-constexpr double kLeastCoarsening = 2;  // a quarter of the faces: with more, the coarse chart costs as much as it saves
-// Longest coarse edge over the shortest wavelength of wires. Longer edges cannot follow the wires.
+constexpr double kCoarsening = 4;       // coarse edge length over fine edge length; leaves a sixteenth of the faces
+constexpr double kLeastCoarsening = 2;  // leaves a quarter of the faces; more faces would save no time
+// Largest ratio of coarse edge length to the shortest wavelength of the wires. Longer edges cannot follow the wires.
 constexpr double kPerWiggle = 0.9;
 constexpr int kMaxCoarseFactorizations = 30;  // at most half of the budget; the chart itself needs the rest
 

@@ -11,8 +11,8 @@
 namespace wirewarp {
 
 /// Solves a copy of the chart with edges four times as long, or less if its wires have shorter waves, and prolongs its
-/// shape and forces to the chart. Returns none if the copy is hardly coarser or has no exact lengths. The token is
-/// polled in the stage "start". Throws Stopped and FactorizationFailed.
+/// shape and multipliers to the chart. Returns nullopt if the copy is hardly coarser or no shape with exact lengths is
+/// found. The token is polled in the stage "start". Throws Stopped and FactorizationFailed.
 std::optional<Shape> start_from_coarse(const Problem& problem, const Control& control);
 
 }  // namespace wirewarp

@@ -7,13 +7,14 @@
 
 namespace wirewarp {
 
-/// Counts factorizations of Newton systems against a limit. All starts of a chart share one budget, also those of its
-/// coarser mesh and of the chart with its slits sewn.
+/// Counts factorizations of Newton systems against a limit. All starts of a chart share one budget, including the
+/// starts of its coarser copy and of the copy with sewn slits.
 class Budget {
  public:
   explicit Budget(int max_factorizations) : left_(max_factorizations) {}
 
-  /// A part of another budget, at most the given size. Spending counts in both. The whole must outlive the part.
+  /// Makes a part of another budget with at most the given size. Spending counts in both. The whole must outlive the
+  /// part.
   Budget(Budget& whole, int max_factorizations) : whole_(&whole), left_(std::min(max_factorizations, whole.left_)) {}
 
   Budget(const Budget&) = delete;
@@ -22,14 +23,15 @@ class Budget {
   int left() const { return left_; }
   int spent() const { return spent_; }
 
-  /// Returns whether this number may be spent. A refusal is remembered, also by the whole budget if that causes it.
+  /// Returns whether this number may be spent. ran_out() remembers a refusal, also in the whole budget if that is too
+  /// small.
   bool allows(int factorizations = 1) {
     if (whole_) whole_->allows(factorizations);
     ran_out_ = ran_out_ || left_ < factorizations;
     return left_ >= factorizations;
   }
 
-  /// Returns whether allows() ever returned false, so that a solver needed more.
+  /// Returns whether allows() ever returned false: some solver needed more factorizations.
   bool ran_out() const { return ran_out_; }
 
   void spend(int factorizations) {
@@ -45,7 +47,7 @@ class Budget {
   bool ran_out_ = false;
 };
 
-/// What ends a solver early.
+/// The two limits that can end a solver early: its budget, and a stop by the caller.
 struct Control {
   Budget& budget;
   StopToken stop = {};  // polled before each factorization

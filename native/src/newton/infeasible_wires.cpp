@@ -17,21 +17,20 @@
 namespace wirewarp {
 namespace {
 
-// Strains up to which a length counts as kept; smoothing leaves strains of 1e-4. If it does not help to free the wires
-// above the first bound, those above the second are freed, too.
+// Strains up to which a length counts as kept; smoothing leaves strains of 1e-4. Wires with a strain above the first
+// bound are freed; if that does not help, also wires with a strain above the second.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
-constexpr double kUneven = 5e-3;  // other wires with larger variations may remove a smaller strain_rms
-// Proposed tolerances are rounded up to multiples of 0.1%, and above 0.5% to multiples of 0.5%, because people type
-// them.
+constexpr double kUneven = 5e-3;  // a smaller strain_rms can vanish if other wires change more
+// Proposed tolerances are multiples of 0.1%, and above 0.5% multiples of 0.5%, rounded up, because people type them.
 constexpr double kFineStep = 1e-3, kStep = 5e-3;
 constexpr double kLargest = 0.5;  // a wire that needs more is freed
 constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
 constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); includes those of a coarser and of a sewn chart
-constexpr double kMostTrials = 30;          // for using fewer wires, and as many for lowering tolerances
-constexpr std::size_t kFewWires = 8;  // up to this many get individual tolerances; more share one, which is quicker
+constexpr double kMostTrials = 30;          // number of trials with fewer wires, and of trials with lower tolerances
+constexpr std::size_t kFewWires = 8;  // up to 8 wires get individual tolerances; more wires share one, which is faster
                                       // to find and to type
-/// More wires than this are freed or left alone: a trial with a tolerance on n wires solves dense problems of size n,
-/// n³ work each. Nets of 168 wires get one tolerance of 5%; trials on 569 wires cost as much as 23 on 200.
+/// No tolerance is tried on more wires than this, because a trial on n wires solves dense problems of size n in n³
+/// operations: one on 569 wires costs as much as 23 on 200. Nets of 168 wires get one tolerance of 5%.
 constexpr std::size_t kMostElasticWires = 200;
 
 /// Tolerances to try, 0.1% to 50%: each is 1.3 to 2 times the one before.
@@ -42,7 +41,7 @@ using Tolerances = std::map<int, double>;  // tolerance of each wire
 
 bool is_held(const WirePart& part) { return part.kind == WireKind::rigid || part.kind == WireKind::elastic; }
 
-/// Returns the wires whose lengths the relaxed shape changes, all free.
+/// Returns free tolerances for the wires whose lengths the relaxed shape changes.
 Tolerances wires_to_free(const Chart& chart, const RelaxedShape& relaxed, double kept) {
   Tolerances wires;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
@@ -74,8 +73,8 @@ Chart with_tolerances(Chart chart, const Tolerances& tolerances) {
   return chart;
 }
 
-/// Returns the wires that leave their tolerances by more than the lowest rung of the ladder when all are free, all
-/// free.
+/// Returns free tolerances for the wires that exceed their tolerances by more than the lowest rung of the ladder in a
+/// shape in which all wires are free.
 Tolerances free_wires_that_change(const Chart& chart, const Solution& free) {
   Tolerances tolerances;
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
@@ -105,7 +104,8 @@ std::vector<ProposedTolerance> listed(const Tolerances& tolerances) {
   return proposed;
 }
 
-/// Finds tolerances under which a chart has all its lengths, each proven by a flat shape, which may be flipped.
+/// Finds tolerances with which a chart has a flat shape with all lengths. Each result is proven by a shape, which may
+/// be flipped.
 class ToleranceSearch {
  public:
   /// starts: layouts near exact lengths.
@@ -121,7 +121,7 @@ class ToleranceSearch {
     });
   }
 
-  /// Reduces wires that work if they are free to as few as possible, with tolerances as small as possible.
+  /// Replaces free wires, which are known to work, by as few wires as possible with tolerances as small as possible.
   Tolerances on_few_wires(Tolerances tolerances) {
     trials_ = 0;
     drop_wires(tolerances);
@@ -132,8 +132,8 @@ class ToleranceSearch {
     return tolerances;
   }
 
-  /// Returns the wires with one tolerance for all, the lowest rung of the ladder below a limit that is good, found by
-  /// bisection. None if even the highest of these rungs does not work, or if there are too many wires to try.
+  /// Returns the lowest common tolerance of the wires that are_good accepts: a rung of the ladder below a limit, found
+  /// by bisection. Empty if even the highest such rung does not work, or if there are too many wires to try.
   Tolerances lowest_shared(const Tolerances& wires, double below,
                            const std::function<bool(const Tolerances&)>& are_good) const {
     Tolerances lowest;
@@ -183,7 +183,7 @@ class ToleranceSearch {
     return std::max(1.0, std::pow(static_cast<double>(num_elastic) / kMostElasticWires, 3));
   }
 
-  /// Tries to do without half of the wires at once, then a quarter, and so on down to single wires.
+  /// Tries to remove half of the wires at once, then a quarter, and so on down to single wires.
   void drop_wires(Tolerances& tolerances) {
     std::vector<int> wires = wires_of(tolerances);
     for (std::size_t size = wires.size() / 2; size > 0; size /= 2) {
@@ -217,7 +217,7 @@ class ToleranceSearch {
     }
   }
 
-  /// Returns whether all of these tolerances are larger than those that the wires have.
+  /// Returns whether all of these tolerances are larger than the present tolerances of their wires.
   bool is_looser(const Tolerances& tolerances) const {
     return std::all_of(chart_.wire_parts.begin(), chart_.wire_parts.end(), [&](const WirePart& part) {
       const auto tolerance = tolerances.find(part.wire_index);
@@ -232,7 +232,7 @@ class ToleranceSearch {
   double trials_ = 0;
 };
 
-/// Returns the shape that breaks lengths at the least price; none if a factorization fails.
+/// Returns the shape that changes lengths at the least cost, or nullopt if a factorization fails.
 std::optional<RelaxedShape> relax(Problem& problem, const StopToken& stop) {
   Budget budget(kMaxRelaxFactorizations);
   auto relaxed = attempt([&] { return std::optional(relax_lengths(problem, problem.free_map(stop), {budget, stop})); });
@@ -240,7 +240,7 @@ std::optional<RelaxedShape> relax(Problem& problem, const StopToken& stop) {
   return relaxed;
 }
 
-/// Returns whether even the cheapest way to break lengths breaks some: a longer search would not keep them.
+/// Returns whether even the shape with the least cost changes lengths, so that a longer search would not help.
 bool shows_conflict(const RelaxedShape& relaxed) {
   const bool are_wires_violated =
       (relaxed.strain_rms.array() > kKept || relaxed.tolerance_violation.array() > kKept).any();
@@ -257,7 +257,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   stop.check();
   if (!free.is_exact()) return {};
   ToleranceSearch search(chart, options.fairness, {relaxed.uv, free.shape.uv}, stop);
-  std::map<Tolerances, bool> known;  // doubled() keeps free wires as they are, and other choices may be equal, too
+  std::map<Tolerances, bool> known;  // choices may be equal, because doubled() does not change free wires
   const auto are_sufficient = [&](const Tolerances& tolerances) {
     stop.check();
     if (tolerances.empty()) return false;
@@ -280,7 +280,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   if (are_few_elastic) proposed = first_flat({few, doubled(few)});
   if (proposed.empty()) {
     proposed = search.lowest_shared(freed, kFreeTolerance, are_sufficient);
-    // Naming more wires is worthwhile if that more than halves their tolerance.
+    // Proposing more wires is worthwhile if it more than halves their tolerance.
     const double below = proposed.empty() ? kFreeTolerance : proposed.begin()->second / 2;
     const Tolerances of_many = search.lowest_shared(free_wires_that_change(chart, free), below, are_sufficient);
     if (!of_many.empty()) proposed = of_many;

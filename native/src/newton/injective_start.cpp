@@ -12,15 +12,16 @@ namespace wirewarp {
 namespace {
 
 constexpr double kFirstStiffness = 1;   // first value of ρ l / √area: a wire is as stiff as the surface beside it
-constexpr double kStiffening = 4;       // factor of ρ if the length errors fall by less than this factor
-constexpr double kStiffest = 1e6;       // beyond, rounding errors spoil the steps
-constexpr double kStiff = 1e4;          // ρ at which lengths with errors above kHopeless contradict one another
+constexpr double kStiffening = 4;       // factor by which ρ grows if an update of λ reduces the length errors by less
+constexpr double kStiffest = 1e6;       // with a larger ρ, rounding errors spoil the steps
+constexpr double kStiff = 1e4;          // from this ρ on, errors above kHopeless show a contradiction of the lengths
 constexpr double kHopeless = 1e-2;      // strain
-constexpr int kStepsPerMultiplier = 5;  // the most; as long as λ is far from its limit, no exact minimum is needed
-constexpr double kEnough = 1e-2;        // slope over Φ below which the minimum is near enough for the next λ
+constexpr int kStepsPerMultiplier = 5;  // at most; far from the final λ, an exact minimum of Φ is not needed
+constexpr double kEnough = 1e-2;        // slope over Φ below which the minimum is near enough to update λ
 constexpr double kShortestStep = 1e-9;  // after thirty halvings
 constexpr double kInside = 0.9;         // share of the longest injective step that is taken
-/// Length error from which on a retraction to exact lengths is tried; after a failure, again at a tenth of the error.
+/// Length error below which a retraction to exact lengths is tried. After a failure, the next trial is at a tenth of
+/// the error.
 constexpr double kRetractable = 1e-3;
 
 class MultiplierMethod {
@@ -57,7 +58,7 @@ class MultiplierMethod {
   const Eigen::SparseMatrix<double>& lengths_;  // T
   std::optional<FairShapeError> objective_;
   std::optional<NewtonSystem> system_;
-  Eigen::VectorXd holding_stiffness_;  // ρ of a system for retractions
+  Eigen::VectorXd holding_stiffness_;  // ρ for retractions, which keep lengths
 
   Iterate now_;
   Eigen::VectorXd multipliers_;  // λ
@@ -81,7 +82,7 @@ MultiplierMethod::MultiplierMethod(const Problem& problem, const Stage& stage, c
   linearize_near(map);
 }
 
-/// Builds a system whose Hessian couples the parts of the outline that are near each other.
+/// Builds a system whose Hessian couples the parts of the outline that are near each other at uv.
 void MultiplierMethod::linearize_near(const Positions2& uv) {
   system_.reset();
   objective_.emplace(problem_.objective(stage_, uv));
@@ -102,8 +103,8 @@ bool MultiplierMethod::factorize(const Eigen::VectorXd& multipliers) {
   return is_positive;
 }
 
-/// With d eliminated, a quadratic program in Δh remains: its Hessian is the stiffness of ρ and the surface, its
-/// gradient the pull of the forces.
+/// Returns the Newton step of Φ. With d eliminated, a quadratic program in Δh remains: its Hessian is the stiffness of
+/// the springs ρ and the surface, its gradient is −Tᵀ times the forces.
 std::optional<MultiplierMethod::Step> MultiplierMethod::newton_step() {
   const Eigen::VectorXd stiffness = stiffness_ * unit_;
   const Eigen::VectorXd forces = multipliers_ + stiffness.cwiseProduct(residual(now_));
@@ -145,7 +146,7 @@ void MultiplierMethod::update_multipliers() {
   error_before_ = error;
 }
 
-/// Moves to exact lengths by the least change. Returns false if the injectivity would be lost on the way.
+/// Moves to exact lengths by the least change. Returns false if this fails or would lose the injectivity on the way.
 bool MultiplierMethod::retract() {
   system_->set_stiffness(holding_stiffness_);
   if (!factorize(multipliers_)) return false;

@@ -5,8 +5,8 @@
 //
 //   Φ(u, h) = f(u) + λᵀc + ½ cᵀρc,   |h| <= ε
 //
-// f is infinite where the injectivity is lost (energy/fair_shape_error.h). Newton steps with a convex Hessian minimize
-// Φ, each short enough to stay where f is finite; then λ += ρc. Lengths become exact as λ approaches the forces in the
+// f is infinite for shapes that are not injective (energy/fair_shape_error.h). Newton steps with a convex Hessian
+// minimize Φ, each so short that f stays finite; then λ += ρc. Lengths become exact as λ approaches the forces in the
 // wires, so that no single step has to reach exact lengths.
 #pragma once
 
@@ -18,8 +18,8 @@
 
 namespace wirewarp {
 
-/// Returns a shape with exact lengths, with h in the tolerances and with λ; none if it is not reached. map: one row per
-/// chart vertex, with the injectivity of the stage. Throws Stopped.
+/// Returns a shape with exact lengths, h within the tolerances, and λ. Returns nullopt if exact lengths are not
+/// reached. map: start with the injectivity of the stage, one row per chart vertex. Throws Stopped.
 std::optional<Shape> injective_start(const Problem& problem, const Stage& stage, const Positions2& map,
                                      const Control& control);
 

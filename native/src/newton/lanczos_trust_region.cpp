@@ -11,10 +11,10 @@ namespace wirewarp {
 namespace {
 
 constexpr double kExhausted = 1e-6;  // off-diagonal entry of T below which the basis spans an invariant space
-constexpr double kSolved = 0.01;     // residual of H d = -g over that of d = 0: the next step starts with a new H
+constexpr double kSolved = 0.01;  // residual of H d = -g over |g|; more digits are useless: the next step has a new H
 
-/// Returns |r| in the norm dual to G for z = G⁻¹ r. Throws if it is not a number, because that would pass for a small
-/// one.
+/// Returns |r| in the norm dual to G, for z = G⁻¹ r. Throws if it is not finite, because comparisons treat NaN as
+/// small.
 double dual_norm(const Eigen::VectorXd& r, const Eigen::VectorXd& z) {
   const double squared = r.dot(z);
   if (!std::isfinite(squared)) throw FactorizationFailed("a gradient or its preconditioner is not finite");
@@ -32,7 +32,7 @@ LanczosTrustRegion::LanczosTrustRegion(const Operator& times_hessian,
   Eigen::VectorXd z = precondition(r);
   first_ = dual_norm(r, z);
   double norm = first_;
-  double residual = 1;  // residual of conjugate gradients for H d = -g over the first one, while H is positive
+  double residual = 1;  // of H d = -g over |g|, as in conjugate gradients; valid while H is positive
   double pivot = 1;     // of T
   bool is_positive = true;
   while (static_cast<int>(basis_.size()) < max_size && norm > (basis_.empty() ? 0 : kExhausted)) {
@@ -79,7 +79,7 @@ ModelStep LanczosTrustRegion::step(double radius) const {
     y = solution(0);
   } else {
     double low = std::max(0.0, -eigenvalues_[0]);
-    double high = low + first_ / radius;  // there |y| <= Δ
+    double high = low + first_ / radius;  // |y| <= Δ at this σ
     for (int i = 0; i < 60; ++i) {
       const double middle = (low + high) / 2;
       (solution(middle).norm() > radius ? low : high) = middle;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Minimizes the quadratic model of f + λᵀc on the tangent space of the length constraints, in a ball. Unlike those of
-// Newton's method, such steps work at saddles and along soft modes.
+// Minimizes the quadratic model of f + λᵀc on the tangent space of the length constraints, in a ball. Unlike Newton
+// steps, these steps also work at saddles and along soft modes.
 //
 //   q(d) = g·d + ½ d·H d   over J d = 0, |d|_G <= Δ
 //
-// H is exact and perhaps indefinite, G a convex part of it that is factored.
+// H is the exact Hessian, perhaps indefinite. G is its convex part, which is factored.
 //
 // The generalized Lanczos method (N. I. M. Gould, S. Lucidi, M. Roma, Ph. L. Toint, Solving the trust-region subproblem
 // using the Lanczos method, SIAM J. Optimization 9 (1999), 504-525): in a basis v_1 … v_k that is orthonormal in G, H
@@ -29,14 +29,14 @@ class LanczosTrustRegion {
  public:
   using Operator = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
-  /// Builds at most max_size basis vectors. times_hessian returns H d. precondition returns, for r, the d in the
-  /// tangent space with G d = r except for normal components, which it may remove from r. gradient: g. Throws
+  /// Builds at most max_size basis vectors. times_hessian returns H d. precondition returns the d in the tangent space
+  /// with G d = r, up to components of r normal to that space, which it may remove from r. gradient: g. Throws
   /// FactorizationFailed if a product is not finite.
   LanczosTrustRegion(const Operator& times_hessian,
                      const std::function<Eigen::VectorXd(Eigen::VectorXd& r)>& precondition,
                      const Eigen::VectorXd& gradient, int max_size);
 
-  /// Returns |d|_G of the step for H = G.
+  /// Returns |d|_G of the minimum of q if H were G.
   double convex_length() const { return first_; }
 
   int size() const { return static_cast<int>(basis_.size()); }

@@ -5,8 +5,8 @@
 
 namespace wirewarp {
 
-/// Returns whether the refined method finds a flat shape of the chart with all guarantees: lengths, no flips, no
-/// overlaps. Gives up on pieces that take far longer than most, and if the caller stops.
+/// Returns whether the refined method finds a flat shape of the chart with exact lengths, without flips and overlaps.
+/// Returns false for pieces that take far longer than most, and if the caller stops.
 bool lies_flat(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
 }  // namespace wirewarp

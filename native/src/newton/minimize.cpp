@@ -11,12 +11,12 @@
 namespace wirewarp {
 namespace {
 
-/// Whether flipped triangles are not expected to open any more.
+/// Returns whether triangles are still flipped after so many factorizations that they are not expected to open.
 bool stays_flipped(const NewtonState& state) {
   return state.num_factorizations() >= NewtonConstants::patience && state.objective.count_flips(state.now.uv) > 0;
 }
 
-/// Takes steps from exact lengths, which all of them keep, to the minimum of f. outcome: of the step to exact lengths.
+/// Takes steps that keep exact lengths, down to the minimum of f. outcome: of the step that reached exact lengths.
 SolutionStatus descend(NewtonState& state, StepOutcome outcome) {
   const auto is_enough = [&] {
     return state.stage.target == Target::newton_step && state.objective.count_flips(state.now.uv) == 0;

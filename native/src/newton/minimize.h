@@ -3,9 +3,9 @@
 //
 //   min f(u)   subject to   c(u, h) = 0,   |h| <= ε on elastic parts
 //
-// f is the shape error and the fairness of the wires (energy/fair_shape_error.h), c the lengths
-// (energy/length_constraints.h). It is a Newton method on the feasible set: one step reaches exact lengths from a start
-// near them, and from there every iterate has exact lengths, so that it can stop anywhere.
+// f is the shape error and the fairness of the wires (energy/fair_shape_error.h), c the length errors
+// (energy/length_constraints.h). minimize() is a Newton method on the feasible set: its first step reaches exact
+// lengths from a start near them, and every later iterate has exact lengths, so that it can stop at any time.
 #pragma once
 
 #include "newton/control.h"
@@ -15,9 +15,9 @@
 namespace wirewarp {
 
 /// Minimizes f from a start. A start with multipliers must be near the minimum. The lengths of other starts may be
-/// wrong by up to a half. The result is infeasible if one step from the start does not reach exact lengths, or if the
-/// budget is spent before that. If the caller stops after that, the current shape is returned. Gives up on flips that
-/// are allowed but do not open.
+/// wrong by up to a half. The result is infeasible if the first step does not reach exact lengths, or if the budget is
+/// spent before. If the caller stops later, the current shape is returned. Gives up if allowed flips do not open for
+/// many steps.
 Solution minimize(const Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
 /// Returns the shape with its f and length error. Takes no step, and does not check what the stage forbids. The

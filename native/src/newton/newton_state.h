@@ -36,7 +36,7 @@ struct NewtonState {
 
   double length_error() const { return constraints.largest_error(constraints.residual(now.uv, now.variation)); }
 
-  /// Whether f is so near its lower bound 0 that no step gains anything.
+  /// Returns whether f is so near its lower bound 0 that no step gains anything.
   bool is_isometric() const { return now.value <= isometric_value; }
 
   /// Returns the smallest predicted decrease of f that a step must have.
@@ -50,11 +50,11 @@ struct NewtonState {
   /// Linearizes at the current shape. Returns false if the Hessian is not positive on the tangent space of the lengths.
   bool factorize(const Convexity& convexity);
 
-  /// Moves the trial back to exact lengths and computes its f. Returns false if that fails, if the path to it crosses
-  /// something forbidden, or if the caller stopped.
+  /// Moves the trial back to exact lengths and computes its f. Returns false if that fails, if a forbidden flip or
+  /// overlap occurs on the way, or if the caller stopped.
   bool evaluate(Iterate& trial) const;
 
-  /// Returns the current shape with its figures.
+  /// Returns the current shape with its objective, length error and counts.
   Solution solution(SolutionStatus status) const;
 
   const Problem& problem;

@@ -13,13 +13,13 @@ namespace {
 struct NewtonStep {
   Positions2 d;
   Eigen::VectorXd variation;    // Δh
-  Eigen::VectorXd multipliers;  // λ at its end
+  Eigen::VectorXd multipliers;  // λ at the end of the step
   double slope;                 // of f + λᵀc along the step
 };
 
 /// Solves min g·d + ½ d·H d with J d - T Δh = -c and h + Δh in its bounds. With d eliminated, a dense quadratic program
 /// in Δh remains, with the Hessian S and the gradient -Tᵀλ. The unknown is the change of λ, with g + Jᵀλ in place of g,
-/// so that an older factor, which has an older J, causes only small errors.
+/// so that a factor from an earlier shape causes only small errors.
 NewtonStep newton_step(const NewtonState& state) {
   const LengthConstraints& constraints = state.constraints;
   const Eigen::VectorXd residual = constraints.residual(state.now.uv, state.now.variation);
@@ -55,8 +55,8 @@ void move_along(const NewtonStep& step, NewtonState& state) {
   ++state.iterations;
 }
 
-/// Takes Newton steps with the factor from before a step with the given slope, as long as the slope falls fast. Length
-/// errors are corrected by the following step. Returns whether the remaining decrease is not worthwhile.
+/// Takes more Newton steps with the current factor, as long as their slope falls fast. slope: of the last step. Each
+/// step corrects the length errors of the one before. Returns whether the remaining decrease is not worthwhile.
 bool take_steps_with_factor(NewtonState& state, double slope) {
   for (bool is_first = true; state.control.stop.may_go_on(); is_first = false) {
     state.update_gradient();
@@ -73,7 +73,8 @@ bool take_steps_with_factor(NewtonState& state, double slope) {
   return false;
 }
 
-/// Takes such steps from exact lengths to exact lengths, if they decrease f.
+/// Takes more steps with the current factor from exact lengths to exact lengths, if they decrease f. slope: of the last
+/// step.
 StepOutcome go_on_with_factor(NewtonState& state, double slope) {
   const Iterate begin = state.now;
   const Eigen::VectorXd multipliers = state.multipliers;
@@ -119,7 +120,7 @@ StepOutcome take_newton_step(NewtonState& state) {
     state.multipliers = step.multipliers;
   }
   if (is_last) return StepOutcome::converged;
-  if (!goes_down) return StepOutcome::rejected;  // shorter steps are better taken in a trust region
+  if (!goes_down) return StepOutcome::rejected;  // a trust region chooses better among shorter steps
   const bool is_near = std::abs(step.slope) < NewtonConstants::near_minimum * state.now.value;
   return is_near ? go_on_with_factor(state, step.slope) : StepOutcome::accepted;
 }

@@ -6,10 +6,10 @@
 
 namespace wirewarp {
 
-/// Moves the start to exact lengths by one Newton step and a retraction. Far from the minimum, the Hessian is the
-/// Laplacian. Near it, the exact Hessian is used, or its convex part if that is not positive; a second step follows if
-/// the first is too long, and further steps use the same factor as long as they help. Rejected if lengths are not exact
-/// at the end. Throws Stopped.
+/// Moves the start to exact lengths by one Newton step and a retraction. Far from the minimum, the step uses the
+/// Laplacian as Hessian. Near the minimum, it uses the exact Hessian or, if that is not positive, its convex part; a
+/// second step follows if the first is too long, and then steps with the same factor as long as they help. Rejected if
+/// lengths are not exact at the end. Throws Stopped.
 StepOutcome reach_exact_lengths(NewtonState& state, bool is_near_minimum);
 
 /// Takes a step that decreases f from exact lengths to exact lengths, with the exact Hessian; near the minimum, several

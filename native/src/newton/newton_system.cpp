@@ -13,30 +13,31 @@
 namespace wirewarp {
 namespace {
 
-// Factor of M, which makes modes without stiffness definite. The softest mode of a square sheet has a stiffness of 2π²
-// for a mass of 1, so that 1e-4 shortens its step by a few millionths.
+// Factor of M, which makes A definite for modes without stiffness. The softest mode of a square sheet has a stiffness
+// of 2π² for a mass of 1, so that 1e-4 shortens its step by a few millionths.
 constexpr double kMass = 1e-4;
-// Stiffness of the pins: far above that at a vertex, which is a few units (cotangents of angles), and far below that of
-// edges. It causes rounding errors of 1e-10.
+// Stiffness of the pins: far above the stiffness at a vertex, a few units (cotangents of angles), and far below the
+// stiffness of edges. It causes rounding errors of 1e-10.
 constexpr double kPin = 1e6;
-// Smallest ρ of an edge: far above any curvature of f + λᵀc along a wire, so that a failed factorization concerns the
-// null space of J alone. Each step of the method of multipliers reduces the errors by the factor of ρ over the
-// stiffness of the surface, which is about seven digits.
+// Smallest ρ of an edge: far above any curvature of f + λᵀc along a wire, so that a factorization fails only for
+// directions in the null space of J. Each step of the method of multipliers divides the errors by ρ over the stiffness
+// of the surface, which gains about seven digits.
 constexpr double kSmallestStiffness = 1e8;
-// ρ over the largest diagonal entry of the Hessian at an edge's ends, because fairness makes short edges stiffer than
-// 1e8. It is not larger, because rounding errors of the entries of short edges must stay far below the stiffness of the
-// surface.
+// Smallest ratio of ρ to the largest diagonal entry of the Hessian at an edge's ends. It matters for short edges, which
+// fairness can make stiffer than 1e8. A larger ratio would cause rounding errors near the stiffness of the surface.
 constexpr double kStiffness = 10;
-constexpr int kMultiplierSteps = 3;  // usually one is enough; after three, rounding prevents further gains
+constexpr int kMultiplierSteps = 3;  // usually one step is enough; after three, rounding errors prevent further gains
 // Relative error of length changes tolerated in a Newton step; the retraction to exact lengths corrects it afterwards.
 constexpr double kAccuracy = 1e-9;
-// Least pivot over the largest diagonal entry: ten times the error of S if ρ keeps the lengths to five digits.
+// Least pivot of a well positive matrix over its largest diagonal entry: ten times the relative error of S if ρ keeps
+// the lengths to five digits.
 constexpr double kWellPositive = 1e-4;
-constexpr int kManyVariations = 200;  // beyond, eigenvalues cost more than the Newton system
+constexpr int kManyVariations = 200;  // with more, eigenvalues cost more than the Newton system
 
 constexpr int kPerVertex = 2;  // unknowns of a vertex of the matrix: two positions, or two h
 
-/// Returns the place of an elastic edge's h in the matrix: after the positions, as if two h were x and y of a vertex.
+/// Returns the index of the matrix vertex that stores an elastic edge's h: after the positions, two h share a vertex,
+/// like x and y.
 int vertex_of_variation(const LengthConstraints::Edge& edge, int num_vertices) {
   return num_vertices + edge.elastic / kPerVertex;
 }
@@ -49,7 +50,7 @@ std::vector<VertexPair> coupled_vertices(const FairShapeError& objective, const 
                                          int num_vertices) {
   std::vector<VertexPair> pairs;
   objective.list_pairs(pairs);
-  for (int e = 0; e < constraints.size(); ++e) {  // all others are edges of triangles
+  for (int e = 0; e < constraints.size(); ++e) {  // all other pairs are edges of triangles
     const LengthConstraints::Edge& edge = constraints.edges()[e];
     if (constraints.is_linear(e)) pairs.push_back({edge.a, edge.b});
     if (edge.elastic < 0) continue;
@@ -78,7 +79,7 @@ Eigen::VectorXd lumped_mass(const Chart& chart, const std::vector<ConnectedPart>
   return mass;
 }
 
-/// Returns, for each connected part, a vertex near its middle and the vertex farthest away from that.
+/// Returns, for each connected part, a vertex near its middle and the vertex that is farthest from this one.
 std::vector<VertexPair> pinned_vertices(const Chart& chart, const std::vector<ConnectedPart>& parts) {
   const auto point = [&](int v) { return chart.mesh.point(VertexHandle(v)); };
   const auto nearer_to = [&](const OpenMesh::Vec3d& place) {
@@ -99,7 +100,7 @@ std::vector<VertexPair> pinned_vertices(const Chart& chart, const std::vector<Co
 /// Adds to the diagonal until the matrix is positive definite: first 1e-5 of the largest entry, then ten times as much
 /// each time.
 Eigen::MatrixXd shifted(Eigen::MatrixXd symmetric) {
-  constexpr double kMost = 1e6;  // a matrix without a positive diagonal entry cannot be saved
+  constexpr double kMost = 1e6;  // limit for a matrix that no diagonal makes positive
   const double largest = symmetric.diagonal().cwiseAbs().maxCoeff();
   double shift = 0;
   for (double next = 1e-5; next < kMost; next *= 10) {
@@ -113,7 +114,7 @@ Eigen::MatrixXd shifted(Eigen::MatrixXd symmetric) {
 }  // namespace
 
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric) {
-  const Eigen::LLT<Eigen::MatrixXd> factor(symmetric);  // a small part of the cost of the eigenvalues
+  const Eigen::LLT<Eigen::MatrixXd> factor(symmetric);  // costs far less than the eigenvalues
   if (factor.info() == Eigen::Success) {
     const Eigen::ArrayXd pivots = factor.matrixLLT().diagonal().array().square();
     if (pivots.minCoeff() > kWellPositive * symmetric.diagonal().maxCoeff()) return symmetric;
@@ -233,7 +234,7 @@ Positions2 NewtonSystem::apply_inverse(const Positions2& b) const {
   return Eigen::Map<const Positions2>(all.data(), b.rows(), 2);
 }
 
-/// Returns A⁻¹ Jᵀ τ on the wires, for h = 0.
+/// Returns A⁻¹ Jᵀ τ on the wires, for h = 0. tensions: τ.
 Eigen::VectorXd NewtonSystem::response(const Eigen::VectorXd& tensions) const {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(num_unknowns());
   constraints_.add_transposed(directions_, tensions, Eigen::Map<Positions2>(x.data(), num_positions_ / 2, 2));
@@ -248,7 +249,7 @@ Eigen::VectorXd NewtonSystem::changes_of_length(const Eigen::VectorXd& d) const 
   return constraints_.apply(directions_, Eigen::Map<const Positions2>(d.data(), num_positions_ / 2, 2));
 }
 
-/// Returns the norm of the motions of all edges, where an edge's motion is that of one end relative to the other.
+/// Returns the root of the sum of squares of |d_b − d_a| over the edges (a, b).
 double NewtonSystem::relative_motion(const Eigen::VectorXd& d) const {
   double sum = 0;
   for (const LengthConstraints::Edge& edge : constraints_.edges()) {
@@ -286,8 +287,9 @@ NewtonSystem::Solution NewtonSystem::solve_roughly(const Reduced& reduced, const
   return solve(reduced, variation, cholesky_->all());
 }
 
-/// Solves (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then sets λ += ρ (J d − r₂). The first row is satisfied after every
-/// step; the error of the second falls by a factor of about ρ over the stiffness of the surface.
+/// Takes steps of the method of multipliers: solves (H + Jᵀ ρ J) d = r₁ + Jᵀ (ρ r₂ − λ), then sets λ += ρ (J d − r₂).
+/// The first row of the system holds after every step. The error of the second row is divided by about ρ over the
+/// stiffness of the surface.
 void NewtonSystem::improve(const Eigen::VectorXd& r2, Solution& solution) const {
   for (int i = 0; i < kMultiplierSteps; ++i) {
     Eigen::VectorXd tensions = stiffness_.cwiseProduct(r2) - solution.multipliers;

@@ -6,14 +6,15 @@
 //
 // in the positive definite form A = H + 10⁻⁴ M + Jᵀ ρ J + pins. M has the lumped vertex areas of each connected part,
 // relative to the area of that part. For large ρ, A has a Cholesky factor if and only if H is positive on the null
-// space of J: a failed factorization is the test of the inertia. The method of multipliers (M. J. D. Powell, A method
-// for nonlinear constraints in minimization problems, 1969) needs two or three solves to reach the solution for ρ → ∞.
+// space of J, so the factorization also tests the inertia. The method of multipliers (M. J. D. Powell, A method for
+// nonlinear constraints in minimization problems, 1969) needs two or three solves with A to find the solution for
+// infinite ρ.
 //
-// All solves but the last need d only on the wires; finish() completes the back substitution once.
+// All solves except the last need d only on the wires; finish() then completes the back substitution.
 //
-// The length variations h of elastic parts are unknowns, too, with the springs ρ between J d and T h. They come last
-// and are not eliminated, because a quadratic program chooses them within their tolerances. With d eliminated, it has
-// the objective ½ h·S h − h·Tᵀλ, S = Tᵀ (ρ − ρ J A⁻¹ Jᵀ ρ) T, with λ those of h = 0. Back substitution starts from h.
+// The length variations h of elastic parts are unknowns, too; the springs ρ connect J d with T h. The h come last and
+// are not eliminated, because a quadratic program chooses them within their tolerances. With d eliminated, its
+// objective is ½ h·S h − h·Tᵀλ with S = Tᵀ (ρ − ρ J A⁻¹ Jᵀ ρ) T and the λ of h = 0. Back substitution starts from h.
 #pragma once
 
 #include <array>
@@ -28,21 +29,21 @@
 
 namespace wirewarp {
 
-/// Which parts of the curvature of f + λᵀc H contains.
+/// The parts of the curvature of f + λᵀc that H contains.
 struct Convexity {
   Curvature curvature;
-  bool keep_compression;  // the negative curvature of edges with λ < 0, which may buckle
+  bool keep_compression;  // also the negative curvature of edges under compression, λ < 0, which may buckle
 };
 
-/// Returns a symmetric matrix unchanged if it is well positive, and otherwise with the magnitudes of its eigenvalues,
-/// none below 1e-6 of the largest, so that the quadratic model has a minimum. A matrix of more than 200 rows gets a
-/// larger diagonal instead.
+/// Makes a symmetric matrix positive definite, so that the quadratic model has a minimum. Does not change a matrix that
+/// is well positive. Otherwise, replaces the eigenvalues by their magnitudes, at least 1e-6 of the largest, or
+/// increases the diagonal if the matrix has more than 200 rows.
 Eigen::MatrixXd make_positive(const Eigen::MatrixXd& symmetric);
 
 class NewtonSystem {
  public:
-  /// The objective and the constraints must outlive the system. positions: any layout that separates near vertices from
-  /// far ones, for the order of elimination. Throws Stopped.
+  /// The objective and the constraints must outlive the system. positions: any layout in which near vertices are near
+  /// each other; it determines the order of elimination. Throws Stopped.
   NewtonSystem(const Chart& chart, FairShapeError& objective, const LengthConstraints& constraints,
                const Positions2& positions, const StopToken& stop = {});
 
@@ -56,7 +57,7 @@ class NewtonSystem {
   bool factorize(const Positions2& uv, const Eigen::VectorXd& multipliers, const Convexity& convexity,
                  const StopToken& stop = {});
 
-  /// Returns H + 10⁻⁴ M + pins at uv for products with vectors: the lower triangle, without the unknowns h.
+  /// Returns the lower triangle of H + 10⁻⁴ M + pins at uv, without the unknowns h, for products with vectors.
   Eigen::SparseMatrix<double> hessian(const Positions2& uv, const Eigen::VectorXd& multipliers,
                                       const Convexity& convexity);
 
@@ -70,8 +71,8 @@ class NewtonSystem {
     Eigen::VectorXd r2;
   };
 
-  /// A solution factor of A d = r₁ + Jᵀ τ on the wires. d has x of each vertex, then its y. Off the wires, it has
-  /// intermediate values for finish(), which accepts sums of such d, too.
+  /// A solution of A d = r₁ + Jᵀ τ on the wires. d has x of each vertex, then its y. Off the wires, d has intermediate
+  /// values, from which finish() computes the solution; sums of several d work, too.
   struct Solution {
     Eigen::VectorXd d;
     Eigen::VectorXd tensions;     // τ
@@ -81,24 +82,24 @@ class NewtonSystem {
   /// r1: one row per chart vertex; r2: #edges.
   Reduced reduce(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
-  /// Returns d on the wires and λ to nine digits; J d is r₂ + T h.
+  /// Returns d on the wires and λ, with J d = r₂ + T h to nine digits. variation: h.
   Solution solve_on_wires(const Reduced& reduced, const Eigen::VectorXd& variation) const;
 
   /// The same for h = 0.
   Solution solve_on_wires(const Positions2& r1, const Eigen::VectorXd& r2) const;
 
-  /// Returns d everywhere and λ by one solve, to about five digits.
+  /// Returns d everywhere and λ to about five digits, by one solve.
   Solution solve_roughly(const Reduced& reduced, const Eigen::VectorXd& variation) const;
 
-  /// S of the last factorization, #elastic by #elastic: the stiffness of the springs ρ against changes of h if d
-  /// follows h. It is ∂(−Tᵀλ)/∂h to about five digits if ρ keeps the lengths.
+  /// Returns S of the last factorization, #elastic by #elastic: the stiffness against changes of h if d follows h. If ρ
+  /// keeps the lengths, S is ∂(−Tᵀλ)/∂h to about five digits.
   const Eigen::MatrixXd& stiffness_by_variation() const { return stiffness_h_; }
 
-  /// Returns the change of h within its tolerances that minimizes the quadratic model with d eliminated. pull: minus
-  /// the gradient by h, #elastic.
+  /// Returns the change of h within its tolerances that minimizes the quadratic model with d eliminated. pull: negative
+  /// gradient with respect to h, #elastic. variation: the current h.
   Eigen::VectorXd choose_variation_change(const Eigen::VectorXd& pull, const Eigen::VectorXd& variation) const;
 
-  /// Returns the least d in the metric H with J d = r2, on the wires, to the accuracy of one solve.
+  /// Returns, on the wires, the d with J d = r2 that is smallest in the metric H, to the accuracy of one solve.
   Eigen::VectorXd least_change(const Eigen::VectorXd& r2) const;
 
   /// Completes the back substitution. Returns d everywhere.
@@ -125,12 +126,12 @@ class NewtonSystem {
   FairShapeError& objective_;
   const LengthConstraints& constraints_;
   VertexMatrix matrix_;
-  std::vector<VertexPair> pinned_;  // per connected part, against rigid motions: the first cannot move, the second
-                                    // cannot turn about it
+  std::vector<VertexPair> pinned_;  // per connected part, against rigid motions: the first vertex cannot move, the
+                                    // second cannot turn about it
   std::vector<VertexMatrix::Block> edge_blocks_;
   std::vector<std::array<VertexMatrix::Block, 2>> elastic_blocks_;  // h with the ends a, b of each elastic edge
   Eigen::Index num_positions_;                                      // number of unknowns before h
-  Eigen::ArrayXd constant_;      // values of L + the Hessian of F + 10⁻⁴ M + the pins that do not depend on uv
+  Eigen::ArrayXd constant_;      // the matrix values that do not depend on uv: L + Hessian of F + 10⁻⁴ M + pins
   Eigen::VectorXd stiffness_;    // ρ
   Eigen::MatrixXd stiffness_h_;  // S
   Positions2 directions_;        // d̂

@@ -17,10 +17,10 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kOpening = 0.1;  // slope of an opened rim against the shut slit, far less than angles of triangles
-// A rim moves into a face by at most this share of the face's height, so that no face flips.
+constexpr double kOpening = 0.1;  // slope of an opened rim against the shut slit, far less than the angles of triangles
+// Largest share of a face's height by which a rim moves into the face, so that no face flips.
 constexpr double kOfHeight = 1.0 / 3;
-constexpr double kOverlapDepth = 1e-10;  // a tenth of what counts as overlap in the result, where pieces are rotated
+constexpr double kOverlapDepth = 1e-10;  // a tenth of the depth that counts as overlap in the result, after rotation
 
 /// Returns the distance along the rims to the nearest tip, for the vertex where each half-edge begins.
 std::vector<double> distances_from_tips(const Chart& chart, const Slit& slit) {
@@ -51,7 +51,7 @@ double height_beside(const Chart& chart, HalfedgeHandle rim, const Positions2& u
   return least;
 }
 
-/// Moves the rims of a slit apart, each into the chart, but not far enough to flip a face.
+/// Opens a slit: moves each rim into the chart, but not far enough to flip a face.
 void open_a_little(const Chart& chart, const Slit& slit, Positions2& uv) {
   const std::vector<double> distance = distances_from_tips(chart, slit);
   const std::size_t count = slit.rims.size();

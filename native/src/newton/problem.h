@@ -15,29 +15,28 @@
 
 namespace wirewarp {
 
-/// The goal of a refinement: the energy, the target lengths, the forbidden flips and overlaps, and how far it goes.
+/// The goal of a refinement: the energy, the target lengths, the required injectivity, and where to stop.
 struct Stage {
-  const Cloth* cloth = nullptr;                 // its energy is part of f; null: the shape error of Eq. (4)
-  const TargetLengths* lengths = nullptr;       // null: nominal lengths, and the layout is free to turn
-  Injectivity injectivity = Injectivity::none;  // required of all iterates, including the start
+  const Cloth* cloth = nullptr;                 // f contains its energy; null: the shape error of Eq. (4)
+  const TargetLengths* lengths = nullptr;       // null: nominal lengths and free rotation of the layout
+  Injectivity injectivity = Injectivity::none;  // of all iterates, including the start
   Target target = Target::minimum;
 };
 
-/// A chart and everything that its starts and stages derive from it, each computed once. Must be used in one thread
-/// only.
+/// A chart with the quantities that its starts and stages share, each computed once. Must be used in one thread only.
 class Problem {
  public:
   /// The chart must outlive the problem. fairness: Options::fairness.
   Problem(const Chart& chart, double fairness);
 
-  /// network: replaces the chart's own lengths and angles.
+  /// Makes a problem with other lengths and angles than those of the chart. network: these lengths and angles.
   Problem(const Chart& chart, HeldNetwork network, double fairness);
 
   const Chart& chart() const { return chart_; }
   const HeldNetwork& network() const { return network_; }
   double fairness() const { return fairness_; }
 
-  /// The area on the surface.
+  /// Returns the area on the surface.
   double area() const { return area_; }
 
   const std::vector<Slit>& slits();
@@ -45,8 +44,8 @@ class Problem {
   /// Returns the free ARAP flattening. Throws Stopped and FactorizationFailed.
   const Positions2& free_map(const StopToken& stop);
 
-  /// Return c and f of a stage. layout: one row per chart vertex; it gives the chart's size, and which parts of its
-  /// outline are near each other. It may be empty if the stage fixes no rotation and forbids no overlaps.
+  /// Return c and f of a stage. layout: one row per chart vertex, for the chart's size and to find which parts of its
+  /// outline are near each other; may be empty if the stage fixes no rotation and forbids no overlaps.
   LengthConstraints constraints(const Stage& stage, const Positions2& layout = {}) const;
   FairShapeError objective(const Stage& stage, const Positions2& layout = {}) const;
 

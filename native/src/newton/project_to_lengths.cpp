@@ -11,8 +11,8 @@ namespace wirewarp {
 namespace {
 
 constexpr int kMaxProjectSteps = 10;               // largest number of steps with one factor
-constexpr double kShortestProjectStep = 1.0 / 64;  // shorter steps do not make the lengths better
-constexpr double kSufficientProjectStep = 0.1;  // share of the predicted decrease of the strain that a step must reach
+constexpr double kShortestProjectStep = 1.0 / 64;  // shorter steps do not reduce the length errors
+constexpr double kSufficientProjectStep = 0.1;     // least decrease of the strain over its predicted decrease
 
 struct Projected {
   Positions2 uv;
@@ -20,9 +20,9 @@ struct Projected {
   Eigen::VectorXd residual;   // c
 };
 
-/// Takes Gauss-Newton steps on the strain of springs ρ along the edges. If several steps minimize it, takes the
-/// shortest one in the metric H. With d eliminated, a quadratic program in Δh remains, which keeps h + Δh within its
-/// tolerance.
+/// Reduces the strain of springs ρ along the edges by Gauss-Newton steps. If several steps minimize the linearized
+/// strain, takes the shortest one in the metric H. With d eliminated, a quadratic program in Δh remains, which keeps h
+/// + Δh within its tolerance.
 class Projection {
  public:
   Projection(const Problem& problem, const Positions2& uv, const StopToken& stop)
@@ -35,8 +35,8 @@ class Projection {
   const Positions2& uv() const { return now_.uv; }
   bool has(double largest_error) const { return constraints_.largest_error(now_.residual) <= largest_error; }
 
-  /// Takes one step, shortened until the strain falls, and then whole ones with the same factor as long as they halve
-  /// the strain. Returns false if no step lowers it.
+  /// Takes one step, shortened until the strain falls, and then whole steps with the same factor as long as these halve
+  /// the strain. Returns false if no step reduces it.
   bool get_nearer(const StopToken& stop) {
     const Eigen::VectorXd no_forces = Eigen::VectorXd::Zero(constraints_.size());
     const bool is_positive = system_.factorize(now_.uv, no_forces, {Curvature::none, false}, stop);
@@ -70,7 +70,7 @@ class Projection {
     return std::sqrt(iterate.residual.cwiseAbs2().dot(system_.stiffness()));
   }
 
-  /// Returns the end of a whole step.
+  /// Returns the iterate after a whole step.
   Projected moved() const {
     Eigen::VectorXd d = system_.least_change(-now_.residual);
     Eigen::VectorXd change = Eigen::VectorXd::Zero(constraints_.num_elastic());

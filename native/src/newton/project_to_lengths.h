@@ -10,9 +10,9 @@ namespace wirewarp {
 inline constexpr int kMaxProjectFactorizations = 30;  // for a start near exact lengths; most starts take fewer than 10
 
 /// Moves uv to exact lengths by Gauss-Newton steps on the lengths alone. Each step is the least change in the metric of
-/// the Laplacian, with any variations of the elastic parts within their tolerances. The metric matters if a flat shape
-/// has more degrees of freedom than fixed lengths, the variations if it has fewer. Returns false if no exact lengths
-/// are near; uv then has the smallest length errors that were found. Throws Stopped; the token is polled before each
+/// the Laplacian; elastic parts may vary within their tolerances. The metric matters if the flat shape has more degrees
+/// of freedom than fixed lengths, the tolerances matter if it has fewer. Returns false if exact lengths are not
+/// reached; uv then has the smallest length errors that were found. Throws Stopped; the token is polled before each
 /// factorization.
 bool project_to_lengths(const Problem& problem, Positions2& uv, const Control& control);
 

@@ -13,7 +13,7 @@
 namespace wirewarp {
 namespace {
 
-/// The starts in the order of trial; native/README.md says how often each was successful.
+/// The starts in the order in which they are tried; native/README.md says how often each is successful.
 constexpr std::initializer_list<Start> kStarts{Start::unfolded, Start::coarse, Start::free, Start::wires,
                                                Start::injective};
 
@@ -40,8 +40,8 @@ Solution try_starts(Problem& problem, Stage stage, bool is_large, const Control&
   return found;
 }
 
-/// Unfolds the chart if that takes no strain, which leaves its slits shut. Otherwise sews the slits and opens them. Not
-/// exact if neither works.
+/// Unfolds the chart, with shut slits, if that is possible without strain. Otherwise sews the slits and opens them. The
+/// solution is not exact if both fail.
 Solution refine_with_slits(Problem& problem, const Stage& stage, std::size_t large_chart, const Control& control) {
   if (const std::optional<Positions2> flat = unfold(problem.chart())) {
     Solution unfolded = evaluate(problem, stage, {*flat});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The refined method for one chart tries its starts, one after the other, until one has exact lengths. All of them
-// share one budget. It throws nothing: the status of the solution says how the search ended.
+// The refined method for one chart: tries one start after the other until one leads to exact lengths. All starts share
+// one budget. The functions throw nothing; the status of the solution says how the search ended.
 #pragma once
 
 #include "base/internal_options.h"
@@ -11,17 +11,17 @@
 
 namespace wirewarp {
 
-/// Finds the least distorted shape of a chart. Charts with slits start with these sewn (newton/open_slits.h). If the
-/// shape is flipped or overlaps itself, returns an injective one if options ask for it and one is found
-/// (newton/injective_shape.h). If no start leads to exact lengths, returns the last one that was tried. Its status is
-/// cancelled if the caller stopped, infeasible if any start was, and singular otherwise. The token is polled in the
-/// stages "start" and "shape".
+/// Finds the least distorted shape of a chart. The slits of a chart are sewn at first (newton/open_slits.h). If the
+/// shape is flipped or overlaps itself, and if the options say so, searches for an injective shape instead
+/// (newton/injective_shape.h). If no start leads to exact lengths, returns the last shape that was tried. Its status is
+/// cancelled if the caller stopped, infeasible if any start was infeasible, and singular otherwise. The token is polled
+/// in the stages "start" and "shape".
 Solution refine_chart(Problem& problem, const InternalOptions& options, const Control& control);
 
 /// The same for a chart, with a budget of options.max_factorizations.
 Solution refine_chart(const Chart& chart, const InternalOptions& options, const StopToken& stop = {});
 
-/// Tries all starts but a coarser chart. Slits are treated like any other outline.
+/// Tries all starts except a coarser chart. Slits count as ordinary parts of the outline.
 Solution refine_from_scratch(Problem& problem, const Control& control);
 
 }  // namespace wirewarp

@@ -17,8 +17,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kSpacing = kPi / 36;   // between the directions that are compared
-constexpr std::size_t kBestStarts = 3;  // most pieces have one valley of energy in a quarter turn
+constexpr double kSpacing = kPi / 36;   // angle between two compared directions
+constexpr std::size_t kBestStarts = 3;  // enough, because the energy of most pieces has one minimum in a quarter turn
 constexpr int kMaxTurns = 15;           // samples take 3 to 6
 constexpr double kShorter = 4;          // divisor of a turn that does not lower the energy, as in a line search
 
@@ -35,7 +35,7 @@ class ClothRefinement {
   ClothRefinement(Problem& problem, const InternalOptions& options, const Control& control)
       : problem_(problem), chart_(problem.chart()), options_(options), control_(control) {}
 
-  /// Returns none if no shape for the fabric is as injective as the upright one.
+  /// Returns nullopt if no shape for the fabric is found that is as injective as the upright one.
   std::optional<Solution> refine(const Solution& upright);
 
  private:
@@ -43,7 +43,7 @@ class ClothRefinement {
   struct Turn {
     Positions2 uv;
     double energy;     // f over the area
-    double curvature;  // second derivative of that by the angle
+    double curvature;  // second derivative of energy with respect to the angle
   };
 
   std::vector<Turn> best_turns(const Positions2& uv) const;
@@ -52,7 +52,8 @@ class ClothRefinement {
   Solution minimize_turning(const Shape& upright);
   double slope_of(const Shape& shape) const;
   void turn_up(Positions2& uv) const;
-  /// Whether a shape is as injective as the one without a fabric, which matters more than its energy.
+  /// Returns whether a shape is exact and as injective as the shape without a fabric. This matters more than its
+  /// energy.
   bool is_sound(const Solution& found) const { return found.is_exact() && found.injectivity >= injectivity_; }
   bool may_go_on() const { return !control_.stop.is_stopped() && control_.budget.allows(); }
 
@@ -64,7 +65,7 @@ class ClothRefinement {
   Injectivity injectivity_ = Injectivity::none;  // of the shape without a cloth
 };
 
-/// Keeps the direction of the start. If the piece overlaps itself and did not before, minimizes once more with a
+/// Minimizes with the direction of the start. If the piece overlaps itself and did not before, minimizes again with a
 /// barrier against overlaps.
 Solution ClothRefinement::minimize_in_direction(const Shape& start) {
   const TargetLengths lengths = lengths_in_direction_of(start.uv);
@@ -78,8 +79,8 @@ Solution ClothRefinement::minimize_in_direction(const Shape& start) {
   return held;
 }
 
-/// Returns the derivative of f over the area by the fixed angle: if n turns by dθ, n·d changes by |d| dθ, at the cost
-/// of its multiplier.
+/// Returns the derivative of f over the area with respect to the fixed angle. If n turns by dθ, then n·d changes by |d|
+/// dθ, and the multiplier is the derivative of f with respect to n·d.
 double ClothRefinement::slope_of(const Shape& shape) const {
   const double length = (shape.uv.row(pair_[1]) - shape.uv.row(pair_[0])).norm();
   return shape.multipliers[shape.multipliers.size() - 1] * length / problem_.area();
@@ -97,13 +98,13 @@ std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2&
     if (energy[k] > before || energy[k] >= after) continue;
     turns.push_back({turned(uv, k * kSpacing), energy[k], (before - 2 * energy[k] + after) / (kSpacing * kSpacing)});
   }
-  if (turns.empty()) turns.push_back({uv, energy[0], 0});  // all directions are alike
+  if (turns.empty()) turns.push_back({uv, energy[0], 0});  // all directions have the same energy
   std::stable_sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.energy < b.energy; });
   turns.resize(std::min(turns.size(), kBestStarts));
   return turns;
 }
 
-/// Takes Newton steps by the angle, from the best of the shapes with a few fixed directions.
+/// Minimizes for a few fixed directions, and takes Newton steps by the angle from the best of these shapes.
 Solution ClothRefinement::minimize_turning(const Shape& upright) {
   Solution best;
   double curvature = 0;
@@ -135,7 +136,7 @@ Solution ClothRefinement::minimize_turning(const Shape& upright) {
   return best;
 }
 
-/// Turns the layout by whole periods of its energy so that up is as near to +y as possible.
+/// Turns the layout by whole periods of its energy, so that its up direction is as near to +y as possible.
 void ClothRefinement::turn_up(Positions2& uv) const {
   Eigen::Vector2d up = upright_direction(chart_, uv, options_);
   if (period(*options_.cloth) < kPi && std::abs(up.x()) > std::abs(up.y())) {

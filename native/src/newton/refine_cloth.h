@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stage of a cloth. It starts from the least distorted shape without a cloth, which has exact lengths and no
-// flipped triangles, turned upright, and minimizes the energy of the cloth in place of E. No step flips a triangle,
-// because a cloth has no energy that would flip it back (energy/cloth_law.h).
+// The stage for a fabric. It starts from the least distorted shape without a fabric, which has exact lengths and no
+// flipped triangles, turns that upright, and minimizes the energy of the fabric in place of E. No step flips a
+// triangle, because the fabric's energy would not flip it back (energy/cloth_law.h).
 //
-// The energy of a cloth depends on how the piece is turned. One row n·(u_b − u_a) = 0 holds the direction between two
-// vertices (upright_pair()). Its multiplier is the slope of the energy by the angle. Under Orientation::best, Newton
-// steps by the angle lead to where the slope vanishes, from the best of 36 directions.
+// The energy of a fabric depends on the rotation of the piece. One constraint n·(u_b − u_a) = 0 fixes the direction
+// between two vertices (upright_pair()). Its multiplier is the derivative of the energy with respect to the angle. With
+// Orientation::best, Newton steps by the angle from the best of 36 directions make this derivative vanish.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,23 @@
 
 namespace wirewarp {
 
-/// Returns a row that keeps the direction between two vertices of a layout.
+/// Returns a constraint that keeps the direction between two vertices of a layout.
 inline GrainRow hold_direction(const VertexPair& pair, const Positions2& uv) {
   const Eigen::Vector2d chord = (uv.row(pair[1]) - uv.row(pair[0])).transpose().normalized();
   return {pair[0], pair[1], {chord.y(), -chord.x()}};
 }
 
-/// Returns a row that keeps the chart from turning.
+/// Returns a constraint that keeps the chart from rotating.
 GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& options);
 
 /// Turns an exact solution of refine_chart() upright, with x along the weft, and refines it for options.cloth unless it
-/// is flipped. The last one of its multipliers belongs to the row. Keeps the current shape if the caller stops, if the
-/// budget is spent, or if the fabric would flip a triangle or make the piece overlap itself. The fabric's stretch comes
-/// later (newton/solve/stretch_charts.h).
+/// is flipped. The last multiplier belongs to the constraint on the direction. Keeps the current shape if the caller
+/// stops, if the budget is spent, or if the piece would overlap itself. newton/solve/stretch_charts.h applies the
+/// fabric's stretch.
 void refine_cloth(Problem& problem, const InternalOptions& options, const Control& control, Solution& solution);
 
-/// Solves a chart from scratch, for the fabric if there is one. Returns an injective shape, or none.
+/// Solves a chart from scratch, for the fabric if there is one. Returns an injective shape, or nullopt if none is
+/// found.
 std::optional<Solution> refine_injective(const Chart& chart, const InternalOptions& options, const Control& control);
 
 }  // namespace wirewarp

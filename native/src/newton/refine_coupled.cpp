@@ -15,7 +15,7 @@
 namespace wirewarp {
 namespace {
 
-/// The lengths of all charts as those of the combined one.
+/// Returns the lengths of all charts as lengths of the combined chart; nullopt if the charts have nominal lengths.
 std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, const std::vector<CoupledChart>& charts) {
   if (!charts.front().lengths) return std::nullopt;
   TargetLengths all{{}, {}, charts.front().lengths->flat_share};
@@ -32,7 +32,7 @@ std::optional<TargetLengths> combine_lengths(const CombinedCharts& combined, con
   return all;
 }
 
-/// Combines the starts of all charts. Charts stay in place, because they have no entry of the matrix in common.
+/// Combines the starts of all charts. The charts may overlap, because they share no entry of the matrix.
 Shape combine_starts(const CombinedCharts& combined, const std::vector<CoupledChart>& charts, const Problem& whole,
                      const std::vector<Problem>& problems, std::size_t num_grains) {
   std::size_t next_row = whole.network().edges.size();
@@ -76,7 +76,8 @@ double projected_gradient(const Problem& problem, const Stage& stage, const Shap
   return largest;
 }
 
-/// If the start is too far from exact lengths for one step, tries the method of multipliers from there.
+/// Minimizes from a start. If one step does not reach exact lengths, tries the method of multipliers from the same
+/// start.
 Solution minimize_near(Problem& problem, const Stage& stage, const Shape& start, bool is_one, const Control& control) {
   const int spent_before = control.budget.spent();
   Solution found =

@@ -13,16 +13,16 @@ namespace {
 
 constexpr double kWeightOfExcess = 10;       // V over the square root of the area; far above the forces in wires
 constexpr double kWeightOfUnevenness = 100;  // W of wire parts over the square root of the area
-constexpr double kWeightOfBoundary = 1000;   // W of boundary edges; far above, so that outlines change last
-// Share of the tolerance that is used, so that h stays within it in spite of smoothing.
+constexpr double kWeightOfBoundary = 1000;   // W of boundary edges; much larger, so that outlines change last
+// Share of the tolerance that may be used, so that h stays within the tolerance in spite of smoothing.
 constexpr double kWithinTolerance = 0.99;
 constexpr double kSmoothing[] = {1e-2, 1e-3, 1e-4};  // values of σ; the last one separates strains of 1e-4 from 0
 constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // number of steps for each σ
 constexpr double kWorthwhile = 1e-5;                         // least predicted decrease over Φ
 constexpr double kShortestRelaxStep = 1e-3;                  // after ten halvings
 
-/// Makes all wire parts of several edges elastic, whatever their tolerance, because their edges share a variation. A
-/// part of one edge needs no variation of its own: its residual r is the variation.
+/// Makes all wire parts with several edges elastic, whatever their tolerance, because their edges share a variation. A
+/// part with one edge needs no variation, because its residual r is the variation.
 Chart with_variations(Chart chart) {
   for (WirePart& part : chart.wire_parts) {
     if (part.kind != WireKind::elastic && part.kind != WireKind::rigid) continue;
@@ -104,7 +104,7 @@ void RelaxedLengths::make_groups(const HeldNetwork& network) {
   }
 }
 
-/// Returns l r, one per edge; for single edges, the part beyond their tolerance.
+/// Returns l r, one per edge; for parts with one edge, only the change beyond the tolerance.
 Eigen::VectorXd RelaxedLengths::residual(const Iterate& iterate) const {
   const Eigen::VectorXd missing = constraints_.residual(iterate.uv, iterate.variation);
   return missing - missing.cwiseMax(-slack_).cwiseMin(slack_);
@@ -140,7 +140,7 @@ double RelaxedLengths::value(const Iterate& iterate, double smoothing) const {
 }
 
 /// Returns the step to the minimum of the linearized problem, which consists of f and springs. The current weights
-/// define their stiffness: ρ for edges, κ for variations. With d eliminated, a dense system in Δh remains.
+/// define the stiffness of the springs: ρ for edges, κ for variations. With d eliminated, a dense system in Δh remains.
 RelaxedLengths::Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
   Positions2 gradient;
   objective_.value_and_gradient(now_.uv, gradient);
@@ -181,7 +181,7 @@ RelaxedLengths::Step RelaxedLengths::step(double smoothing, const StopToken& sto
   return step;
 }
 
-/// Returns false if the budget was spent before.
+/// Minimizes Φ for one σ. Returns false if the budget was spent before the minimum.
 bool RelaxedLengths::minimize(double smoothing, const Control& control) {
   double now = value(now_, smoothing);
   for (int i = 0; i < kMaxRelaxSteps; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds which lengths have to change if they contradict one another, by giving every change of a length a cost:
+// Finds which lengths have to change if they contradict one another: every change of a length has a cost.
 //
 //   Φ(u, h) = f(u) + Σ_g W_g L_g (√(m_g + σ²) − σ) + Σ_w V L_w (√(x_w² + σ²) − σ)
 //
@@ -8,10 +8,10 @@
 //   m_g                           mean of r² over a group g of length L_g: a wire part, or an edge of the boundary
 //   x_w = |h_w| − ε_w or 0        how far a wire part goes beyond its tolerance
 //
-// For small σ these are sums of magnitudes, which break a few lengths and keep most (the group lasso: M. Yuan, Y. Lin,
-// Journal of the Royal Statistical Society B 68 (2006), 49-67). A tolerance makes x zero, only a free wire makes m
-// zero, and boundary edges change last: V << W of parts << W of the boundary. The method is reweighted least squares:
-// for given weights every term is a spring, and the Newton system already contains springs.
+// For small σ these are sums of magnitudes, so that few lengths change and most are kept (the group lasso: M. Yuan, Y.
+// Lin, Journal of the Royal Statistical Society B 68 (2006), 49-67). A larger tolerance reduces x, only a free wire
+// makes m zero, and boundary edges change last: V << W of parts << W of the boundary. The method is reweighted least
+// squares: for given weights, every term is a spring, and the Newton system already contains springs.
 #pragma once
 
 #include "newton/control.h"
@@ -20,7 +20,7 @@
 
 namespace wirewarp {
 
-inline constexpr int kMaxRelaxFactorizations = 60;  // limit of a run
+inline constexpr int kMaxRelaxFactorizations = 60;  // at most, for one minimization
 
 struct RelaxedShape {
   Positions2 uv;                        // one row per chart vertex, scene units

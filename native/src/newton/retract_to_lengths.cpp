@@ -10,10 +10,10 @@ namespace {
 
 constexpr int kOrdinarySteps = 5;  // the token is polled once per this many steps
 constexpr int kMaxSteps = 60;      // with 30, some nets stop at errors of 1e-11
-constexpr int kRemembered = 5;     // previous steps; nets of 128 wires take a tenth longer with 3, as long with 8
-constexpr double kMostLeft = 0.9;  // largest share of the error left by a step; 0.45 takes 5% more factorizations
+constexpr int kRemembered = 5;     // number of previous steps; nets of 128 wires take 10% longer with 3, as long with 8
+constexpr double kMostLeft = 0.9;  // largest share of the error left by a step; with 0.45, 5% more factorizations
 
-/// Anderson's acceleration: the combination of previous steps that minimizes the linearly extrapolated error.
+/// Anderson acceleration: finds the combination of previous steps that minimizes the linearly extrapolated error.
 class StepsBefore {
  public:
   bool is_empty() const { return size_ == 0; }
@@ -25,7 +25,7 @@ class StepsBefore {
     next_ = (next_ + 1) % kRemembered;
   }
 
-  /// Moves along that combination, and changes the residual as if it were linear.
+  /// Moves along this combination, and changes the residual as if it were linear.
   void extrapolate(Eigen::VectorXd& moved, Eigen::VectorXd& residual) const {
     if (is_empty()) return;
     Eigen::MatrixXd changes(residual.size(), size_);
@@ -44,7 +44,7 @@ class StepsBefore {
 
 bool retract_to_lengths(const LengthConstraints& constraints, const NewtonSystem& system,
                         const Eigen::VectorXd& variation, Positions2& uv, const StopToken& stop) {
-  Eigen::VectorXd moved = Eigen::VectorXd::Zero(system.num_unknowns());  // on the wires, which are enough for the steps
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(system.num_unknowns());  // on the wires only
   Eigen::VectorXd residual = constraints.residual(uv, variation);
   double error = constraints.largest_error(residual);
   StepsBefore before;
@@ -58,7 +58,7 @@ bool retract_to_lengths(const LengthConstraints& constraints, const NewtonSystem
     const double trial_error = constraints.largest_error(trial_residual);
     if (!(trial_error < kMostLeft * error)) {
       if (before.is_empty()) break;
-      before = {};  // extrapolated too far: a plain step may still get nearer
+      before = {};  // the extrapolation went too far; a plain step may still reduce the error
       continue;
     }
     before.add(trial - moved, trial_residual - residual);

@@ -18,7 +18,7 @@ SewnProblem::SewnProblem(const Problem& open, const Stage& stage, SewnChart sewn
     const HalfedgeHandle there =
         mesh.find_halfedge(sewn_end(open_mesh.from_vertex_handle(h)), sewn_end(open_mesh.to_vertex_handle(h)));
     const int sewn_edge = there.is_valid() ? network.wire_edge_of_edge[mesh.edge_handle(there).idx()] : -1;
-    if (sewn_edge < 0) throw std::logic_error("an edge of a wire is not one any more once slits are sewn");
+    if (sewn_edge < 0) throw std::logic_error("an edge of a wire lost its wire when slits were sewn");
     row_.push_back(sewn_edge);
   }
   num_rows_ = static_cast<int>(network.edges.size());

@@ -14,7 +14,7 @@ namespace wirewarp {
 /// A problem and a stage with some slits sewn, and conversions between the open and the sewn problem.
 class SewnProblem {
  public:
-  /// The open problem and what its stage points to must outlive this one.
+  /// Must not outlive the open problem or the objects to which its stage points.
   SewnProblem(const Problem& open, const Stage& stage, SewnChart sewn);
   SewnProblem(const SewnProblem&) = delete;  // the problem refers to the chart
   SewnProblem& operator=(const SewnProblem&) = delete;
@@ -22,7 +22,8 @@ class SewnProblem {
   Problem& problem() { return problem_; }
   Stage stage() const { return {stage_.cloth, lengths_ ? &*lengths_ : nullptr, stage_.injectivity, stage_.target}; }
 
-  /// Converts a shape to the sewn problem. A sewn edge has the sum of both forces.
+  /// Converts a shape to the sewn problem. The multiplier of a sewn edge is the sum of the multipliers of its two
+  /// sides.
   Shape to_sewn(const Shape& open) const;
 
   Shape to_open(const Shape& sewn) const;

@@ -11,7 +11,7 @@
 namespace wirewarp {
 namespace {
 
-// Gap between the rims of a shut slit over its length, at most. Exact lengths leave a millionth of that.
+// Largest gap between the rims of a shut slit, over its length. With exact lengths, the gap is a millionth of this.
 constexpr double kShut = 1e-7;
 
 bool is_shut(const Chart& chart, const Slit& slit, const Positions2& uv) {

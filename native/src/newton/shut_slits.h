@@ -7,8 +7,8 @@
 
 namespace wirewarp {
 
-/// Minimizes like minimize(), with those slits sewn that are shut at the start, because shapes with rims on one another
-/// are not smooth points (newton/open_slits.h).
+/// Calls minimize() with all slits sewn that are shut at the start, because the set of shapes with exact lengths is not
+/// smooth where a slit is shut (newton/open_slits.h).
 Solution minimize_with_shut_slits(Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
 }  // namespace wirewarp

@@ -12,17 +12,17 @@ namespace wirewarp {
 /// A flat shape of a chart, or the start of a solver.
 struct Shape {
   Positions2 uv;                     // one row per chart vertex, scene units
-  Eigen::VectorXd variation = {};    // h, one per wire part of the chart; computed for free ones; empty: unknown
+  Eigen::VectorXd variation = {};    // h, one per wire part of the chart; for free parts it is a result; empty: unknown
   Eigen::VectorXd multipliers = {};  // λ, one per row of the length constraints, near the minimum; empty: unknown
 };
 
 /// How an attempt at a flat shape with exact lengths ended.
 enum class SolutionStatus {
-  infeasible,  // no exact lengths from this start, or the budget was spent before that
+  infeasible,  // lengths did not become exact from this start, or not before the budget was spent
   singular,    // a matrix had no factor in double precision before lengths were exact
   cancelled,   // the caller stopped before lengths were exact
   stalled,     // exact lengths; another step could reduce f
-  converged,   // exact lengths; another step is predicted to gain less than 1e-9 of f, or less than rounding errors
+  converged,   // exact lengths; another step would reduce f by less than 1e-9 of f, or by less than rounding errors
 };
 
 inline constexpr double kNoGradient = std::numeric_limits<double>::quiet_NaN();  // PieceReport::projected_gradient
@@ -32,11 +32,11 @@ struct Solution {
   Shape shape;
   SolutionStatus status = SolutionStatus::infeasible;
   std::optional<Injectivity> injectivity;  // empty until computed
-  const char* start = "";   // name of the start that led to exact lengths (newton/starts.h); "": none did
+  const char* start = "";   // name of the start that led to exact lengths (newton/starts.h); empty: no start did
   double objective = 0;     // f over the 3D area
   double length_error = 0;  // LengthConstraints::largest_error
-  int iterations = 0;       // of Newton's method from its start
-  int factorizations = 0;   // of these iterations; a Budget counts those of all starts
+  int iterations = 0;       // Newton iterations from this start
+  int factorizations = 0;   // in these iterations; a Budget counts the factorizations of all starts
 
   /// Whether the shape is flat and can be cut.
   bool is_exact() const { return status >= SolutionStatus::stalled; }

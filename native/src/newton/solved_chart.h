@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// A chart's planar shape, and how it was found.
+/// The flat shape of a chart, or the error that explains why there is none.
 struct SolvedChart {
   std::optional<WireNetwork> network;  // set if uv is
   Positions2 uv;  // one row per chart vertex, then one per vertex of helper wires; scene units; empty: no layout

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "newton/starts.h"
 
-#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -39,8 +38,19 @@ std::optional<Shape> wires_alone(Problem& problem, const Control& control) {
 }  // namespace
 
 const char* name_of(Start start) {
-  constexpr std::array<const char*, 5> names{"unfolded", "coarse", "free", "wires", kInjectiveStart};
-  return names.at(static_cast<std::size_t>(start));
+  switch (start) {
+    case Start::unfolded:
+      return "unfolded";
+    case Start::coarse:
+      return "coarse";
+    case Start::free:
+      return "free";
+    case Start::wires:
+      return "wires";
+    case Start::injective:
+      return kInjectiveStart;
+  }
+  throw std::logic_error("not a Start");
 }
 
 std::optional<Shape> make_start(Start start, Problem& problem, const Control& control) {

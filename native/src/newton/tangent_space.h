@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changes of shape that keep the lengths to first order: (d, Δh) with J d = T Δh, for the elastic parts that are not at
-// a bound. A vector of the space has x and y of every vertex, then Δh of these free parts.
+// The changes of shape (d, Δh) that keep the lengths to first order: J d = T Δh, where h changes only on elastic parts
+// that are not at a bound. A vector of this space has x and y of every vertex, then Δh of these parts.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -12,14 +12,14 @@ namespace wirewarp {
 
 class TangentSpace {
  public:
-  /// system: factored, with a convex H = G. The system and the constraints must outlive the space, unchanged. free:
-  /// elastic parts of the constraints. Throws FactorizationFailed.
+  /// system: factored, with a convex H = G. The system and the constraints must outlive the space and must not change.
+  /// free: elastic parts that are not at a bound. Throws FactorizationFailed.
   TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free);
 
   const std::vector<int>& free() const { return free_; }
 
-  /// Returns the (d, Δh) of the space whose image under G equals the force r on the space. Removes from r the
-  /// components normal to the space.
+  /// Returns the (d, Δh) of the space with G (d, Δh) = r on the space. Removes from the force r its components normal
+  /// to the space.
   Eigen::VectorXd solve(Eigen::VectorXd& force) const;
 
   /// Returns a force that acts on the vertices alone as a vector of the space.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The step of minimize() if the exact Hessian is not positive: minimizes the quadratic model of f + λᵀc within a radius
-// (newton/lanczos_trust_region.h). The radius carries over from step to step.
+// (newton/lanczos_trust_region.h). Each step begins with the radius of the one before.
 #pragma once
 
 #include <functional>
@@ -13,11 +13,11 @@ namespace wirewarp {
 
 class TrustRegion {
  public:
-  /// Takes a step that decreases f from exact lengths to exact lengths. Converged if the gradient vanishes and no
-  /// direction leads down from a saddle.
+  /// Takes a step that decreases f from exact lengths to exact lengths. Returns converged if the gradient vanishes and
+  /// f has no negative curvature worth following.
   StepOutcome take_step(NewtonState& state);
 
-  /// Returns whether the last step was shorter than the radius: the exact Hessian may be positive at its end.
+  /// Returns whether the last step was shorter than the radius. Then the exact Hessian may be positive after the step.
   bool was_inside() const { return was_inside_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unfolds charts that are flat without strain: sheets, cylinders, cones, and others folded from one plane.
+// Unfolds developable charts, which become flat without strain: sheets, cylinders, cones, folded sheets.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,9 @@
 
 namespace wirewarp {
 
-/// Returns the layout in which every triangle keeps its shape, one row per chart vertex, scene units. None if the
-/// triangles do not fit together within mean strains of 1e-4. Each triangle is laid beside one that has its place,
-/// across the longest edge available, because the rounding error of an edge grows with the size of the faces beyond it
-/// over its length.
+/// Returns the layout in which every triangle keeps its shape, one row per chart vertex, scene units. Returns nullopt
+/// if the triangles do not fit together within mean strains of 1e-4. Each triangle is placed beside a neighbor, across
+/// the longest edge available, because rounding errors at a short edge move the faces beyond it most.
 std::optional<Positions2> unfold(const Chart& chart);
 
 }  // namespace wirewarp

@@ -13,7 +13,7 @@
 
 namespace wirewarp {
 
-/// Solutions of charts that were solved together, usually of one chart, and the names that their errors use.
+/// The solutions of a coupled group, usually of one chart, and the names that their errors use.
 struct CachedGroup {
   std::vector<SolvedChart> solved;
   std::string name_key;
@@ -23,21 +23,20 @@ struct CachedCharts {
   std::map<std::string, std::shared_ptr<const CachedGroup>> by_key;  // solution_key()
 };
 
-/// The charts of one run of flatten(), which are looked up in its cache and collected for it. May be used in any
+/// Looks up the charts of one run of flatten() in a cache, and collects them for the next run. May be used in any
 /// thread.
 class CacheSession {
  public:
-  /// cache: null to look nothing up and keep nothing.
+  /// cache: null if the run has no cache.
   CacheSession(Cache* cache, const FlattenInput& input, const Options& options);
 
-  /// Returns the solutions of sound charts that are solved together, if the last run had them, and keeps them for the
-  /// next one.
+  /// Returns the solutions of a coupled group without errors if the cache has them, and keeps them for the next run.
   std::optional<std::vector<SolvedChart>> known(const std::vector<const Chart*>& group);
 
-  /// Keeps solutions for the next run, unless one of them was canceled.
+  /// Keeps the solutions of a group for the next run, unless a solution was canceled.
   void keep(const std::vector<const Chart*>& group, const std::vector<const SolvedChart*>& solved);
 
-  /// Replaces the contents of the cache by all charts of this run.
+  /// Replaces the contents of the cache by the charts of this run.
   void finish();
 
   int num_reused() const { return num_reused_; }

@@ -19,14 +19,14 @@ class KeyWriter {
     key_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
 
-  /// Writes the length first, so that consecutive lists cannot be confused.
+  /// Writes the number of items first, so that different lists in a row have different bytes.
   template <class List, class Write>
   void write_list(const List& list, const Write& write_item) {
     write(list.size());
     for (const auto& item : list) write_item(item);
   }
 
-  /// The same for numbers, in one block, because the numbers of a mesh are most of a key.
+  /// Writes a list of numbers in one block, because most of a key are the numbers of a mesh.
   template <class Number>
   void write_numbers(const std::vector<Number>& numbers) {
     static_assert(std::is_arithmetic_v<Number>, "other types may have padding between bytes");
@@ -63,8 +63,8 @@ void write_mesh(const HalfEdgeMesh& mesh, KeyWriter& key) {
   key.write_numbers(numbers);
 }
 
-/// The solution for a fabric depends on the chart's direction. The kept solution is the one before the fabric's
-/// stretch.
+/// Writes the fabric and what determines its direction on the chart, but not its stretch: the cache keeps solutions
+/// from before the stretch.
 void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
   key.write(options.cloth.has_value());
   if (!options.cloth) return;
@@ -78,7 +78,7 @@ void write_cloth(const Chart& chart, const Options& options, KeyWriter& key) {
   for (const WirePart& part : chart.wire_parts) key.write(part.wire_index == options.grain);
 }
 
-/// Numbers the sections along elastic seams, whose sides share one length.
+/// Numbers the sections of elastic seams. The sides of a section share one length and one number.
 class SharedLengths {
  public:
   int number_of(const WirePart& part) {

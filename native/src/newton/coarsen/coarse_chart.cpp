@@ -35,7 +35,7 @@ class Coarsening {
   std::vector<int> fine_nodes_;  // node at which each half-edge of the fine network arrives
 };
 
-/// Returns the half-edges between the remaining vertices of a chain.
+/// Returns the coarse half-edges between the vertices of a fine chain that stay.
 HalfEdgeChain Coarsening::coarse_chain(const HalfEdgeChain& chain, bool is_closed) const {
   std::vector<VertexHandle> left;
   const auto add = [&](VertexHandle v) {
@@ -53,7 +53,7 @@ HalfEdgeChain Coarsening::coarse_chain(const HalfEdgeChain& chain, bool is_close
 void Coarsening::build_chart() {
   coarse_.chart.mesh = std::move(decimated_.mesh);
   for (const int v : decimated_.fine_vertex) coarse_.chart.source_vertex.push_back(fine_.source_vertex[v]);
-  // Its own faces, because the coarse chart is not a part of an input.
+  // The coarse chart is not a part of an input, so its source faces are its own.
   coarse_.chart.source_face.resize(coarse_.chart.mesh.n_faces());
   std::iota(coarse_.chart.source_face.begin(), coarse_.chart.source_face.end(), 0);
   for (const WirePart& part : fine_.wire_parts) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chart and its wires with fewer vertices: the same refinement problem, coarser.
+// A coarse copy of a chart and its wires: the same problem with fewer vertices.
 #pragma once
 
 #include <functional>
@@ -13,12 +13,12 @@ namespace wirewarp {
 /// The position of a fine wire edge on a coarse one.
 struct CoarseWirePlace {
   int edge = -1;
-  /// Fractions of the coarse edge's length, in the direction of halfedge_handle(edge, 0) of the fine edge.
+  /// Fractions of the coarse edge's length where the fine edge begins and ends, along its halfedge_handle(edge, 0).
   double from = 0, to = 0;
 };
 
 struct CoarseChart {
-  Chart chart;                               // super-elastic wires left out; no source faces or boundary chains
+  Chart chart;                               // without super-elastic wires, source faces and boundary chains
   HeldNetwork network;                       // lengths and surface angles from the runs
   std::vector<WireRun> runs;                 // per coarse wire edge, along its halfedge_handle(edge, 0)
   std::vector<CoarsePlace> places;           // per fine vertex
@@ -28,11 +28,11 @@ struct CoarseChart {
 /// Returns the edge length of equilateral triangles with the mesh's number of faces and area, in scene units.
 double typical_edge_length(const HalfEdgeMesh& mesh);
 
-/// Returns false if a slit of one edge has two sides between the same two vertices: coarsening identifies an edge by
-/// its ends.
+/// Returns false if the two sides of a slit of one edge connect the same vertices, because coarsening identifies an
+/// edge by its ends.
 bool can_coarsen(const Chart& chart);
 
-/// Coarsens a chart to about the given edge length, scene units. Throws Stopped.
+/// Coarsens a chart to about the given edge length in scene units. Throws Stopped.
 CoarseChart coarsen(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -12,20 +12,21 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kLongestEdge = 2;      // length of a new edge over the target length
-constexpr double kWorstQuality = 0.25;  // quality of a new face: 1 is equilateral, 0 has no area
-// A choice counts as better only by more than this factor, so that rotating or scaling the mesh does not change it.
+constexpr double kLongestEdge = 2;      // longest new edge over the target length
+constexpr double kWorstQuality = 0.25;  // least quality of a new face: an equilateral face has 1, a face without area 0
+// A choice counts as better only if it is better by this factor, so that the choice does not change if the mesh is
+// rotated or scaled.
 constexpr double kClearly = 1 + 1e-9;
-constexpr double kSharpestTurn = kPi / 4;  // turn of a wire; sharper corners are not removed
-constexpr double kWorthwhile = 0.02;       // share of the vertices that a round must remove
+constexpr double kSharpestTurn = kPi / 4;  // corners of wires that turn more are not removed
+constexpr double kWorthwhile = 0.02;       // a round that removes a smaller share of the vertices is the last one
 
 /// The faces on one side of a vertex, laid out in the plane with the vertex at the origin: all around it, or from one
 /// wire edge to the next. Face i is between spokes i and i + 1.
 struct Fan {
-  std::vector<VertexHandle> rim;  // counter-clockwise; if closed, the first is repeated
+  std::vector<VertexHandle> rim;  // counter-clockwise; if the rim is closed, its first vertex is also its last
   std::vector<FaceHandle> faces;
   std::vector<Eigen::Vector2d> positions;  // positions of the rim in the plane
-  double angle = 0;                        // on the surface
+  double angle = 0;                        // at the vertex, on the surface
 };
 
 class Decimation {
@@ -38,7 +39,7 @@ class Decimation {
   /// The neighbors of a wire vertex along its wire; both -1 for other vertices.
   using WireNeighbors = std::array<int, 2>;
   struct Place {
-    int next = -1;  // removed vertex in the same face
+    int next = -1;  // next removed vertex in the same face
     double weights[3] = {0, 0, 0};
   };
 
@@ -111,8 +112,8 @@ Decimation::Decimation(const Chart& chart, const HeldNetwork& network, double ed
   }
 }
 
-/// Fills the fan with the faces around a vertex, counter-clockwise from the half-edge `first`, which leaves the vertex,
-/// to its neighbor `last`. turn: the angle of the fan in the plane.
+/// Fills the fan with the faces around the vertex where the half-edge `first` begins, counter-clockwise from `first` to
+/// the neighbor `last`. turn: the angle of the fan in the plane.
 void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, Fan& fan) const {
   fan.rim.clear();
   fan.faces.clear();
@@ -122,7 +123,7 @@ void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, F
   HalfedgeHandle h = first;
   auto spoke = mesh_.point(mesh_.to_vertex_handle(h)) - origin;
   fan.rim.push_back(mesh_.to_vertex_handle(h));
-  fan.positions.push_back({spoke.norm(), 0});  // has length and angle until the total angle is known
+  fan.positions.push_back({spoke.norm(), 0});  // polar coordinates until the total angle is known
   do {
     fan.faces.push_back(mesh_.face_handle(h));
     h = next_counterclockwise(mesh_, h);
@@ -138,7 +139,7 @@ void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, F
   }
 }
 
-/// Returns false if the wire turns too sharply at the vertex to remove it.
+/// Lays out the faces around a vertex. Returns false if the wire turns too sharply there to remove the vertex.
 bool Decimation::lay_out_fans(VertexHandle v) {
   num_fans_ = 0;
   if (is_free(v.idx())) {
@@ -157,8 +158,9 @@ bool Decimation::lay_out_fans(VertexHandle v) {
   return true;
 }
 
-/// Returns the least quality, 4√3 · area over the sum of squared sides, of the faces of the fan after its vertex moves
-/// to rim[apex]; 0 if one is flipped, has a side that is too long, or has too low a quality.
+/// Returns the least quality of the faces of the fan after its vertex moves to rim[apex]. The quality is 4√3 · area
+/// over the sum of squared sides. Returns 0 if a face is flipped, has a side that is too long, or has a quality below
+/// `least`.
 double Decimation::worst_quality(const Fan& fan, std::size_t apex, double least) const {
   double worst = 1;
   const auto& a = fan.positions[apex];
@@ -186,7 +188,7 @@ double Decimation::worst_quality_towards(VertexHandle w, double least) const {
   return worst;
 }
 
-/// Returns the edge to collapse, invalid if none is good.
+/// Returns the best edge to collapse, invalid if every choice is bad.
 HalfedgeHandle Decimation::choose_collapse(VertexHandle v) {
   VertexHandle best;
   double best_quality = kWorstQuality;
@@ -206,7 +208,7 @@ HalfedgeHandle Decimation::choose_collapse(VertexHandle v) {
   return mesh_.is_collapse_ok(h) ? h : HalfedgeHandle();
 }
 
-/// Moves the removed vertices of a fan, and a free vertex v itself, into the faces that the fan has once v is at w.
+/// Moves the removed vertices of a fan, and v itself if it is on no wire, into the faces of the fan after v moved to w.
 void Decimation::move_points(const Fan& fan, VertexHandle v, VertexHandle w) {
   moved_.clear();
   moved_to_.clear();

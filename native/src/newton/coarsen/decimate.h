@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Removes vertices from the mesh of a chart until its edges have about a target length.
 //
-// Collapsing one of its edges removes a vertex. Before that, the faces around it are laid into the plane by the map z^a
-// (A. W. F. Lee, W. Sweldens, P. Schröder, L. Cowsar, D. Dobkin, MAPS: multiresolution adaptive parameterization of
-// surfaces, SIGGRAPH 1998): it keeps distances from the vertex and scales its angles to a full turn, or on a wire to
-// half a turn on each side. There the new faces are checked, and vertices removed before get their places in them. A
-// vertex on a wire or boundary moves only along that line, and stays where such lines meet, end or turn sharply.
+// To remove a vertex, one of its edges is collapsed. Before that, the faces around the vertex are laid into the plane
+// by the map z^a (A. W. F. Lee, W. Sweldens, P. Schröder, L. Cowsar, D. Dobkin, MAPS: multiresolution adaptive
+// parameterization of surfaces, SIGGRAPH 1998). The map keeps distances from the vertex and scales the angles there to
+// a full turn, or on a wire to half a turn on each side. In the plane, the new faces are checked, and previously
+// removed vertices get their places in the new faces. A vertex on a wire or on the boundary moves only along that line,
+// and stays where such lines meet, end or turn sharply.
 #pragma once
 
 #include <vector>
@@ -19,7 +20,7 @@ namespace wirewarp {
 /// The position of a fine vertex in the coarse mesh: the sum of weights · vertices.
 struct CoarsePlace {
   int vertices[3];
-  double weights[3];  // sum 1; for a vertex that was not removed: 1, 0, 0
+  double weights[3];  // their sum is 1; for a vertex that was not removed: 1, 0, 0
 };
 
 struct DecimatedMesh {
@@ -29,8 +30,8 @@ struct DecimatedMesh {
   std::vector<CoarsePlace> places;  // for each vertex of the chart; not set for removed vertices on wires
 };
 
-/// network: the lines on which wire vertices stay. edge_length: the target, scene units; no new edge is longer than
-/// twice that. Throws Stopped; the token is polled before each round over all vertices.
+/// Removes vertices. network: the lines on which wire vertices stay. edge_length: the target in scene units; no new
+/// edge is longer than twice the target. Throws Stopped; the token is polled before each round over all vertices.
 DecimatedMesh decimate(const Chart& chart, const HeldNetwork& network, double edge_length, const StopToken& stop = {});
 
 }  // namespace wirewarp

@@ -17,7 +17,7 @@ Eigen::Vector3d point(const HalfEdgeMesh& mesh, int v) {
   return {p[0], p[1], p[2]};
 }
 
-/// Returns J around each vertex: the mean over its faces, weighted by area.
+/// Returns J at each vertex: the mean over its faces, weighted by area.
 std::vector<Derivative> vertex_derivatives(const HalfEdgeMesh& mesh, const Positions2& uv) {
   std::vector<Derivative> sum(mesh.n_vertices(), Derivative::Zero());
   std::vector<double> area(mesh.n_vertices(), 0);

@@ -7,19 +7,22 @@
 
 namespace wirewarp {
 
-/// Returns the positions of all vertices, one row each, from those of the coarse ones: a vertex p = Σ bᵢ pᵢ goes to
+/// Returns the positions of all vertices, one row each, from the positions of the coarse vertices: a vertex p = Σ bᵢ pᵢ
+/// goes to
 ///
 ///   u(p) = Σ bᵢ [uᵢ + ½ Jᵢ (p − pᵢ)] + ½ (Σ bᵢ Jᵢ) (p − Σ bᵢ pᵢ)
 ///
-/// with Jᵢ the mean derivative around coarse vertex i. This is exact for affine maps, and for quadratic ones if Jᵢ is.
+/// with Jᵢ the mean derivative around coarse vertex i. This is exact for affine maps, and for quadratic maps if Jᵢ is
+/// exact.
 Positions2 interpolate(const Chart& chart, const CoarseChart& coarse, const Positions2& coarse_uv);
 
-/// The same, with the wires placed by their runs (prolong_wires.h) and no sliver flipped (unfold_slivers.h).
+/// Interpolates the positions, then places the wires by their runs (prolong_wires.h) and unfolds slivers
+/// (unfold_slivers.h).
 Positions2 prolong_positions(const Chart& chart, const HeldNetwork& network, const CoarseChart& coarse,
                              const Positions2& coarse_uv);
 
-/// Returns λ of each fine wire edge, which is that of its coarse edge: λ is a force along the wire, whatever the edge
-/// length.
+/// Returns λ of each fine wire edge: the λ of its coarse edge, because λ is a force along the wire, independent of edge
+/// lengths.
 Eigen::VectorXd prolong_multipliers(const CoarseChart& coarse, const Eigen::VectorXd& coarse_multipliers);
 
 }  // namespace wirewarp

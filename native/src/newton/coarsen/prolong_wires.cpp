@@ -11,13 +11,13 @@
 namespace wirewarp {
 namespace {
 
-/// The directions of runs that meet at a coarse wire vertex, compared with the surface.
+/// Compares the angles between runs that meet at a coarse wire vertex with the angles on the surface.
 class WireTurns {
  public:
   WireTurns(const CoarseChart& coarse, const Positions2& uv);
 
-  /// Returns by how much the first and the last end of a run turn against its chord, so that all runs around a vertex
-  /// turn alike.
+  /// Returns the angles by which the first and the last end of a run turn against its chord, so that all runs around a
+  /// vertex turn equally.
   const std::array<double, 2>& at_ends(int run) const { return turns_[run]; }
 
  private:
@@ -54,9 +54,9 @@ WireTurns::WireTurns(const CoarseChart& coarse, const Positions2& uv)
   }
 }
 
-/// Sets the turns of the runs around the vertex at which the first one arrives: each run turns by the mean rotation of
-/// all runs against the surface, minus its own rotation. A difference of the angle sum around an inner vertex is shared
-/// evenly.
+/// Sets the turns of the runs around the vertex at which `first` arrives: each run turns by the mean rotation of all
+/// runs against the surface, minus its own rotation. Around an inner vertex, all angles share a difference of the angle
+/// sums equally.
 void WireTurns::turn_around(WireHalfEdge first) {
   std::vector<WireHalfEdge> runs;
   std::vector<double> rotations{0};

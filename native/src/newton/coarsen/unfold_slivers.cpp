@@ -10,8 +10,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kThin = 0.3;    // determinant of a sliver's map; triangles of a good start have 0.7 to 1.3
-constexpr double kStill = 0.01;  // shortest move that counts, over the mean edge; a third of it saves no Newton step
+constexpr double kThin = 0.3;    // largest determinant of a sliver's map; triangles of a good start have 0.7 to 1.3
+constexpr double kStill = 0.01;  // shortest move that counts, over the mean edge; a third of this saves no Newton step
 constexpr int kMaxSweeps = 100;  // sweeps over the moving vertices; 10 to 30 are usual
 
 class Slivers {
@@ -48,8 +48,8 @@ class Slivers {
     }
   }
 
-  /// Moves a vertex to the minimum of the shape error with fixed rotations of the triangles around it, which never
-  /// raises the error itself. Returns the distance times the root of the stiffness at the vertex.
+  /// Moves a vertex to the minimum of the shape error for fixed rotations of the triangles around it. This never
+  /// increases the shape error. Returns the distance times the square root of the stiffness at the vertex.
   double move(int v) {
     Eigen::Vector2d gradient(0, 0);
     double stiffness = 0;
@@ -72,7 +72,7 @@ class Slivers {
   const HalfEdgeMesh& mesh_;
   const ShapeError shape_error_;
   Positions2& uv_;
-  std::vector<char> is_out_;  // not to be added to the next sweep: already in it, or fixed
+  std::vector<char> is_out_;  // not added to the next sweep: already there, or fixed
   std::vector<int> next_;
 };
 

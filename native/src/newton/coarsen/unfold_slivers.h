@@ -6,9 +6,9 @@
 
 namespace wirewarp {
 
-/// Opens the triangles that a prolonged shape flips or nearly flips: fine meshes have slivers that are folded over
-/// their neighbors, and a smooth map keeps them folded. Their vertices move to where the triangles around them fit
-/// best, then the neighbors of all vertices that moved. Vertices of the network stay.
+/// Unfolds triangles that are flipped or nearly flipped in a prolonged shape: fine meshes have slivers that are folded
+/// over their neighbors, and a smooth map keeps these folds. The vertices of slivers move to where the triangles around
+/// them fit best, then the neighbors of all vertices that moved. Vertices of the network stay.
 void unfold_slivers(const Chart& chart, const HeldNetwork& network, Positions2& uv);
 
 }  // namespace wirewarp

@@ -37,7 +37,7 @@ int source_of_loop(const Chart& chart, const HalfEdgeChain& loop) {
   return chart.source_vertex[chart.mesh.from_vertex_handle(loop.front()).idx()];
 }
 
-/// Returns the input faces that are less than a millionth as high as the highest one, the smallest first.
+/// Returns the input faces with heights below a millionth of the greatest height, the smallest first.
 std::vector<int> small_faces(const Chart& chart) {
   constexpr double kSmall = 1e-6;
   std::vector<std::pair<double, int>> by_height;
@@ -54,7 +54,7 @@ std::vector<int> small_faces(const Chart& chart) {
   return small;
 }
 
-/// Adds the limit to the arguments if the solver stopped there although it was still getting closer.
+/// Adds the limit of factorizations to the arguments if it ended the search.
 void add_limit(const Options& options, bool ran_out, ErrorArguments& arguments) {
   if (ran_out) arguments["max_factorizations"] = options.max_factorizations;
 }
@@ -130,7 +130,7 @@ FlattenError needs_refinement(const Chart& chart) {
 
 namespace {
 
-/// Wires along the outline with a tolerance, and their edges there.
+/// The wires along the outline that have a tolerance, and their edges there.
 struct ElasticWires {
   std::set<int> wires;
   std::set<VertexPair> edges;

@@ -7,8 +7,8 @@
 namespace wirewarp {
 namespace {
 
-// The begin and end of each stage in a chart's share of the time. The number of steps is unknown, so each step is
-// reported as a part of the remaining range.
+// The range of a stage in a chart's share of the time. The number of steps is unknown, so each step advances by a part
+// of the remaining range.
 struct Span {
   double begin, end;
 };
@@ -52,7 +52,7 @@ void ChartsProgress::finish(std::size_t chart) {
     const std::lock_guard lock(mutex_);
     advance(chart, 1);
   }
-  if (std::this_thread::get_id() == caller_) report();  // because thousands of charts may report no step
+  if (std::this_thread::get_id() == caller_) report();  // because charts from the cache take no steps
 }
 
 bool ChartsProgress::report() {
@@ -66,7 +66,7 @@ bool ChartsProgress::report() {
   return report_.go_on(stage, begin_ + (end_ - begin_) * done);
 }
 
-/// The caller must hold the lock.
+/// Call only under the lock.
 void ChartsProgress::advance(std::size_t chart, double share) {
   done_ += part_of_all_[chart] * (share - share_done_[chart]);
   share_done_[chart] = share;

@@ -21,7 +21,7 @@ class ChartsProgress {
   /// begin, end: range of the charts' work, as fractions of the run.
   ChartsProgress(ProgressReport& report, const std::vector<Chart>& charts, double begin, double end);
 
-  /// Calls work(0) to work(count - 1) on all cores. Once one has thrown, the others stop.
+  /// Calls work(0) to work(count - 1) on all cores. If one call throws, the others stop.
   template <typename Work>
   void run(std::size_t count, const Work& work) {
     const auto work_or_stop_all = [&](std::size_t i) {
@@ -35,7 +35,8 @@ class ChartsProgress {
     if (count > 0) run_in_threads(count, num_cores(), work_or_stop_all, [&] { report(); });
   }
 
-  /// Whether the other charts keep all other cores busy, so that threads for this chart alone would gain nothing.
+  /// Returns whether the other charts are enough for all other cores, so that more threads for this chart would gain
+  /// nothing.
   bool is_one_of_many(std::size_t chart) const { return part_of_all_[chart] * static_cast<double>(num_cores()) <= 1; }
 
   /// Returns the token for the work on a chart.
@@ -61,7 +62,7 @@ class ChartsProgress {
   const std::thread::id caller_ = std::this_thread::get_id();
   std::mutex mutex_;
   std::vector<double> part_of_all_;  // per chart: its share of the whole work
-  std::vector<double> share_done_;   // per chart: finished share of its own part
+  std::vector<double> share_done_;   // per chart: finished share of its own work
   double done_ = 0;
   std::string stage_ = "charts";  // the latest stage
 };

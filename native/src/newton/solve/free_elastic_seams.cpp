@@ -8,7 +8,7 @@
 namespace wirewarp {
 namespace {
 
-/// Solves a chart that had no shape at h = ease from scratch there, to get its error.
+/// Solves a chart from scratch at h = ease, where no shape was found before, to get its error.
 void solve_from_scratch(const GroupMember& member, const Run& run, const StopToken& stop) {
   SolvedChart& solved = member.solved;
   Budget budget(run.options.max_factorizations);

@@ -68,7 +68,7 @@ bool GroupSolver::were_good(const std::vector<Part>& parts) const {
                       [&](const Part& part) { return has_folds(part.chart, before_[part.member].uv); });
 }
 
-/// Returns false if there are no common lengths. Each factorization counts for each of the parts.
+/// Solves the parts together. Returns false if no common lengths are found. Each factorization counts for every part.
 bool GroupSolver::take_common_shapes(const std::vector<Part>& parts, Budget& budget) {
   std::vector<CoupledChart> charts;
   for (const Part& part : parts) {
@@ -93,7 +93,8 @@ bool GroupSolver::take_common_shapes(const std::vector<Part>& parts, Budget& bud
   return is_exact;
 }
 
-/// Returns false if the shape is folded again, and keeps the old one then.
+/// Replaces a folded shape by an injective one with the same lengths of its seams. Returns false, and keeps the folded
+/// shape, if none is found.
 bool GroupSolver::replace_folded(const Part& part, Budget& budget) {
   if (stop_.is_stopped()) return false;
   SolvedChart& one = solved(part);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The common part of the stages of a coupled group, which usually is one chart: it solves for all shapes and the common
-// lengths of elastic seams at once (newton/refine_coupled.h), from the shapes of the previous stage.
+// The part that all stages of a coupled group, usually of one chart, have in common: from the shapes of the previous
+// stage, it solves for all shapes and the common lengths of elastic seams at once (newton/refine_coupled.h).
 //
-// It fails if it finds no common lengths, or if a chart is flipped or overlaps itself with them although all charts
-// were good before, because good pieces matter more than less distortion. Then stages solve each chart alone, with its
+// It fails if no common lengths are found, or if a chart becomes flipped or overlaps itself although all charts were
+// good before, because good pieces matter more than less distortion. Then the stages solve each chart alone, with its
 // elastic seams fixed at h = ease.
 #pragma once
 
@@ -21,34 +21,33 @@ namespace wirewarp {
 /// A chart of a coupled group in a stage.
 struct GroupMember {
   Chart& chart;
-  SolvedChart& solved;    // its layout from the previous stage, upright for a fabric
-  bool is_nominal;        // it has elastic seams, and can be solved with these at h = ease
-  TargetLengths lengths;  // for a cloth
+  SolvedChart& solved;    // its layout from the previous stage, upright if there is a fabric
+  bool is_nominal;        // the group has elastic seams, and this chart can be solved with its seams at h = ease
+  TargetLengths lengths;  // used if there is a fabric
 };
 
 class GroupSolver {
  public:
-  /// Solves a chart that is flipped or overlaps itself by itself, with its elastic seams fixed at the common lengths.
-  /// The result is injective, or none.
+  /// Searches for an injective shape of a chart that is flipped or overlaps itself, with its elastic seams fixed at the
+  /// common lengths. Returns nullopt if none is found.
   using RefineInjective =
       std::function<std::optional<Solution>(std::size_t member, const Chart& fixed, Budget& budget)>;
 
   struct Outcome {
-    bool is_solved = false;            // otherwise the shapes are those from before the stage
-    bool ran_out = false;              // a solver needed more factorizations than the limit allowed
+    bool is_solved = false;            // if false, the shapes from before the stage are kept
+    bool ran_out = false;              // the limit of factorizations ended a solver
     std::vector<char> is_folded = {};  // per chart, if solved: flipped or overlapping
   };
 
-  /// renews_limit: whether each attempt may spend Options::max_factorizations, regardless of what a chart has spent
-  /// before.
+  /// renews_limit: whether each attempt may spend Options::max_factorizations, however many a chart spent before.
   GroupSolver(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop, bool renews_limit,
               RefineInjective refine_injective);
 
-  /// Finds the common lengths and the shapes. If all charts are nominal, and one is folded although none was before,
-  /// all keep the shapes from before.
+  /// Finds the common lengths and the shapes. Keeps the shapes from before if all charts are nominal and a chart is
+  /// folded although no chart was folded before.
   Outcome solve_together();
 
-  /// Solves a chart by itself. fixed: with its elastic seams at h = ease.
+  /// Solves a chart alone. fixed: the chart with its elastic seams at h = ease.
   Outcome solve_alone(std::size_t member, const Chart& fixed) { return solve({{member, fixed}}, false); }
 
   /// Returns the chart as it was before the stage.
@@ -76,7 +75,7 @@ class GroupSolver {
   std::vector<SolvedChart> before_;
 };
 
-/// Whether a layout is flipped or overlaps itself.
+/// Returns whether a layout is flipped or overlaps itself.
 bool has_folds(const Chart& chart, const Positions2& uv);
 
 }  // namespace wirewarp

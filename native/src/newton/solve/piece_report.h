@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes what the solvers report about a piece: its figures, or the attempts if no shape was found.
+// Fills in the report of a piece: iterations, factorizations, termination, objective, start and warnings.
 #pragma once
 
 #include "newton/refine_chart.h"
@@ -9,10 +9,10 @@ namespace wirewarp {
 
 void report_solution(const OuterSolution& solution, PieceReport& report);
 
-/// Reports a refinement. factorizations: of all starts of the piece.
+/// Reports a refinement. factorizations: total for all starts of the piece.
 void report_refinement(const Solution& solution, int factorizations, bool was_stopped, PieceReport& report);
 
-/// Reports an exact solution that started from the shape of the report.
+/// Reports an exact solution that started from the shape in the report: adds to the counts in the report.
 void report_next_refinement(const Solution& solution, bool was_stopped, PieceReport& report);
 
 /// Reports that elastic seams keep their nominal lengths because nothing better was found.

@@ -24,7 +24,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the error of a chart without a shape that keeps all lengths. status: of the search, which spent the budget.
+/// Returns the error of a chart for which no shape with all lengths was found. status, budget: of the search.
 FlattenError explain_infeasible(Problem& problem, const Run& run, SolutionStatus status, const Budget& budget,
                                 const StopToken& stop) {
   const Chart& chart = problem.chart();
@@ -82,8 +82,8 @@ std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& ru
   return std::nullopt;
 }
 
-/// Solves by the refined method: wires and surface at once, under the same exact lengths. Once lengths are exact,
-/// canceling keeps the best shape so far.
+/// Solves by the refined method: wires and surface at once, under the same exact lengths. If the caller stops after
+/// lengths became exact, keeps the best shape so far.
 std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& run, Budget& budget,
                                                 const StopToken& stop, SolvedChart& solved) {
   stop.in("start").check();
@@ -103,7 +103,7 @@ std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& r
   return std::nullopt;
 }
 
-/// Sets the layout, or returns why there is none.
+/// Sets the layout, or returns the error.
 std::optional<FlattenError> flatten_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop,
                                           SolvedChart& solved) {
   if (chart.error) return with_proposed_seams(*chart.error, propose_seams(chart, run, stop));

@@ -16,27 +16,27 @@ namespace wirewarp {
 /// return other seams.
 using ProposeSeams = std::function<std::vector<VertexPair>(const Chart& chart, const StopToken& stop)>;
 
-/// Everything that the charts of a run have in common.
+/// The input and options of a run, which all charts have in common.
 struct Run {
   const FlattenInput& input;
   const InternalOptions& options;
-  ProposeSeams propose_seams;  // empty if errors are not shown, so that no seams are needed
+  ProposeSeams propose_seams;  // empty if errors are not shown and need no seams
 };
 
-/// Returns the layout of a chart with a mesh, or why it has none. budget: the limit of all trials of the chart
-/// together, which may be what earlier trials left. Errors name Options::max_factorizations, which the user set.
+/// Returns the layout of a chart with a mesh, or its error. budget: for all trials of the chart together; earlier
+/// trials may have spent a part. Errors name Options::max_factorizations, which the user set.
 SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
-/// Solves the same with the chart's elastic seams at h = ease.
+/// Solves a chart with its elastic seams fixed at h = ease.
 SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
-/// Returns the seams of Run::propose_seams.
+/// Calls Run::propose_seams; returns no seams if that is empty.
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop);
 
-/// Adds such seams to a layout that is flipped or overlaps itself; not if the caller stops.
+/// Adds proposed seams to a layout that is flipped or overlaps itself, unless the caller stops.
 void propose_seams_for_layout(const Chart& chart, const Run& run, const StopToken& stop, SolvedChart& solved);
 
-/// Returns the result of a chart that was not started before the caller canceled.
+/// Returns the result for a chart that was not started before the caller canceled.
 SolvedChart cancelled_chart();
 
 }  // namespace wirewarp

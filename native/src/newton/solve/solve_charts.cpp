@@ -16,7 +16,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the order of charts, the largest first, so that no core waits long for the last one.
+/// Returns the order in which charts are solved: the largest first, so that no core waits long for the last chart.
 std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -26,14 +26,14 @@ std::vector<std::size_t> largest_first(const std::vector<Chart>& charts) {
   return order;
 }
 
-/// Returns options for shapes from which later stages start. The best direction of a fabric is final, so it must be
-/// exact.
+/// Returns options for shapes that later stages refine. The best direction of a fabric is final, so Orientation::best
+/// needs the exact minimum at once.
 InternalOptions on_the_way(InternalOptions options) {
   if (options.orientation != Orientation::best) options.target = options.cloth ? Target::rough : Target::newton_step;
   return options;
 }
 
-/// Charts with common elastic seams, for the refined method; usually one chart.
+/// Several charts with common elastic seams, for the refined method.
 struct Group {
   std::vector<int> charts;
   bool is_known = false;  // its solution came from the cache
@@ -108,7 +108,8 @@ class ChartsSolver {
     session_.keep({&charts_[c]}, {&solved_[c]});
   }
 
-  /// Solves a chart with these seams at h = ease or, if it has no shape then, at the best lengths for this chart alone.
+  /// Solves a chart with its elastic seams at h = ease. If no shape is found, solves it with the best lengths of these
+  /// seams for this chart alone.
   void begin_beside_elastic_seams(std::size_t c) {
     if (report_.is_cancelled()) {
       solved_[c] = cancelled_chart();
@@ -153,8 +154,8 @@ class ChartsSolver {
   ChartsProgress progress_;
   std::vector<Group> groups_;  // groups of several charts
   std::vector<SolvedChart> solved_;
-  std::vector<const Group*> group_of_chart_;  // null: of one chart
-  std::vector<char> is_nominal_;              // begun with its elastic seams at h = ease
+  std::vector<const Group*> group_of_chart_;  // null: the chart is its own group
+  std::vector<char> is_nominal_;              // solved with its elastic seams at h = ease
 };
 
 }  // namespace

@@ -10,10 +10,10 @@
 
 namespace wirewarp {
 
-/// Progress of a run when charts are cut, when they are flat before the fabric's stretch, and when they are flat.
+/// Fractions of a run at which charts are cut, flat without the fabric's stretch, and flat.
 constexpr double kChartsCut = 0.2, kUnstretched = 0.7, kChartsFlat = 0.9;
 
-/// Solves all charts on all cores: first each alone, then those with common elastic seams together
+/// Solves all charts on all cores: first each chart alone, then charts with common elastic seams together
 /// (free_elastic_seams.h).
 std::vector<SolvedChart> solve_charts(std::vector<Chart>& charts, const Run& run, ProgressReport& report,
                                       CacheSession& session);

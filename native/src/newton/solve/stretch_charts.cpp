@@ -22,7 +22,7 @@
 namespace wirewarp {
 namespace {
 
-/// A coupled group, or a part of it. Layouts are in the plane of the stretched cloth until they are finished.
+/// Solves a coupled group, or some of its charts. Layouts are in the plane of the stretched fabric until finish().
 class StretchedGroup {
  public:
   StretchedGroup(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop)
@@ -33,7 +33,7 @@ class StretchedGroup {
           return refine_without_overlap(k, fixed, budget);
         }) {}
 
-  /// Solves the group. Its charts must have no flipped triangles.
+  /// Solves the group, whose charts must have no flipped triangles.
   void solve() {
     const GroupSolver::Outcome common = solver_.solve_together();
     for (std::size_t k = 0; k < group_.size(); ++k) {
@@ -46,8 +46,8 @@ class StretchedGroup {
   }
 
   /// Solves a chart that is flipped or overlaps itself without the stretch. fixed: the chart with fixed elastic seams.
-  /// ran_out: whether the limit of factorizations ended a solver of the stage before. Returns whether a shape has the
-  /// lengths.
+  /// ran_out: whether the limit of factorizations ended an earlier attempt. Returns whether a shape with the lengths
+  /// was found.
   bool solve_faulty(std::size_t k, const Chart& fixed, bool ran_out) {
     if (refine_faulty(k, fixed, ran_out)) return true;
     explain(k, ran_out);
@@ -55,7 +55,7 @@ class StretchedGroup {
   }
 
  private:
-  /// Minimizes from a layout, whose rotation it keeps.
+  /// Minimizes from a layout and keeps its rotation.
   Solution refine(const Stage& stage, std::size_t k, const Chart& fixed, const Positions2& start,
                   Budget& budget) const {
     TargetLengths lengths = group_[k].lengths;
@@ -69,7 +69,7 @@ class StretchedGroup {
     return injectivity_of(group_[k].chart, solver_.before(k).uv) == Injectivity::global;
   }
 
-  /// Starts from the shape before the stage and allows no overlaps on the way.
+  /// Minimizes from the shape before the stage without overlaps on the way.
   std::optional<Solution> refine_without_overlap(std::size_t k, const Chart& fixed, Budget& budget) const {
     if (!was_good(k)) return std::nullopt;
     const SolvedChart& before = solver_.before(k);
@@ -95,7 +95,7 @@ class StretchedGroup {
     }
   }
 
-  /// Returns a layout with the stretched lengths, in the plane of the stretched cloth.
+  /// Returns a layout with the stretched lengths, in the plane of the stretched fabric.
   std::optional<Positions2> start_from_scratch(std::size_t k, Chart stretched, Budget& budget) const {
     set_stretched_lengths(group_[k], stretched);
     InternalOptions options = run_.options;
@@ -108,7 +108,8 @@ class StretchedGroup {
     return found.shape.uv * group_[k].lengths.flat_share.cwiseInverse().asDiagonal();
   }
 
-  /// Returns false if no shape with the lengths was found. Sets ran_out if the limit of factorizations ended a solver.
+  /// Solves like solve_faulty(), without an error. Returns false if no shape with the lengths was found. Sets ran_out
+  /// if the limit of factorizations ended a solver.
   bool refine_faulty(std::size_t k, const Chart& fixed, bool& ran_out) {
     if (stop_.is_stopped()) return false;
     SolvedChart& one = group_[k].solved;
@@ -139,7 +140,7 @@ class StretchedGroup {
     return true;
   }
 
-  /// Sets the stretched lengths, the proposed seams and the flat layout of a new shape.
+  /// Sets the stretched lengths of the chart, and the flat layout and proposed seams of its new shape.
   void finish(std::size_t k, bool is_folded) {
     const GroupMember& member = group_[k];
     set_stretched_lengths(member, member.chart);
@@ -147,7 +148,7 @@ class StretchedGroup {
     make_flat(member);
   }
 
-  /// Replaces the layout by an error. Its proposed seams are evaluated at the stretched lengths; others would not help.
+  /// Replaces the layout by an error. The proposed seams help at the stretched lengths.
   void explain(std::size_t k, bool ran_out) const {
     Chart stretched = group_[k].chart;
     set_stretched_lengths(group_[k], stretched);
@@ -169,7 +170,7 @@ class StretchedGroup {
     for (std::size_t e = 0; e < ratio.size(); ++e) chart.length_ratio[e] *= ratio[e];
   }
 
-  /// Turns the layout in the plane of the stretched cloth into the flat one.
+  /// Scales the layout from the plane of the stretched fabric to the flat piece.
   static void make_flat(const GroupMember& member) {
     const Chart& chart = member.chart;
     const Eigen::RowVector2d& share = member.lengths.flat_share;
@@ -189,7 +190,7 @@ class StretchedGroup {
   GroupSolver solver_;
 };
 
-/// Returns h of each wire part of a chart, on elastic seams that of their sides in other charts.
+/// Returns h of each wire part of a chart. On elastic seams with other charts, it is the h of the other side.
 std::vector<double> variation_of_mates(const GroupMember& member, const std::vector<GroupMember>& others) {
   std::vector<double> variation = member.solved.variation;
   for (const GroupMember& other : others) {
@@ -207,7 +208,8 @@ std::vector<double> variation_of_mates(const GroupMember& member, const std::vec
   return variation;
 }
 
-/// flipped: those that are flipped without the stretch. They have the common lengths that the others find.
+/// Solves a coupled group. flipped: its charts that are flipped without the stretch; they use the common lengths that
+/// the others find.
 void stretch_group(const std::vector<GroupMember>& others, const std::vector<GroupMember>& flipped, const Run& run,
                    const StopToken& stop) {
   if (!others.empty()) StretchedGroup(others, run, stop).solve();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stage of a fabric that is stretched when worn. Without the stretch, every chart has a layout, whose directions
-// determine how much shorter each edge is when flat (stretched_lengths.h). With these lengths, each coupled group is
-// solved once more (group_solver.h), in the plane of the stretched fabric (energy/target_lengths.h). All charts with a
+// The stage of a fabric that is stretched when worn. In the layouts without the stretch, each edge has a direction,
+// which determines how much shorter the edge is when flat (stretched_lengths.h). With these lengths, each coupled group
+// is solved again (group_solver.h), in the plane of the stretched fabric (energy/target_lengths.h). All charts with a
 // layout take part, so that the sides of a seam have one length.
 #pragma once
 
@@ -13,13 +13,13 @@
 
 namespace wirewarp {
 
-/// solved: upright, without the stretch. Layouts become the flat ones, and the stretched lengths become targets of the
-/// charts. Without common lengths of a group, its elastic seams are fixed at h = ease. A chart that has no shape with
-/// its lengths then gets an error instead of a layout.
+/// Solves all charts with the stretched lengths, and sets these as the charts' target lengths. solved: upright layouts
+/// without the stretch, replaced by the flat layouts. If no common lengths of a group are found, its elastic seams are
+/// fixed at h = ease. If then no shape of a chart is found, the chart gets an error instead of a layout.
 ///
-/// The energy of a cloth is infinite where a triangle is flipped, so a chart that is flipped without the stretch, or
-/// overlaps itself and fails, is solved with the shape error in place of that energy. If this unflips it, the cloth's
-/// energy comes next.
+/// The energy of a fabric is infinite if a triangle is flipped. Therefore a chart that is flipped without the stretch,
+/// or overlaps itself and fails, is solved with the shape error instead. If its triangles are not flipped then, the
+/// fabric's energy is minimized next.
 void stretch_charts(Charts& charts, const Run& run, ProgressReport& report, std::vector<SolvedChart>& solved);
 
 }  // namespace wirewarp

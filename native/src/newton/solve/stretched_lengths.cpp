@@ -13,10 +13,11 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kReportedDifference = 0.01;  // between the sides of a seam, over their length: too much to ease in
+constexpr double kReportedDifference =
+    0.01;  // largest unreported difference between the sides of a seam, over their length
 
-/// Returns the edges whose flat length follows the stretch: those of the outline and of wires with fixed or elastic
-/// length, without an ease.
+/// Returns the edges whose flat lengths depend on the stretch: edges of the outline and of fixed or elastic wires,
+/// without an ease.
 std::vector<char> find_stretched_edges(const Chart& chart) {
   std::vector<char> is_stretched(chart.mesh.n_edges(), 0);
   for (const HalfEdgeChain& loop : chart.boundary_loops) {
@@ -29,7 +30,7 @@ std::vector<char> find_stretched_edges(const Chart& chart) {
   return is_stretched;
 }
 
-/// Returns L / l by the direction of each edge in the layout, or 1 for edges that do not stretch.
+/// Returns L / l of each edge, which depends on its direction in the layout; 1 for edges without a stretch.
 PerEdge ratios_by_direction(const Chart& chart, const Positions2& uv, const Cloth& cloth) {
   const Eigen::RowVector2d share = flat_share(cloth);
   const std::vector<char> is_stretched = find_stretched_edges(chart);
@@ -64,14 +65,15 @@ void share_among_sides(const std::vector<Chart>& charts, std::vector<PerEdge>& r
   for_each_side([](const Mean& mean, double& ratio) { ratio = mean.sum / mean.count; });
 }
 
-/// Returns the length of a side of a seam for these ratios.
+/// Returns the length of a side of a seam with these ratios.
 double length_of_side(const Chart& chart, const HalfEdgeChain& chain, const PerEdge& ratios) {
   double length = 0;
   for (const HalfedgeHandle h : chain) length += ratios[chart.mesh.edge_handle(h).idx()] * edge_length(chart.mesh, h);
   return length;
 }
 
-/// Returns warnings for charts beside seams whose sides differ. ratios: by direction, empty without a layout.
+/// Returns warnings for charts at seams whose sides would have different lengths. ratios: from the directions alone;
+/// empty for a chart without a layout.
 std::vector<std::vector<std::string>> warn_of_sides(const Charts& charts, const std::vector<PerEdge>& ratios) {
   std::vector<std::vector<std::string>> warnings(charts.charts.size());
   for (const Seam& seam : charts.seams) {

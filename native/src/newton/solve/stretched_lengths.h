@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lengths of flat pieces for a cloth that is stretched when it is worn (Cloth::stretch). Without the stretch every
-// chart has a layout, in which each edge has a direction: with ψ its angle from the weft, its flat length shrinks to
+// The lengths of flat pieces for a fabric that is stretched when worn (Cloth::stretch). An edge at the angle ψ from the
+// weft, in the layout without the stretch, gets the flat length
 //
 //   L = l √(cos²ψ / (1 + c_weft)² + sin²ψ / (1 + c_warp)²),
 //
-// On a seam, the mean of its sides' ratios is used, so that they stay equal. An edge with an ease keeps its eased
-// length.
+// The sides of a seam use the mean of their ratios, so that their lengths stay equal. An edge with an ease keeps its
+// eased length.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ using PerEdge = std::vector<double>;
 
 struct StretchedLengths {
   std::vector<PerEdge> ratios;                     // L / l, per chart; empty for a chart without a layout
-  std::vector<std::vector<std::string>> warnings;  // per chart: sides of a seam would shrink by different shares
+  std::vector<std::vector<std::string>> warnings;  // per chart: seams whose sides would shrink differently
 };
 
 /// solved: upright layouts without the stretch.
