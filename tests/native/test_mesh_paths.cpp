@@ -17,7 +17,7 @@ namespace {
 /// The position of each grid vertex in the unrolled plane.
 using Unroll = std::function<Planar(int column, int row)>;
 
-/// A trace from a grid vertex, and the distance of its points from the straight line in the unrolled plane.
+/// A trace from a grid vertex, compared with the straight line in the unrolled plane.
 struct UnrolledTrace {
   double length = 0;        // from the start to the last point, in the unrolled plane
   double largest_miss = 0;  // largest distance from the straight line
@@ -97,7 +97,7 @@ TEST(StraightestGeodesic, UnrollsToALineOnCylindersAndCones) {
   }
 }
 
-/// Largest distance of a trace on the sphere from the great circle along which it starts.
+/// Returns the largest distance of a trace on the sphere from the great circle along which it starts.
 double miss_of_great_circle(int n) {
   const Charts charts = test::charts_of(test::quarter_sphere(n));
   Chart chart = charts.charts[0];
@@ -122,7 +122,7 @@ TEST(StraightestGeodesic, TendsToAGreatCircleOnTheSphere) {
   EXPECT_LT(miss_of_great_circle(256), 0.00125);
 }
 
-/// A pyramid of two rings of n vertices, and an apex as the last vertex.
+/// A pyramid of two rings with n vertices each, and an apex, which is the last vertex.
 FlattenInput pyramid(int n) {
   FlattenInput input = test::make_tube(n, 1, [&](double s, double t) {
     return Eigen::Vector3d((2 - t) * std::cos(2 * kPi * s), (2 - t) * std::sin(2 * kPi * s), t);
@@ -149,7 +149,7 @@ TEST(StraightestGeodesic, LeavesAnApexWithEqualAnglesLeftAndRight) {
   }
 }
 
-TEST(StraightestGeodesic, IsGivenUpIfItReturnsToItsStart) {
+TEST(StraightestGeodesic, EndsWithoutAPathIfItReturnsToItsStart) {
   const int nx = 12;
   const Chart chart = test::chart_of(test::cylinder_tube(nx, 8, 1, 2));
   const HalfEdgeMesh& mesh = chart.mesh;
@@ -161,7 +161,7 @@ TEST(StraightestGeodesic, IsGivenUpIfItReturnsToItsStart) {
   EXPECT_TRUE(trace_straightest(mesh, wires, around, 1)) << "a steep spiral";
 }
 
-/// Length of the shortest path between two vertices after straightening.
+/// Returns the length of the shortest path between two vertices after straightening.
 double geodesic_length(const Chart& chart, int from, int to) {
   const WireMask wires(chart);
   std::vector<char> is_target(chart.mesh.n_vertices(), 0);
@@ -227,9 +227,9 @@ TEST(ShortestPath, TakesTheNearestOfManySourcesAndTargets) {
 
 TEST(ShortestPath, ThrowsIfThereIsNone) {
   const Chart chart = test::chart_of(test::flat_rectangle(4, 4, 1, 1));
-  SplitChart refined(chart);
+  SplitChart split(chart);
   const std::vector<char> no_target(chart.mesh.n_vertices(), 0);
-  EXPECT_THROW(join_by_shortest_path(refined, {VertexHandle(12)}, no_target), std::domain_error);
+  EXPECT_THROW(join_by_shortest_path(split, {VertexHandle(12)}, no_target), std::domain_error);
 }
 
 /// A flat 8 by 8 square of side 8 with a rigid wire along column 6.

@@ -5,15 +5,15 @@
 //   φ_e  heading of wire edge e in the plane                     l_e  its length
 //   c_p  closure of loop p: Σ ± l_e (cos φ_e, sin φ_e) over its edges, divided by the loop's length
 //
-// The paper's unknowns are the angles, bound by linear rows (Σ(π−θ) = 2π per wire-patch, Σθ = 2π per inner vertex) and
-// by the closure of each loop. One heading per wire edge, shared by the wire-patches on both its sides, makes every
-// linear row hold by construction: with θ⁰ the angles of the starting headings and ψ the change of the headings, θ = θ⁰
-// − (ψ_out − ψ_in). The problem that remains is
+// The paper's unknowns are the angles, with linear constraints (Σ(π−θ) = 2π per wire-patch, Σθ = 2π per inner vertex)
+// and the closure of each loop. Here, the unknown is one heading per wire edge, which the wire-patches on both its
+// sides share. The angles then satisfy every linear constraint: θ = θ⁰ − (ψ_out − ψ_in), with θ⁰ the angles of the
+// starting headings and ψ the change of the headings. The remaining problem is
 //
 //   min  ½ Σ w_i (θ_i − α_i)²   subject to   c_p = 0 for every wire-patch and every hole.
 //
-// The objective's Hessian is a constant Laplacian on the wire edges and the closure's Hessian is diagonal. Holes need
-// rows of their own, which the paper omits: even if all wire-patches close and fit at every inner vertex, a gap can
+// The objective's Hessian is a constant Laplacian on the wire edges, and the closure's Hessian is diagonal. Holes need
+// constraints, too, which the paper omits: even if all wire-patches close and fit at every inner vertex, a gap can
 // remain around a hole.
 #pragma once
 
@@ -36,8 +36,9 @@ class Eq1 {
   /// Returns the wire edges of closure rows 2 loop and 2 loop + 1.
   const std::vector<int>& loop_edges(int loop) const { return loops_[static_cast<std::size_t>(loop)].edges; }
 
-  /// A change of headings, #edges, that no symmetry of the network maps to itself, whatever the numbering. Moving along
-  /// it selects one of two mirror-image solutions. Edges at wide surface angles turn against edges at narrow ones.
+  /// Returns a change of headings, #edges, that no symmetry of the network maps to itself, and that does not depend on
+  /// the numbering. A step along it selects one of two mirror-image solutions: edges at wide surface angles turn
+  /// against edges at narrow ones.
   const Eigen::VectorXd& symmetry_breaker() const { return symmetry_breaker_; }
 
   /// Returns φ, #edges: the heading in radians of each wire edge's half-edge 0.
@@ -46,27 +47,27 @@ class Eq1 {
   /// Returns the objective ½ Σ w (θ − α)².
   double angle_variation(const Eigen::VectorXd& psi) const;
 
-  /// Returns the gradient of the objective by ψ. #edges.
+  /// Returns the gradient of the objective with respect to ψ, #edges.
   Eigen::VectorXd gradient(const Eigen::VectorXd& psi) const;
 
-  /// Hessian of the objective by ψ, both triangles. It is constant, and positive definite except for the rotation of
-  /// all edges together.
+  /// Returns the Hessian of the objective with respect to ψ, both triangles. It is constant, and positive definite
+  /// except for the rotation of all edges together.
   const Eigen::SparseMatrix<double>& laplacian() const { return laplacian_; }
 
   /// Returns c for the given lengths. #closures: x and y of each loop.
   Eigen::VectorXd closure(const Eigen::VectorXd& psi, const Eigen::VectorXd& lengths) const;
 
-  /// ∂c/∂ψ, #closures by #edges.
+  /// Returns ∂c/∂ψ, #closures by #edges.
   Eigen::SparseMatrix<double> closure_jacobian(const Eigen::VectorXd& psi, const Eigen::VectorXd& lengths) const;
 
-  /// Diagonal of ∂²(λᵀc)/∂ψ². #edges.
+  /// Returns the diagonal of ∂²(λᵀc)/∂ψ², #edges.
   Eigen::VectorXd closure_hessian(const Eigen::VectorXd& psi, const Eigen::VectorXd& lengths,
                                   const Eigen::VectorXd& multipliers) const;
 
-  /// ∂(qᵀc)/∂l. #edges.
+  /// Returns ∂(qᵀc)/∂l, #edges.
   Eigen::VectorXd closure_by_lengths(const Eigen::VectorXd& psi, const Eigen::VectorXd& q) const;
 
-  /// Diagonal of ∂²(λᵀc)/∂ψ∂l, #edges. The off-diagonal entries are zero: each closure term has one edge only.
+  /// Returns the diagonal of ∂²(λᵀc)/∂ψ∂l, #edges. Other entries are zero, because each term of a closure has one edge.
   Eigen::VectorXd closure_by_headings_and_lengths(const Eigen::VectorXd& psi, const Eigen::VectorXd& multipliers) const;
 
  private:
@@ -81,8 +82,7 @@ class Eq1 {
     std::vector<double> signs;  // ±1 / length of the loop
   };
 
-  /// Returns for each edge the sum of the two given values over its loops, each times the edge's sign over the loop's
-  /// length.
+  /// Returns for each edge Σ ± (x, y) / length over its loops, where (x, y) are the loop's entries of per_closure.
   Eigen::Matrix2Xd gather(const Eigen::VectorXd& per_closure) const;
 
   std::vector<Node> nodes_;

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double kClosed = 1e-12;       // gap over the length of a loop that counts as closed
 constexpr double kNearlyClosed = 1e-3;  // largest gap that restore() can close with the present factor
-constexpr double kRounding = 2e-15;     // relative error; double precision allows nothing better
-constexpr double kStationary = 1e-10;   // projected gradient; E then has six correct digits, whatever the start
+constexpr double kRounding = 2e-15;     // smallest gap that double precision allows
+constexpr double kStationary = 1e-10;   // largest projected gradient at a minimum; gives E six correct digits
 constexpr int kMaxSteps = 100;          // 3 to 16 are usual
 constexpr double kSmallestStep = 1e-6;  // after twenty halvings
-constexpr double kBend = 0.3;           // radians at the edge that turns most; the loops can still be closed
+constexpr double kBend = 0.3;  // radians at the edge that turns most; after such a step, the loops can still be closed
 constexpr double kLongestTurn = 2;  // radians between two edges; for larger turns the gap is not linear in the headings
 constexpr double kStalledRatio = 0.4;  // a full step that leaves a larger share of the gap is blocked by symmetry
 
@@ -66,9 +66,9 @@ Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, co
 
 /// Closes the loops by the paper's least-norm steps: the smallest weighted change of the current angles that closes the
 /// linearized loops. A step is shortened if edges would turn too far or the gap would not shrink. If the gap hardly
-/// shrinks, symmetry keeps a wire straight that must bend to become shorter. No linearization sees this, so the wire is
-/// bent once, in the direction of least resistance. Afterwards kkt_ holds the factor of the last step, or of the start
-/// if no loop was open.
+/// shrinks, symmetry keeps a wire straight that must bend to fit between its ends. The linearized loops do not contain
+/// this bend, so the wire is bent once, in the direction of lowest curvature. Afterwards kkt_ contains the factor of
+/// the last step, or of the start if no loop was open.
 bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);
@@ -102,10 +102,10 @@ bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& 
   return largest(gap) < kClosed;
 }
 
-/// Closes the loops after a step tangent to them, with the present factor.
+/// Closes the loops after a tangential step, with the present factor.
 bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) const {
-  constexpr int kMaxRestorations = 40;  // one takes a solve, which is faster than a new factor
-  constexpr double kWorthwhile = 0.8;   // share of the gap; a step that leaves more has stalled
+  constexpr int kMaxRestorations = 40;  // each takes one solve, which is faster than a new factor
+  constexpr double kWorthwhile = 0.8;   // largest share of the gap that a step may leave
   const Eigen::VectorXd no_gradient = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);
   for (int i = 0; i < kMaxRestorations && largest(gap) > kRounding; ++i) {
@@ -118,9 +118,9 @@ bool InnerProblem::restore(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi)
   return largest(gap) < kClosed;
 }
 
-/// Factors the system with the largest tried share of the closures' curvature for which the step goes downhill; share 0
-/// always does. Returns whether the full curvature was used. `share` is what to try after the full curvature; it is
-/// increased if it worked and halved if not.
+/// Factors the system with the largest tried share of the closures' curvature for which the step goes downhill, which
+/// share 0 always does. Returns whether the full curvature was used. If the full curvature fails, `share` is tried
+/// next: it is increased for the next call if it works, and halved otherwise.
 bool InnerProblem::factor_downhill(const Eigen::VectorXd& closure_hessian, const Eigen::SparseMatrix<double>& jacobian,
                                    double& share) {
   if (kkt_.factor(eq1_.laplacian(), closure_hessian, jacobian)) return true;
@@ -163,14 +163,15 @@ bool InnerProblem::move(const Eigen::VectorXd& lengths, const Eigen::VectorXd& d
   return true;
 }
 
-/// Leaves a saddle along a direction of negative curvature, to either side, while the predicted gain is above at_least.
-/// The prediction uses the full curvature of the Lagrangian, whatever share of it is in the factor. Near the saddle the
-/// inverse iteration continues until it finds such a direction, because in a symmetric network the symmetry_breaker may
-/// contain little of it. Without this and the bend in close_loops, 2 of 1,000 random networks with a good shape fail.
+/// Leaves a saddle along a direction of negative curvature, to either side, if the predicted gain is above at_least.
+/// The prediction uses the full curvature of the Lagrangian, even if the factor contains only a share. Near the saddle,
+/// the inverse iteration continues until it finds such a direction, because in a symmetric network the symmetry_breaker
+/// may contain little of it. Without this and the bend in close_loops, 2 of 1,000 random networks with a good shape
+/// fail.
 bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::VectorXd& closure_hessian, double at_least,
                                 Eigen::VectorXd& psi, double& value) const {
   constexpr int kMaxSearches = 10;  // each takes a few substitutions
-  constexpr double kClose = 0.01;   // remaining gain of the normal step over the value
+  constexpr double kClose = 0.01;   // gain of the normal step over the value, near a saddle
   const int searches = at_least < kClose * value ? kMaxSearches : 1;
   Eigen::VectorXd turn = eq1_.symmetry_breaker();
   double fall = 0;
@@ -186,8 +187,9 @@ bool InnerProblem::leave_saddle(const Eigen::VectorXd& lengths, const Eigen::Vec
 }
 
 /// Minimizes Eq. (1) by feasible sequential quadratic programming with the exact Hessian of the Lagrangian: all loops
-/// stay closed in every iterate. It ends if the projected gradient vanishes and the inertia proves a minimum; a saddle
-/// is left along a direction of negative curvature. The first multipliers come from the factor that closed the loops.
+/// stay closed in every iterate. It ends if the projected gradient vanishes and the inertia proves a minimum. From a
+/// saddle, it continues along a direction of negative curvature. The first multipliers come from the factor that closed
+/// the loops.
 bool InnerProblem::minimize(const Eigen::VectorXd& lengths, InnerSolution& solution) {
   Eigen::VectorXd& psi = solution.psi;
   Eigen::VectorXd& multipliers = solution.multipliers;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ψ(h), first half: the planar angles of the wire network for given lengths (paper II-A, Eq. 1).
+// The first half of ψ(h): the planar angles of the wire network for given lengths (paper II-A, Eq. 1).
 #pragma once
 
 #include <limits>
@@ -21,8 +21,8 @@ struct InnerSolution {
   bool is_minimum = false;  // projected gradient below 1e-10 and correct inertia (or least_norm was requested)
 };
 
-/// Solves Eq. (1) on one network for any number of lengths. All functions throw Stopped, and FactorizationFailed at a
-/// zero pivot.
+/// Solves Eq. (1) on one network, for one vector of lengths after another. All functions throw Stopped, and
+/// FactorizationFailed at a zero pivot.
 class InnerProblem {
  public:
   /// stop: checked before each factorization and before each step with closed loops.
@@ -33,12 +33,12 @@ class InnerProblem {
   /// all loops close (Inner::least_norm). lengths: positive, scene units, #wire edges.
   InnerSolution solve(const Eigen::VectorXd& lengths, Inner inner);
 
-  /// Returns the local minimum of Eq. (1) for these lengths that is reached from the solution for other lengths. This
-  /// stays on the same branch if there are several minima, and takes few factorizations.
+  /// Returns the local minimum of Eq. (1) for these lengths, found from the solution for other lengths. If there are
+  /// several minima, this stays on the same branch. It takes few factorizations.
   InnerSolution follow(const InnerSolution& from, const Eigen::VectorXd& lengths);
 
-  /// Factors the optimality system at a minimum. change_of_headings() and total_derivative() need this and take one
-  /// solve each.
+  /// Factors the optimality system at a minimum. Afterwards, change_of_headings() and total_derivative() take one solve
+  /// each.
   void linearize(const InnerSolution& solution, const Eigen::VectorXd& lengths);
 
   /// Returns the change of φ, #wire edges, caused by a change of lengths along the minima of Eq. (1).

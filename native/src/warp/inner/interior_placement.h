@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Placement of the vertices between the wires (paper II-A, the convex-combination map of its [38]): every vertex off
-// the wire network is the weighted mean of its neighbors, with Floater's mean-value weights of the 3D surface.
+// Placement of the vertices between the wires (paper II-A, the convex-combination map of its reference [38]): every
+// vertex off the wire network is the weighted mean of its neighbors, with Floater's mean-value weights of the 3D
+// surface.
 //
 //   (I - W) u_interior = B u_network    W, B  weights of the neighbors off and on the network
 //
@@ -25,14 +26,14 @@ class InteriorPlacement {
   /// boundary. Throws FactorizationFailed if rounding makes a pivot zero or negative.
   InteriorPlacement(const Chart& chart, const WireNetwork& network, const StopToken& stop = {});
 
-  /// Computes the rows of uv off the network from those on it. uv: one row per chart vertex.
+  /// Computes the rows of uv off the network from the rows on the network. uv: one row per chart vertex.
   void place(Positions2& uv) const;
 
-  /// The adjoint of place(): turns ∂E/∂uv of all vertices into the derivative by the network's vertices alone. The rows
-  /// off the network become zero.
+  /// The adjoint of place(): turns ∂E/∂uv for all vertices into the derivative with respect to the network's vertices
+  /// alone. The rows off the network become zero.
   void pull_back(Positions2& by_uv) const;
 
-  /// Number of matrix factorizations: 1, or 0 if every vertex is on the network.
+  /// Returns the number of matrix factorizations: 1, or 0 if every vertex is on the network.
   int factorizations() const { return lu_ ? 1 : 0; }
 
  private:

@@ -9,8 +9,8 @@
 namespace wirewarp {
 namespace {
 
-/// δ for closures that depend on others, such as one of a slit of one edge. It is large enough to keep the sign of a
-/// pivot that is only rounding, about 1e-16 of its scale. solve() removes its effect by refinement.
+/// δ for linearly dependent closures, such as x or y of a slit of one edge. It determines the sign of a pivot that
+/// consists of rounding errors, about 1e-16 of its scale. solve() removes its effect by iterative refinement.
 constexpr double kRegularization = 1e-13;
 
 }  // namespace
@@ -30,7 +30,8 @@ bool KktSystem::factor(const Eigen::SparseMatrix<double>& laplacian, const Eigen
   stop_.check();
   const Eigen::VectorXd weight = laplacian.diagonal();
   const double mean_diagonal = weight.mean();
-  // The scale of J W⁻¹ Jᵀ, one for both x and y of a loop: for a slit along an axis, one of the two is only rounding.
+  // The scale of J W⁻¹ Jᵀ, the same for x and y of a loop: for a slit along an axis, one of the two consists of
+  // rounding errors.
   Eigen::VectorXd loop_scale = Eigen::VectorXd::Zero(num_closures_ / 2);
   const Eigen::VectorXi& position = order_.indices();
   std::vector<Eigen::Triplet<double>> entries;

@@ -6,8 +6,8 @@
 namespace wirewarp {
 namespace {
 
-/// Returns tan(α/2) of the angle α between two vectors of the given lengths. Of the two equal quotients sin α / (1 +
-/// cos α) = (1 - cos α) / sin α it uses the one without cancellation.
+/// Returns tan(α/2) of the angle α between two vectors of the given lengths. Uses the quotient without cancellation:
+/// sin α / (1 + cos α) or (1 - cos α) / sin α.
 double tan_half_angle(const OpenMesh::Vec3d& a, const OpenMesh::Vec3d& b, double a_length, double b_length) {
   const double area = OpenMesh::cross(a, b).norm();
   const double dot = OpenMesh::dot(a, b);

@@ -76,7 +76,7 @@ void WireLayout::pull_back(const Eigen::VectorXd& headings, const Eigen::VectorX
                            Eigen::VectorXd& by_headings, Eigen::VectorXd& by_lengths) const {
   by_headings.setZero(headings.size());
   by_lengths.setZero(lengths.size());
-  Positions2 beyond = by_uv;  // summed over the subtree of each vertex
+  Positions2 beyond = by_uv;  // per vertex: the sum over its subtree
   for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
     const Eigen::RowVector2d force = beyond.row(step->to);
     beyond.row(step->from) += force;

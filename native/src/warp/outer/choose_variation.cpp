@@ -14,12 +14,12 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kTolerance = 1e-6;     // smallest relative decrease worth another step
+constexpr double kTolerance = 1e-6;     // smallest relative decrease for which another step is taken
 constexpr double kIsometry = 1e-14;     // shape error of strains of 1e-7, the rounding of single-precision meshes
 constexpr int kMaxEvaluations = 100;    // 6 to 25 are usual, for 4 to 232 wires
 constexpr std::size_t kManyParts = 50;  // with more parts, BFGS learns their interaction too slowly
 constexpr double kShortest = -0.99;     // keeps 1 + h > 0, with room for the line search
-constexpr double kLongest = 100;        // bound on h of free wires; finite, because the box needs one
+constexpr double kLongest = 100;        // bound on h of free wires, because the box must be finite
 
 OuterSolution measured(const Warp& warp, const Eigen::VectorXd& variation, WarpedShape shape) {
   OuterSolution solution;
@@ -112,7 +112,7 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
     return std::tuple(!s.shape.inner.is_feasible, !s.shape.inner.is_minimum, s.shape_error);
   };
   OuterSolution start = std::move(rank(relaxed) <= rank(rigid) ? relaxed : rigid);
-  start.evaluations = 1;  // the evaluation of the other start
+  start.evaluations = 1;  // the evaluation of the start that is not used
   start.inner_solves = inner_solves;
   start.free_factorizations = free.factorizations;
   return start;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The wires that topology processing added (paper III), for the report.
+// Lists the wires that topology processing added (paper III), for the report.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,8 @@ struct PlacedHelperWire {
   std::vector<int> vertices;  // vertices of the prepared chart
 };
 
-/// Returns the wire parts of a prepared chart from first_part on. variation: h, one per wire part.
+/// Returns the wire parts of a prepared chart from first_part on, which are its helper wires. variation: h, one per
+/// wire part.
 std::vector<PlacedHelperWire> list_helper_wires(const Chart& prepared, std::size_t first_part,
                                                 const Eigen::VectorXd& variation);
 

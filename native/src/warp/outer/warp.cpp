@@ -8,7 +8,7 @@
 namespace wirewarp {
 namespace {
 
-/// Added to the curvatures, relative to their mean: a length without effect on E gets a finite step.
+/// Added to the curvatures, relative to their mean, so that a length without effect on E gets a finite step.
 constexpr double kFloor = 1e-4;
 
 Eigen::VectorXd edge_lengths(const WireNetwork& network) {
@@ -65,7 +65,7 @@ WarpedShape Warp::lay_out(InnerSolution inner, Eigen::VectorXd lengths) const {
 
 double Warp::shape_error(const WarpedShape& shape) const { return shape_error_.energy(shape.uv) / area_; }
 
-/// Turns ∂E/∂uv into the derivative by h, divided by the area. Needs the linearized inner problem.
+/// Turns ∂E/∂uv into the derivative with respect to h, divided by the area. Needs the linearized inner problem.
 Eigen::VectorXd Warp::by_variation(const WarpedShape& shape, Positions2 by_uv) const {
   placement_.pull_back(by_uv);
   Eigen::VectorXd by_headings;

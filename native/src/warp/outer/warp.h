@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ψ(h): the flat shape of a chart for given length variations of its wires, and its shape error E with the exact
-// gradient by h (paper II-A and II-B). Matrices that do not depend on h are factored once.
+// ψ(h), the flat shape of a chart for given length variations of its wires, and its shape error E with the exact
+// gradient with respect to h (paper II-A and II-B). Matrices that do not depend on h are factored once.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ namespace wirewarp {
 struct WarpedShape {
   Positions2 uv;            // one row per chart vertex, scene units
   Eigen::VectorXd lengths;  // lengths of the wire edges
-  InnerSolution inner;      // if it is not feasible (the lengths cannot be kept), uv is empty
+  InnerSolution inner;      // uv is empty if this is not feasible, that is, if no shape with the lengths was found
 };
 
 /// All functions throw Stopped and FactorizationFailed.
@@ -29,21 +29,21 @@ class Warp {
   /// Returns ψ(h). variation: h > -1, one per wire part of the chart; boundaries keep their length.
   WarpedShape operator()(const Eigen::VectorXd& variation);
 
-  /// Returns ψ(h) on the branch of another shape: if Eq. (1) has several minima, the angles are found from that
-  /// shape's.
+  /// Returns ψ(h) on the branch of another shape: if Eq. (1) has several minima, the search starts from the angles of
+  /// that shape.
   WarpedShape follow(const WarpedShape& from, const Eigen::VectorXd& variation);
 
   /// Returns E of Eq. (4) over the chart's 3D area.
   double shape_error(const WarpedShape& shape) const;
 
-  /// Returns the gradient of E by h, one entry per wire part, at a minimum of Eq. (1). It is the adjoint of interior
-  /// placement, layout and Eq. (1): one factorization of the inner problem and one transposed solve of the placement,
-  /// independent of the number of wires.
+  /// Returns the gradient of E with respect to h, one entry per wire part, at a minimum of Eq. (1). It applies the
+  /// adjoints of interior placement, layout and Eq. (1). For any number of wires, it takes one factorization of the
+  /// inner problem and one transposed solve of the placement.
   Eigen::VectorXd gradient(const WarpedShape& shape);
 
-  /// Returns the Gauss-Newton Hessian of E by h for some wire parts at the same point: it includes how they stretch and
-  /// shear, but not the curvature of ψ. 1e-4 of the mean curvature is added to the diagonal, so it is positive
-  /// definite. Takes one factorization of the inner problem, and for each part two solves of it and two of the
+  /// Returns the Gauss-Newton Hessian of E with respect to h of some wire parts at the same point. It does not contain
+  /// the curvature of ψ. 1e-4 of the mean curvature is added to the diagonal, so that it is positive definite. It takes
+  /// one factorization of the inner problem and, for each part, two solves of the inner problem and two of the
   /// placement.
   Eigen::MatrixXd gauss_newton_hessian(const WarpedShape& shape, const std::vector<int>& parts);
 

@@ -6,8 +6,7 @@
 namespace wirewarp {
 namespace {
 
-/// Share of an edge. A path that crosses an edge nearer to its end than this passes through the end: otherwise the cut
-/// would leave a sliver.
+/// Share of an edge within which a crossing snaps to the end of the edge, so that the path leaves no slivers.
 constexpr double kNearVertex = 0.1;
 
 PathPoint snap(const HalfEdgeMesh& mesh, const PathPoint& point, double reach) {
@@ -30,8 +29,8 @@ void pass_vertex(const HalfEdgeMesh& mesh, VertexHandle v, MeshPath& path) {
   path.push_back(PathPoint::at_vertex(v));
 }
 
-/// reach_of: returns the share of an edge within which a crossing snaps to an end. ends_at: called at each vertex of
-/// the path; true ends the path there.
+/// Snaps a path. reach_of: returns the share of an edge within which a crossing snaps to an end. ends_at: called at
+/// each vertex of the path; returns whether the path ends there.
 template <class ReachOf, class EndsAt>
 MeshPath snap_until(const HalfEdgeMesh& mesh, const MeshPath& path, const ReachOf& reach_of, const EndsAt& ends_at) {
   MeshPath snapped{path.front()};
@@ -66,13 +65,13 @@ std::optional<MeshPath> snap_to_wires(const HalfEdgeMesh& mesh, const WireMask& 
   return snapped;
 }
 
-HalfEdgeChain embed_path(SplitChart& refined, const MeshPath& path) {
-  const HalfEdgeMesh& mesh = refined.chart.mesh;
+HalfEdgeChain embed_path(SplitChart& split, const MeshPath& path) {
+  const HalfEdgeMesh& mesh = split.chart.mesh;
   HalfEdgeChain chain;
   VertexHandle last = path.front().vertex;
   for (std::size_t i = 1; i < path.size(); ++i) {
-    // The last vertex is opposite to the next edge, so splitting that edge connects it with the new vertex.
-    const VertexHandle next = path[i].is_vertex() ? path[i].vertex : split_edge(refined, path[i].half_edge, path[i].t);
+    // The last vertex is opposite to the next edge, so splitting that edge connects the last vertex with the new one.
+    const VertexHandle next = path[i].is_vertex() ? path[i].vertex : split_edge(split, path[i].half_edge, path[i].t);
     chain.push_back(mesh.find_halfedge(last, next));
     last = next;
   }

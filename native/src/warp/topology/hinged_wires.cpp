@@ -9,33 +9,34 @@ namespace wirewarp {
 namespace {
 
 /// Returns the wire edges that leave a vertex.
-std::vector<HalfedgeHandle> wires_at(const SplitChart& refined, VertexHandle v) {
-  const HalfEdgeMesh& mesh = refined.chart.mesh;
+std::vector<HalfedgeHandle> wires_at(const SplitChart& split, VertexHandle v) {
+  const HalfEdgeMesh& mesh = split.chart.mesh;
   std::vector<HalfedgeHandle> wires;
   for (const HalfedgeHandle h : mesh.voh_range(v)) {
-    if (refined.wires.has(mesh.edge_handle(h))) wires.push_back(h);
+    if (split.wires.has(mesh.edge_handle(h))) wires.push_back(h);
   }
   return wires;
 }
 
-/// Marks all wire vertices except those of the tail's own wire from the tail to the first vertex where another wire
-/// meets it, inclusive.
-std::vector<char> other_wires(const SplitChart& refined, VertexHandle tail) {
-  const HalfEdgeMesh& mesh = refined.chart.mesh;
+/// Marks all wire vertices that a helper wire from a tail may reach: not the vertices of the tail's own wire, up to and
+/// including the first vertex where another wire meets it.
+std::vector<char> other_wires(const SplitChart& split, VertexHandle tail) {
+  const HalfEdgeMesh& mesh = split.chart.mesh;
   std::vector<char> is_other(mesh.n_vertices(), 0);
-  for (const VertexHandle v : mesh.vertices()) is_other[v.idx()] = refined.wires.has(v) ? 1 : 0;
-  HalfedgeHandle h = wires_at(refined, tail).front();
+  for (const VertexHandle v : mesh.vertices()) is_other[v.idx()] = split.wires.has(v) ? 1 : 0;
+  HalfedgeHandle h = wires_at(split, tail).front();
   is_other[tail.idx()] = 0;
   for (;;) {
     const VertexHandle v = mesh.to_vertex_handle(h);
-    const std::vector<HalfedgeHandle> wires = wires_at(refined, v);
+    const std::vector<HalfedgeHandle> wires = wires_at(split, v);
     is_other[v.idx()] = 0;
     if (wires.size() != 2) return is_other;
     h = wires[0] == mesh.opposite_halfedge_handle(h) ? wires[1] : wires[0];
   }
 }
 
-/// Whether a path winds around the surface: it is twice as long as the shortest edge path between its ends.
+/// Returns whether a path winds around the surface: whether it is twice as long as the shortest edge path between its
+/// ends.
 bool winds(const HalfEdgeMesh& mesh, const MeshPath& path) {
   constexpr double kTimesLonger = 2;
   const double length = path_length(mesh, path);
@@ -50,29 +51,29 @@ bool winds(const HalfEdgeMesh& mesh, const MeshPath& path) {
   return length > kTimesLonger * direct;
 }
 
-void extend_tail(SplitChart& refined, VertexHandle tail, HalfedgeHandle wire) {
-  const HalfEdgeMesh& mesh = refined.chart.mesh;
-  std::optional<MeshPath> path = trace_straightest(mesh, refined.wires, wire, total_angle(mesh, tail) / 2);
-  if (path) path = snap_to_wires(mesh, refined.wires, *path);
+void extend_tail(SplitChart& split, VertexHandle tail, HalfedgeHandle wire) {
+  const HalfEdgeMesh& mesh = split.chart.mesh;
+  std::optional<MeshPath> path = trace_straightest(mesh, split.wires, wire, total_angle(mesh, tail) / 2);
+  if (path) path = snap_to_wires(mesh, split.wires, *path);
   if (path && !winds(mesh, *path)) {
-    add_helper_wire(refined, embed_path(refined, *path));
+    add_helper_wire(split, embed_path(split, *path));
   } else {
-    join_by_shortest_path(refined, {tail}, other_wires(refined, tail));
+    join_by_shortest_path(split, {tail}, other_wires(split, tail));
   }
 }
 
 }  // namespace
 
-void extend_hinged_wires(SplitChart& refined, WorkMeter& work) {
-  const std::size_t num_vertices = refined.chart.mesh.n_vertices();  // helper wires do not end inside the chart
+void extend_hinged_wires(SplitChart& split, WorkMeter& work) {
+  const std::size_t num_vertices = split.chart.mesh.n_vertices();  // enough, because new vertices are not ends of wires
   for (std::size_t i = 0; i < num_vertices; ++i) {
     const VertexHandle v(static_cast<int>(i));
     work.did(1);
-    if (!refined.wires.has(v)) continue;
-    const std::vector<HalfedgeHandle> wires = wires_at(refined, v);
+    if (!split.wires.has(v)) continue;
+    const std::vector<HalfedgeHandle> wires = wires_at(split, v);
     if (wires.size() != 1) continue;
-    extend_tail(refined, v, wires.front());
-    work.did(num_vertices);  // the path passes few vertices, but the searches visit all of them
+    extend_tail(split, v, wires.front());
+    work.did(num_vertices);  // the path passes few vertices, but the searches visit all vertices
   }
 }
 

@@ -21,13 +21,13 @@ bool is_sound(const WireNetwork& network) {
 
 std::optional<Chart> process_topology(const Chart& chart, const StopToken& stop) {
   if (is_sound(build_wire_network(chart))) return std::nullopt;
-  SplitChart refined(chart);
+  SplitChart split(chart);
   WorkMeter work(stop);
-  extend_hinged_wires(refined, work);
-  join_separate_loops(refined, work);
-  restore_delaunay(refined, work);
-  if (!is_sound(build_wire_network(refined.chart))) throw UnjoinedWires("A wire is hinged or a loop is separate.");
-  return std::move(refined.chart);
+  extend_hinged_wires(split, work);
+  join_separate_loops(split, work);
+  restore_delaunay(split, work);
+  if (!is_sound(build_wire_network(split.chart))) throw UnjoinedWires("A wire is hinged or a loop is separate.");
+  return std::move(split.chart);
 }
 
 }  // namespace wirewarp

@@ -25,8 +25,8 @@ std::set<int> find_hinged_edges(const WireNetwork& network) {
   return hinged;
 }
 
-/// Divides a walk at its hinged edges. The walk passes each of them twice, and the part in between is one or more loops
-/// beyond the edge.
+/// Divides a walk at its hinged edges. The walk passes each hinged edge twice, and the part in between consists of the
+/// loops beyond the edge.
 void add_loops(const WireNetwork& network, const std::set<int>& hinged, const std::vector<WirePatch::Step>& walk,
                std::vector<WireLoop>& loops) {
   std::vector<WireLoop> found(1);
@@ -85,16 +85,16 @@ std::size_t vertex_at_distance(const WireLoop& loop, std::size_t from, double di
   return nearest;
 }
 
-void join_loop(SplitChart& refined, const std::vector<WireLoop>& loops, const WireLoop& loop) {
-  std::vector<char> is_target(refined.chart.mesh.n_vertices(), 0);
+void join_loop(SplitChart& split, const std::vector<WireLoop>& loops, const WireLoop& loop) {
+  std::vector<char> is_target(split.chart.mesh.n_vertices(), 0);
   for (const WireLoop& other : loops) {
     if (&other == &loop) continue;
     for (const VertexHandle v : other.vertices) is_target[v.idx()] = 1;
   }
   VertexHandle first;
   if (loop.joints.empty()) {
-    const HalfEdgeChain path = join_by_shortest_path(refined, loop.vertices, is_target);
-    first = refined.chart.mesh.from_vertex_handle(path.front());
+    const HalfEdgeChain path = join_by_shortest_path(split, loop.vertices, is_target);
+    first = split.chart.mesh.from_vertex_handle(path.front());
   } else {
     first = loop.joints.front();
   }
@@ -105,7 +105,7 @@ void join_loop(SplitChart& refined, const std::vector<WireLoop>& loops, const Wi
   for (const std::size_t i : {farthest, vertex_at_distance(loop, start, halfway),
                               vertex_at_distance(loop, farthest, (loop.length - 2 * halfway) / 2)}) {
     if (!joined.insert(loop.vertices[i].idx()).second) continue;  // the loop has fewer than four vertices
-    join_by_shortest_path(refined, {loop.vertices[i]}, is_target);
+    join_by_shortest_path(split, {loop.vertices[i]}, is_target);
   }
 }
 
@@ -121,13 +121,13 @@ std::vector<WireLoop> find_separate_loops(const WireNetwork& network) {
   return {};
 }
 
-void join_separate_loops(SplitChart& refined, WorkMeter& work) {
+void join_separate_loops(SplitChart& split, WorkMeter& work) {
   // Every round reduces the number of loops or of edges with the same region on both sides.
-  for (std::size_t rounds_left = refined.chart.mesh.n_edges(); rounds_left > 0; --rounds_left) {
-    const std::vector<WireLoop> loops = find_separate_loops(build_wire_network(refined.chart));
+  for (std::size_t rounds_left = split.chart.mesh.n_edges(); rounds_left > 0; --rounds_left) {
+    const std::vector<WireLoop> loops = find_separate_loops(build_wire_network(split.chart));
     if (loops.empty()) return;
-    work.did(refined.chart.mesh.n_edges());
-    join_loop(refined, loops, loops[choose_loop(loops)]);
+    work.did(split.chart.mesh.n_edges());
+    join_loop(split, loops, loops[choose_loop(loops)]);
   }
 }
 

@@ -6,7 +6,7 @@
 
 namespace wirewarp {
 
-/// A closed walk along one side of wires and boundaries. It omits wires with the walk's region on both sides.
+/// A closed walk along one side of wires and boundaries. It omits wires that have the walk's region on both sides.
 struct WireLoop {
   std::vector<VertexHandle> vertices;
   std::vector<double> position;  // arc length at each vertex, scene units
@@ -14,14 +14,14 @@ struct WireLoop {
   std::vector<VertexHandle> joints;  // vertices where a wire with the region on both sides leaves the loop
 };
 
-/// Returns the loops around one region that has several, or nothing if each region has one loop, as Eq. (1) needs. The
-/// network must have no tails.
+/// Returns the loops of a region with several loops; empty if each region has one loop, as Eq. (1) needs. The network
+/// must have no tails.
 std::vector<WireLoop> find_separate_loops(const WireNetwork& network);
 
-/// Joins loops by helper wires until every region has exactly one loop. Each loop gets four: the shortest path to
-/// another loop (unless one wire joins it already), then the shortest paths from the vertex halfway along the loop and
-/// from the two at its quarters (paper III-B). Throws UnjoinedWires if loops form a ring with one region on both sides,
-/// or if no path joins them.
-void join_separate_loops(SplitChart& refined, WorkMeter& work);
+/// Joins loops by helper wires until every region has exactly one loop. Each loop gets four helper wires: the shortest
+/// path to another loop (unless a wire already leads to one), then the shortest paths from the vertices at one half,
+/// one quarter and three quarters of the loop (paper III-B). Throws UnjoinedWires if loops form a ring with one region
+/// on both sides, or if no path joins them.
+void join_separate_loops(SplitChart& split, WorkMeter& work);
 
 }  // namespace wirewarp

@@ -23,7 +23,8 @@ struct Gate {
 };
 
 std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const Strip& strip) {
-  // Share of an edge that ends on a wire; leaves room for triangles between path and wire.
+  // Share of a crossed edge at an end on a wire that the path keeps away from, to leave room for triangles between path
+  // and wire.
   constexpr double kKeptAway = 0.25;
   Planar from = 0;
   Planar to = edge_length(mesh, strip.crossings.front());

@@ -13,16 +13,17 @@
 namespace wirewarp {
 namespace {
 
-/// Whether the path is shorter around the other side of the vertex: the angle there is less than a straight one.
+/// Returns whether the path is shorter around the other side of the vertex, because the angle there is below 180
+/// degrees.
 bool is_shorter_on_other_side(const HalfEdgeMesh& mesh, const StripTurn& turn) {
-  constexpr double kStraight = 1e-9;  // radians, a thousand times the rounding of a sum of angles
+  constexpr double kStraight = 1e-9;  // radians, a thousand times the rounding error of a sum of angles
   return total_angle(mesh, turn.vertex) - kPi - turn.angle < kPi - kStraight;
 }
 
 /// Replaces the strip and its path by a shorter path that may_take accepts. Returns false if there is none.
 template <class MayTake>
 bool improve(const HalfEdgeMesh& mesh, const WireMask& wires, const MayTake& may_take, Strip& strip, StripPath& best) {
-  // Relative decrease of some hundred roundings, so that two equal paths do not alternate.
+  // Least relative decrease: some hundred rounding errors, so that two equally long paths do not alternate.
   constexpr double kNoShorter = 1e-13;
   for (const StripTurn& turn : best.turns) {
     if (!is_shorter_on_other_side(mesh, turn)) continue;
@@ -83,18 +84,18 @@ MeshPath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires,
   });
 }
 
-HalfEdgeChain join_by_shortest_path(SplitChart& refined, const std::vector<VertexHandle>& sources,
+HalfEdgeChain join_by_shortest_path(SplitChart& split, const std::vector<VertexHandle>& sources,
                                     std::vector<char> is_target) {
-  make_room(refined, sources);
-  const HalfEdgeMesh& mesh = refined.chart.mesh;
+  make_room(split, sources);
+  const HalfEdgeMesh& mesh = split.chart.mesh;
   is_target.resize(mesh.n_vertices(), 0);
-  const std::vector<VertexHandle> edge_path = shortest_edge_path(mesh, refined.wires, sources, is_target);
+  const std::vector<VertexHandle> edge_path = shortest_edge_path(mesh, split.wires, sources, is_target);
   if (edge_path.empty()) throw UnjoinedWires("No path leads from one wire loop to another in the same region.");
-  const MeshPath straight = straighten(mesh, refined.wires, edge_path);
-  const std::optional<MeshPath> path = snap_to_wires(mesh, refined.wires, straight);
+  const MeshPath straight = straighten(mesh, split.wires, edge_path);
+  const std::optional<MeshPath> path = snap_to_wires(mesh, split.wires, straight);
   if (!path) throw UnjoinedWires("A shortest path between wire loops ends off its loops.");
-  HalfEdgeChain chain = embed_path(refined, *path);
-  add_helper_wire(refined, chain);
+  HalfEdgeChain chain = embed_path(split, *path);
+  add_helper_wire(split, chain);
   return chain;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shortest paths that neither touch nor cross wires on their way (paper III-B, step 1): along edges first, its [44],
-// then straightened to a geodesic.
+// Shortest paths that neither touch nor cross wires on their way (paper III-B, step 1): first along edges (the paper's
+// reference [44]), then straightened to a geodesic.
 #pragma once
 
 #include "warp/topology/split_chart.h"
@@ -14,9 +14,9 @@ std::vector<VertexHandle> shortest_edge_path(const HalfEdgeMesh& mesh, const Wir
                                              const std::vector<VertexHandle>& sources,
                                              const std::vector<char>& is_target);
 
-/// Returns a locally shortest path between the same ends. It starts with the shortest path in the strip of triangles
-/// beside edge_path, and changes to the other side of a vertex if that is shorter. It stays a quarter of an edge away
-/// from wires.
+/// Returns a locally shortest path between the ends of edge_path. It starts with the shortest path in the strip of
+/// triangles beside edge_path, and changes to the other side of a vertex if that is shorter. It stays a quarter of an
+/// edge away from wires.
 MeshPath straighten(const HalfEdgeMesh& mesh, const WireMask& wires, const std::vector<VertexHandle>& edge_path);
 
 /// Returns the shortest path between the same ends within the triangles that touch edge_path.
@@ -25,7 +25,7 @@ MeshPath straighten_nearby(const HalfEdgeMesh& mesh, const WireMask& wires, cons
 /// Adds a helper wire along the straightened shortest path from any source to the nearest target, and returns it.
 /// Splits edges if wires leave no room for a path. Throws UnjoinedWires if no target is in a region of a source, or if
 /// the straightened path ends elsewhere.
-HalfEdgeChain join_by_shortest_path(SplitChart& refined, const std::vector<VertexHandle>& sources,
+HalfEdgeChain join_by_shortest_path(SplitChart& split, const std::vector<VertexHandle>& sources,
                                     std::vector<char> is_target);
 
 }  // namespace wirewarp

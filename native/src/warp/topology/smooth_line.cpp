@@ -15,8 +15,8 @@
 namespace wirewarp {
 namespace {
 
-/// Share of an edge within which a line snaps to the edge's end. It avoids slivers, and with edges of 10 mm the line
-/// stays within 2 mm of the shortest one.
+/// Share of an edge within which a line snaps to the edge's end, to avoid slivers. With edges of 10 mm, the line stays
+/// within 2 mm of the shortest line.
 constexpr double kReach = 0.05;
 
 /// Straightens each section between two vertices in its strip of triangles.
@@ -44,7 +44,7 @@ double angle_between(const HalfEdgeMesh::Point& a, const HalfEdgeMesh::Point& b)
   return std::atan2((a % b).norm(), a | b);
 }
 
-/// Whether a point is on the edge of h, but not at the start of h.
+/// Returns whether a point is on the edge of h, but not at the start of h.
 bool is_toward(const HalfEdgeMesh& mesh, const PathPoint& point, HalfedgeHandle h) {
   if (point.is_vertex()) return point.vertex == mesh.to_vertex_handle(h);
   return mesh.edge_handle(point.half_edge) == mesh.edge_handle(h);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth lines that replace paths of edges and can be cut into the mesh.
+// Smooth lines in place of paths of edges, which can be cut into the mesh.
 #pragma once
 
 #include "warp/topology/split_chart.h"
@@ -9,8 +9,8 @@ namespace wirewarp {
 
 /// How far a smooth line may be from the path that it replaces.
 enum class Nearness {
-  touching,  // within the triangles that touch the path, because a geodesic would remove an intended bend of the cut
-  anywhere,  // the geodesic between the same ends that the path shrinks to
+  touching,  // within the triangles that touch the path, so that intended bends of a cut remain
+  anywhere,  // anywhere on the surface: the geodesic to which the path shrinks
 };
 
 /// Returns the shortest line beside a path, with the same ends, that crosses no other lines. Moving a crossing to a

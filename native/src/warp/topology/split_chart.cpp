@@ -14,14 +14,14 @@ double opposite_cotangent(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return (a | b) / (a % b).norm();
 }
 
-bool should_flip(const SplitChart& refined, EdgeHandle edge) {
-  // Sum of cotangents, far above rounding, so that an edge is not flipped back and forth.
+bool should_flip(const SplitChart& split, EdgeHandle edge) {
+  // Sum of cotangents that counts as zero: far above rounding errors, so that no edge is flipped back and forth.
   constexpr double kCocircular = 1e-9;
-  const HalfEdgeMesh& mesh = refined.chart.mesh;
-  if (refined.wires.has(edge)) return false;
+  const HalfEdgeMesh& mesh = split.chart.mesh;
+  if (split.wires.has(edge)) return false;
   const HalfedgeHandle h = mesh.halfedge_handle(edge, 0);
   const HalfedgeHandle o = mesh.halfedge_handle(edge, 1);
-  const std::vector<int>& source = refined.chart.source_face;
+  const std::vector<int>& source = split.chart.source_face;
   if (source[mesh.face_handle(h).idx()] != source[mesh.face_handle(o).idx()]) return false;
   return opposite_cotangent(mesh, h) + opposite_cotangent(mesh, o) < -kCocircular && mesh.is_flip_ok(edge);
 }
@@ -45,13 +45,13 @@ void WireMask::add(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   vertices_[mesh.to_vertex_handle(h).idx()] = 1;
 }
 
-VertexHandle split_edge(SplitChart& refined, HalfedgeHandle h, double t) {
-  HalfEdgeMesh& mesh = refined.chart.mesh;
-  std::vector<int>& source_face = refined.chart.source_face;
+VertexHandle split_edge(SplitChart& split, HalfedgeHandle h, double t) {
+  HalfEdgeMesh& mesh = split.chart.mesh;
+  std::vector<int>& source_face = split.chart.source_face;
   const auto from = mesh.point(mesh.from_vertex_handle(h));
   const auto to = mesh.point(mesh.to_vertex_handle(h));
   const VertexHandle middle = mesh.new_vertex(from + (to - from) * t);
-  refined.chart.source_vertex.push_back(-1);
+  split.chart.source_vertex.push_back(-1);
 
   // One half of each triangle remains the old face and the other half is new. These two half-edges are in different
   // halves.
@@ -70,8 +70,8 @@ VertexHandle split_edge(SplitChart& refined, HalfedgeHandle h, double t) {
   return middle;
 }
 
-void make_room(SplitChart& refined, const std::vector<VertexHandle>& seeds) {
-  const HalfEdgeMesh& mesh = refined.chart.mesh;
+void make_room(SplitChart& split, const std::vector<VertexHandle>& seeds) {
+  const HalfEdgeMesh& mesh = split.chart.mesh;
   std::vector<char> is_seen(mesh.n_faces(), 0);
   std::vector<FaceHandle> stack;
   const auto visit = [&](FaceHandle f) {
@@ -87,36 +87,35 @@ void make_room(SplitChart& refined, const std::vector<VertexHandle>& seeds) {
     HalfedgeHandle h = mesh.halfedge_handle(stack.back());
     stack.pop_back();
     for (int k = 0; k < 3; ++k, h = mesh.next_halfedge_handle(h)) {
-      if (refined.wires.has(mesh.edge_handle(h))) continue;
+      if (split.wires.has(mesh.edge_handle(h))) continue;
       visit(mesh.face_handle(mesh.opposite_halfedge_handle(h)));
       const bool is_first = h == mesh.halfedge_handle(mesh.edge_handle(h), 0);
-      const bool joins_wires =
-          refined.wires.has(mesh.from_vertex_handle(h)) && refined.wires.has(mesh.to_vertex_handle(h));
+      const bool joins_wires = split.wires.has(mesh.from_vertex_handle(h)) && split.wires.has(mesh.to_vertex_handle(h));
       if (is_first && joins_wires) narrow.push_back(h);
     }
   }
-  for (const HalfedgeHandle h : narrow) split_edge(refined, h, 0.5);
+  for (const HalfedgeHandle h : narrow) split_edge(split, h, 0.5);
 }
 
-void add_helper_wire(SplitChart& refined, HalfEdgeChain half_edges) {
+void add_helper_wire(SplitChart& split, HalfEdgeChain half_edges) {
   int num_helpers = 0;
-  for (const WirePart& part : refined.chart.wire_parts) num_helpers += part.wire_index < 0 ? 1 : 0;
-  for (const HalfedgeHandle h : half_edges) refined.wires.add(refined.chart.mesh, h);
-  refined.chart.wire_parts.push_back(
+  for (const WirePart& part : split.chart.wire_parts) num_helpers += part.wire_index < 0 ? 1 : 0;
+  for (const HalfedgeHandle h : half_edges) split.wires.add(split.chart.mesh, h);
+  split.chart.wire_parts.push_back(
       {-1, num_helpers, WireKind::super_elastic, std::numeric_limits<double>::infinity(), std::move(half_edges)});
 }
 
-void restore_delaunay(SplitChart& refined, WorkMeter& work) {
-  HalfEdgeMesh& mesh = refined.chart.mesh;
+void restore_delaunay(SplitChart& split, WorkMeter& work) {
+  HalfEdgeMesh& mesh = split.chart.mesh;
   std::vector<EdgeHandle> stack;
   for (const EdgeHandle e : mesh.edges()) stack.push_back(e);
-  // Lawson's flips terminate; the bound only guards against rounding at cocircular corners.
+  // Lawson's flips terminate; the bound only protects from rounding errors at cocircular corners.
   std::size_t flips_left = 100 * mesh.n_edges();
   while (!stack.empty() && flips_left > 0) {
     const EdgeHandle edge = stack.back();
     stack.pop_back();
     work.did(1);
-    if (!should_flip(refined, edge)) continue;
+    if (!should_flip(split, edge)) continue;
     mesh.flip(edge);
     --flips_left;
     for (unsigned side = 0; side < 2; ++side) {

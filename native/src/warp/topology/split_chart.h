@@ -37,16 +37,16 @@ struct SplitChart {
 };
 
 /// Splits an edge without a wire at from + t (to - from), and its two triangles at the new vertex.
-VertexHandle split_edge(SplitChart& refined, HalfedgeHandle h, double t);
+VertexHandle split_edge(SplitChart& split, HalfedgeHandle h, double t);
 
-/// Splits at its middle every edge that connects two wire vertices but is not on a wire, in the regions around the
-/// seeds. Then every two wire vertices of a region have a path between wires.
-void make_room(SplitChart& refined, const std::vector<VertexHandle>& seeds);
+/// In the regions around the seeds, splits every edge at its middle that connects two wire vertices and is not on a
+/// wire. Then a path without wires connects any two wire vertices of a region.
+void make_room(SplitChart& split, const std::vector<VertexHandle>& seeds);
 
 /// Appends a super-elastic wire. The half-edges must not be on a wire.
-void add_helper_wire(SplitChart& refined, HalfEdgeChain half_edges);
+void add_helper_wire(SplitChart& split, HalfEdgeChain half_edges);
 
-/// Flips edges until the mesh is Delaunay, but only edges inside one input face and not on a wire.
-void restore_delaunay(SplitChart& refined, WorkMeter& work);
+/// Flips edges until the mesh is Delaunay. Does not flip wires and edges of input faces.
+void restore_delaunay(SplitChart& split, WorkMeter& work);
 
 }  // namespace wirewarp

@@ -85,7 +85,7 @@ FlattenError wrong_path(const std::string& value, const std::string& allowed) {
   return wrong_option("path", value, allowed);
 }
 
-/// Throws the reason why a pair of vertices is not an edge inside a piece.
+/// Throws an error that says why a pair of vertices is not an edge inside a piece.
 [[noreturn]] void refuse(const Charts& charts, const EdgeTable& edges, int a, int b) {
   const int edge = edges.find(a, b);
   for (int j = 0; edge >= 0 && j < edges.num_sides(edge); ++j) {

@@ -10,7 +10,8 @@
 namespace wirewarp {
 namespace {
 
-/// Tolerance for rounding: a path this close to a vertex (in edge lengths) or edge (in radians) counts as on it.
+/// Tolerance for rounding errors: a path this close to a vertex (in edge lengths) or to an edge (in radians) counts as
+/// on it.
 constexpr double kOnIt = 1e-11;
 
 class Tracer {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The straightest geodesic from a vertex (paper III-A, its [41], [42]): straight across edges, and with equal surface
-// angles on its left and right at vertices.
+// The straightest geodesic from a vertex (paper III-A, references [41] and [42] there): straight across edges, and with
+// equal surface angles on its left and right at vertices.
 #pragma once
 
 #include <optional>
@@ -13,9 +13,9 @@ namespace wirewarp {
 /// Returns the sum of the face corners at a vertex, radians.
 double total_angle(const HalfEdgeMesh& mesh, VertexHandle v);
 
-/// Follows the straightest geodesic from the start of `reference`, at `angle` radians counter-clockwise from it, to the
-/// first vertex or edge of a wire or boundary, which is the path's last point. Returns nothing if the geodesic comes
-/// back to a triangle or vertex that it has passed; so a path has at most as many points as the mesh has faces and
+/// Follows the straightest geodesic that leaves the start of `reference` at `angle` radians counter-clockwise from
+/// `reference`. The path ends at the first vertex or edge of a wire or boundary. Returns nullopt if the geodesic comes
+/// back to a triangle or vertex that it has passed, so a path has at most as many points as the mesh has faces and
 /// vertices. The start must be inside the chart, or the angle within the start's faces.
 std::optional<MeshPath> trace_straightest(const HalfEdgeMesh& mesh, const WireMask& wires, HalfedgeHandle reference,
                                           double angle);

@@ -40,7 +40,7 @@ std::vector<HalfedgeHandle> without_detours(const HalfEdgeMesh& mesh, const std:
   return kept;
 }
 
-/// Removes detours: visits each triangle once, from the last one at the start to the first one at the end.
+/// Removes detours, so that the strip visits each triangle once and has one triangle at each end vertex.
 Strip shorten(const HalfEdgeMesh& mesh, Strip strip) {
   strip.crossings = without_detours(mesh, strip.crossings);
   std::vector<HalfedgeHandle>& crossings = strip.crossings;

@@ -7,11 +7,11 @@
 
 namespace wirewarp {
 
-/// A chain of adjacent triangles from one with the corner `start` to one with the corner `end`, without repetition.
+/// A chain of adjacent triangles without repetition, from a triangle at `start` to a triangle at `end`.
 struct Strip {
   VertexHandle start;
   VertexHandle end;
-  /// Each half-edge is on the face that the path leaves; empty if one triangle has both corners.
+  /// The crossed half-edges, on the face that the path leaves; empty if one triangle contains both vertices.
   std::vector<HalfedgeHandle> crossings;
 };
 

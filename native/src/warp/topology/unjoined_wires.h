@@ -5,7 +5,8 @@
 
 namespace wirewarp {
 
-/// Rounding leaves no path for a helper wire that Eq. (1) needs between the wires and outlines of a chart (paper III).
+/// Thrown if rounding errors leave no path for a helper wire that Eq. (1) needs between the wires and outlines of a
+/// chart (paper III).
 class UnjoinedWires : public std::domain_error {
  public:
   using std::domain_error::domain_error;
