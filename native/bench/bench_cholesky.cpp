@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sparse Cholesky factorization on a sheet with two unknowns a vertex, each edge a spring: dissection, analysis,
-// factorization and substitution, beside Eigen's SimplicialLLT on the same matrix.
+// Measures the sparse Cholesky factorization (dissection, analysis, factorization, substitution) and Eigen's
+// SimplicialLLT on the same matrix: a sheet with two unknowns per vertex, in which each edge is a spring.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/SparseCholesky>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the time of each stage and the peak memory of whole runs: two methods, 10k, 100k and 1M triangles, with 2
-// rigid, 8 rigid or 8 elastic wires.
+// Measures the time of each stage and the peak memory of whole runs: two methods; 10,000, 100,000 and 1,000,000
+// triangles; 2 rigid, 8 rigid or 8 elastic wires.
 #include <benchmark/benchmark.h>
 
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the free ARAP flattening from two starts: the embedding on a circle, as in the refined method, and the rigid
+// Measures the free ARAP flattening from two starts: the embedding in a circle, as in the refined method, and the rigid
 // shape, as for h0 in WireWarping++. Also measures the embedding alone.
 #include <benchmark/benchmark.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures the interior placement alone: one factorization, then one placement for another set of wire lengths.
+// Measures the interior placement alone: its factorization, and one placement for other wire lengths.
 #include <benchmark/benchmark.h>
 
 #include "bench_sheet.h"

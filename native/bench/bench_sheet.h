@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// The bumpy sheet as a chart. The first two arguments of a benchmark are its numbers of triangles and wires.
+/// The bumpy sheet as a chart, with the numbers of triangles and wires from the first two arguments of a benchmark.
 struct BenchSheet {
   explicit BenchSheet(const benchmark::State& state, double height = 0.3)
       : input(bumpy_sheet(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)), 0, height)),

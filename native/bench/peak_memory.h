@@ -6,7 +6,7 @@ namespace wirewarp {
 /// Starts a new measurement of the peak of this process's resident memory (Linux).
 void reset_peak_memory();
 
-/// Returns the peak since then, megabytes.
+/// Returns the peak since the last reset, megabytes.
 double peak_memory_mb();
 
 }  // namespace wirewarp

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compares expensive runs with plain ones: many wires, fabrics, elastic seams. Prints a Markdown table with the medians
-// of alternating runs in user seconds, which depend little on other jobs of the machine.
+// Compares expensive runs (many wires, fabrics, elastic seams) with plain runs. Prints a Markdown table with the
+// medians of alternating runs in user seconds, which depend little on other programs.
 //
 //   wirewarp_cost_ratios [ROUNDS [PART_OF_A_NAME]]
 #include <sys/resource.h>
@@ -60,7 +60,7 @@ Options woven(Orientation orientation) {
   return options;
 }
 
-/// Returns a sheet cut into nine pieces. tolerance: of the seams.
+/// Returns a sheet that seams cut into nine pieces. tolerance: of wires along the seams; 0: no wires.
 FlattenInput nine_pieces(double tolerance) {
   FlattenInput input = bumpy_sheet(kPiece, 4, tolerance);
   std::vector<int> ends;
@@ -88,7 +88,7 @@ FlattenInput every_edge_a_wire() {
     Wire wire;
     wire.vertices = {a, b};
     wire.tolerance = kTolerance;
-    wire.ease = 0.1 * std::sin(static_cast<double>(input.wires.size()));  // as if at random
+    wire.ease = 0.1 * std::sin(static_cast<double>(input.wires.size()));  // irregular
     input.wires.push_back(wire);
   }
   return input;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Prints E(ψ(h)) and its exact derivative by the length variation of each wire, with those of all other wires 0 (paper
-// Fig. 3).
+// Prints E(ψ(h)) and its exact derivative with respect to the length variation h of one wire part, for one part after
+// the other; h of all other parts is 0 (paper Fig. 3).
 //
 //   wirewarp_error_curves PIECE LIMIT STEPS < SURFACE
 //
-// SURFACE, numbers between blanks: how many vertices, faces, seam edges and wires there are, then the coordinates, the
-// vertex triples, the vertex pairs and the wires, each with its number of vertices first. PIECE is the piece looked at,
-// in the order of flatten(). Prints a line "wire part h E dE/dh" for each of STEPS + 1 values of h from -LIMIT to LIMIT
-// and each wire part in the piece; E and its derivative are nan where ψ(h) does not exist.
+// SURFACE contains numbers between blanks: the numbers of vertices, faces, seam edges and wires; the coordinates; the
+// vertex triples of faces; the vertex pairs of seam edges; and the wires, each as its number of vertices and these
+// vertices. PIECE is the number of a piece, in the order of flatten(). Prints a line "wire part h E dE/dh" for each of
+// STEPS + 1 values of h from -LIMIT to LIMIT and each wire part in the piece. E and its derivative are nan if ψ(h) does
+// not exist.
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -43,7 +44,7 @@ FlattenInput read_surface(std::istream& in) {
     wire.vertices.resize(length);
     for (int& vertex : wire.vertices) in >> vertex;
   }
-  if (!in) throw std::runtime_error("the surface ends too early or holds something that is no number");
+  if (!in) throw std::runtime_error("the surface ends too early or contains something other than numbers");
   return input;
 }
 

@@ -12,15 +12,15 @@
 namespace wirewarp {
 
 /// Fills the panel and the Schur complement of a front before its factorization, from the values of a lower triangle
-/// and the Schur complements of the front's children. factor, schurs: those of all fronts.
+/// and the Schur complements of the front's children. factor, schurs: of all fronts.
 void assemble_front(const FrontLayout& layout, int node, const double* values, Tile* factor, Tile* schurs);
 
-/// Multiplications of tiles between two calls of the stop token, about a tenth of a second. Each call also advances the
-/// progress bar, so there are few: none below 50,000 triangles, forty per factorization at a million.
+/// Number of tile multiplications between two calls of the stop token, about a tenth of a second. Each call also
+/// advances the progress bar, so calls are rare: none below 50,000 triangles, forty per factorization for a million.
 constexpr double kWorkPerQuestion = 1e7;
 
 /// Calls eliminate(front) for all fronts, children before parents, in two threads if requested. Returns false
-/// immediately if a front cannot be eliminated or the caller stops. Only this thread asks the stop token.
+/// immediately if a front cannot be eliminated or the caller stops. Only the calling thread polls the stop token.
 template <typename Eliminate>
 bool eliminate_fronts(const FrontLayout& layout, bool in_threads, const StopToken& stop, const Eliminate& eliminate) {
   std::atomic<bool> is_good{true};

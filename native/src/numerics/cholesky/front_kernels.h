@@ -39,8 +39,8 @@ struct FrontKernels {
   /// immediately at a pivot that is not a positive finite number.
   bool (*factor)(Tile* panel, Tile* schur, int m, int r);
 
-  /// Does the same for an unsymmetric matrix A = L U. L and Uᵀ have the same shape, so each has a panel and a half of
-  /// S. L and U have the same diagonal, the square roots of the pivots.
+  /// Factors a front of an unsymmetric matrix A = L U. L and Uᵀ have the same shape, so each has a panel and a triangle
+  /// of S. L and U have the same diagonal, the square roots of the pivots.
   bool (*factor_lu)(Tile* lower, Tile* lower_schur, Tile* upper, Tile* upper_schur, int m, int r);
 
   /// [x₁; x₂] := [L₁₁⁻¹ x₁; x₂ − L₂₁ L₁₁⁻¹ x₁] for one right-hand side, or for four stored row by row. x has 4 (m + r)
@@ -56,7 +56,7 @@ struct FrontKernels {
 extern const FrontKernels kPlainKernels;  // for any processor
 extern const FrontKernels kAvx2Kernels;   // call only if has_avx2()
 
-/// Whether this processor has AVX2 and FMA.
+/// Returns whether this processor has AVX2 and FMA.
 bool has_avx2();
 
 /// Returns the fastest kernels for this processor.

@@ -3,9 +3,9 @@
 // processor holds (kLanes), and how many row tiles fit in its registers during factorization (kRowsAtOnce) and during
 // the sums of back substitution (kRowsSummed).
 //
-// Files compiled for a newer processor must not share inline functions with others: the linker keeps one of two copies,
-// and old processors would then execute the new instructions. So everything here is in an unnamed namespace and uses
-// only C functions, nothing of the standard library or Eigen.
+// A file that is compiled for newer processors must not share inline functions with other files: the linker keeps one
+// of the copies, and old processors might then execute new instructions. Therefore everything here is in an unnamed
+// namespace and uses only C functions, nothing of the standard library or Eigen.
 #include <math.h>
 
 #include "numerics/cholesky/front_kernels.h"
@@ -77,7 +77,7 @@ inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRo
   }
 }
 
-/// Returns the factor that rows of factor f are multiplied by: Uᵀ for L and L for Uᵀ. A symmetric matrix has only one
+/// Returns the factor by which rows of factor f are multiplied: Uᵀ for L, and L for Uᵀ. A symmetric matrix has only one
 /// factor, L = Uᵀ.
 template <typename T, int kFactors>
 inline T& other(T (&factors)[kFactors], int f) {

@@ -61,7 +61,7 @@ class Builder {
     if (static_cast<std::size_t>(count) != num_vertices) refuse("a vertex is missing");
   }
 
-  /// An entry belongs to the front of its vertex that is eliminated first.
+  /// Sorts the entries of the matrix by front. An entry belongs to the front of that vertex which is eliminated first.
   void sort_entries_by_front() {
     entry_start_.assign(num_fronts() + 1, 0);
     const auto front_of = [this](int row, int column) {
@@ -106,7 +106,8 @@ class Builder {
     if (front.parent != -1) children_of_[front.parent].push_back(node);
   }
 
-  /// Lists the pivots of a front and then, in elimination order, the vertices that these and the children's rows reach.
+  /// Lists the pivots of a front and then, in elimination order, the vertices that the pivots or the children's rows
+  /// couple with.
   void add_vertices(int node) {
     std::vector<int>& vertices = layout_.vertices;
     for (int v : tree_.nodes[node].vertices) {
@@ -153,7 +154,7 @@ class Builder {
     }
   }
 
-  /// The rows of a child are among its parent's vertices, in the same order.
+  /// Fills rows_in_parent. The rows of a child are among its parent's vertices, in the same order.
   void link_to_parents() {
     for (int node = 0; node < num_fronts(); ++node) {
       Front& front = layout_.fronts[node];
@@ -188,7 +189,7 @@ class Builder {
   const DissectionTree& tree_;
   const int k_;
   FrontLayout layout_;
-  std::vector<int> elimination_;  // elimination position of each vertex
+  std::vector<int> elimination_;  // position of each vertex in the elimination order
   std::vector<int> entry_start_;  // start of each front in entries_
   std::vector<Entry> entries_;
   std::vector<std::vector<int>> children_of_{tree_.nodes.size()};

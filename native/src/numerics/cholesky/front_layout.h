@@ -19,7 +19,7 @@ struct Front {
   int first_vertex;       // in FrontLayout::vertices
   int num_pivots;         // vertices
   int num_rows;           // vertices
-  int num_own_rows;       // vertices; the first rows, which are pivots in the same share of subtrees
+  int num_own_rows;       // vertices; the first rows, which are pivots of fronts in the same share of subtrees
   int pivot_tiles;        // m
   int row_tiles;          // r
   int first_entry;        // in FrontLayout::entries; the next front's value is the end
@@ -44,7 +44,7 @@ struct MatrixEntry {
 struct FrontLayout {
   int unknowns_per_vertex;
   Eigen::Index num_unknowns;
-  std::vector<Front> fronts;        // in postorder, and one past the last
+  std::vector<Front> fronts;        // in postorder, then an entry that marks the end
   std::vector<int> vertices;        // pivots and rows of all fronts, each in elimination order; rows that are
                                     // not a front's own as indices into shared_vertices
   std::vector<int> rows_in_parent;  // parent's row of each unknown of each front's rows
@@ -59,15 +59,15 @@ struct FrontLayout {
   FrontSet all_fronts;               // fronts to eliminate
   std::vector<int> shared_vertices;  // pivots of the ancestors of all_fronts and of the kept root
 
-  /// Returns the padded row of the first unknown of a front's vertex.
+  /// Returns the row of the first unknown of a front's vertex, with padding.
   int row_of(const Front& front, int place) const {
     return place < front.num_pivots ? unknowns_per_vertex * place
                                     : 4 * front.pivot_tiles + unknowns_per_vertex * (place - front.num_pivots);
   }
 };
 
-/// lower: the lower triangle, compressed. keeps_root: the last node of the tree is not eliminated. Throws
-/// std::invalid_argument if the tree does not match the matrix.
+/// Computes the layout. lower: the lower triangle, compressed. keeps_root: whether the last node of the tree is not
+/// eliminated. Throws std::invalid_argument if the tree does not match the matrix.
 FrontLayout lay_out_fronts(const Eigen::SparseMatrix<double>& lower, const DissectionTree& tree,
                            int unknowns_per_vertex, bool keeps_root = false);
 

@@ -9,9 +9,9 @@
 
 namespace wirewarp {
 
-/// Fronts to visit, split for two threads: two shares of independent subtrees with about equal work, and their common
-/// ancestors. Children come before parents. The split does not depend on the number of threads, so sums are equal to
-/// the last bit.
+/// Fronts to visit, divided for two threads: two shares of independent subtrees with about equal work, and their common
+/// ancestors. Children come before parents. The division does not depend on the number of threads, so that results are
+/// equal to the last bit.
 struct FrontSet {
   static constexpr std::size_t num_shares = 2;
 

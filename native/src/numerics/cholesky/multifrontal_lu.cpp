@@ -24,8 +24,8 @@ bool have_same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
 
 }  // namespace
 
-/// The triangles of A, the upper one transposed. The elimination order decides which triangle an entry belongs to, so
-/// its row and column may be exchanged.
+/// The entries of A that belong to L, and the transposed entries that belong to U. An entry belongs to L if its row is
+/// eliminated after its column.
 struct MultifrontalLu::Triangles {
   Triangles(const Matrix& a, const Positions2& positions)
       : lower(a.triangularView<Eigen::Lower>()),

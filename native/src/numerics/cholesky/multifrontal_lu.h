@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sparse A = L U by the multifrontal method, without pivoting, for row-diagonally-dominant M-matrices: positive
-// diagonal, no positive entry off it, no negative row sum. Elimination keeps these properties, so every pivot is
-// positive and no pivoting is needed. L and Uᵀ have the pattern of a Cholesky factor: the fronts are those of
-// multifrontal_cholesky.h, each with a panel for L and one for Uᵀ.
+// Sparse factorization A = L U by the multifrontal method, without pivoting, for row-diagonally-dominant M-matrices:
+// aᵢᵢ > 0, aᵢⱼ <= 0 and Σⱼ aᵢⱼ >= 0. Elimination keeps these properties, so every pivot is positive and no pivoting is
+// needed. L and Uᵀ have the pattern of a Cholesky factor: the fronts are those of multifrontal_cholesky.h, each with a
+// panel for L and one for Uᵀ.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -46,7 +46,7 @@ class MultifrontalLu {
   FrontLayout layout_;
   Substitution substitution_;
   Tiles lower_;  // panels of L
-  Tiles upper_;  // and of Uᵀ
+  Tiles upper_;  // panels of Uᵀ
 };
 
 }  // namespace wirewarp

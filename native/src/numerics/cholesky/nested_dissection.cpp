@@ -16,7 +16,7 @@ namespace {
 constexpr std::ptrdiff_t kLeafSize = 16;
 
 // Directions in which a set of vertices is halved: x, y and the two diagonals, because meshes have no preferred
-// direction. With x and y alone, whole runs on an axis-parallel sheet are not faster.
+// direction. With x and y alone, runs on an axis-parallel sheet are not faster.
 constexpr std::array<std::array<double, 2>, 4> kDirections = {{{1, 0}, {0, 1}, {1, 1}, {1, -1}}};
 
 class Dissection {
@@ -66,8 +66,8 @@ class Dissection {
     return part;
   }
 
-  /// Appends the nodes of a set of vertices whose outside neighbors are all in separators. Returns the roots of the
-  /// nodes.
+  /// Appends the nodes for a set of vertices; all neighbors outside the set are in separators. Returns the roots of
+  /// these nodes.
   std::vector<int> dissect(Iterator begin, Iterator end) {
     if (begin == end) return {};
     if (end - begin <= kLeafSize) return {append(begin, end, {})};

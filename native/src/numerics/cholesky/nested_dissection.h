@@ -18,7 +18,8 @@ struct Graph {
   int num_vertices() const { return static_cast<int>(start.size()) - 1; }
 };
 
-/// Each vertex belongs to one node. An edge of the graph connects vertices of one node, or of a node and its ancestor.
+/// A tree of sets of vertices. Each vertex belongs to one node. An edge of the graph connects two vertices of one node,
+/// or a vertex of a node with a vertex of its ancestor.
 struct DissectionTree {
   struct Node {
     std::vector<int> vertices;  // at least one

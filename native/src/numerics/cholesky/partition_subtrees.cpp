@@ -10,13 +10,13 @@
 namespace wirewarp {
 namespace {
 
-// Maximum number of splits of the heaviest subtree. Five levels down, each subtree has a thirtieth of the work, which
-// makes the shares even enough.
+// Maximum number of times that the heaviest subtree is split. After 32 splits, each subtree has about a thirtieth of
+// the work, so that the shares are even enough.
 constexpr int kMostSplits = 32;
 
 int num_fronts(const FrontLayout& layout) { return static_cast<int>(layout.fronts.size()) - 1; }
 
-/// The work of a front with all its descendants, and the first of these.
+/// The work of a front with all its descendants, and the first descendant.
 struct Subtree {
   double work;
   int first;
@@ -91,7 +91,7 @@ void partition_subtrees(FrontLayout& layout) {
 
 namespace {
 
-/// Two stacks of Schur complements, for even and odd depth of the tree, for fronts eliminated in the given order.
+/// Places Schur complements on two stacks, for even and odd depth in the tree, in the order of elimination.
 class SchurStacks {
  public:
   SchurStacks(FrontLayout& layout, const std::vector<int>& depth) : layout_(layout), depth_(depth) {}
@@ -134,7 +134,7 @@ void place_schur_complements(FrontLayout& layout) {
   stacks.place(layout.all_fronts.ancestors);
 }
 
-/// The ancestors of a share's subtrees come last, so the rows that they eliminate are the last ones.
+/// The ancestors of a share's subtrees are eliminated last, so their pivots are the last rows of a front.
 void list_shared_vertices(FrontLayout& layout) {
   std::vector<int> place(layout.front_of_vertex.size(), -1);
   std::vector<int> shared_fronts = layout.all_fronts.ancestors;

@@ -8,8 +8,8 @@ namespace wirewarp {
 /// Fills all_fronts: subtrees of about equal work, split further at the top as long as that shortens the whole run.
 void partition_subtrees(FrontLayout& layout);
 
-/// Fills Front::schur and schur_tiles. Each share of subtrees has its own two stacks, and so have the ancestors: a
-/// Schur complement is on one stack while those of its children are removed from the other.
+/// Fills Front::schur and schur_tiles. Each share of subtrees has two stacks, and so do the ancestors: a Schur
+/// complement is pushed on one stack while those of its children are popped from the other.
 void place_schur_complements(FrontLayout& layout);
 
 /// Fills shared_vertices and Front::num_own_rows, and replaces the other rows by their indices in shared_vertices.

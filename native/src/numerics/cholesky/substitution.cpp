@@ -9,7 +9,7 @@
 namespace wirewarp {
 namespace {
 
-// Two megabytes of a factor, read in a fifth of a millisecond: several times what starting a thread takes.
+// Two megabytes of a factor. Reading them takes a fifth of a millisecond, several times as long as starting a thread.
 constexpr std::size_t kTilesWorthThreads = 1 << 14;
 
 using Columns = Eigen::Ref<Eigen::MatrixXd>;
@@ -24,7 +24,8 @@ class FrontRows {
   double* numbers() const { return x_[0].entries; }
   Tile* sums() const { return sums_.get(); }  // work space of the kernels
 
-  /// own: the columns with pivots and own rows, one row per unknown of a vertex. shared: the same for shared vertices.
+  /// Copies the rows of a front. own: pivots and own rows, one row per unknown of a vertex. shared: the rows of shared
+  /// vertices.
   void gather(const Front& front, const Columns& own, const Columns& shared) const {
     std::fill_n(numbers(), kColumns * kTile * (front.pivot_tiles + front.row_tiles), 0.0);
     const int num_own = front.num_pivots + front.num_own_rows;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Solution with a factor, front by front: L⁻¹ b from the leaves to the roots, then L⁻ᵀ of the result from the roots to
-// the leaves. The contributions of the two shares of subtrees to the rows of their ancestors are summed separately and
-// then added in a fixed order, so the number of threads does not change the result.
+// Solves with a factor, front by front: computes L⁻¹ b from the leaves to the roots, then L⁻ᵀ of the result from the
+// roots to the leaves. The contributions of the two shares of subtrees to the rows of their ancestors are summed
+// separately and then added in a fixed order, so the number of threads does not change the result.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,7 +24,8 @@ class Substitution {
 
   /// b := L⁻¹ b, where b is zero except at pivots of the given fronts. factor: the panels of all fronts.
   void forward(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& nonzero) const;
-  /// b := L⁻ᵀ b at pivots of the wanted fronts. Their ancestors must be among them or visited before.
+  /// b := L⁻ᵀ b at pivots of the wanted fronts. These must include their ancestors, or a call for the ancestors must
+  /// come before.
   void back(const Tile* factor, Eigen::Ref<Eigen::MatrixXd> b, const FrontSet& wanted) const;
 
  private:

@@ -7,18 +7,17 @@
 
 namespace wirewarp {
 
-/// The role of a vertex while its set is halved. A cut vertex has neighbors in the other half.
+/// The role of a vertex when its set is halved. A cut vertex has neighbors in the other half.
 enum class Side : char { outside, lower, lower_cut, upper, upper_cut, separator };
 
-/// Finds the smallest set of vertices that contains an end of every edge across a cut. By König's theorem it has as
-/// many vertices as a maximum matching of these edges has edges (D. König, Graphok és mátrixok, 1931), and is found
-/// with it.
+/// Finds the smallest set of vertices that contains an end of every edge across a cut. By König's theorem (D. König,
+/// Graphok és mátrixok, 1931), a maximum matching of these edges has as many edges, and leads to the set.
 class VertexSeparator {
  public:
   explicit VertexSeparator(const Graph& graph);
 
-  /// Turns the cut vertices of both halves into separator, lower or upper vertices, so that no lower vertex is a
-  /// neighbor of an upper one. cut: those of both halves.
+  /// Turns the cut vertices of both halves into separator, lower or upper vertices, so that no lower vertex has an
+  /// upper neighbor. cut: the cut vertices of both halves.
   void separate(const std::vector<int>& cut, std::vector<Side>& side);
 
  private:

@@ -16,7 +16,7 @@ struct ValueAndGradient {
   Eigen::VectorXd gradient;
 };
 
-/// Returns nothing where the function is not defined: the line search then shortens the step.
+/// Returns nullopt if the function is not defined at x. The line search then shortens the step.
 using BoxFunction = std::function<std::optional<ValueAndGradient>(const Eigen::VectorXd& x)>;
 
 struct BoxMinimum {
