@@ -10,7 +10,7 @@
 namespace wirewarp::test {
 namespace {
 
-/// Topology of a piece, found from its faces.
+/// The topology of a piece, determined from its faces.
 struct Topology {
   int num_loops = 0;
   int num_handles = 0;
@@ -63,7 +63,7 @@ void check_named_elements(Judged& judged, int number) {
   }
 }
 
-/// Checks proposed tolerances: larger than the wires' tolerances, on wires with fixed or elastic length.
+/// Checks that proposed tolerances are larger than the wires' tolerances, and that the wires are fixed or elastic.
 void check_tolerances(Judged& judged, int number) {
   for (const ProposedTolerance& proposed : judged.result.pieces[number].error->elements.proposed_tolerances) {
     const Wire& wire = judged.input.wires[proposed.wire];
@@ -87,8 +87,8 @@ void check_flips(Judged& judged, const Piece& piece) {
   }
 }
 
-/// Whether target lengths differ from those on the surface: the piece has eases, or it has a shape only without the
-/// stretch. Then neither a seam nor a tolerance is sure to help.
+/// Returns whether target lengths differ from the lengths on the surface, because the piece has eases, or has a shape
+/// only without the stretch. Then perhaps neither seams nor tolerances help.
 bool has_other_target_lengths(const Judged& judged, int number) {
   const bool is_of_stretch = judged.unstretched && !judged.unstretched->pieces[number].error;
   return is_of_stretch || has_other_outline(judged, judged.result.pieces[number]);

@@ -5,10 +5,10 @@
 
 namespace wirewarp::test {
 
-/// Whether the error is about a fault of the mesh itself.
+/// Returns whether the error is about a fault of the mesh itself.
 bool is_of_mesh(ErrorCode code);
 
-/// Checks that the error of piece `number` agrees with its topology, its outline, its wires and the elements it names.
+/// Checks that the error of piece `number` agrees with the piece's topology, outline and wires, and names its elements.
 void check_error(Judged& judged, int number);
 
 }  // namespace wirewarp::test

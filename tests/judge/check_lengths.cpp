@@ -18,8 +18,8 @@ struct EdgeLengths {
   double slack;  // allowed error of the planar length
 };
 
-/// Returns the lengths of one side without its own ease r. is_stretched: the cloth is worn stretched, so flat lengths
-/// are shorter.
+/// Returns the lengths of one side without its own ease r. is_stretched: whether the fabric is stretched when worn, so
+/// that flat lengths are shorter.
 EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side, double ease, bool is_stretched) {
   const double in_space = judged.length_3d(edge);
   const int piece = judged.piece_of(side.face);
@@ -27,7 +27,7 @@ EdgeLengths lengths_of(const Judged& judged, const Edge& edge, const Side& side,
   double share = 1;
   if (is_stretched && judged.unstretched) {
     share = stretched_share(judged, edge);
-    // The directions come from this result, so its rounding counts, too.
+    // The directions come from this result, so its rounding errors count, too.
     rounding += kRounding * judged.uv_size(judged.unstretched->pieces[piece]);
   }
   const double slack = 1.0001e-9 * in_space + rounding;
@@ -39,8 +39,8 @@ bool is_all_rigid(const Options& options) {
   return options.method == Method::wirewarping || options.inner == Inner::least_norm;
 }
 
-/// Returns the edges of a wire inside pieces that keep their lengths, part by part. Parts end on seams and borders, and
-/// where pieces touch.
+/// Returns, for each part of a wire, its edges inside pieces that keep their lengths. Parts end on seams and borders,
+/// and where pieces touch.
 std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<EdgeLengths>> parts(1);
   const auto piece_at = [&](std::size_t i) {
@@ -55,7 +55,8 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
     const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
     const Side side = judged.sides().at(edge).front();
     const Piece& piece = judged.result.pieces[piece_at(i)];
-    if (judged.is_outline(edge) || !keeps_lengths(piece)) continue;  // outlines are checked elsewhere
+    if (judged.is_outline(edge) || !keeps_lengths(piece))
+      continue;  // check_run() and check_plain_edge() check outlines
     parts.back().push_back(lengths_of(judged, edge, side, 0, wire.ease == 0));
   }
   const bool goes_on = wire.vertices.front() == wire.vertices.back() && !begins_part(0);
@@ -66,11 +67,11 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
   return parts;
 }
 
-/// The range of h for which all edges so far have planar lengths (1+h) l.
+/// The range of h for which all edges that were added have planar lengths (1+h) l.
 struct Variations {
   double low, high;
 
-  /// Starts with the tolerance of a wire around its ease; 0 for a rigid wire.
+  /// Begins with the tolerance of a wire around its ease. tolerance: 0 for a rigid wire.
   explicit Variations(double tolerance, double ease = 0) : low(ease - tolerance), high(ease + tolerance) {}
 
   void meet(const EdgeLengths& edge) {
@@ -78,7 +79,7 @@ struct Variations {
     high = std::min(high, (edge.planar + edge.slack) / edge.target - 1);
   }
 
-  /// Returns how much the range is missed; 0 or negative if some h fits.
+  /// Returns the distance between the bounds if no h fits; 0 or negative if some h fits.
   double gap() const { return low - high; }
 };
 
@@ -136,8 +137,8 @@ std::multiset<int> fans_beside(const Judged& judged, const Edge& edge, int verte
   return fans;
 }
 
-/// Returns the edges of a wire along outlines, run by run. Runs end inside pieces and at the outline's junctions: there
-/// the wire does not have two edges, or the fans beside it change.
+/// Returns the runs of a wire along outlines, as lists of edges. A run ends where the wire leaves the outline, and at
+/// junctions of outlines: there the wire does not have two edges, or the fans beside it change.
 std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const Wire& wire) {
   std::vector<std::vector<Edge>> runs;
   const std::size_t count = wire.vertices.size() - 1;
@@ -161,7 +162,7 @@ std::vector<std::vector<Edge>> runs_along_outlines(const Judged& judged, const W
   return runs;
 }
 
-/// Checks that one h fits all sides of all edges of a run: their planar lengths are (1+r)(1+h) l.
+/// Checks that all sides of all edges of a run have planar lengths (1+r)(1+h) l with one h.
 void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   Variations variations(is_all_rigid(judged.options) ? 0 : wire.tolerance, wire.ease);
   for (const Edge& edge : run) {
@@ -173,7 +174,7 @@ void check_run(Judged& judged, const Wire& wire, const std::vector<Edge>& run) {
   }
 }
 
-/// Checks an outline edge without a wire: all its sides have planar lengths (1+r) l.
+/// Checks that all sides of an outline edge without a wire have planar lengths (1+r) l.
 void check_plain_edge(Judged& judged, const Edge& edge) {
   Variations variations(0);
   for (const EdgeLengths& side : uneased_sides(judged, edge, true)) variations.meet(side);

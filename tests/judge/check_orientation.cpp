@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks Options::orientation in the pieces as they are placed. Makes no check if the choice of a line depends on
-// details of how wires are divided into parts.
+// Checks Options::orientation in the placed pieces. Makes no check if the choice of a line depends on how exactly wires
+// are divided into parts.
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -11,7 +11,7 @@ namespace wirewarp::test {
 namespace {
 
 constexpr double kDirectionRounding = 1e-6;
-constexpr double kShortChord = 0.1;  // chord over the line's length; if it is less, the line's box is upright instead
+constexpr double kShortChord = 0.1;  // chord over length; a line with a shorter chord has an upright box instead
 constexpr double kStraight = 0.087266462599716;  // 5 degrees
 constexpr double kLevel = 0.01;
 
@@ -21,7 +21,7 @@ struct Line {
   double length = 0;
 };
 
-/// Appends the edge that starts at a, with its positions in this piece.
+/// Appends an edge from corner a, with its positions in this piece.
 void append(const Judged& judged, const Side& side, int a, Line& line) {
   const int begin = judged.vertex(side.face, side.corner) == a ? 0 : 1;
   if (line.points.empty()) line.points.push_back(judged.uv(side.face, side.corner + begin));
@@ -36,7 +36,8 @@ bool runs_through(const Judged& judged, const Wire& wire, int piece) {
   return false;
 }
 
-/// Returns a wire that is one part: open, and on an outline only at its ends. Otherwise returns no points.
+/// Returns the points of a wire that is one part: open, and on an outline at most at its ends. Returns no points for
+/// other wires.
 Line uncut_wire(const Judged& judged, const Wire& wire, int piece) {
   Line line;
   const std::vector<int>& v = wire.vertices;
@@ -104,7 +105,7 @@ void check_wire_upright(Judged& judged, int piece) {
 void check_straightest_section(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
   double longest_edge = 0;
-  std::map<int, Eigen::Vector2d> upright;  // keyed by piece vertex: the outline edge that leaves it
+  std::map<int, Eigen::Vector2d> upright;  // outline edge that leaves each piece vertex
   std::map<int, int> next;
   for (const auto& [a, b] : judged.outline_of(piece)) {
     const Eigen::Vector2d edge = (piece.vertices.row(b) - piece.vertices.row(a)).transpose();
@@ -156,7 +157,7 @@ void check_orientation(Judged& judged, int number) {
       if (!is_up) judged.say("the direction up in space is not up in the piece");
       return;
     }
-    if (rise->norm() > 0.999 * kLevel) return;  // rounding decides whether it is level
+    if (rise->norm() > 0.999 * kLevel) return;  // rounding errors decide whether the piece is level
   }
   check_wire_upright(judged, number);
 }

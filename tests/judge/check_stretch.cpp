@@ -4,8 +4,9 @@
 namespace wirewarp::test {
 namespace {
 
-constexpr double kEven = 1e-12;           // rounding of differences of shares
-constexpr double kWithoutStrain = 1e-18;  // E over the area of a piece that unfolds; other pieces have several minima
+constexpr double kEven = 1e-12;  // rounding error of differences of shares
+constexpr double kWithoutStrain =
+    1e-18;  // largest E over the area of a piece that unfolds; other pieces have several minima
 constexpr double kSamePlace = 1e-6;  // allowed distance of vertices from their expected places, over the piece's size
 
 Eigen::Vector2d shares(const Judged& judged) {
@@ -27,8 +28,8 @@ bool has_unstretched_layout(const Judged& judged, const Side& side) {
   return unstretched_uv(judged, side.face, 0).allFinite();
 }
 
-/// Whether all lengths shrink by their directions alone. Wires with an ease or along the outline may have other
-/// lengths.
+/// Returns whether all lengths of a piece shrink by their directions alone. Wires with an ease or along the outline may
+/// have other lengths.
 bool is_even(const Judged& judged, const Piece& piece) {
   const int number = judged.piece_of(piece.source_face.front());
   if (!judged.input.eases.empty()) return false;

@@ -14,11 +14,12 @@
 namespace wirewarp::test {
 namespace {
 
-// Allowed gaps where faces of an unfolded surface meet again. The first is relative to the piece's size. The second is
-// a strain, because the error of a short side grows over a long face.
+// Allowed gaps where faces of an unfolded surface meet again: relative to the piece's size, and as a strain, because
+// the error of a short side grows over a long face.
 constexpr double kCloses = 1e-11, kStrain = 1e-7;
 
-// Largest E (Eq. 4) over the 3D area of a shape without distortion: rounding, and the angle error where Eq. 1 stops.
+// Largest E (Eq. 4) over the 3D area of a shape without distortion: with rounding errors only, and with the angle error
+// at which Eq. 1 stops.
 constexpr double kUndistorted = 1e-12, kUndistortedAngles = 1e-9;
 
 double triangle_area(const PlanarTriangle& t) { return static_cast<double>(doubled_area(t)) / 2; }
@@ -35,7 +36,8 @@ Eigen::Vector2d place_third(const Judged& judged, const Side& side, const Eigen:
   return a + ahead * planar + aside * Eigen::Vector2d(-planar.y(), planar.x());
 }
 
-/// Unfolds the faces of a piece one after the other, across long edges first. Returns nothing if they do not close.
+/// Unfolds the faces of a piece one after the other, across long edges first. Returns nullopt if gaps remain where
+/// faces meet again.
 std::optional<std::map<int, PlanarTriangle>> unfold(const Judged& judged, const Piece& piece) {
   std::map<int, PlanarTriangle> placed;                              // keyed by face, corners in order
   std::priority_queue<std::pair<double, std::array<int, 2>>> front;  // length, side
@@ -118,7 +120,7 @@ void check_unfolding(Judged& judged, const Piece& piece) {
   if (judged.unstretched || has_other_outline(judged, piece)) return;
   const bool is_refined = judged.options.method == Method::refined;
   if (is_refined && judged.may_stop_anywhere()) return;
-  // The paper's methods sometimes flip faces or stop early, and report it.
+  // The paper's methods may flip faces or stop early, and report it.
   if (!is_refined && (piece.error || piece.report.termination != Termination::converged)) return;
   const auto unfolded = unfold(judged, piece);
   if (!unfolded) return;

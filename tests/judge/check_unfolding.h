@@ -5,11 +5,11 @@
 
 namespace wirewarp::test {
 
-/// Whether a piece's outline may have other lengths than on the surface.
+/// Returns whether a piece's outline may have other lengths than on the surface.
 bool has_other_outline(const Judged& judged, const Piece& piece);
 
-/// Checks a piece whose surface unfolds into the plane without overlap, with its own lengths: it must be flat, without
-/// an error and nearly undistorted. The paper's methods need this only if they converge.
+/// Checks that a piece whose surface unfolds into the plane without overlap, with its own lengths, has no error and
+/// almost no distortion. Does not check the paper's methods if they did not converge.
 void check_unfolding(Judged& judged, const Piece& piece);
 
 }  // namespace wirewarp::test

@@ -50,7 +50,8 @@ void check_shape(Judged& judged, const Piece& piece) {
 
 void check_piece(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
-  // For a cloth, only the direction of two vertices is defined, and stretch turns directions other than weft and warp.
+  // For a fabric, only the direction between two vertices is defined, and the stretch turns directions other than weft
+  // and warp.
   if (judged.has_layout(piece) && !judged.options.cloth) check_orientation(judged, number);
   if (piece.error) {
     check_error(judged, number);
@@ -124,7 +125,7 @@ Sentences faults_of_error(const FlattenError& error, const FlattenInput& input) 
   if (!of_no_element.count(error.code) && named.vertices.empty() && named.edges.empty() && named.faces.empty()) {
     faults.push_back(name + " names no element: " + sentence);
   }
-  if (error.code == ErrorCode::vertex_out_of_range) return faults;  // names a vertex that does not exist
+  if (error.code == ErrorCode::vertex_out_of_range) return faults;  // this error names a vertex that does not exist
   const auto is_vertex = [&](int v) { return v >= 0 && v < input.vertices.rows(); };
   bool all_there = std::all_of(named.vertices.begin(), named.vertices.end(), is_vertex);
   for (const auto* pairs : {&named.edges, &named.proposed_seams}) {

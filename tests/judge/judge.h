@@ -10,23 +10,23 @@
 
 namespace wirewarp::test {
 
-/// Returns a sentence for every broken guarantee of a result. unstretched: the result without stretch of a cloth that
-/// is worn stretched, otherwise null.
+/// Returns a sentence for every broken guarantee of a result. unstretched: the result without the stretch if the fabric
+/// is stretched when worn, otherwise null.
 std::vector<std::string> broken_guarantees(const FlattenInput& input, const Options& options,
                                            const FlattenResult& result, const FlattenResult* unstretched = nullptr);
 
-/// Returns a sentence for everything that users may expect beyond the guarantees, but that the result does not do. A
-/// piece that unfolds must be flat, and no piece of legal input may fail for internal reasons of the solver. fault: the
-/// fault that was added to the input, if any.
+/// Returns a sentence for every broken expectation beyond the guarantees: a piece that unfolds must be flat, and no
+/// piece of legal input may fail for internal reasons of the solver. fault: the fault that was added to the input, if
+/// any.
 std::vector<std::string> broken_expectations(const FlattenInput& input, const Options& options,
                                              const FlattenResult& result, const std::optional<ErrorCode>& fault,
                                              const FlattenResult* unstretched = nullptr);
 
-/// Returns how the shapes of a result differ from those of another one that differs only in placement.
+/// Returns the differences in errors and shapes from another result, whose options differ only in placement.
 std::vector<std::string> differences_of_layout(const FlattenInput& input, const Options& options,
                                                const FlattenResult& result, const FlattenResult& other);
 
-/// Returns the faults of an error itself: no sentence, no elements, or elements that the input does not have.
+/// Returns the faults of an error: a missing sentence, missing elements, or elements that the input does not have.
 std::vector<std::string> faults_of_error(const FlattenError& error, const FlattenInput& input);
 
 }  // namespace wirewarp::test

@@ -26,14 +26,14 @@ struct Side {
   int corner;
 };
 
-/// An input and its result, with lookups for the judge, and the broken guarantees found so far.
+/// An input and its result, with lookups for the judge and a list of broken guarantees.
 class Judged {
  public:
-  /// unstretched: the result without stretch of a cloth that is worn stretched, otherwise null.
+  /// unstretched: the result without the stretch if the fabric is stretched when worn, otherwise null.
   Judged(const FlattenInput& input, const Options& options, const FlattenResult& result,
          const FlattenResult* unstretched = nullptr);
 
-  /// Adds a broken guarantee; ten are enough.
+  /// Adds a broken guarantee, except after ten.
   void say(std::string sentence) {
     if (sentences_.size() < 10) sentences_.push_back(std::move(sentence));
   }
@@ -50,7 +50,7 @@ class Judged {
   double uv_size(const Piece& piece) const;
   bool has_layout(const Piece& piece) const { return !std::isnan(uv_size(piece)); }
 
-  /// Whether the refined method is limited to a few factorizations.
+  /// Returns whether the refined method may make only a few factorizations, so that it may stop anywhere.
   bool may_stop_anywhere() const { return options.max_factorizations < 20; }
 
   const std::map<Edge, std::vector<Side>>& sides() const { return sides_; }

@@ -8,8 +8,8 @@
 namespace wirewarp::test {
 namespace {
 
-/// Returns how far the second triangle stays outside the first, measured at right angles to its sides; negative if they
-/// overlap.
+/// Returns by how much the second triangle is beyond a side of the first triangle, the maximum over these sides;
+/// negative if it is beyond no side.
 double distance_beyond(const PlanarTriangle& first, const PlanarTriangle& second) {
   double farthest = -1e300;
   for (std::size_t k = 0; k < 3; ++k) {

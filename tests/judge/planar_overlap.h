@@ -13,7 +13,7 @@ using PlanarTriangle = std::array<Eigen::Vector2d, 3>;
 /// Returns twice the signed area, in extended precision.
 long double doubled_area(const PlanarTriangle& triangle);
 
-/// Returns two counter-clockwise triangles that overlap by more than rounding, or (-1, -1).
+/// Returns two counter-clockwise triangles that overlap by more than rounding errors, or (-1, -1).
 std::pair<int, int> find_overlap(const std::vector<PlanarTriangle>& triangles);
 
 }  // namespace wirewarp::test

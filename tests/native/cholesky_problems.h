@@ -25,16 +25,18 @@ struct CholeskyProblem {
   DissectionTree tree() const { return nested_dissection(graph(), positions); }
 };
 
-/// Both directions of every edge.
+/// Returns a graph with every edge in both directions.
 Graph graph_of(int num_vertices, const GraphEdges& edges);
 
-/// Lower triangle of Σ B_eᵀ B_e + 0.1 I over the edges, with random k by 2k matrices B_e whose entries are within ±1.
+/// Returns the lower triangle of 0.1 I + Σ B_eᵀ B_e over the edges e, with random k by 2k matrices B_e with entries
+/// from -1 to 1.
 SparseMatrix random_positive_definite(int num_vertices, const GraphEdges& edges, int k, unsigned seed);
 
-/// A triangulated square of n by n jittered vertices with k unknowns each. Long edges imitate the bending rows.
+/// Returns a triangulated square of n by n jittered vertices with k unknowns each. Long edges imitate the terms of
+/// bending.
 CholeskyProblem mesh_problem(int n, int k);
 
-/// Meshes, random and disconnected graphs, isolated vertices, and positions that are of no help.
+/// Returns meshes, random and disconnected graphs, isolated vertices, and graphs with useless positions.
 std::vector<CholeskyProblem> cholesky_problems();
 
 }  // namespace wirewarp

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dense matrices to compare with. They are compiled once, because Eigen's products and decompositions take most of a
+// Dense linear algebra for comparison. It is compiled once, because Eigen's products and decompositions take most of a
 // test's compile time.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The same surface with another position, orientation and numbering.
+// Makes copies of a surface with another position, orientation and numbering.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace wirewarp::test {
 
-/// Returns the surface rotated, mirrored and renumbered. Of F faces, face f is the input's face F - 1 - f with its
+/// Returns the surface rotated, mirrored and renumbered. With F faces, face f is the input's face F - 1 - f with its
 /// first two corners swapped. The number of vertices must not be a multiple of 7.
 FlattenInput disguised(const FlattenInput& input);
 

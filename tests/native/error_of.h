@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Errors: the one that a call throws, and words of its message.
+// Helpers for tests of errors: return the error that a call throws, and search its message.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 
 namespace wirewarp::test {
 
-/// Returns the FlattenError that a call throws; the test fails if it throws none.
+/// Returns the FlattenError that a call throws. The test fails if the call throws nothing.
 template <typename Call>
 FlattenError error_of(const Call& call) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Good results, and ways to break one guarantee at a time: the judge of tests/judge must report each.
+// Good results, and changes that break one guarantee each. The judge of tests/judge must report every change.
 #pragma once
 
 #include <functional>
@@ -24,11 +24,11 @@ JudgeCase two_sheets();
 
 using Spoil = std::function<void(JudgeCase&)>;
 
-/// Expects that broken_guarantees() reports nothing for the good case and, once the case is spoiled, a sentence that
-/// contains this one.
+/// Expects that broken_guarantees() reports nothing for the good case and, for the spoiled case, a sentence that
+/// contains `sentence`.
 void expect_broken(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
-/// Expects the same of broken_expectations(), which is given no expected error.
+/// Expects the same of broken_expectations() without an expected error.
 void expect_broken_expectation(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
 // Move or turn the piece with this number, together with its corners in corner_uv. Directions are those of the piece.
@@ -36,7 +36,7 @@ Spoil moved_vertex(int number, int source_vertex, double right, double up);
 Spoil moved(int number, double right, double up);
 Spoil turned(int number, double angle);
 
-/// Gives a piece of two_sheets() an error that has a layout and names one vertex.
+/// Sets an error with a layout and one named vertex for a piece of two_sheets().
 void fail(JudgeCase& sheets, ErrorCode code, int number = 0);
 
 }  // namespace wirewarp::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figure of merit of suggested cuts, from the result of a run alone.
+// The strain by which suggested cuts are compared, computed from the result of a run.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -11,8 +11,8 @@
 
 namespace wirewarp::test {
 
-/// Returns max(sigma_1, 1/sigma_2) - 1 of the most strained piece, the value that 99% of its area do not exceed. Every
-/// piece must have a shape.
+/// Returns the strain of the most strained piece: the value of max(sigma_1, 1/sigma_2) - 1 that 99% of its area does
+/// not exceed. Every piece must have a shape.
 inline double most_strain(const FlattenInput& input, const FlattenResult& result) {
   double most = 0;
   for (const Piece& piece : result.pieces) {

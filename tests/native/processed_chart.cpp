@@ -29,7 +29,7 @@ std::array<Point, 3> corners(const HalfEdgeMesh& mesh, FaceHandle f) {
 
 Point area_vector(const std::array<Point, 3>& p) { return ((p[1] - p[0]) % (p[2] - p[0])) / 2; }
 
-/// Expects that the refined triangles of each input face lie in it, face the same way and fill it.
+/// Expects that the triangles that replace an input face lie in this face, fill it and have its orientation.
 void expect_same_surface(const Chart& chart, const Chart& refined) {
   ASSERT_EQ(refined.source_face.size(), refined.mesh.n_faces());
   std::vector<int> chart_face(1 + *std::max_element(chart.source_face.begin(), chart.source_face.end()));
@@ -108,7 +108,7 @@ void expect_sound_helpers(const Chart& chart, const Chart& refined) {
 Processed process(const FlattenInput& input) {
   Processed result{test::charts_of(input).charts[0], {}};
   std::optional<Chart> refined = process_topology(result.chart);
-  EXPECT_TRUE(refined) << "there is something to process";
+  EXPECT_TRUE(refined) << "the chart needs processing";
   if (!refined) return result;
   result.refined = std::move(*refined);
   expect_same_surface(result.chart, result.refined);

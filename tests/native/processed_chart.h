@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chart before and after topology processing, and what every processed chart must satisfy.
+// A chart before and after topology processing, and the checks that every processed chart must pass.
 #pragma once
 
 #include "surface/charts/chart.h"
@@ -12,7 +12,8 @@ struct Processed {
   std::size_t num_helpers() const { return refined.wire_parts.size() - chart.wire_parts.size(); }
 };
 
-/// Processes the first chart, and expects the same surface and wires, sound helper wires and nothing left to process.
+/// Processes the first chart. Expects that surface and wires stay the same, that helper wires are sound, and that
+/// processing again changes nothing.
 Processed process(const FlattenInput& input);
 
 /// Returns the largest relative difference between the length of an edge on the surface and in ψ of the 3D lengths.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cutting into charts: seams in every arrangement, the outlines, and the parts of wires between seams.
+// Tests how inputs are cut into charts: seams in every arrangement, outlines, and the parts of wires between seams.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -120,8 +120,8 @@ TEST(Charts, FiveFacesOnASeamEdgeMakeFiveSides) {
   EXPECT_EQ(pieces.size(), 5u);
 }
 
-TEST(Charts, TheOuterLoopIsTheOneThatTurnsLeftEvenIfAHoleIsLonger) {
-  // An annulus with a hole that winds in and out, longer than the rim.
+TEST(Charts, TheOuterLoopTurnsLeftEvenIfAHoleIsLonger) {
+  // An annulus whose hole has a wavy outline, longer than the outer loop.
   FlattenInput input = test::flat_annulus(96, 4, 1, 2);
   for (int v = 0; v < input.vertices.rows(); ++v) {
     const double angle = std::atan2(input.vertices(v, 1), input.vertices(v, 0));

@@ -75,7 +75,7 @@ TEST(MultifrontalCholesky, EmptyMatrix) {
   EXPECT_TRUE(cholesky.factorize(empty));
 }
 
-TEST(MultifrontalCholesky, ThreadsGiveTheSameBits) {
+TEST(MultifrontalCholesky, ResultsDoNotDependOnThreads) {
   for (const CholeskyProblem& problem : cholesky_problems()) {
     SCOPED_TRACE(problem.name);
     const Eigen::MatrixXd b = random_matrix(problem.lower.rows(), 3, 5);
@@ -139,8 +139,8 @@ TEST(MultifrontalCholesky, SolvesOnlyWithAFactor) {
   EXPECT_EQ(b, expected);
 }
 
-/// Chains of blocks, with each vertex joined to one of the next block: few entries, but large fronts. The tree is
-/// given.
+/// A chain of blocks in which each vertex is coupled with a vertex of the next block: few entries, but large fronts.
+/// The tree is set by hand.
 struct Chains {
   static constexpr int block = 400, length = 24, number = 2;
 
@@ -162,9 +162,9 @@ struct Chains {
   DissectionTree tree;
 };
 
-TEST(MultifrontalCholesky, AsksRegularlyWhetherToContinue) {
+TEST(MultifrontalCholesky, PollsTheTokenRegularly) {
   const Chains chains;
-  const int tiles = Chains::block / kTile;  // tiles of pivots; the rows below them have as many
+  const int tiles = Chains::block / kTile;  // tiles of pivots, and as many tiles of rows below
   const double m = tiles;
   const double work_of_a_chain = (Chains::length - 1) * (m * m * m / 6 + m * m * m / 2 + m * m * m / 2);
   for (const bool in_threads : {false, true}) {
@@ -186,7 +186,7 @@ TEST(MultifrontalCholesky, AsksRegularlyWhetherToContinue) {
   }
 }
 
-TEST(MultifrontalCholesky, PartialSolvesEqualTheFullOne) {
+TEST(MultifrontalCholesky, PartialSolvesEqualTheFullSolve) {
   const CholeskyProblem problem = mesh_problem(40, 2);
   MultifrontalCholesky cholesky = analyze(problem);
   ASSERT_TRUE(cholesky.factorize(problem.lower));
@@ -232,7 +232,7 @@ TEST(MultifrontalCholesky, RefusesMatricesAndTreesThatDoNotFit) {
   beyond.nodes[0].vertices[0] = 25;
   EXPECT_THROW(with(beyond), std::invalid_argument);
   ASSERT_EQ(apart.nodes.size(), 3u);
-  apart.nodes[0].parent = -1;  // although its separator joins it to the other half
+  apart.nodes[0].parent = -1;  // although it is coupled with the separator
   EXPECT_THROW(with(apart), std::invalid_argument);
   std::swap(apart.nodes[1].vertices, apart.nodes[2].vertices);
   apart.nodes[0].parent = 2;  // now one half contains the separator
@@ -248,9 +248,8 @@ TEST(MultifrontalCholesky, RefusesMatricesAndTreesThatDoNotFit) {
 
 std::size_t index_of(int i) { return static_cast<std::size_t>(i); }
 
-/// A row of n vertices separates the n by n square. Jitter makes the median line irregular, which may cost a tenth
-/// more.
-TEST(NestedDissection, SeparatorOfASquareIsAboutARowOfIt) {
+/// A row of n vertices separates the n by n square. Jitter makes the median line irregular, so a tenth more is allowed.
+TEST(NestedDissection, SeparatorOfASquareIsAboutOneRow) {
   for (const int n : {20, 50, 100}) {
     const DissectionTree tree = mesh_problem(n, 1).tree();
     EXPECT_EQ(tree.nodes.back().parent, -1);
@@ -277,8 +276,8 @@ TEST(NestedDissection, CutsAcrossTheShortSide) {
   EXPECT_EQ(tree.nodes.back().vertices.size(), 4u);
 }
 
-TEST(NestedDissection, PiecesShareNoSeparator) {
-  // Two rows of vertices in the same place, each joined only along itself.
+TEST(NestedDissection, UnconnectedPartsShareNoSeparator) {
+  // Two rows of vertices in the same place, without edges between the rows.
   GraphEdges edges;
   Positions2 positions(80, 2);
   for (int i = 0; i < 80; ++i) {

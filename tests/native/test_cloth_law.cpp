@@ -35,7 +35,7 @@ const Cloth kDenim = cloth_of(0.21, 1, 0.06);
 constexpr double kRounding = 1e-14;
 
 TEST(ClothLaw, StretchAlongTheGrainCostsTheThreadsStiffnessAlone) {
-  for (const double t : {0.2, -0.2}) {  // per worn area, which is 1 + t times the flat one
+  for (const double t : {0.2, -0.2}) {  // per worn area, which is 1 + t times the flat area
     EXPECT_NEAR(ClothLaw(kDenim).density(map_of(rows(1, 0, 0, 1 + t))), 1 * t * t / (1 + t), kRounding);
     EXPECT_NEAR(ClothLaw(kDenim).density(map_of(rows(1 + t, 0, 0, 1))), 0.21 * t * t / (1 + t), kRounding);
   }
@@ -143,7 +143,7 @@ TEST_F(ClothLawOnRandomMaps, DerivativesEqualDifferences) {
   }
 }
 
-TEST_F(ClothLawOnRandomMaps, TheConvexHessianIsPositiveAndAboveTheExactOne) {
+TEST_F(ClothLawOnRandomMaps, TheConvexHessianIsPositiveAndAboveTheExactHessian) {
   bool is_anything_mended = false;
   for (const Eigen::Matrix2d& map : maps()) {
     const Eigen::MatrixXd exact = law().hessian(map), convex = law().convex_hessian(map);
@@ -155,7 +155,7 @@ TEST_F(ClothLawOnRandomMaps, TheConvexHessianIsPositiveAndAboveTheExactOne) {
   EXPECT_TRUE(is_anything_mended);
 }
 
-/// Unit square of two triangles that share the diagonal: l = √2, the centroids √2/3 apart.
+/// The unit square has two triangles with a common diagonal of length l = √2. Their centroids are √2/3 apart.
 TEST(ShearSmoothing, AFoldCostsTheSquareOfItsAngle) {
   const Charts charts = test::charts_of(test::flat_rectangle(1, 1, 1, 1));  // cut from (0, 0) to (1, 1)
   const Chart& chart = charts.charts.at(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coarse charts: wires keep their course and length, every removed vertex has its place, and the shape is prolonged.
+// Coarse charts: wires keep their course and length, every removed vertex has a place, and shapes are prolonged.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -151,7 +151,7 @@ TEST(Prolong, FollowsQuadraticMaps) {
   EXPECT_LT(error, 0.1 * linear);
 }
 
-/// Some triangles of the sheet fold over their neighbors, and a smooth map keeps them folded.
+/// Some triangles of the sheet are folded over their neighbors, and a smooth map keeps these folds.
 TEST(Prolong, FlipsNoTriangleOfAJitteredSheet) {
   const int n = 72;
   const Coarse c(with_cross(jittered_grid(n, 0.32, dome), n));
@@ -214,7 +214,7 @@ TEST(CoarseStart, StopsWhenAsked) {
   int asked = 0;
   refine_chart(charts.charts.at(0), options, StopToken([&](const char*) { return ++asked > 0; }));
   bool was_exact = false;
-  for (int last = 0; last < asked; ++last) {  // including those in the coarse chart
+  for (int last = 0; last < asked; ++last) {  // including the coarse chart
     int count = 0;
     const StopToken stop([&](const char*) { return ++count <= last; });
     const Solution stopped = refine_chart(charts.charts.at(0), options, stop);
@@ -241,15 +241,15 @@ TEST(CoarseStart, IsRejectedIfTheCoarseChartHasNoExactLengths) {
   EXPECT_FALSE(start_from_coarse({chart, 1}, {budget}));
 }
 
-/// With little fairness, wires may wiggle in waves of a few edges, which a coarser chart cannot represent.
-TEST(CoarseStart, IsRejectedIfWiresMayWiggle) {
+/// With little fairness, wires may have waves of a few edges, which a coarser chart cannot represent.
+TEST(CoarseStart, IsRejectedIfWiresMayHaveShortWaves) {
   const Charts charts = test::charts_of(with_cross(jittered_grid(24, 0.2, dome), 24));
   const Chart& chart = charts.charts.at(0);
   Budget budget(100);
   EXPECT_FALSE(start_from_coarse({chart, 0.01}, {budget}));
 }
 
-/// The start claims to be near the minimum, but all of its vertices coincide.
+/// The start has multipliers, as near the minimum, but all its vertices coincide.
 TEST(Minimize, RejectsAStartThatIsNotNearTheMinimum) {
   const int n = 24;
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));

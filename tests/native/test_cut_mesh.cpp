@@ -71,8 +71,8 @@ SurfacePath scribble(const FlattenInput& mesh, std::mt19937& random, int steps) 
   return path_of(faces, points);
 }
 
-/// Returns the line where a plane cuts the mesh, from the outline on as far as it goes, given each vertex's signed
-/// distance from the plane.
+/// Returns the line where a plane cuts the mesh, from the outline to its end. distance: signed distance of each vertex
+/// from the plane.
 SurfacePath line_in_plane(const FlattenInput& mesh, const Eigen::VectorXd& distance) {
   const EdgeTable edges(mesh.faces, static_cast<int>(mesh.vertices.rows()));
   const auto share = [&](int side) {
@@ -108,7 +108,7 @@ SurfacePath line_in_random_plane(const FlattenInput& mesh, std::mt19937& random)
   SurfacePath line = line_in_plane(mesh, (mesh.vertices.rowwise() - center) * normal);
   return line.faces.size() > 4
              ? line
-             : line_in_random_plane(mesh, random);  // tries again if the line only passes a corner of the mesh
+             : line_in_random_plane(mesh, random);  // tries again if the line cuts off only a corner of the mesh
 }
 
 /// Returns the smallest ratio of a face's height to the smallest height of the input face that contains it.
@@ -128,7 +128,7 @@ double least_height(const FlattenInput& mesh, const CutMesh& cut) {
   return least;
 }
 
-/// Expects what every cut of every mesh satisfies.
+/// Expects that a cut mesh has the same surface: no flipped faces, and parts that fill each face.
 void expect_same_surface(const FlattenInput& mesh, const CutMesh& cut) {
   ASSERT_EQ(cut.vertices.topRows(mesh.vertices.rows()), mesh.vertices);
   ASSERT_EQ(cut.sources.faces.size(), static_cast<std::size_t>(cut.faces.rows()));
@@ -236,8 +236,8 @@ TEST(CutMesh, AStraightLineLeavesNoSlivers) {
     const CutMesh cut = cut_mesh(mesh.vertices, mesh.faces, {path}, snap);
     SCOPED_TRACE(i);
     expect_same_surface(mesh, cut);
-    // A line that cuts a corner off at shares s and t of its sides separates s t of the area; one of them may be 1 -
-    // snap.
+    // A line that crosses two sides of a face at the shares s and t from their corner cuts off s t of the area. s or t
+    // may be 1 - snap.
     EXPECT_GT(least_height(mesh, cut), snap * (1 - snap) * (1 - 1e-9));
   }
 }

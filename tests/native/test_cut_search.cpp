@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts proposed for one of several pieces: their figures include the effect on the other pieces.
+// Cuts proposed for one of several pieces. Their reported strain and lengths include the effect on the other pieces.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,7 @@
 namespace wirewarp::test_cut_search {
 namespace {
 
-/// Pieces that are not cut matter too, because elastic seams and stretched fabric make their lengths depend on one
-/// another.
+/// Cases in which a cut of one piece changes others, because elastic seams or stretched fabric couple their lengths.
 struct Neighbors {
   const char* name;
   FlattenInput input;
@@ -30,7 +29,7 @@ struct Neighbors {
 /// Names the case in test reports.
 void PrintTo(const Neighbors& test, std::ostream* out) { *out << test.name; }
 
-/// A hill cut into three pieces side by side, with a wire across all of them. One side of a seam is longer than the
+/// A hill cut into three pieces side by side, with a wire across all three. One side of a seam is longer than the
 /// other.
 FlattenInput three_pieces(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
@@ -117,7 +116,7 @@ TEST(CanonicalOrder, TakesWorkProportionalToARegularOutlineAndCanBeStopped) {
 }
 
 TEST(MirrorImage, PathsAcrossFacesWithoutMirrorImagesHaveNoMirrorImage) {
-  // A roof whose diagonals all point the same way: vertices, rows and columns are mirror images, but faces are not.
+  // A roof with all diagonals in one direction: vertices, rows and columns have mirror images, but faces do not.
   const int n = 8;
   const auto roof = [](double s, double t) { return Eigen::Vector3d(2 * s - 1, 3 * t, 0.5 - std::abs(s - 0.5)); };
   FlattenInput grid = test::make_grid(n, n, roof);
@@ -163,14 +162,15 @@ constexpr int kMiddle = 6;
 
 bool is_inside(int i, int j) { return i > 0 && j > 0 && i < kN && j < kN; }
 
-/// One lane from the left, one from below, and everything above and to the right of their crossing.
+/// Returns whether a vertex is in the lane from the left, in the lane from below, or above and to the right of their
+/// crossing.
 bool is_open(int i, int j) {
   if (!is_inside(i, j)) return false;
   return (i >= kMiddle && j >= kMiddle) || (j == kMiddle && i < kMiddle) || (i == kMiddle && j < kMiddle);
 }
 
-/// True for diagonals at the crossing and at the ends of both lanes next to it: there, only edges of the grid are
-/// allowed.
+/// Returns whether an edge is a diagonal at the crossing or at the ends of both lanes next to it, where only edges of
+/// the grid are allowed.
 bool is_diagonal_of_the_crossing(int i, int j, int other_i, int other_j) {
   const auto is_near = [](int a, int b) { return a + b <= 2 * kMiddle && a <= kMiddle && b <= kMiddle; };
   return i != other_i && j != other_j && (is_near(i, j) || is_near(other_i, other_j));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets of seams proposed for models without seams: their figures are true, and they do not depend on how the input is
-// given.
+// Sets of seams proposed for models without seams. A run with the seams confirms their figures, and they do not depend
+// on position, orientation and numbering.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -25,7 +25,7 @@ namespace {
 
 using Shape = std::function<Eigen::Vector3d(const Eigen::Vector3d& direction)>;
 
-/// A closed surface around the origin, from pole to pole.
+/// A closed surface around the origin with two poles.
 FlattenInput closed(int around, int rings, const Shape& shape) {
   FlattenInput input;
   const int top = 1 + around * (rings - 1);
@@ -70,7 +70,7 @@ FlattenInput head(double tilt = 0) {
   });
 }
 
-/// An open surface that lies flat, but needs more than 100% of stretch.
+/// An open surface with a flat shape that needs more than 100% of stretch.
 FlattenInput hill() {
   return test::make_grid(8, 8, [](double s, double t) {
     const double x = 2 * s - 1, y = 2 * t - 1;

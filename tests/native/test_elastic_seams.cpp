@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seams whose sides share one length that is not fixed beforehand.
+// Seams with one length for all sides, which is a result of the run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -123,7 +123,7 @@ FlattenInput two_triangles(double tolerance, double ease) {
 }
 
 TEST(ElasticSeams, StartWithinTheToleranceIfNominalLengthsAreInfeasible) {
-  const FlattenInput input = two_triangles(0.5, 1.2);  // a side of 2.2 beside two of 1
+  const FlattenInput input = two_triangles(0.5, 1.2);  // a side of length 2.2 and two of length 1
   const FlattenResult result = flatten(input);
   expect_good(input, result);
   EXPECT_NEAR(result.seams.at(0).variation, 1.2 - 0.5, 1e-9) << "as short as allowed";
@@ -139,7 +139,8 @@ TEST(ElasticSeams, WithoutAFeasibleLengthAreAnError) {
   }
 }
 
-/// A flat ring with a small gap, and a wall on its rim. A longer seam suits the wall, because its top is shorter.
+/// A flat ring with a small gap, and a wall on its rim. The wall has less distortion if the seam is longer, because the
+/// top of the wall is shorter.
 FlattenInput ring_with_wall(double tolerance) {
   const int around = 48, across = 3;
   FlattenInput input = test::make_grid(around, 2 * across, [](double s, double t) {
@@ -186,7 +187,7 @@ TEST(ElasticSeams, PiecesKeepNominalLengthsIfNoGoodShapeIsFound) {
   }
 }
 
-/// One limit applies to all stages together: with the seam at its ease, elastic, and solved again.
+/// One limit applies to all stages together: the seam fixed at its ease, the seam elastic, and each piece alone.
 TEST(ElasticSeams, NoPieceExceedsTheLimitOfFactorizations) {
   for (const int most : {1, 4, 12, 25}) {
     Options options;
@@ -197,7 +198,7 @@ TEST(ElasticSeams, NoPieceExceedsTheLimitOfFactorizations) {
   }
 }
 
-/// The second trial has only what the first one left, but errors name the limit that the user set.
+/// The second attempt may spend only the rest of the limit, but errors name the limit that the user set.
 TEST(ElasticSeams, ErrorsNameTheLimitThatTheUserSet) {
   const int n = 4;
   FlattenInput input = test::saddle_of_wires(n, 0.2);
@@ -211,8 +212,8 @@ TEST(ElasticSeams, ErrorsNameTheLimitThatTheUserSet) {
   }
 }
 
-/// If the pieces were side by side, the last one would have coordinates of about 100, and edges of 1/40 would lose two
-/// digits.
+/// If the pieces were solved side by side, the last piece would have coordinates of about 100, and edges of length 1/40
+/// would lose two digits.
 TEST(ElasticSeams, AHundredCoupledPiecesAreAsExactAsOne) {
   const int num_pieces = 100, along = 40;
   FlattenInput input =
@@ -228,11 +229,11 @@ TEST(ElasticSeams, AHundredCoupledPiecesAreAsExactAsOne) {
   }
 }
 
-/// All gores are equal, so all seams have one length: that of a single gore with two equal sides.
+/// All gores are equal, so all seams have one length, the same as for a single gore with two equal sides.
 TEST(ElasticSeams, ABallOfGoresIsLikeOneGoreWithEqualSides) {
   const FlattenResult ball = flatten(gores(kInfinity));
   for (const SeamReport& seam : ball.seams) EXPECT_NEAR(seam.variation, ball.seams[0].variation, 1e-4);
-  // A gore cut to these lengths has the same shape already.
+  // A gore with these lengths as its nominal lengths has the same shape.
   const FlattenResult eased = flatten(gores(0, ball.seams[0].variation));
   EXPECT_NEAR(eased.pieces[0].metrics.arap_energy, ball.pieces[0].metrics.arap_energy,
               1e-4 * ball.pieces[0].metrics.arap_energy);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eq. (1) in edge headings: the linear rows hold by construction, and the derivatives agree with finite differences.
+// Eq. (1) in edge headings: the linear constraints hold for all headings, and derivatives agree with finite
+// differences.
 #include <gtest/gtest.h>
 
 #include <Eigen/OrderingMethods>
@@ -68,7 +69,7 @@ struct Problem {
     }
     return lengths_of_nodes.mean() * lengths_of_nodes.cwiseInverse();
   }
-  /// θ of the headings: the angles closest to the surface angles, plus the turn by the change of the headings.
+  /// Returns θ for the headings: the angles closest to the surface angles, changed by the change of the headings.
   Eigen::VectorXd planar_angles(NodeWeight weight) const {
     Eigen::VectorXd angles = project_on_angle_sums(network, node_weights(weight));
     for (Eigen::Index i = 0; i < angles.size(); ++i) {
@@ -182,7 +183,7 @@ TEST(KktSystem, RefusesTheWrongInertia) {
   const Eigen::SparseMatrix<double> jacobian = p.eq1.closure_jacobian(p.psi, p.lengths);
   const Eigen::VectorXd down = Eigen::VectorXd::Constant(p.eq1.num_edges(), -0.5 * p.eq1.laplacian().diagonal().mean());
   EXPECT_FALSE(kkt.factor(p.eq1.laplacian(), down, jacobian))
-      << "a saddle, as slow rotations of edges lower the energy";
+      << "a saddle, because slowly varying rotations of edges lower the energy";
 }
 
 TEST(Eq1, EdgesMustBeConnected) {
@@ -209,7 +210,7 @@ struct OrderedNetwork {
         order(order_elimination(eq1, network)) {}
 
   Charts charts;
-  std::optional<Chart> split;  // Eq. (1) needs a network in one part
+  std::optional<Chart> split;  // Eq. (1) needs a connected network
   WireNetwork network;
   Eq1 eq1;
   std::vector<int> order;
@@ -221,7 +222,7 @@ std::vector<int> places_of(const std::vector<int>& order) {
   return place;
 }
 
-/// Number of entries of L below the diagonal if the optimality system is eliminated in this order.
+/// Returns the number of entries of L below the diagonal if the optimality system is eliminated in this order.
 long fill_of(const Eq1& eq1, const std::vector<int>& order) {
   const std::vector<int> place = places_of(order);
   std::vector<std::vector<int>> earlier(order.size());
@@ -290,7 +291,7 @@ TEST(EliminationOrder, ClosuresComeAfterTheirEdges) {
   }
 }
 
-/// Minimum degree has little fill, but cannot be used, because it orders closures before their edges.
+/// The minimum degree order has little fill, but cannot be used, because it eliminates closures before their edges.
 TEST(EliminationOrder, FillsLittleMoreThanMinimumDegreeHoweverDenseTheWires) {
   for (const int spacing : {10, 4, 2}) {
     const OrderedNetwork ordered(net_of_wires(60, spacing));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every code of error.h is raised, and the offending elements are in the lists and in the message.
+// Every code of error.h occurs, and the faulty elements are in the lists and in the message.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -197,13 +197,13 @@ TEST(ErrorCodes, LooseFacesAreMoreThanAThousandSeparateParts) {
 }
 
 TEST(ErrorCodes, TheScaleOfTheModelDoesNotMatter) {
-  FlattenInput saddle = test::saddle(6, 0.4);  // rounding does not decide to which side a part buckles
+  FlattenInput saddle = test::saddle(6, 0.4);  // rounding errors change its shape little, because nothing buckles
   test::add_wire(saddle, test::grid_row(6, 2));
   const Positions2 expected = flatten(saddle).pieces[0].vertices;
   for (const double scale : {1e-57, 1e-30, 1e30, 0.9e60}) {
     const FlattenResult result = flatten(scaled(saddle, scale));
     ASSERT_FALSE(result.pieces[0].error.has_value()) << scale << " " << result.pieces[0].error->what();
-    // Rounding changes the last step, and each stage stops when the next step would gain less than 1e-9 of its
+    // Rounding errors change the last step, and each stage stops when the next step would gain less than 1e-9 of its
     // objective.
     EXPECT_LT((result.pieces[0].vertices / scale - expected).cwiseAbs().maxCoeff(), 1e-6) << scale;
   }
@@ -276,8 +276,8 @@ TEST(ErrorCodes, Handles) {
 }
 
 TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
-  // A pyramid of squares, each 1e-10 times as large as the one below: a random walk along the edges leaves the inner
-  // squares with a probability below rounding.
+  // A pyramid of squares, each 1e-10 times as large as the one below. A random walk along the edges leaves the inner
+  // squares with a probability below rounding errors.
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 3>> faces;
   const int rings = 4;
@@ -301,7 +301,7 @@ TEST(ErrorCodes, OtherChartsAreFlattenedIfOneIsNotSolvable) {
   const FlattenResult result = flatten(test::mesh_of(points, faces));
   ASSERT_TRUE(result.pieces[0].error.has_value());
   EXPECT_EQ(result.pieces[0].error->code, Code::not_solvable) << result.pieces[0].error->what();
-  std::set<int> small;  // all faces but those with a side of the outermost square
+  std::set<int> small;  // all faces except those at a side of the outermost square
   for (std::size_t f = 0; f < num_nested; ++f) {
     if (f >= 8 || f % 2 == 1) small.insert(static_cast<int>(f));
   }
@@ -335,7 +335,7 @@ TEST(ErrorCodes, EveryCodeHasItsDescription) {
   }
 }
 
-// A surface that no flipping of faces can orient.
+// A surface that cannot be oriented by flipping faces.
 TEST(OneSidedSurface, AMobiusStripIsCutWhereFacesFlip) {
   constexpr int n = 12;
   FlattenInput strip;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Extreme but legal input, which nobody would model, but some files contain.
+// Extreme but legal input, which nobody models on purpose, but which some files contain.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 Eigen::Vector3d dome(double s, double t) { return {s, t, 0.2 * std::cos(kPi * (s - 0.5)) * std::cos(kPi * (t - 0.5))}; }
 
-/// A rigid wire along row 5, an elastic one along column 3.
+/// A dome with a rigid wire along row 5 and an elastic wire along column 3.
 FlattenInput dome_with_wires() {
   FlattenInput input = test::make_grid(10, 10, dome);
   test::add_wire(input, test::grid_row(10, 5));
@@ -22,7 +22,7 @@ FlattenInput dome_with_wires() {
   return input;
 }
 
-/// Both surfaces in one input, with the wires of the first alone.
+/// Returns both surfaces in one input, with the wires of the first surface only.
 FlattenInput side_by_side(const FlattenInput& first, const FlattenInput& second) {
   FlattenInput input = first;
   const auto offset = static_cast<int>(first.vertices.rows());
@@ -33,7 +33,7 @@ FlattenInput side_by_side(const FlattenInput& first, const FlattenInput& second)
   return input;
 }
 
-/// Expects flat pieces that keep every guarantee, by every method.
+/// Expects that every method returns flat pieces that keep every guarantee.
 void expect_flat(const FlattenInput& input) {
   for (const Method method : {Method::refined, Method::wirewarp_plus_plus, Method::wirewarping}) {
     Options options;
@@ -63,8 +63,8 @@ TEST(ExtremeInput, EdgesThatDifferByAMillion) {
 }
 
 TEST(ExtremeInput, EdgesThatDifferByAMillionDoNotStopTheRefinedMethod) {
-  // In the second case, rows are graded as well as columns: the shortest edges resist turning a million times more than
-  // the sheet.
+  // In the second case, the distances of both rows and columns grow: the bending stiffness at the shortest edges is a
+  // million times that of the sheet.
   for (const bool in_both : {false, true}) {
     FlattenInput input = test::make_grid(
         10, 10, [&](double s, double t) { return dome(std::pow(1e-6, 1 - s), in_both ? std::pow(1e-6, 1 - t) : t); });
@@ -89,7 +89,7 @@ TEST(ExtremeInput, TinyBesideHuge) {
   expect_flat(side_by_side(tiny, huge));
 }
 
-/// Rounding of the coordinates alone strains the strip by 1e-11, so the search converges there.
+/// Rounding of the coordinates alone causes strains of 1e-11, so the search converges at such strains.
 TEST(ExtremeInput, AFlatStripThirtyThousandTimesAsLongAsWide) {
   for (const int n : {1, 30, 100}) {
     const FlattenResult result = flatten(test::flat_rectangle(n, 4, 1, 3e-5));

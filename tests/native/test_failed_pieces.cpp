@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts that cannot be flattened report an error and no figures of a flat shape, and do not affect other charts.
+// Charts that cannot be flattened have an error and no figures of a flat shape, and do not affect other charts.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -101,7 +101,7 @@ TEST(FailedPieces, ReportTheirWorkButNoFiguresOfAShape) {
   }
 }
 
-// Outlines too short to enclose their surface in the plane: the bound, and the error.
+// Outlines that are too short to enclose their surface in the plane: the bound, and the error.
 
 TEST(Isoperimetric, TheLeastShapeErrorIsReachedByUniformShrinking) {
   // Both singular values are s: E / area = 2 (1 - s)^2, and the area ratio is s^2.

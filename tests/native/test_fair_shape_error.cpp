@@ -55,8 +55,8 @@ class FairShapeErrorOnASaddle : public testing::Test {
   }
 
   /// Compares with central differences along the line uv + t d. With h = 1e-6, their error is h² times the third
-  /// derivative plus rounding over h, or h times the barrier's second derivative if a triangle crosses the barrier's
-  /// edge.
+  /// derivative plus rounding errors over h, or h times the barrier's second derivative if a triangle enters the
+  /// barrier.
   void expect_derivatives(const Positions2& uv, const Positions2& d, double hessian_tolerance) {
     const double h = 1e-6;
     Positions2 gradient, ahead, behind;
@@ -85,7 +85,7 @@ TEST_F(FairShapeErrorOnASaddle, DerivativesEqualDifferences) {
   EXPECT_TRUE(is_barrier_met);
 }
 
-TEST_F(FairShapeErrorOnASaddle, OtherCurvaturesBoundTheExactOneAndTheConvexOneIsPositive) {
+TEST_F(FairShapeErrorOnASaddle, OtherCurvaturesBoundTheExactCurvatureAndTheConvexCurvatureIsPositive) {
   for (unsigned seed = 0; seed < 8; ++seed) {
     const Positions2 uv = layout(seed);
     const Eigen::MatrixXd exact = hessian(uv, Curvature::exact), convex = hessian(uv, Curvature::convex),
@@ -104,7 +104,7 @@ TEST_F(FairShapeErrorOnASaddle, RoundingCostsHalfTheTraceOfTheHessian) {
   EXPECT_NEAR(objective.value_of_rounding(error), expected, 1e-12 * expected);
 }
 
-TEST_F(FairShapeErrorOnASaddle, BarriersAreZeroForOpenTrianglesAndOneIsInfiniteForFlippedOnes) {
+TEST_F(FairShapeErrorOnASaddle, BarriersAreZeroForOpenTrianglesAndOnlyTheInfiniteBarrierForbidsFlips) {
   const FairShapeError injective(chart, network, 0.2, nullptr, Injectivity::local);
   const Positions2 flat = test::planar_positions(chart), turned = layout(1);
   ASSERT_GT(objective.count_flips(turned), 0);
@@ -113,7 +113,7 @@ TEST_F(FairShapeErrorOnASaddle, BarriersAreZeroForOpenTrianglesAndOneIsInfiniteF
   EXPECT_EQ(injective.value(turned), std::numeric_limits<double>::infinity());
 }
 
-/// Triangles squeezed to determinants from 0.01 to 0.09, where the infinite barrier is active.
+/// Triangles are squeezed to determinants from 0.01 to 0.09, where the infinite barrier is active.
 TEST_F(FairShapeErrorOnASaddle, DerivativesOfTheInfiniteBarrierEqualDifferences) {
   objective = FairShapeError(chart, network, 0.2, nullptr, Injectivity::local);
   const Positions2 flat = test::planar_positions(chart);
@@ -124,7 +124,7 @@ TEST_F(FairShapeErrorOnASaddle, DerivativesOfTheInfiniteBarrierEqualDifferences)
   EXPECT_GT(test::eigenvalues(convex).minCoeff(), -1e-12 * convex.norm());
 }
 
-/// The same sheet of a fabric that locks; its triangles are unflipped, stretched and squeezed.
+/// The same sheet of a fabric that locks, with triangles that are stretched and squeezed, but not flipped.
 class FairShapeErrorOfAFabric : public FairShapeErrorOnASaddle {
  protected:
   static Cloth locking_cloth() {
@@ -153,7 +153,7 @@ TEST_F(FairShapeErrorOfAFabric, DerivativesEqualDifferences) {
   }
 }
 
-TEST_F(FairShapeErrorOfAFabric, TheConvexCurvatureIsPositiveAndAboveTheExactOne) {
+TEST_F(FairShapeErrorOfAFabric, TheConvexCurvatureIsPositiveAndAboveTheExactCurvature) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     const Eigen::MatrixXd exact = hessian(open_layout(seed), Curvature::exact),
                           convex = hessian(open_layout(seed), Curvature::convex);
@@ -185,7 +185,7 @@ TEST(FairShapeError, AStepEndsWhereTheFirstTriangleFlips) {
   EXPECT_EQ(FairShapeError(chart, network, 0.1).longest_step(uv, d), 1) << "flips are not forbidden";
 }
 
-TEST(FairShapeError, AMirrorImageIsAllFlips) {
+TEST(FairShapeError, AMirrorImageHasOnlyFlippedTriangles) {
   const Chart chart = test::chart_of(test::flat_rectangle(3, 2, 3, 2));
   const FairShapeError objective(chart, build_held_network(chart), 0.1);
   const Positions2 uv = test::planar_positions(chart);
@@ -197,8 +197,8 @@ TEST(FairShapeError, AMirrorImageIsAllFlips) {
               0, 1e-25);
 }
 
-/// A square sheared into a rhombus by β: lengths along rows and columns are exact, and every corner between a row and a
-/// column is off by β, with |r|² = 2 - 2 cos β.
+/// A square sheared into a rhombus by β: lengths along rows and columns are exact, and every angle between a row and a
+/// column changes by β, with |r|² = 2 - 2 cos β.
 class BendingOfARhombus : public testing::TestWithParam<int> {};
 
 TEST_P(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {

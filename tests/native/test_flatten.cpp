@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole pipeline: exact lengths, isometric developable pieces, and results that do not depend on how the mesh is
-// numbered, placed, scaled, mirrored or refined.
+// The whole pipeline: lengths are exact, developable pieces are isometric, and results do not depend on the mesh's
+// numbering, position, scale, handedness and resolution.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -33,7 +33,7 @@ Positions2 mirrored(Positions2 uv) {
   return uv;
 }
 
-/// A hemisphere of four gores with a wire around that crosses every seam: charts, junctions, and a wire in parts.
+/// A hemisphere of four gores with a wire around it, which crosses every seam: charts, junctions, and a wire in parts.
 FlattenInput gores_with_a_wire() {
   const int gores = 4, n = 6, rings = 12;
   FlattenInput input = test::sphere_of_gores(gores, n, rings);
@@ -66,7 +66,7 @@ FlattenInput sheet_with_a_dart(int n, double bend) {
   return input;
 }
 
-/// Flattens the input, and expects that every guarantee is kept and every piece is good.
+/// Flattens the input. Expects that every guarantee is kept and every piece is good.
 FlattenResult expect_guarantees(const FlattenInput& input, const Options& options) {
   FlattenResult result = flatten(input, options);
   for (const Piece& piece : result.pieces) {
@@ -152,8 +152,8 @@ TEST(Flatten, PiecesDoNotDependOnHowTheSurfaceIsGiven) {
         }
       }
       const bool is_refined = method == Method::refined;
-      // Newton's iteration may stop a step earlier or later: objectives agree, and positions agree to the root of the
-      // tolerance.
+      // Newton's iteration may stop a step earlier or later. Objectives agree to the tolerance, positions to its square
+      // root.
       if (is_refined) {
         EXPECT_NEAR(after.pieces[0].report.objective, before.pieces[0].report.objective, 1e-11);
       }
@@ -170,7 +170,7 @@ TEST(Flatten, MirrorReturnsTheMirrorImage) {
   EXPECT_LT(misfit(mirrored(flatten(input).pieces[0].vertices), inside.pieces[0].vertices), 1e-12);
 }
 
-/// The quarter sphere with its columns crowded towards one side; grading 1 is even.
+/// The quarter sphere with columns that are denser towards one side; with grading 1, they are evenly spaced.
 FlattenInput graded_quarter_sphere(int n, double grading) {
   const auto graded = [&](double s) { return s + (1 - 1 / grading) * s * (1 - s) / (2 - 1 / grading); };
   FlattenInput input = test::make_grid(2 * n, n, [&](double s, double t) {
@@ -183,7 +183,7 @@ FlattenInput graded_quarter_sphere(int n, double grading) {
   return input;
 }
 
-/// The energy by the paper's method, which weights the nodes.
+/// Returns the energy of the paper's method with these weights of nodes.
 double energy(const FlattenInput& input, NodeWeight weight) {
   Options options = by(Method::wirewarp_plus_plus);
   options.node_weight = weight;
@@ -193,7 +193,7 @@ double energy(const FlattenInput& input, NodeWeight weight) {
 TEST(Flatten, WirewarpingConvergesWhenTheSurfaceIsRefined) {
   double previous = energy(test::quarter_sphere(24), NodeWeight::length);
   double change = 1;
-  for (const int n : {36, 54, 81}) {  // 1.5 times as fine each time
+  for (const int n : {36, 54, 81}) {  // edges become shorter by a factor of 1.5
     const double refined = energy(test::quarter_sphere(n), NodeWeight::length);
     EXPECT_LT(std::abs(refined - previous), 0.8 * change) << n;
     change = std::abs(refined - previous);

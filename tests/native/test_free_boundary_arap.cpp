@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kUntilConverged = 5000;
 
-/// Largest relative change of an edge's length, less the rounding of coordinates.
+/// Returns the largest relative change of an edge's length, minus the rounding error of coordinates.
 double largest_stretch(const Chart& chart, const Positions2& uv) {
   const double rounding = 8 * std::numeric_limits<double>::epsilon() * uv.cwiseAbs().maxCoeff();
   double largest = 0;
@@ -53,7 +53,7 @@ FlattenInput cut_square() {
   return input;
 }
 
-/// Columns in pairs, 1e-6 apart.
+/// A plate with pairs of columns that are 1e-6 apart.
 FlattenInput sliver_plate() {
   const int nx = 9;
   return test::make_grid(nx, 6, [](double s, double t) {
@@ -63,7 +63,7 @@ FlattenInput sliver_plate() {
   });
 }
 
-/// Every triangle has an angle above 150 degrees, so a third of the cotangents are negative.
+/// A plate in which every triangle has an angle above 150 degrees, so that a third of the cotangents are negative.
 FlattenInput sheared_plate() {
   return test::make_grid(8, 8, [](double s, double t) { return Eigen::Vector3d(s - 3 * t, t, 0); });
 }
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, CircleEmbedding,
 
 class Developable : public testing::TestWithParam<Case> {};
 
-/// Towards E = 0, every step lowers E by a constant factor, so the iteration ends in rounding.
+/// Near E = 0, every step lowers E by a constant factor, so the iteration continues down to rounding errors.
 TEST_P(Developable, KeepsItsLengths) {
   const Chart chart = test::chart_of(GetParam().input);
   const FreeBoundaryArap flat = free_boundary_arap(chart, kUntilConverged);
@@ -135,7 +135,7 @@ TEST(FreeArap, StopsAtAnyStepWhenAsked) {
   }
 }
 
-/// Bending a long strip as a whole costs almost no energy, so independent steps hardly move it; conjugate steps do.
+/// Bending a long strip as a whole costs almost no energy, so independent steps hardly bend it, but conjugate steps do.
 TEST(FreeArap, UnrollsALongStripByConjugateSteps) {
   const Chart chart = test::chart_of(test::cone_patch(48, 4, 10, 11, 0.5, 4));
   Positions2 uv = tutte_embedding(chart);
@@ -150,7 +150,7 @@ class FreeArapOnASphere : public testing::Test {
 };
 
 TEST_F(FreeArapOnASphere, NeverRaisesTheEnergy) {
-  // Starts with half of the triangles flipped, from which the first steps are large.
+  // Half of the triangles are flipped at the start, so the first steps are large.
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   for (int trial = 0; trial < 5; ++trial) {
@@ -196,7 +196,7 @@ class ShapeErrorOnASphere : public testing::Test {
 };
 
 TEST_F(ShapeErrorOnASphere, GradientEqualsDifferences) {
-  // The error of fourth-order differences is h⁴ times the fifth derivative plus rounding over h.
+  // The error of fourth-order differences is h⁴ times the fifth derivative plus rounding errors over h.
   const double h = 1e-3;
   for (unsigned seed = 0; seed < 5; ++seed) {
     const Positions2 uv = random_positions(chart, seed), direction = random_positions(chart, seed + 100);
@@ -217,7 +217,7 @@ TEST_F(ShapeErrorOnASphere, FixedRotationsBoundTheEnergy) {
     const Positions2 curved = hessian.selfadjointView<Eigen::Lower>() * step;
     const double slope = (gradient.array() * step.array()).sum(), curvature = (curved.array() * step.array()).sum();
     EXPECT_LE(shape_error.energy(uv + step), energy + slope + curvature / 2);
-    // A step towards a point changes no rotation, so the bound is reached.
+    // A step towards a point changes no rotation, so the bound is exact.
     Positions2 inwards = -0.3 * uv;
     const double shrunk = shape_error.energy(uv + inwards);
     const Positions2 pulled = hessian.selfadjointView<Eigen::Lower>() * inwards;
@@ -237,7 +237,7 @@ TEST(ShapeError, CountsMirrorImagesAgainstRotations) {
   EXPECT_NEAR(shape_error.energy(mirrored), area * (2 + 2 * s * s), 1e-12);
 }
 
-/// At z = 0, the gradient is that of A(2 + 2|w|²): it is finite, and nothing is divided by zero.
+/// At z = 0, the gradient is that of A(2 + 2|w|²). It must be finite, without a division by zero.
 TEST(ShapeError, HasAFiniteGradientIfNoRotationIsBest) {
   const Chart chart = test::chart_of(test::flat_rectangle(3, 2, 3, 2));
   const ShapeError shape_error(chart);

@@ -61,7 +61,7 @@ TEST(Guarantee, LengthErrorsAboveOnePartInABillionAreReported) {
 
 TEST(Guarantee, RoundingOfFarAwayCoordinatesIsNoError) {
   Sheet sheet(0);
-  sheet.uv.array() += 1e8;  // where rounding is 1.5e-8
+  sheet.uv.array() += 1e8;  // with rounding errors of 1.5e-8
   EXPECT_FALSE(sheet.check());
 }
 
@@ -110,7 +110,7 @@ TEST(Guarantee, FreeWiresAreNotChecked) {
 
 TEST(Guarantee, FlippedFacesAreNamed) {
   Sheet sheet(std::numeric_limits<double>::infinity());
-  sheet.uv.row(6) << 0.6, 0.3;  // an inner vertex, off the wire, past its right neighbor
+  sheet.uv.row(6) << 0.6, 0.3;  // an inner vertex that is not on the wire moves past its right neighbor
   const std::optional<FlattenError> error = sheet.check();
   ASSERT_TRUE(error);
   EXPECT_EQ(error->code, ErrorCode::flipped_faces);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wires that contradict one another are named, the proposed tolerances make the piece flat, and feasible nets are not
-// refused.
+// Errors name wires that contradict one another, and propose tolerances that make the piece flat. Feasible nets have no
+// error.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ namespace {
 
 using Where = std::function<bool(const Eigen::Vector3d& middle)>;
 
-/// Makes each inner edge in the region a rigid wire.
+/// Adds a rigid wire for each inner edge in the region.
 void add_edges_as_wires(FlattenInput& input, const Where& where) {
   const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
   for (int e = 0; e < edges.num_edges(); ++e) {
@@ -48,14 +48,15 @@ std::vector<int> diagonal(int n) {
   return chain;
 }
 
-/// The piece may still be flipped or overlap itself.
+/// Returns whether a piece has exact lengths; it may be flipped or overlap itself.
 bool has_exact_lengths(const Piece& piece) {
   return !piece.error || (piece.error->has_layout && piece.error->code != ErrorCode::lengths_not_kept);
 }
 
 bool is_refused(const Piece& piece) { return piece.error && piece.error->code == ErrorCode::infeasible_lengths; }
 
-/// Expects that the input is refused, and flattened well with the proposed tolerances. Returns the refused piece.
+/// Expects that the input's piece has an error, and becomes good with the proposed tolerances. Returns the piece with
+/// the error.
 Piece expect_fixed(FlattenInput input) {
   const Piece refused = flatten(input).pieces.at(0);
   EXPECT_TRUE(is_refused(refused));
@@ -101,8 +102,8 @@ TEST(InfeasibleWires, ADenseNetGetsOneToleranceForAll) {
 }
 
 TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
-  // The sheet is flat but for a dimple of radius 0.2. A wire needs a tolerance only if the angles at one of its ends do
-  // not add up to 2π, which is the case at faces that the dimple touches.
+  // The sheet is flat except for a dimple of radius 0.2. A wire needs a tolerance only if the angles at one of its ends
+  // do not add up to 2π, which is the case at faces that the dimple touches.
   const int n = 10;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double r2 = (s - 0.5) * (s - 0.5) + (t - 0.5) * (t - 0.5);
@@ -121,7 +122,7 @@ TEST(InfeasibleWires, OnlyWiresOfTheCurvedRegionAreNamed) {
 }
 
 TEST(InfeasibleWires, OneLineTooManyIsFixed) {
-  // Rows and columns shear like a fishing net, even with one diagonal, but not with two more.
+  // Rows and columns can shear like a fishing net, even with one diagonal, but not with two more.
   const int n = 8;
   for (const double tolerance : {0.0, 0.01}) {
     FlattenInput input = test::saddle(n, 0.3);
@@ -166,7 +167,7 @@ TEST(RelaxedLengths, NoLengthChangesIfAllCanBeKept) {
   const Problem problem(chart, 0.1);
   Budget relax_budget(kMaxRelaxFactorizations);
   RelaxedShape relaxed = relax_lengths(problem, free_boundary_arap(chart, 30).uv, {relax_budget});
-  EXPECT_LT(relaxed.tolerance_violation.maxCoeff(), 1e-4);  // the width of the last smoothing
+  EXPECT_LT(relaxed.tolerance_violation.maxCoeff(), 1e-4);  // the last σ of smoothing
   EXPECT_LT(relaxed.strain_rms.maxCoeff(), 1e-4);
   EXPECT_LT(relaxed.outline_strain, 1e-4);
   const Positions2 untouched = relaxed.uv;
@@ -191,7 +192,7 @@ TEST(RelaxedLengths, TolerancesOfSingleEdgesCostNothing) {
   Budget budget(kMaxRelaxFactorizations);
   const RelaxedShape relaxed = relax_lengths({charts.charts.at(0), 0.1}, free, {budget});
   EXPECT_EQ(relaxed.tolerance_violation.maxCoeff(), 0);
-  EXPECT_LT(relaxed.outline_strain, 1e-4);  // the width of the last smoothing
+  EXPECT_LT(relaxed.outline_strain, 1e-4);  // the last σ of smoothing
 }
 
 TEST(RelaxedLengths, StopsWhenAsked) {
@@ -207,7 +208,7 @@ TEST(RelaxedLengths, StopsWhenAsked) {
   EXPECT_EQ(asked, 3);
 }
 
-TEST(InfeasibleWires, ThePapersMethodsProposeTolerancesForTheRefinedOne) {
+TEST(InfeasibleWires, ThePapersMethodsProposeTolerancesForTheRefinedMethod) {
   FlattenInput input = test::saddle(4, 0.5);
   add_edges_as_wires(input, [](const Eigen::Vector3d&) { return true; });
   for (const Method method : {Method::wirewarping, Method::wirewarp_plus_plus}) {

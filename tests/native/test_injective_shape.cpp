@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces that the fast way to the minimum leaves flipped or overlapping, although a good shape exists.
+// Pieces for which the usual starts lead to flipped or overlapping shapes, although a good shape exists.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 namespace wirewarp::test_injective_shape {
 namespace {
 
-/// The finger of a glove: a bump as high as its square is wide, with a row and a column as wires.
+/// The finger of a glove: a bump on a square, as high as the square is wide, with a row and a column as wires.
 FlattenInput finger(double tolerance = 0) {
   const int n = 8;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
@@ -32,8 +32,8 @@ FlattenInput saddle_with_vent() {
                           [](const Eigen::Vector3d& p) { return !(std::abs(p.x()) < 0.1 && p.y() > -0.5); });
 }
 
-/// A strip that runs around a saddle twice. In the plane it turns further than on the surface, so the second round
-/// meets the first.
+/// A strip that runs around a saddle twice. In the plane, it turns by a larger angle than on the surface, so that the
+/// second round meets the first.
 FlattenInput spiral_on_a_saddle() {
   return test::make_grid(96, 2, [](double s, double t) {
     const double turn = 4 * kPi * s, radius = 0.6 + 0.3 * s - (t - 0.5) * 0.1;

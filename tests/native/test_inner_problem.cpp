@@ -17,12 +17,12 @@ Eigen::VectorXd rest_lengths(const WireNetwork& network) {
   return lengths;
 }
 
-/// The objective of Eq. (1).
+/// Returns the objective of Eq. (1).
 double angle_variation(const WireNetwork& network, const InnerSolution& solution) {
   return Eq1(network, NodeWeight::length).angle_variation(solution.psi);
 }
 
-/// Largest gap of these loops under the headings, relative to the loop's length.
+/// Returns the largest gap of these loops with the given headings, relative to the loop's length.
 double largest_gap(const std::vector<std::vector<WireHalfEdge>>& loops, const Eigen::VectorXd& headings,
                    const Eigen::VectorXd& lengths) {
   double largest = 0;
@@ -59,8 +59,8 @@ FlattenInput domed_plate_with_two_holes() {
 }
 
 TEST(InnerProblem, EndsAtMinimaNotAtSaddles) {
-  // Patches of the sphere with wires on their axes of symmetry have many stationary points. At the end, the Hessian of
-  // the Lagrangian must be positive definite for closed loops.
+  // Patches of the sphere with wires on their axes of symmetry have many stationary points. At the result, the Hessian
+  // of the Lagrangian must be positive definite on the null space of the closures.
   for (const double height : {0.8, 1.2, 1.6}) {
     for (const int n : {2, 4, 8}) {
       FlattenInput input = test::make_grid(n, 2 * n, [&](double s, double t) {
@@ -89,7 +89,7 @@ TEST(InnerProblem, EndsAtMinimaNotAtSaddles) {
 }
 
 TEST(InnerProblem, TubesReachTheirMinimum) {
-  // To close these tubes, edges turn too far for the linearized gap.
+  // To close these tubes, edges turn so far that the linearized gap is wrong.
   FlattenInput narrow = test::cylinder_tube(28, 4, 1, 0.2);
   test::add_wire(narrow, test::tube_line(28, 4, 3));
   test::add_wire(narrow, test::tube_line(28, 4, 14));
@@ -108,7 +108,7 @@ TEST(InnerProblem, TubesReachTheirMinimum) {
 }
 
 TEST(InnerProblem, LeavesASaddleWithManySymmetries) {
-  // A square tube: the rotation that lowers Eq. (1) is almost orthogonal to the network's symmetry_breaker.
+  // A square tube. The change of headings that lowers Eq. (1) is almost orthogonal to the network's symmetry_breaker.
   const FlattenInput tube = test::make_tube(20, 2, [](double s, double t) {
     const int side = static_cast<int>(std::floor(4 * s + 1e-9)) % 4;
     const double along = 4 * s - side;
@@ -154,7 +154,7 @@ TEST(InnerProblem, HolesCloseOnlyByTheirOwnRows) {
 }
 
 TEST(InnerProblem, ReportsThatLengthsCannotBeKept) {
-  // One edge of a triangle longer than the other two together.
+  // One edge of a triangle is longer than the other two together.
   const Chart chart = test::chart_of(test::mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   const WireNetwork network = build_wire_network(chart);
   InnerProblem inner(network, NodeWeight::length);

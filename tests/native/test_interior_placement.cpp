@@ -14,7 +14,7 @@
 namespace wirewarp::test_interior_placement {
 namespace {
 
-/// A jittered grid and its network: the outline and, if crossed is true, the middle row and column.
+/// A jittered grid and its network: the outline and, if `crossed` is true, wires along the middle row and column.
 struct GridChart {
   GridChart(int n, bool crossed, const test::Surface& surface) {
     FlattenInput input = test::jittered_grid(n, 0.3, surface);
@@ -39,13 +39,13 @@ Eigen::Vector3d tilted_plane(double x, double y) { return {x + 0.2 * y, 0.9 * y 
 
 Eigen::Vector3d bumps(double x, double y) { return {x, y, 0.2 * std::sin(5 * x) * std::cos(4 * y)}; }
 
-/// tan(α/2) of the angle at a between b and c, computed from the angle.
+/// Returns tan(α/2) of the angle α at a between b and c, computed from the angle.
 double literal_tan_half(const HalfEdgeMesh& mesh, VertexHandle a, VertexHandle b, VertexHandle c) {
   const OpenMesh::Vec3d ab = mesh.point(b) - mesh.point(a), ac = mesh.point(c) - mesh.point(a);
   return std::tan(std::atan2(OpenMesh::cross(ab, ac).norm(), OpenMesh::dot(ab, ac)) / 2);
 }
 
-/// The weight w of a neighbor from the two triangles at the edge to it; not normalized.
+/// Returns the weight w of a neighbor, not normalized, from the two triangles at the edge to this neighbor.
 double literal_weight(const HalfEdgeMesh& mesh, HalfedgeHandle to_neighbor) {
   const VertexHandle center = mesh.from_vertex_handle(to_neighbor), neighbor = mesh.to_vertex_handle(to_neighbor);
   const VertexHandle left = mesh.to_vertex_handle(mesh.next_halfedge_handle(to_neighbor));
@@ -56,7 +56,7 @@ double literal_weight(const HalfEdgeMesh& mesh, HalfedgeHandle to_neighbor) {
 }
 
 TEST(MeanValue, HoldsAtAnAngleNearPi) {
-  // A fan around the origin, which lies h above the edge between ring vertices 0 and 2.
+  // A fan around the origin, which is at the height h above the edge between ring vertices 0 and 2.
   const double h = 1e-9;
   HalfEdgeMesh mesh;
   const VertexHandle center = mesh.add_vertex({0, 0, 0});

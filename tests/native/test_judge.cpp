@@ -45,12 +45,12 @@ TEST(Judge, ReportsDifferentOrMissingCoordinates) {
 }
 
 TEST(Judge, ReportsFlippedFacesAndTornEdges) {
-  expect_broken("is flipped", two_sheets(), moved_vertex(0, 1 + 9, 5, 0));  // a vertex off all lines
+  expect_broken("is flipped", two_sheets(), moved_vertex(0, 1 + 9, 5, 0));  // a vertex that is not on a line
   expect_broken("torn at", two_sheets(), [](JudgeCase& c) { c.result.corner_uv(16 + 3, 0) += 1e-6; });
 }
 
 TEST(Judge, ReportsOverlappingFaces) {
-  // A cone that is walked around twice spans 1.75 turns in the plane, unless the shape is bent.
+  // A strip that runs twice around a cone spans 1.75 turns in the plane, unless bending changes its shape.
   Options unbent;
   unbent.method = Method::wirewarping;
   const JudgeCase cone = flattened(test::cone_patch(48, 2, 1, 2, std::asin(7.0 / 8), 4 * kPi), unbent);
@@ -93,7 +93,7 @@ TEST(Judge, ReportsFailuresThatLegalInputMustNotHave) {
   fail_by_mesh(faulty);
   const auto reported =
       test::broken_expectations(faulty.input, faulty.options, faulty.result, ErrorCode::zero_area_face);
-  EXPECT_EQ(reported, std::vector<std::string>{}) << "the fault that the input was given";
+  EXPECT_EQ(reported, std::vector<std::string>{}) << "the fault that was added to the input";
 }
 
 TEST(Judge, ReportsPiecesThatUnfoldButAreNotFlat) {
@@ -104,7 +104,7 @@ TEST(Judge, ReportsPiecesThatUnfoldButAreNotFlat) {
                             [](JudgeCase& c) { fail(c, ErrorCode::infeasible_lengths); });
 }
 
-TEST(Judge, KnowsTheLengthsOfAStretchedFabric) {
+TEST(Judge, ChecksTheLengthsOfAStretchedFabric) {
   const FlattenInput input = two_sheets().input;
   Options options;
   options.cloth.emplace();
@@ -117,7 +117,7 @@ TEST(Judge, KnowsTheLengthsOfAStretchedFabric) {
   EXPECT_FALSE(test::broken_guarantees(input, options, result, &unstretched).empty());
 }
 
-TEST(Judge, KnowsTheShapeOfAStretchedPieceThatUnfolds) {
+TEST(Judge, ChecksTheShapeOfAStretchedPieceThatUnfolds) {
   const FlattenInput input = test::cylinder_patch(4, 3, 1, 2, 1);
   Options options;
   options.cloth.emplace();
@@ -134,7 +134,7 @@ TEST(Judge, KnowsTheShapeOfAStretchedPieceThatUnfolds) {
   EXPECT_EQ(expectations().size(), 1U);
 }
 
-// The judge reports pieces that are out of place or not upright.
+// The judge reports pieces that are misplaced or not upright.
 
 using test::moved;
 using test::turned;
@@ -175,7 +175,8 @@ TEST(Judge, ReportsOutlinesThatAreNotUpright) {
 }
 
 TEST(Judge, ReportsTheLongestChainIfShorterOnesAreEquallyLong) {
-  // A trapezoid cut into three: the middle piece has two sides of length 0.53 along the seams, and ends of 0.67 and 1.
+  // A trapezoid cut into three pieces. The middle piece has two sides of length 0.53 along the seams, and ends of 0.67
+  // and 1.
   FlattenInput input =
       test::make_grid(6, 2, [](double s, double t) { return Eigen::Vector3d((s - 0.5) * (2 + t), t / 2, 0); });
   for (const int column : {2, 4}) test::add_seam(input, test::grid_column(6, 2, column));
@@ -233,7 +234,7 @@ JudgeCase contradicting() {
   return sheets;
 }
 
-/// Spoils the error of contradicting(), and expects the sentence from broken_guarantees().
+/// Spoils the error of contradicting(), and expects that broken_guarantees() reports the sentence.
 void expect_reported(const std::function<void(FlattenError&, const FlattenResult&)>& spoil,
                      const std::string& sentence) {
   expect_broken(sentence, contradicting(), [&](JudgeCase& c) { spoil(*c.result.pieces[0].error, c.result); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steps in a ball, compared with the conditions for a global minimum of a quadratic (Gay; Sorensen): for some σ >= 0,
+// Checks steps in a ball by the conditions for a global minimum of a quadratic (Gay; Sorensen): for some σ >= 0,
 //
 //   (H + σG) d = -g on the space,   σ = 0 or |d|_G = Δ,   H + σG positive semidefinite on the space
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ TEST(LanczosTrustRegion, TakesTheNewtonStepOfAConvexQuadraticInsideTheBall) {
         -problem.space * test::solve(reduced, problem.space.transpose() * problem.gradient).col(0);
     const ModelStep step = problem.model(kUnknowns).step(1e3);
     EXPECT_TRUE(step.is_inside);
-    // The iteration stops at a hundredth of the force, where q differs from its minimum by the square of that.
+    // The iteration stops at a hundredth of the first residual, where q is near its minimum.
     EXPECT_NEAR(step.decrease, -problem.value(newton), 1e-2 * -problem.value(newton));
     EXPECT_LE(step.decrease, -problem.value(newton) * (1 + 1e-12));
   }

@@ -49,7 +49,7 @@ TEST(PackBoxes, NoTwoOverlapAndTheGapIsKept) {
           EXPECT_GE(apart, gap == 0 ? -1e-14 : gap - 1e-5) << a << " and " << b << " of " << count;
         }
       }
-      // With enough boxes, the square around all of them is not much larger than their total area.
+      // With enough boxes, the square around all boxes is not much larger than their total area.
       const double extent = (corners + sizes).maxCoeff();
       const double area = ((sizes.array() + gap).col(0) * (sizes.array() + gap).col(1)).sum();
       if (count >= 10) {
@@ -81,7 +81,7 @@ TEST(PackPieces, TheFirstWireIsUprightHoweverTheShapeIsTurned) {
   const Positions2 uv = planar_positions(charts.charts[0]);
   for (const double angle : {0.0, 1.0, 2.5, -1.5}) {
     const Positions2 packed = pack_one(charts, turned(uv, angle));
-    // A wire along x becomes upright: x becomes y, and y becomes -x, from the right edge of a piece of width 2.
+    // A wire along x becomes upright: y becomes the old x, and x becomes 2 minus the old y, for a piece of width 2.
     EXPECT_LT((packed.col(1) - uv.col(0)).cwiseAbs().maxCoeff(), 1e-14);
     EXPECT_LT((packed.col(0) - (2 - uv.col(1).array()).matrix()).cwiseAbs().maxCoeff(), 1e-14);
   }
@@ -103,11 +103,11 @@ TEST(PackPieces, AClosedOutlineIsUprightInItsSmallestBox) {
   EXPECT_NEAR(packed.col(0).maxCoeff(), 1, 1e-14);
   EXPECT_NEAR(packed.col(1).maxCoeff(), 4, 1e-14);
   const Positions2 again = pack_one(charts, turned(planar_positions(charts.charts[0]), 2));
-  EXPECT_LT((again - packed).cwiseAbs().maxCoeff(), 1e-13) << "rounding chose which end points up";
+  EXPECT_LT((again - packed).cwiseAbs().maxCoeff(), 1e-13) << "rounding errors decide which end points up";
 }
 
-// The direction that a packed piece makes upright: the grain wire, the longest straight section of outline, or up in
-// space.
+// The direction of a piece that packing makes upright: the grain wire, the longest straight section of the outline, or
+// the direction up in space.
 
 Options by(Orientation orientation) {
   Options options;
@@ -134,8 +134,7 @@ TEST(Grain, PiecesWithoutTheGrainWireUseTheirFirstWire) {
   }
 }
 
-/// A sheet with a lower side that is straight but for a kink of 2 degrees, and a longer upper side that is a round
-/// hill.
+/// A sheet with a lower side that is straight except for a kink of 2 degrees, and a longer, rounded upper side.
 FlattenInput hill(int nx) {
   return test::make_grid(nx, 2, [](double s, double t) {
     const double kinked = 0.05 * std::abs(s - 0.5);
@@ -148,12 +147,12 @@ TEST(StraightestOutline, IsTheLongestSideWithLittleTurning) {
     Charts charts = charts_of(hill(nx));
     Chart& chart = charts.charts[0];
     const Positions2 uv = planar_positions(chart);
-    // The loop may begin anywhere, even in the middle of the side.
+    // The loop may begin anywhere, even in the middle of the straight side.
     HalfEdgeChain& loop = chart.boundary_loops[0];
     for (std::size_t k = 0; k < loop.size(); ++k) {
       std::rotate(loop.begin(), loop.begin() + 1, loop.end());
       const Eigen::Vector2d along = straightest_outline(chart, uv);
-      EXPECT_NEAR(along.x(), 3, 1e-12) << "from left to right, the piece on the left";
+      EXPECT_NEAR(along.x(), 3, 1e-12) << "from left to right, with the piece on the left";
       EXPECT_NEAR(along.y(), 0, 1e-12);
     }
   }
@@ -195,7 +194,7 @@ TEST(RisingDirection, ALevelPieceIsAlignedByItsWire) {
 }
 
 TEST(UprightPair, AtEqualHeightsDoesNotDependOnTheNumbering) {
-  // All vertices of the lower side have one height, and all of the upper side another.
+  // All vertices of the lower side have one height, and all vertices of the upper side another height.
   const FlattenInput sheet = test::flat_rectangle(4, 2, 2, 3);
   FlattenInput renumbered = sheet;
   const auto last = static_cast<int>(sheet.vertices.rows()) - 1;

@@ -16,7 +16,7 @@ using test::planar_positions;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A piece with measured lengths, for a layout and the variation of its parts.
+/// Returns a piece with measured lengths for a layout and the variation of its parts.
 Piece measured_piece(const FlattenInput& input, const Chart& chart, const Positions2& uv,
                      const std::vector<double>& variation) {
   Piece piece;
@@ -122,7 +122,7 @@ TEST(Lengths, SeamSidesAndTheirMismatch) {
   EXPECT_NEAR(seams[0].length_2d[1], 2 * 1.25, 1e-14);
   EXPECT_NEAR(seams[0].mismatch, 0.5, 1e-14);
 
-  // The piece's own list has the same length, with its vertices in order.
+  // The piece's list of boundaries has the same length, with its vertices in order.
   for (const BoundaryReport& boundary : pieces[1].boundaries) {
     if (!boundary.seam) continue;
     EXPECT_EQ(*boundary.seam, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Surfaces with seams and wires, at any resolution. Faces are counter-clockwise seen from outside (for flat and open
-// surfaces, from +z). Lengths are in scene units.
+// Surfaces with seams and wires, at any resolution. Faces are counter-clockwise seen from outside, or from +z for flat
+// and open surfaces. Lengths are in scene units.
 #pragma once
 
 #include <array>
@@ -11,18 +11,18 @@
 
 namespace wirewarp::test {
 
-/// A surface over the unit square; the direction ds x dt points outside.
+/// A surface over the unit square. The direction ds × dt points outside.
 using Surface = std::function<Eigen::Vector3d(double s, double t)>;
 
 /// A grid of nx by ny quads over the unit square, each divided by the diagonal from its lower left to its upper right
 /// corner. Vertices are i + (nx+1) j.
 FlattenInput make_grid(int nx, int ny, const Surface& surface);
 
-/// Divides every second quad of a grid, as on a checkerboard, by its other diagonal.
+/// Changes the diagonal of every second quad of a grid, as on a checkerboard.
 void alternate_diagonals(FlattenInput& grid, int nx);
 
-/// An n by n grid whose inner vertices are moved at random by up to this share of an edge, so that nothing is regular
-/// and rows and columns are jagged.
+/// An n by n grid with inner vertices moved at random by up to this share of an edge, so that rows and columns are
+/// jagged and nothing is regular.
 FlattenInput jittered_grid(int n, double jitter, const Surface& surface);
 
 /// A mesh of these points and triangles.
@@ -31,17 +31,18 @@ FlattenInput mesh_of(const std::vector<std::array<double, 3>>& points, const std
 /// A grid closed in s: surface(0, t) = surface(1, t). Vertices are i + nx j.
 FlattenInput make_tube(int nx, int ny, const Surface& surface);
 
-/// Vertices of row j from left to right, and of column i from bottom to top.
+/// Return the vertices of row j from left to right, and of column i from bottom to top.
 std::vector<int> grid_row(int nx, int j);
 std::vector<int> grid_column(int nx, int ny, int i);
 
-/// Vertices of the square around vertex (i, j) of a grid at a distance of k edges; the first is repeated at the end.
+/// Returns the vertices of the square around vertex (i, j) of a grid at a distance of k edges. The first vertex is
+/// repeated at the end.
 std::vector<int> grid_square(int nx, int i, int j, int k);
 
-/// Vertices once around ring j; the first is repeated at the end.
+/// Returns the vertices around ring j. The first vertex is repeated at the end.
 std::vector<int> tube_ring(int nx, int j);
 
-/// Vertices of line i of a tube from bottom to top.
+/// Returns the vertices of line i of a tube from bottom to top.
 std::vector<int> tube_line(int nx, int ny, int i);
 
 /// Marks the edges of a chain of vertices as seams.
@@ -52,11 +53,11 @@ void add_wire(FlattenInput& input, const std::vector<int>& chain, double toleran
 /// Adds wires along these rows and columns of an n by n grid.
 void add_net(FlattenInput& grid, int n, const std::vector<int>& lines, double tolerance = 0);
 
-/// Keeps the faces for which keep(centroid) is true and the vertices that they use, in their order. Seams and wires are
+/// Returns the faces for which keep(centroid) is true, with their vertices, in the same order. Seams and wires are
 /// dropped.
 FlattenInput keep_faces(const FlattenInput& input, const std::function<bool(const Eigen::Vector3d&)>& keep);
 
-/// The vertex nearest to a point.
+/// Returns the vertex nearest to a point.
 int nearest_vertex(const FlattenInput& input, const Eigen::Vector3d& point);
 
 // Flat surfaces.
@@ -68,7 +69,7 @@ FlattenInput flat_plate_with_two_holes(int n);
 // Developable surfaces.
 /// A part of a cylinder with an upright axis: angle radians around, and height.
 FlattenInput cylinder_patch(int nx, int ny, double radius, double angle, double height);
-/// A part of a cone between two distances from the apex; half_angle is between axis and side, angle around the axis.
+/// A part of a cone between two distances from the apex. half_angle: between axis and side; angle: around the axis.
 FlattenInput cone_patch(int nx, int ny, double near, double far, double half_angle, double angle);
 /// A whole cylinder, open at both ends.
 FlattenInput cylinder_tube(int nx, int ny, double radius, double height);
@@ -80,9 +81,9 @@ FlattenInput quarter_sphere(int n);
 /// z = bend (x² − y²) over the square of side 2.
 FlattenInput saddle(int n, double bend);
 
-/// A saddle where every inner edge is a wire of its own: the wires contradict one another, and all starts fail.
+/// A saddle with one wire on every inner edge. The wires contradict one another, and all starts fail.
 FlattenInput saddle_of_wires(int n, double tolerance);
-/// A band of the unit sphere around the equator, up to this latitude on both sides, with two boundary loops.
+/// A band of the unit sphere around the equator, between the same latitude on both sides, with two boundary loops.
 FlattenInput sphere_band(int nx, int ny, double latitude);
 /// The unit sphere cut into equal gores by seams from pole to pole, with n quads across each gore and rings from pole
 /// to pole.
@@ -92,17 +93,17 @@ FlattenInput sphere_of_gores(int gores, int n, int rings);
 FlattenInput closed_sphere(int around, int rings);
 FlattenInput closed_torus(int around, int across);
 
-/// num_flaps rectangles that share one edge, which is a seam with num_flaps sides. Each rectangle has n quads along its
-/// side.
+/// num_flaps rectangles with one common edge, which is a seam with num_flaps sides. Each rectangle has n quads along
+/// its side.
 FlattenInput book(int num_flaps, int n);
 
-/// Largest distance between corresponding rows after the best rigid motion.
+/// Returns the largest distance between corresponding rows after the best rigid motion.
 double misfit(Positions2 a, Positions2 b);
 
-/// The coordinates (x, y) of each vertex of a chart in the plane z = 0.
+/// Returns the coordinates (x, y) of each vertex of a chart in the plane z = 0.
 Positions2 planar_positions(const Chart& chart);
 
-/// The charts of an input without faults, and the first of them.
+/// Return the charts of an input without faults, and the first chart.
 Charts charts_of(const FlattenInput& input);
 Chart chart_of(const FlattenInput& input);
 

@@ -40,7 +40,7 @@ TEST(Metrics, StretchedSheetByArithmetic) {
   EXPECT_TRUE(metrics.flipped_faces.empty());
   EXPECT_TRUE(metrics.overlapping_faces.empty());
 
-  // The wire's edges come first, and all run across; the outline's follow, across or upright.
+  // The wire's edges come first, and all run across. The outline's edges follow, across or upright.
   ASSERT_EQ(metrics.wire_edges.size(), static_cast<std::size_t>(n + 4 * n));
   for (std::size_t i = 0; i < metrics.wire_edges.size(); ++i) {
     const auto [a, b] = metrics.wire_edges[i];
@@ -63,7 +63,7 @@ TEST(Metrics, ShearChangesOnlyTheFourCorners) {
 }
 
 TEST(Metrics, AnglesBeyondAHalfTurnAreNotWrapped) {
-  // Nodes at the outline of a hole span 3π/2 at the hole's corners.
+  // The nodes at the corners of a hole span 3π/2.
   const Chart chart = test::chart_of(test::flat_plate_with_two_holes(4));
   const WireNetwork network = build_wire_network(chart);
   const Positions2 uv = planar_positions(chart);
@@ -77,7 +77,7 @@ TEST(Metrics, AnglesBeyondAHalfTurnAreNotWrapped) {
 
 TEST(Metrics, TailsHaveNoAngle) {
   FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
-  test::add_wire(input, {12, 13});  // inside; touches nothing
+  test::add_wire(input, {12, 13});  // a wire inside that touches nothing
   const Chart chart = test::chart_of(input);
   Positions2 uv = planar_positions(chart);
   uv.row(12) += Eigen::RowVector2d(0.01, 0.02);
@@ -104,7 +104,7 @@ TEST(Metrics, FacesAreThoseOfTheInput) {
 
 using Planar = std::array<Eigen::Vector2d, 3>;
 
-/// The metrics of one triangle: p, placed in space by a rigid motion, is mapped to u.
+/// Returns the metrics of one triangle: p, moved rigidly in space, is mapped to u.
 Metrics measure(const Planar& p, const Planar& u) {
   const Eigen::Matrix3d rotation = (Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, 2, 3).normalized()) *
                                     Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitX()))
@@ -124,7 +124,8 @@ Planar transformed(const Planar& p, const Eigen::Matrix2d& map) { return {map * 
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Eq. (6) literally: a sum over the edges with the cotangent of the opposite angle and the best rotation.
+/// Returns Eq. (6) as in the paper: a sum over the edges with the cotangent of the opposite angle and the best
+/// rotation.
 double literal_arap(const Planar& p, const Planar& u) {
   std::array<double, 3> cotangents;
   double cosine = 0;

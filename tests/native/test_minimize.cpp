@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The least distorted shape under exact lengths: every start leads to one minimum, away from saddles, and every stop is
-// exact.
+// The least distorted shape under exact lengths: every start leads to the same minimum, not to saddles, and lengths are
+// exact whenever the solver stops.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -28,7 +28,7 @@ namespace wirewarp::test_minimize {
 namespace {
 
 constexpr double kFree = std::numeric_limits<double>::infinity();
-// Relative difference of f, because each run stops when the next step would gain less than 1e-9 of it.
+// Allowed relative difference of f, because each run stops when the next step would gain less than 1e-9 of f.
 constexpr double kSameMinimum = 1e-7;
 
 struct Case {
@@ -40,7 +40,7 @@ struct Case {
   }
   Solution refine() const { return refine(free_boundary_arap(chart, 30).uv); }
 
-  /// The shape ψ of the 3D lengths.
+  /// Returns the shape ψ of the 3D lengths.
   Positions2 warped() const {
     const std::optional<Chart> processed = process_topology(chart);
     const Chart& prepared = processed ? *processed : chart;
@@ -56,7 +56,7 @@ struct Case {
 
   int flips(const Positions2& uv) const { return FairShapeError(chart, network, fairness).count_flips(uv); }
 
-  /// Largest |l₂ - (1 + h) l| / l, with h of the shape.
+  /// Returns the largest |l₂ - (1 + h) l| / l, with h of the shape.
   double length_error(const Shape& shape) const {
     const LengthConstraints constraints(chart, network);
     Eigen::VectorXd variation(constraints.num_elastic());
@@ -165,20 +165,20 @@ TEST(Minimize, MoreToleranceNeverRaisesTheMinimum) {
   }
 }
 
-TEST(Minimize, ANarrowToleranceIsUsedCompletelyAndAWideOneIsNot) {
+TEST(Minimize, ANarrowToleranceIsUsedCompletelyAndAWideToleranceIsNot) {
   const Solution narrow = Case(dome_with_wires(0.001)).refine(), wide = Case(dome_with_wires(0.5)).refine();
   EXPECT_GT(narrow.shape.variation.cwiseAbs().minCoeff(), 0.001 - 1e-12);
   EXPECT_LT(wide.shape.variation.cwiseAbs().maxCoeff(), 0.4);
 }
 
-/// f has no gradient along the shapes with these lengths, so small moves to other exact shapes do not lower it.
+/// At a minimum, f has no slope towards other shapes with exact lengths, so small moves to such shapes do not lower f.
 TEST(Minimize, NothingNearIsBetter) {
   for (const FlattenInput& input : {dome_with_wires(0), dome_with_wires(0.02), test::quarter_sphere(12)}) {
     const Case panel(input);
     const Solution least = refine_chart(panel.chart, Options{});
     ASSERT_TRUE(least.is_exact() && least.is_converged());
     for (unsigned seed = 0; seed < 10; ++seed) {
-      // One factorization restores exact lengths nearby; no budget is left to find the minimum again.
+      // One factorization leads to exact lengths nearby. No budget remains to find the minimum again.
       const Solution near = panel.refine(jittered(least.shape.uv, 0.01 * panel.shortest_edge(), seed), 1);
       ASSERT_TRUE(near.is_exact());
       EXPECT_GE(near.objective, least.objective * (1 - 1e-9));
@@ -186,8 +186,8 @@ TEST(Minimize, NothingNearIsBetter) {
   }
 }
 
-/// Distances between fixed points along the outline of the quarter sphere, which do not depend on n, in one of the four
-/// orders that are equivalent by symmetry.
+/// Returns the distances between fixed points on the outline of the quarter sphere, which are the same for every n, in
+/// one of the four orders that are equivalent by symmetry.
 Eigen::MatrixXd outline_distances(const Chart& chart, const Positions2& uv, int n, bool turn_s, bool turn_t) {
   std::vector<int> row_of(chart.source_vertex.size());
   for (std::size_t v = 0; v < row_of.size(); ++v) row_of[chart.source_vertex[v]] = static_cast<int>(v);
@@ -210,7 +210,7 @@ Eigen::MatrixXd outline_distances(const Chart& chart, const Positions2& uv, int 
 }
 
 TEST(Minimize, ConvergesWhenTheSurfaceIsRefined) {
-  // The energies E were computed by a prototype that shares no code with this program, at fairness 0.1.
+  // A prototype that shares no code with this program computed the energies E, at fairness 0.1.
   Options options;
   options.fairness = 0.1;
   const std::pair<int, double> expected[] = {{16, 0.0737}, {32, 0.0746}, {64, 0.0753}};

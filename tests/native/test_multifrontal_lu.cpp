@@ -16,7 +16,7 @@ namespace {
 
 using Matrix = MultifrontalLu::Matrix;
 
-/// A row-diagonally-dominant M-matrix on a mesh, and the positions; only every tenth row is strictly dominant.
+/// A row-diagonally-dominant M-matrix on a mesh, and positions. Only every tenth row is strictly dominant.
 struct LuProblem {
   explicit LuProblem(const CholeskyProblem& mesh, unsigned seed = 7) : positions(mesh.positions) {
     std::mt19937 random(seed);
@@ -64,7 +64,7 @@ TEST(MultifrontalLu, SolvesWithTheMatrixAndItsTranspose) {
   }
 }
 
-TEST(MultifrontalLu, ThreadsGiveTheSameBits) {
+TEST(MultifrontalLu, ResultsDoNotDependOnThreads) {
   const LuProblem problem(mesh_problem(60, 1));
   const Positions2 b = random_columns(problem.matrix.rows(), 3);
   Positions2 x = b, in_threads = b;
@@ -73,8 +73,8 @@ TEST(MultifrontalLu, ThreadsGiveTheSameBits) {
   EXPECT_EQ(in_threads, x);
 }
 
-/// One diagonal entry, at any place, is lowered until the matrix is singular; lowered slightly less, it is still an
-/// M-matrix.
+/// One diagonal entry, at any place, is lowered until the matrix is singular. If it is lowered slightly less, the
+/// matrix is still an M-matrix.
 TEST(MultifrontalLu, RefusesAPivotThatIsNotPositive) {
   LuProblem problem(mesh_problem(12, 1));
   const Eigen::Index size = problem.matrix.rows();

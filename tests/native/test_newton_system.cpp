@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lengths as equations, and the linear system of a Newton step under them, compared with dense algebra.
+// Length constraints and the linear system of a Newton step, compared with dense algebra.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -31,7 +31,7 @@ Positions2 as_positions(const Eigen::VectorXd& v) { return Eigen::Map<const Posi
 
 Eigen::VectorXd as_vector(const Positions2& p) { return Eigen::Map<const Eigen::VectorXd>(p.data(), p.size()); }
 
-/// The full symmetric matrix of a lower triangle.
+/// Returns the full symmetric matrix with this lower triangle.
 Eigen::MatrixXd dense(const Eigen::SparseMatrix<double>& lower) {
   const Eigen::MatrixXd matrix(lower);
   return matrix.selfadjointView<Eigen::Lower>();
@@ -58,7 +58,7 @@ class NewtonSystemOnASaddle : public testing::Test {
     return j;
   }
 
-  /// The Hessian H reduced to the null space of J.
+  /// Returns the Hessian H on the null space of J.
   Eigen::MatrixXd reduced_hessian(const Eigen::VectorXd& multipliers, const Convexity& convexity) {
     return test::reduced_to(test::null_space(jacobian(constraints.directions(uv))),
                             dense(system.hessian(uv, multipliers, convexity)));
@@ -91,7 +91,7 @@ TEST_F(NewtonSystemOnASaddle, TheJacobianEqualsDifferences) {
         (2 * step);
     const Positions2 directions = constraints.directions(bent);
     EXPECT_LT((constraints.apply(directions, d) - constraints.elastic_lengths() * dh - difference).norm(), 1e-8);
-    // The transposed product uses the same numbers.
+    // The transposed product must have the same entries.
     const Eigen::VectorXd multipliers = random_vector(constraints.size(), seed + 30);
     Positions2 pulled = Positions2::Zero(uv.rows(), 2);
     constraints.add_transposed(directions, multipliers, pulled);
@@ -112,7 +112,7 @@ TEST_F(NewtonSystemOnASaddle, SolvesTheSystemOfTheNewtonStep) {
   Positions2 forces = as_positions(h.selfadjointView<Eigen::Lower>() * as_vector(d)) - r1;
   constraints.add_transposed(directions, solution.multipliers, forces);
   EXPECT_LT(forces.norm(), 1e-6 * r1.norm());
-  // One solve changes the lengths to first order with the least energy: no other d with the same J d has less.
+  // least_change() returns the d with the least energy: no other d with the same J d has less.
   const Positions2 least = system.finish(system.least_change(r2));
   EXPECT_LT((constraints.apply(directions, least) - r2).norm(), 1e-4 * r2.norm());
   const Positions2 unforced = system.finish(system.solve_on_wires(Positions2::Zero(uv.rows(), 2), r2).d);
@@ -154,7 +154,7 @@ TEST_F(NewtonSystemOnASaddle, FactorizesIfAndOnlyIfTheReducedHessianIsPositive) 
   EXPECT_GT(negative, 5);
 }
 
-TEST_F(NewtonSystemOnASaddle, TheHessianByVariationEqualsTheDenseOne) {
+TEST_F(NewtonSystemOnASaddle, TheHessianByVariationEqualsTheDenseHessian) {
   const Eigen::VectorXd multipliers = 0.01 * random_vector(constraints.size(), 5);
   ASSERT_TRUE(system.factorize(uv, multipliers, convex));
   const Eigen::MatrixXd j = jacobian(system.directions());
@@ -166,7 +166,7 @@ TEST_F(NewtonSystemOnASaddle, TheHessianByVariationEqualsTheDenseOne) {
   EXPECT_LT((system.stiffness_by_variation() - expected).norm(), 1e-5 * expected.norm());
 }
 
-TEST_F(NewtonSystemOnASaddle, TheStiffnessByVariationEqualsTheDenseOne) {
+TEST_F(NewtonSystemOnASaddle, TheStiffnessByVariationEqualsTheDenseStiffness) {
   const Eigen::VectorXd soft = Eigen::VectorXd::LinSpaced(constraints.size(), 1, 2);
   system.set_stiffness(soft);
   ASSERT_TRUE(system.factorize(uv, 0 * soft, convex));

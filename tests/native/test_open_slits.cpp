@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts with slits: each slit opens or stays shut, and lengths are exact at every stop.
+// Charts with slits: each slit opens or stays shut, and lengths are exact whenever the solver stops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,8 @@ std::vector<int> along_column(int i, int j, int num_edges) {
   return chain;
 }
 
-/// The sheet is compressed at the top of the bump and stretched sideways on its slope.
+/// A bump with a slit at its top, where the sheet is compressed, and a slit on its slope, where the sheet is stretched
+/// sideways.
 FlattenInput bump_with_slits() {
   FlattenInput input = test::make_grid(kSize, kSize, [](double s, double t) {
     return Eigen::Vector3d(s, t, 0.25 * std::exp(-12 * ((s - 0.5) * (s - 0.5) + (t - 0.4) * (t - 0.4))));
@@ -38,7 +39,7 @@ FlattenInput bump_with_slits() {
   return input;
 }
 
-/// The largest distance between the two copies of a vertex on the rims.
+/// Returns the largest distance between the two copies of a vertex on the rims.
 double gap(const Chart& chart, const Slit& slit, const Positions2& uv) {
   double largest = 0;
   for (std::size_t i = 0; i < slit.rims.size(); ++i) {
@@ -102,7 +103,7 @@ TEST(OpenSlits, TheSewnChartTriesLaterStartsToo) {
   EXPECT_EQ(piece.report.termination, Termination::converged);
 }
 
-TEST(OpenSlits, ATrialThatWouldPassThroughAShutSlitIsGivenUp) {
+TEST(OpenSlits, AShapeThatWouldPassThroughAShutSlitIsRejected) {
   FlattenInput input = waves(12, 0.081492, 0.09485, -0.079414);
   test::add_seam(input, {136, 135, 122, 109, 96, 83, 70, 69, 68, 81, 80});
   test::add_seam(input, {82, 95, 108});
@@ -114,7 +115,7 @@ TEST(OpenSlits, ATrialThatWouldPassThroughAShutSlitIsGivenUp) {
   EXPECT_LE(piece.report.factorizations, 50);
 }
 
-/// A cylinder as Blender stores it: without strain but for the rounding to single precision.
+/// A cylinder as Blender stores it: without strain except for rounding to single precision.
 FlattenInput rounded_cylinder() {
   FlattenInput input = test::cylinder_patch(20, 8, 1, 2, 1);
   input.vertices = input.vertices.cast<float>().cast<double>();

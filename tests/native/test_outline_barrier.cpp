@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The barrier that keeps an outline from crossing itself, on a plate with a notch. The notch is 0.02 wide, edges are 1
-// long, and the barrier begins at 0.1.
+// The barrier that prevents an outline from crossing itself, on a plate with a notch. The notch is 0.02 wide, edges are
+// 1 long, and the barrier begins at distances of 0.1.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -29,13 +29,13 @@ TEST(LogBarrier, HasTheValueAndDerivativesOfItsFormula) {
 
 class OutlineOfANotch : public testing::Test {
  protected:
-  /// A plate of 5 by 3 without the upper two squares in the middle, which leaves a U.
+  /// Returns a plate of 5 by 3 without the upper two squares in the middle: a U.
   static FlattenInput plate() {
     return test::keep_faces(test::flat_rectangle(5, 3, 5, 3),
                             [](const Eigen::Vector3d& p) { return !(p.x() > 2 && p.x() < 3 && p.y() > 1); });
   }
 
-  /// The shape with the arms moved together until the notch has this width.
+  /// Returns the shape with the arms moved together until the notch has this width.
   Positions2 closed_to(double gap) const {
     Positions2 uv = wide;
     for (int v = 0; v < uv.rows(); ++v) {
@@ -91,7 +91,8 @@ TEST_F(OutlineOfANotch, HessianEqualsDifferencesAlongALinearMotion) {
 }
 
 TEST_F(OutlineOfANotch, AStepEndsWhereTheOutlineFirstTouches) {
-  const Positions2 too_far = closed_to(-3 * kGap) - narrow;  // a step of four gap widths; the first closes the notch
+  const Positions2 too_far =
+      closed_to(-3 * kGap) - narrow;  // a step of four gap widths; a quarter of it closes the notch
   EXPECT_NEAR(barrier.longest_step(narrow, too_far), 0.25, 1e-12);
   EXPECT_EQ(barrier.longest_step(narrow, wide - narrow), 1);
   EXPECT_EQ(barrier.longest_step(wide, closed_to(kGap) - wide), 1);

@@ -14,7 +14,7 @@ namespace {
 using test::charts_of;
 using test::planar_positions;
 
-/// The chart's faces, and which of them have an edge on the outline.
+/// A chart's faces, and the faces with an edge on the outline.
 struct Faces {
   Triangles corners;
   std::vector<bool> on_boundary;
@@ -48,7 +48,7 @@ FlattenInput slit_square(int n) {
   return input;
 }
 
-/// The open strip between radii 1 and 2, bent around by this angle.
+/// Returns a strip bent around by this angle, between radii 1 and 2.
 Positions2 bent_strip(const Chart& chart, int nx, double angle) {
   Positions2 uv(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
   for (int v = 0; v < uv.rows(); ++v) {
@@ -69,7 +69,7 @@ TEST(Overlap, ASlitThatIsExactlyClosedDoesNotOverlap) {
   std::uniform_real_distribution<double> noise(-1e-14, 1e-14);
   for (double& x : uv.reshaped()) x += noise(random);
   EXPECT_TRUE(overlapping_faces(chart, uv).empty());
-  // Far from the origin, rounding is a thousand times coarser.
+  // Far from the origin, rounding errors are a thousand times larger.
   uv.rowwise() += Eigen::RowVector2d(2e3, -1e3);
   EXPECT_TRUE(overlapping_faces(chart, uv).empty());
 }
@@ -90,7 +90,7 @@ TEST(Overlap, ASlitWithSlightlyOverlappingSidesIsFound) {
     if (is_slit && is_left[static_cast<std::size_t>(v)]) uv(v, 0) += 1e-6 * (1 - uv(v, 1));
   }
   const std::vector<int> found = overlapping_faces(chart, uv);
-  // On either side of the slit, n triangles have an edge on it; the left ones overlap the right ones.
+  // On each side of the slit, n triangles have an edge on the slit. The left triangles overlap the right ones.
   EXPECT_GE(found.size(), 2 * static_cast<std::size_t>(n));
   for (const int f : found) {
     EXPECT_NEAR(chart.mesh.calc_face_centroid(chart.mesh.face_handle(static_cast<unsigned>(f)))[0], 1, 1.0 / n);
@@ -102,7 +102,8 @@ TEST(Overlap, AStripBentPastAFullTurnOverlapsItsBeginning) {
   const Chart chart = test::chart_of(test::flat_rectangle(nx, 1, 10, 1));
   EXPECT_TRUE(overlapping_faces(chart, bent_strip(chart, nx, 2 * kPi)).empty());
 
-  // Each quad spans 1/40 of 2.2π. The section past 2π spans 40 (0.2 / 2.2) = 3.6 quads, and overlaps the first 3.6.
+  // Each quad spans 1/40 of 2.2π. The section beyond 2π spans 40 (0.2 / 2.2) = 3.6 quads, and overlaps the first 3.6
+  // quads.
   const std::vector<int> found = overlapping_faces(chart, bent_strip(chart, nx, 2.2 * kPi));
   std::vector<int> expected;
   for (const int quad : {0, 1, 2, 3, 36, 37, 38, 39}) {
@@ -112,7 +113,8 @@ TEST(Overlap, AStripBentPastAFullTurnOverlapsItsBeginning) {
   EXPECT_EQ(found, expected);
 }
 
-/// The overlapping faces of a ring with one band between each two radii, wound around the middle twice.
+/// Returns the overlapping faces of a ring that runs around the middle twice, with one band between any two consecutive
+/// radii.
 std::vector<int> overlap_of_ring_wound_twice(const std::vector<double>& radii) {
   const int nx = 24;
   const Chart chart = test::chart_of(test::flat_annulus(nx, static_cast<int>(radii.size()) - 1, 1, 2));
@@ -130,11 +132,12 @@ TEST(Overlap, ARingWoundTwiceOverlapsEverywhereWithoutCrossings) {
 }
 
 TEST(Overlap, RimsTooThinToOverlapDoNotHideTheFacesBehind) {
-  // The band between the rims overlaps itself; rims of width 1e-10 are too thin to overlap by more than rounding.
+  // The band between the rims overlaps itself. Rims of width 1e-10 are too thin to overlap by more than rounding
+  // errors.
   EXPECT_EQ(overlap_of_ring_wound_twice({1, 1 + 1e-10, 2 - 1e-10, 2}).size(), 24U * 2);
 }
 
-/// Area of the intersection of two triangles, by clipping one with the edges of the other.
+/// Returns the area of the intersection of two triangles: clips one triangle with the edges of the other.
 double common_area(const Triangles& faces, const Positions2& uv, int a, int b) {
   const auto corner = [&](int f, int k) -> Eigen::Vector2d { return uv.row(faces(f, k)); };
   const auto cross = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q) { return p.x() * q.y() - p.y() * q.x(); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plans of several cuts: strain_left is the strain of a fresh run with these cuts, and limits are kept.
+// Plans of several cuts: strain_left is the strain of a new run with these cuts, and plans keep their limits.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,8 @@ TEST(PlanCuts, StrainLeftIsThatOfAFreshRun) {
 
 TEST(PlanCuts, MirroredPairsAreChosenTogetherIfBothAreAllowed) {
   FlattenInput input = hills(8);
-  test::add_wire(input, test::grid_column(8, 8, 4));  // which no dart crosses, so no single dart can help both hills
+  test::add_wire(input,
+                 test::grid_column(8, 8, 4));  // no dart crosses this wire, so no single dart can help both hills
   CutTarget target;
   target.strain = 0;
   target.twins = true;
@@ -78,7 +79,7 @@ TEST(PlanCuts, MirroredPairsAreChosenTogetherIfBothAreAllowed) {
   }
 }
 
-/// A wide gentle bulge and a small sharp one with a seam between: the first has the most energy, the second the most
+/// A wide flat bulge and a small steep bulge with a seam between. The first has the most energy, the second the most
 /// strain.
 FlattenInput bulges(int n) {
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
@@ -157,7 +158,7 @@ TEST(PlanCuts, ProgressNeverFallsAndCanCancelInAnyRound) {
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   const double second_round = 0.5;
   ASSERT_GE(fractions.back(), second_round);
-  // The number of questions to this thread depends on the share of work that the other threads do.
+  // The number of questions in this thread depends on how much work the other threads do.
   for (const double last : {fractions.front(), second_round}) {
     bool has_ended = false;
     const auto plan = [&] {

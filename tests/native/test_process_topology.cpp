@@ -19,7 +19,7 @@ using test::process;
 using test::Processed;
 using test::stretch_of_flattening;
 
-/// Vertices of row j from column `first` to column `last`.
+/// Returns the vertices of row j from column `first` to column `last`.
 std::vector<int> row_part(int nx, int j, int first, int last) {
   const std::vector<int> row = test::grid_row(nx, j);
   return {row.begin() + first, row.begin() + last + 1};
@@ -73,7 +73,7 @@ TEST_P(HelperWires, AreAsFewAsTheNetworkNeeds) {
 
 int at(int nx, int i, int j) { return i + (nx + 1) * j; }
 
-/// A wire from the left side inwards, around a hook, and back towards itself.
+/// A wire in the form of a hook: from the left side inwards, around, and back towards itself.
 std::vector<int> hook() {
   std::vector<int> chain = row_part(12, 4, 0, 7);
   for (const int v :
@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
                 with_wires(test::flat_rectangle(10, 10, 1, 1), {row_part(10, 5, 0, 4), row_part(10, 5, 6, 8)}), 2},
         // The wire closes into a ring, and four helper wires lead from it to each end of the tube.
         Network{"tail_around_a_tube", with_wires(test::cylinder_tube(16, 6, 1, 2), {half_of_a_ring()}), 1 + 4 + 4},
-        // One helper wire closes the hook; three more join the hook to the outline beside the stem.
+        // One helper wire closes the hook. The stem and three more helper wires join it to the outline.
         Network{"tail_to_its_own_wire", with_wires(test::saddle(12, 0.2), {hook()}), 1 + 3},
         Network{"two_loops", test::cylinder_tube(12, 3, 1, 1), 4},
         Network{"two_loops_on_a_sphere", test::sphere_band(18, 6, 0.8), 4},
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
         Network{"wire_in_a_ring",
                 with_wires(test::saddle(16, 0.3), {test::grid_square(16, 8, 8, 5), row_part(16, 8, 7, 9)}), 2 + 4},
         Network{"slit", with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 3, 7)), 4},
-        // The slit has two vertices, with a path from each.
+        // The slit has two vertices, and one helper wire from each.
         Network{"slit_of_one_edge", with_seam(test::flat_rectangle(10, 10, 1, 1), row_part(10, 5, 3, 4)), 2},
         Network{
             "tail_towards_a_dart",
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ProcessTopology, ATailWithASpiralGeodesicTakesTheShortestPath) {
   const int nx = 16;
   const int ny = 40;
-  // Each ring climbs by a tenth of an edge from line to line, so the tail's geodesic is a flat helix.
+  // Each ring rises by a tenth of an edge from line to line, so the tail's geodesic is a flat helix.
   FlattenInput input = test::make_tube(nx, ny, [&](double s, double t) {
     return Eigen::Vector3d(std::cos(2 * kPi * s), std::sin(2 * kPi * s), 6 * t + 0.3 * s * (1 - s));
   });
@@ -137,7 +137,7 @@ TEST(ProcessTopology, ATailWithASpiralGeodesicTakesTheShortestPath) {
   for (const WirePart& part : p.refined.wire_parts) {
     double length = 0;
     for (const HalfedgeHandle h : part.half_edges) length += edge_length(p.refined.mesh, h);
-    EXPECT_LT(length, std::hypot(6, kPi)) << "from end to end and half around";
+    EXPECT_LT(length, std::hypot(6, kPi)) << "shorter than from one end to the other and half around";
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pieces that cannot be flattened: some are recognized before anything is solved, and the proposed cuts fix them.
+// Pieces that cannot be flattened: proposed cuts fix them, and some are recognized before any solve.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace wirewarp::test_proposed_seams {
 namespace {
 
-/// A part of the unit sphere around the south pole up to an angle from it, without the disk up to the angle `hole`.
+/// The part of the unit sphere at angles from `hole` to `angle` from the south pole.
 FlattenInput cap(int around, int rings, double hole, double angle) {
   return test::make_tube(around, rings, [&](double s, double t) {
     const double a = hole + (angle - hole) * t;
@@ -30,7 +30,7 @@ FlattenInput cap(int around, int rings, double hole, double angle) {
   });
 }
 
-/// Merges the vertices of a tube's first ring, which coincide, and drops the triangles that vanish.
+/// Merges the coincident vertices of a tube's first ring, and removes triangles without area.
 FlattenInput close_bottom(const FlattenInput& tube, int around) {
   FlattenInput closed = tube;
   int kept = 0;
@@ -53,7 +53,7 @@ FlattenInput cone(int around) {
   });
 }
 
-/// The surface of the unit cubes (i, j, k) of a grid for which is_solid(i, j, k) is true.
+/// Returns the surface of the unit cubes (i, j, k) of a grid for which is_solid(i, j, k) is true.
 FlattenInput cubes(int nx, int ny, int nz, const std::function<bool(int, int, int)>& is_solid) {
   const std::array<int, 3> size{nx, ny, nz};
   std::map<std::array<int, 3>, int> index;
@@ -103,7 +103,7 @@ std::vector<ErrorCode> codes_of(const FlattenResult& result) {
   return codes;
 }
 
-/// Follows proposals until there are none. Returns the number of rounds.
+/// Adds proposed seams and flattens again until no seams are proposed. Returns the number of rounds.
 int follow_proposals(FlattenInput& input, FlattenResult& result) {
   for (int rounds = 0;; ++rounds) {
     result = flatten(input);
@@ -184,7 +184,7 @@ TEST(ProposedSeamsOfAGarment, LeadToFlatPieces) {
     EXPECT_LE(follow_proposals(input, result), 3);
     EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{});
     EXPECT_LE(result.pieces.size(), 5u);
-    for (const Piece& piece : result.pieces) EXPECT_LT(piece.metrics.arap_energy, 0.1);  // as a tailor would cut them
+    for (const Piece& piece : result.pieces) EXPECT_LT(piece.metrics.arap_energy, 0.1);  // as for a tailor's pattern
   }
 }
 
@@ -240,8 +240,8 @@ TEST(ProposedSeamsOfATube, AreTheShortestPathBetweenItsLoops) {
 }
 
 TEST(ProposedSeamsOfABand, OpenBandsThatTheirOutlinesCouldEnclose) {
-  // Waistbands, straight and flared, and a belt on a ball: so narrow that their outlines could enclose them in the
-  // plane.
+  // Straight and flared waistbands, and a belt on a ball. They are so narrow that their outlines could enclose them in
+  // the plane.
   const FlattenInput flared = test::make_tube(32, 2, [](double s, double t) {
     const double radius = 1 - 0.1 * t;
     return Eigen::Vector3d(radius * std::cos(2 * kPi * s), radius * std::sin(2 * kPi * s), 0.3 * t);
@@ -258,7 +258,7 @@ TEST(ProposedSeamsOfABand, OpenBandsThatTheirOutlinesCouldEnclose) {
 }
 
 TEST(ProposedSeamsOfARing, LeadToFlatPieces) {
-  // Cuffs, waistbands and collars: straight, flared and bulging, of oval section, with wires around and upright.
+  // Cuffs, waistbands and collars: straight, flared and bulging, with oval sections, and with wires around and upright.
   const int around = 24, rows = 3;
   for (int i = 0; i < 12; ++i) {
     const double flare = 0.15 * (i % 5 - 2), bulge = 0.1 * (i % 3), tall = 0.15 + 0.1 * (i % 4);
@@ -278,7 +278,7 @@ TEST(ProposedSeamsOfARing, LeadToFlatPieces) {
 
 TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
   FlattenInput two_handles = cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; });
-  // 1 leaves one loop; 3 leaves two, as the first and the last triangle are apart.
+  // Without 1 face, one loop remains; without 3, two loops, because the first and the last triangle are apart.
   for (const int dropped_faces : {1, 3}) {
     FlattenInput input = two_handles;
     const auto faces = static_cast<int>(two_handles.faces.rows());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// However large the input is and however many charts it has, the caller is asked regularly whether to continue: after a
-// fixed amount of work, not of time.
+// The caller is asked whether to continue after every fixed amount of work (not of time), for any size of the input and
+// any number of charts.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -15,7 +15,7 @@
 namespace wirewarp::test_questions {
 namespace {
 
-/// A flat sheet of n by n squares, each cut from all others by seams.
+/// A flat sheet of n by n squares, which seams cut apart.
 FlattenInput confetti(int n) {
   FlattenInput input = test::flat_rectangle(n, n, n, n);
   input.seams.resize(2 * n * (n + 1), 2);
@@ -102,7 +102,7 @@ TEST(Questions, AreAskedWhileBoxesArePacked) {
 TEST(Questions, AreAskedWhileWiresAreExtended) {
   const int n = 41, num_wires = 30;
   FlattenInput input = test::flat_rectangle(n - 1, n - 1, 1, 1);
-  // Each wire is one edge far from the others: at least one of its ends is extended.
+  // Each wire is one edge far from the other wires, so at least one of its ends is extended.
   for (int i = 0; i < num_wires; ++i) {
     const int v = 3 + 6 * (i % 6) + n * (3 + 7 * (i / 6));
     test::add_wire(input, {v, v + n});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All starts of the refined method on one chart: their work is counted, limited and reported as progress, and a failed
-// start ends only its chart.
+// The starts of the refined method on one chart: their work is counted, limited and reported as progress, and failures
+// of all starts affect only this chart.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,8 +46,8 @@ TEST(RefineChart, AnInjectiveShapeIsFoundWithAndWithoutFixingFolds) {
   }
 }
 
-/// If a piece keeps the shape of such a start, its report says that it stopped short.
-TEST(RefineChart, AStartForOthersIsConvergedOnlyWithoutStrain) {
+/// If such a shape becomes the result, the report of its piece says that it stopped short of the minimum.
+TEST(RefineChart, AnIntermediateShapeIsConvergedOnlyWithoutStrain) {
   InternalOptions options;
   for (const Target target : {Target::newton_step, Target::rough}) {
     options.target = target;
@@ -58,7 +58,7 @@ TEST(RefineChart, AStartForOthersIsConvergedOnlyWithoutStrain) {
   }
 }
 
-/// On a strongly curved net, one step does not lead from the free shape to exact lengths.
+/// On a strongly curved net, one step from the free shape does not reach exact lengths.
 TEST(RefineChart, ANetFarFromTheFreeShapeStartsFromItsWires) {
   const int n = 12;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
@@ -110,8 +110,8 @@ TEST(RefineChart, CheapStepsOfTheFreeStartAreLittleProgress) {
   EXPECT_LT(before_shape, 0.3);
 }
 
-/// Surface and wires are symmetric under half a turn, and the least distorted symmetric shape is a saddle. Gradients
-/// are symmetric too, so they cannot lead away from it.
+/// Surface and wires are symmetric under half a turn, and f has a saddle at the least distorted symmetric shape.
+/// Gradients are symmetric too, so they cannot lead away from the saddle.
 TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   const int n = 12;
   FlattenInput input = test::saddle(n, 0.9);
@@ -131,7 +131,7 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
     saddle = minimize(problem, {}, *start, {one_step});
     EXPECT_TRUE(saddle.is_exact());
     const Positions2 turned = -saddle.shape.uv.colwise().reverse();
-    // Without the asymmetric part, which rounding causes.
+    // Removes the asymmetric part, which rounding errors cause.
     *start = {(saddle.shape.uv + turned) / 2, {}, saddle.shape.multipliers};
   }
   const Solution found = minimize(problem, {}, *start, {budget});
@@ -139,7 +139,7 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   EXPECT_LT(found.objective, 0.96 * saddle.objective);
 }
 
-/// A large chart reaches the same minimum by way of a coarser one.
+/// A large chart starts from a coarser one and reaches the same minimum.
 TEST(RefineChart, StartsFromACoarseChartFromTheGivenSizeOn) {
   const int n = 32;  // 2,048 faces
   FlattenInput input = test::make_grid(

@@ -27,7 +27,7 @@ Cloth woven() {
   return cloth;
 }
 
-/// The only piece, which keeps every guarantee.
+/// Returns the only piece, and expects that it keeps every guarantee.
 Piece flat_piece(const FlattenInput& input, const Options& options) {
   FlattenResult result = flatten(input, options);
   EXPECT_EQ(result.pieces.size(), 1u);
@@ -36,7 +36,7 @@ Piece flat_piece(const FlattenInput& input, const Options& options) {
   return std::move(result.pieces[0]);
 }
 
-/// The vector from the first to the last vertex of a wire.
+/// Returns the vector from the first to the last vertex of a wire.
 Eigen::RowVector2d chord_of(const Piece& piece, const std::vector<int>& wire) {
   const auto place = [&](int vertex) {
     const auto found = std::find(piece.source_vertex.begin(), piece.source_vertex.end(), vertex);
@@ -71,7 +71,7 @@ TEST(RefineCloth, AFabricHasLessStrainInItsThreadsThanAPieceWithoutFabric) {
   EXPECT_GE(piece.report.objective, piece.metrics.cloth_energy);
 }
 
-TEST(RefineCloth, IsotropicFabricIsTheSameAsNoneForSmallStrains) {
+TEST(RefineCloth, AnIsotropicFabricHasTheShapeWithoutFabricForSmallStrains) {
   double difference_before = 0;
   for (const double bend : {0.2, 0.1}) {
     const FlattenInput saddle = test::saddle(8, bend);
@@ -113,7 +113,7 @@ TEST(RefineCloth, InItsBestDirectionAPieceIsAsUprightAsItsFabricAllows) {
   Options options = with_cloth(woven());
   options.orientation = Orientation::best;
   const Eigen::RowVector2d chord = chord_of(flat_piece(sphere, options), sphere.wires[0].vertices);
-  EXPECT_GE(chord.y(), std::abs(chord.x())) << "a quarter turn exchanges weft and warp, which are alike";
+  EXPECT_GE(chord.y(), std::abs(chord.x())) << "weft and warp are alike, so a quarter turn does not change the energy";
 }
 
 TEST(RefineCloth, ShearDoesNotGrowAsTheMeshIsRefined) {
@@ -132,7 +132,7 @@ TEST(RefineCloth, ThreadsThatLockShearLess) {
   EXPECT_LT(largest_shear(flat_piece(sphere, with_cloth(cloth))) - *cloth.locking, 0.5 * (free - *cloth.locking));
 }
 
-/// The largest distance between two flat positions of one vertex.
+/// Returns the largest distance between two flat positions of one vertex.
 double largest_gap(const Piece& piece) {
   double gap = 0;
   for (std::size_t i = 1; i < piece.source_vertex.size(); ++i) {  // source vertices ascend

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Removing seams that a model does not need: the figures of the remaining seams are true, and do not depend on how the
-// input is given.
+// Removes seams that a model does not need. A run with the remaining seams confirms their figures, which do not depend
+// on position, orientation and numbering.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ FlattenInput cube(int n) {
   return test::with_seams(input, seams);
 }
 
-/// Eight gores between the poles, each cut across into three.
+/// A sphere of eight gores, each cut across into three pieces.
 FlattenInput sphere() {
   const int gores = 8, n = 2, rings = 9;
   FlattenInput input = test::sphere_of_gores(gores, n, rings);
@@ -107,7 +107,7 @@ FlattenInput with_only(FlattenInput input, const std::vector<VertexPair>& seams)
   return test::with_seams(std::move(input), seams);
 }
 
-/// Expects the figures of fresh runs, and that the input's seams are divided into kept and opened ones.
+/// Expects the figures of new runs, and that each seam of the input is either kept or removed.
 void expect_true_figures(const FlattenInput& input, const SeamProposal& fewer) {
   const std::set<VertexPair> given = undirected(as_list(input.seams)), kept = undirected(fewer.edges),
                              opened = undirected(fewer.opened);
@@ -151,7 +151,7 @@ TEST(SimplifySeams, KeepsOneOfThreeSeamsOfATube) {
 }
 
 TEST(SimplifySeams, UnfoldsABoxToANet) {
-  // A net joins the six sides along a spanning tree of five edges, so it is one piece.
+  // A net is one piece: five edges, a spanning tree, join the six sides.
   FlattenInput box = cube(2);
   ASSERT_EQ(box.seams.rows(), 12 * 2);
   box.vertices.col(0) += 0.3 * box.vertices.col(1) + 0.1 * box.vertices.col(2);  // so that the box has no mirror image
@@ -266,7 +266,7 @@ TEST(SimplifySeams, HasNoFiguresIfAPieceHasNoFlatShape) {
 }
 
 TEST(SimplifySeams, RemovesSeamsBesideANeighborWithoutAFlatShape) {
-  // Four strips side by side, of stretched fabric, so that neighbors share lengths. The third cannot be flattened.
+  // Four strips of stretched fabric side by side, so that neighbors share lengths. The third strip cannot be flattened.
   const int n = 8;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {
     const double x = s - 0.625, y = t - 0.5;

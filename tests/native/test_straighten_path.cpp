@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smooth lines beside paths of edges: they are straight on flat surfaces, and cross nothing that the path does not
+// Smooth lines beside paths of edges. They are straight on flat surfaces, and cross no line that the path does not
 // cross.
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ FlattenInput grid() {
   return input;
 }
 
-/// A path along the grid's edges, to the right and up, as near to the straight line as possible.
+/// Returns a path along the grid's edges, to the right and up, as near to the straight line as possible.
 std::vector<int> stairs(int i, int j, int end_i, int end_j) {
   const int width = end_i - i, height = end_j - j;
   std::vector<int> path{vertex(i, j)};
@@ -66,7 +66,7 @@ TEST(StraightenPath, BecomesTheLineBetweenItsEndsInAPlane) {
     EXPECT_LT(length_of(input, line), 1.001 * (end - start).norm());
     for (const LinePoint& point : line) {
       const double aside = (place(input, point) - start).cross((end - start).normalized()).norm();
-      EXPECT_LT(aside, 0.2) << "of an edge, because the line snaps to nearby vertices";
+      EXPECT_LT(aside, 0.2) << "edge lengths, because the line snaps to nearby vertices";
     }
   }
 }

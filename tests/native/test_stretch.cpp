@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fabric that is worn stretched, and thick material, compared with closed forms.
+// Compares pieces of fabric that is stretched when worn, and of thick material, with closed forms.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -29,7 +29,7 @@ Options stretched(double weft, double warp, double shear = 0.05) {
   return options;
 }
 
-/// √(cos²ψ/(1+c_weft)² + sin²ψ/(1+c_warp)²), with ψ measured from the weft.
+/// Returns √(cos²ψ/(1+c_weft)² + sin²ψ/(1+c_warp)²), with ψ measured from the weft.
 double share_at(double angle) { return std::hypot(std::cos(angle) / (1 + kWeft), std::sin(angle) / (1 + kWarp)); }
 
 FlattenResult flat(const FlattenInput& input, const Options& options) {
@@ -38,7 +38,7 @@ FlattenResult flat(const FlattenInput& input, const Options& options) {
   return result;
 }
 
-/// The flat length of a chain of edges in the first piece.
+/// Returns the flat length of a chain of edges in the first piece.
 double flat_length(const FlattenResult& result, const std::vector<int>& chain) {
   const Piece& piece = result.pieces.at(0);
   const auto place = [&](int vertex) -> Eigen::RowVector2d {
@@ -82,7 +82,7 @@ TEST(Stretch, ShrinksACylinderAlongTheGrain) {
     expect_share(input, result, test::grid_column(kAcross, kUpright, column), 1 / (1 + kWarp));
   }
   const Metrics& metrics = result.pieces[0].metrics;
-  EXPECT_NEAR(metrics.face_weft_strain.maxCoeff(), kWeft, 1e-8) << "worn, it has the requested stretch";
+  EXPECT_NEAR(metrics.face_weft_strain.maxCoeff(), kWeft, 1e-8) << "when worn, it has the requested stretch";
   EXPECT_NEAR(metrics.face_warp_strain.minCoeff(), kWarp, 1e-8);
 }
 
@@ -103,7 +103,7 @@ TEST(Stretch, ShrinksACone) {
   test::add_wire(input, test::grid_column(kAcross, kUpright, kAcross / 2));
   const FlattenResult result = flat(input, stretched(kWeft, kWarp));
   EXPECT_LT(result.pieces.at(0).metrics.cloth_energy, 1e-16);
-  // The mesh is a pyramid, whose faces have this opening between the outer edges to the apex.
+  // The mesh is a pyramid. Unfolded, it spans this angle at the apex.
   const double opening = kAcross * 2 * std::asin(std::sin(half_angle) * std::sin(around / kAcross / 2));
   for (const int leg : {0, kAcross}) {
     expect_share(input, result, test::grid_column(kAcross, kUpright, leg), share_at(kPi / 2 - opening / 2));
@@ -126,7 +126,7 @@ TEST(Stretch, EqualInAllDirectionsShrinksAGore) {
               1e-8 * loose.report.objective);
 }
 
-/// Two flat sheets of 2 by 2; the grain of one is along the seam, that of the other across it.
+/// Two flat sheets of 2 by 2. The grain of one sheet is along the seam, the grain of the other across it.
 FlattenInput sheets_with_crossed_grain() {
   FlattenInput input = test::flat_rectangle(8, 4, 4, 2);
   test::add_seam(input, test::grid_column(8, 4, 4));
@@ -215,15 +215,15 @@ FlattenInput with_eased_wires(FlattenInput grid, int nx, int ny, double ease, bo
 }
 
 constexpr double kShorter = 0.3;                     // ease of wires that flip a piece
-constexpr double kFitting = 1 / (1 - kShorter) - 1;  // with this stretch, the outline fits them
+constexpr double kFitting = 1 / (1 - kShorter) - 1;  // with this stretch, the outline fits these wires
 
-/// A flat sheet with wires that are too short for it.
+/// A flat sheet with wires that are too short.
 FlattenInput sheet_with_short_wires() {
   const int n = 6;
   return with_eased_wires(test::flat_rectangle(n, n, 1, 1), n, n, -kShorter, true);
 }
 
-/// Flattens one piece, which is flipped without the stretch.
+/// Flattens one piece, and expects that it is flipped without the stretch.
 Piece flat_although_flipped(const FlattenInput& input, double stretch, int max_factorizations = 100) {
   Options options = stretched(0, 0);
   options.max_factorizations = max_factorizations;
@@ -241,7 +241,7 @@ TEST(Stretch, AFlippedPieceIsGoodIfItsOutlineShrinksToItsWires) {
 }
 
 TEST(Stretch, AFlippedPieceMayOverlapItselfAfterwards) {
-  // This part of a cone spans 1.1 turns in the plane, and its wires leave it no other shape.
+  // This part of a cone spans 1.1 turns in the plane, and its wires allow no other shape.
   const int nx = 16, ny = 3;
   const FlattenInput cone = test::cone_patch(nx, ny, 1, 3, std::asin(7.0 / 8), 1.1 * 2 * kPi * 8 / 7);
   const Piece piece = flat_although_flipped(with_eased_wires(cone, nx, ny, -kShorter, true), kFitting);
@@ -320,7 +320,7 @@ TEST(Thickness, ChangesACylindersWidthByHalfOfItOverTheRadius) {
   EXPECT_NEAR(width(Surface::outside), around * (1 - thickness / (2 * kRadius)), 1e-9);
 }
 
-/// A pillow of height 0: the normals of its two sides cancel along the seam, in any orientation.
+/// A pillow of height 0. The normals of its two sides cancel out along the seam, in any orientation.
 TEST(Thickness, MovesNoVertexWhoseNormalsCancelOut) {
   FlattenInput input =
       test::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}, {0.5, 0.5, 0}},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts are solved on all cores, each as if it were alone, and progress is reported in the caller's thread.
+// Charts are solved on all cores, with the same results as alone, and progress is reported in the caller's thread.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ TEST(ChartsAtOnce, EachIsSolvedAsIfAlone) {
   }
 }
 
-/// Flattens, and expects progress in the caller's thread only, from 0 to 1, that never decreases.
+/// Flattens. Expects progress that never decreases, from 0 to 1, in the caller's thread only.
 FlattenResult expect_progress(const FlattenInput& input, Method method) {
   Options options;
   options.method = method;
@@ -135,7 +135,7 @@ TEST(InThreads, StartsNothingAfterAnException) {
 TEST(ProgressReport, StaysCanceledIfTheCallerContinues) {
   ProgressReport* report = nullptr;
   const Progress progress = [&](const std::string&, double) {
-    report->cancel();  // as another thread may do while the caller is asked
+    report->cancel();  // as another thread may do during the caller's function
     return true;
   };
   ProgressReport cancelled(progress);
@@ -146,9 +146,9 @@ TEST(ProgressReport, StaysCanceledIfTheCallerContinues) {
 
 using Files = std::map<std::string, std::string>;  // text by path
 
-/// The quota on a system with these files.
+/// Returns the quota on a system with these files.
 std::optional<std::size_t> quota_with(const Files& files) {
-  // Tests run in parallel, so each needs its own folder.
+  // Tests run in parallel, so each test needs its own folder.
   const std::filesystem::path root =
       testing::TempDir() + "cpu_quota_" + testing::UnitTest::GetInstance()->current_test_info()->name();
   std::filesystem::remove_all(root);
@@ -175,7 +175,7 @@ TEST(CpuQuota, VersionTwoInAContainer) {
   EXPECT_EQ(quota_with({{kGroups, "0::/\n"}, {kTree + "cpu.max", "200000 100000\n"}}), 2U);
   EXPECT_EQ(quota_with({{kGroups, "0::/\n"}, {kTree + "cpu.max", "150000 100000\n"}}), 2U);  // rounded up
   EXPECT_EQ(quota_with({{kGroups, "0::/\n"}, {kTree + "cpu.max", "10000 100000\n"}}), 1U);
-  // The group is given by its path on the host, but the mounted tree begins at the container's group.
+  // The file names the group by its path on the host, but the mounted tree begins at the container's group.
   EXPECT_EQ(quota_with({{kGroups, "0::/docker/1a\n"}, {kTree + "cpu.max", "300000 100000\n"}}), 3U);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Charts folded from a plane unfold without strain; others do not.
+// Charts that were folded from a plane unfold without strain. Other charts do not unfold.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace wirewarp::test_unfold {
 namespace {
 
-/// The energy of the unfolded chart per area, or infinity if it does not unfold.
+/// Returns the energy of the unfolded chart per area, or infinity if the chart does not unfold.
 double strain_energy(const FlattenInput& input) {
   const Charts charts = test::charts_of(input);
   const auto uv = unfold(charts.charts.at(0));
@@ -34,7 +34,7 @@ TEST(Unfold, FoldedSheetsKeepAllTriangles) {
 }
 
 TEST(Unfold, ShortEdgesDoNotTurnTheFacesBehindThem) {
-  const double shortest = 1e-9;  // directions laid out across these edges are off by 1e-7
+  const double shortest = 1e-9;  // across these edges, directions have errors of 1e-7
   const FlattenInput input = test::make_grid(30, 30, [&](double s, double t) -> Eigen::Vector3d {
     const double x = std::pow(shortest, 1 - s), y = std::pow(shortest, 1 - t);
     return {std::sin(x), std::cos(x), y};

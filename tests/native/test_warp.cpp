@@ -52,7 +52,7 @@ FlattenInput dome(int n, int lines, double tolerance) {
   return input;
 }
 
-/// A wire that touches nothing and one that ends inside; helper wires lead to the outline.
+/// A saddle with a wire that touches nothing and a wire that ends inside. Helper wires lead to the outline.
 FlattenInput saddle_with_loose_wires(double tolerance) {
   const int n = 12;
   FlattenInput input = test::saddle(n, 0.4);
@@ -62,7 +62,7 @@ FlattenInput saddle_with_loose_wires(double tolerance) {
   return input;
 }
 
-/// A dome with two holes, with helper wires to them.
+/// A dome with two holes. Helper wires lead to the holes.
 FlattenInput dome_with_two_holes(double tolerance) {
   FlattenInput input = test::flat_plate_with_two_holes(4);
   std::vector<int> across;
@@ -175,7 +175,7 @@ TEST(ChooseVariation, TakesFewEvaluationsWithManyWires) {
     EXPECT_TRUE(solution.converged);
     EXPECT_LE(solution.evaluations, 40) << input.wires.size() << " wires";
   }
-  // Strips that are up to a hundred times longer than wide.
+  // Strips that are up to a hundred times as long as wide.
   for (const auto& [rows, most] : {std::pair(60, 10), std::pair(200, 30)}) {
     Case c(half_tube(rows));
     const OuterSolution solution = c.solve();
@@ -184,8 +184,8 @@ TEST(ChooseVariation, TakesFewEvaluationsWithManyWires) {
   }
 }
 
-/// A pyramid over a square of side 1, and a triangle on one side of the square, which is a wire. The other sides of the
-/// triangle are 0.505 long, so no flat triangle exists if the wire is longer than 1.01.
+/// A pyramid over a square of side 1, and a triangle on one side of the square. This side is a wire. The other sides of
+/// the triangle are 0.505 long, so no flat triangle exists if the wire is longer than 1.01.
 FlattenInput pyramid_beside_a_narrow_triangle() {
   const double low = std::sqrt(0.505 * 0.505 - 0.25);
   FlattenInput input = test::mesh_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0.6}, {0.5, -low, 0}},
@@ -198,7 +198,7 @@ TEST(ChooseVariation, BacksOffFromLengthsThatCannotBeKept) {
   Case c(pyramid_beside_a_narrow_triangle());
   const auto at = [&](double h) { return c.warp(Eigen::VectorXd::Constant(1, h)); };
   ASSERT_FALSE(at(0.015).inner.is_feasible);
-  ASSERT_LT(c.warp.gradient(at(0.0))[0], 0) << "the pyramid wants the wire longer";
+  ASSERT_LT(c.warp.gradient(at(0.0))[0], 0) << "a longer wire lowers the distortion of the pyramid";
   const OuterSolution solution = c.solve();
   EXPECT_TRUE(solution.shape.inner.is_minimum);
   EXPECT_GT(solution.variation[0], 0);

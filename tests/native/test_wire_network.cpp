@@ -54,7 +54,8 @@ TEST(WireNetwork, CrossingWiresMakeFourPatchesAndFourNodesWhereTheyCross) {
   expect_closed_walks(p.network);
   EXPECT_EQ(p.network.patches.size(), 4u);
   EXPECT_EQ(p.network.edges.size(), static_cast<std::size_t>(4 * n + 2 * n));
-  // Each boundary vertex has one node, plus one if a wire ends there; inner vertices have two, and the crossing four.
+  // Each boundary vertex has one node, or two if a wire ends there. Inner vertices of wires have two nodes, and the
+  // crossing has four.
   EXPECT_EQ(p.network.nodes.size(), static_cast<std::size_t>(4 * n + 4 + 2 * (2 * n - 3) - 2 + 4));
   std::size_t most = 0;
   for (const auto& nodes : p.network.inner_vertex_nodes) most = std::max(most, nodes.size());
@@ -62,7 +63,7 @@ TEST(WireNetwork, CrossingWiresMakeFourPatchesAndFourNodesWhereTheyCross) {
 }
 
 TEST(WireNetwork, GaussBonnet) {
-  // On any disk, the turning of the outline and the angle deficits inside add up to 2π.
+  // On every disk, the turning of the outline and the angle deficits inside add up to 2π.
   const Network p(test::quarter_sphere(8));
   const HalfEdgeMesh& mesh = p.chart.mesh;
   double sum = 0;
@@ -116,7 +117,8 @@ TEST(WireLines, ContinueThroughCrossingsAndWhereWiresMeetTheOutline) {
   const Network crossed(input);
   const WireLines lines = find_lines(crossed.chart, crossed.network);
   EXPECT_EQ(lines.corners.size(), 4u + 4u * 2u);
-  EXPECT_EQ(lines.bends.size(), 24u + 2u * 2u * 5u) << "one at each outline vertex, two at each inner vertex of a wire";
+  EXPECT_EQ(lines.bends.size(), 24u + 2u * 2u * 5u)
+      << "one bend at each outline vertex, two at each inner vertex of a wire";
   EXPECT_EQ(bends_past_corners(lines), 4u + 4u);
   for (const LineBend& bend : lines.bends) {
     const bool is_corner_of_square = std::abs(bend.node.surface_angle - kPi / 2) < 1e-12;
@@ -124,7 +126,7 @@ TEST(WireLines, ContinueThroughCrossingsAndWhereWiresMeetTheOutline) {
   }
 }
 
-TEST(WireLines, TwoWiresEndToEndAreOneUnlessAThirdMeetsThem) {
+TEST(WireLines, TwoWiresEndToEndAreOneLineUnlessAThirdWireMeetsThem) {
   FlattenInput input = test::flat_rectangle(6, 6, 1, 1);
   const std::vector<int> row = test::grid_row(6, 3);
   test::add_wire(input, {row.begin(), row.begin() + 4});

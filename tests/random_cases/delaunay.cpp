@@ -13,7 +13,7 @@ using Triangle = std::array<int, 3>;
 
 long double cross(const Point& a, const Point& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Whether p is inside the circle around a counter-clockwise triangle.
+/// Returns whether p is inside the circle through the corners of a counter-clockwise triangle.
 bool is_in_circle(const std::vector<Point>& points, const Triangle& triangle, const Point& p) {
   const Point a = points[static_cast<std::size_t>(triangle[0])] - p;
   const Point b = points[static_cast<std::size_t>(triangle[1])] - p;

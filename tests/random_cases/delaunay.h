@@ -8,7 +8,7 @@
 namespace wirewarp::test {
 
 /// Returns the Delaunay triangulation of points in general position, counter-clockwise (A. Bowyer, D. F. Watson, 1981).
-/// Time grows with the square of their number. Slivers may be missing at the hull.
+/// The time grows with the square of their number. Slivers may be missing at the hull.
 std::vector<std::array<int, 3>> delaunay(const std::vector<Eigen::Vector2d>& points);
 
 }  // namespace wirewarp::test

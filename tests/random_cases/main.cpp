@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// wirewarp_random_cases [--list] FIRST COUNT: flattens the random cases with the seeds FIRST, FIRST + 1, ..., and
-// judges each. Exits with 1 if a guarantee was broken or an expected error is missing; a case with too much processor
-// time ends the program. At the end it prints the number of each verdict, and how many good pieces each start of the
-// refined method found (PieceReport::start). --list: prints a line for each piece instead of judging, so that two
-// builds can be compared piece by piece.
+// wirewarp_random_cases [--list] FIRST COUNT: flattens COUNT random cases, with the seeds FIRST, FIRST + 1, ..., and
+// judges the results. Exits with 1 if a guarantee is broken or an expected error is missing. A case that takes too much
+// processor time ends the program. At the end, prints how often each verdict occurred, and how many good pieces came
+// from each start of the refined method (PieceReport::start). --list: prints a line for each piece instead of judging,
+// to compare two builds piece by piece.
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -22,12 +22,12 @@
 namespace wirewarp::test {
 namespace {
 
-// Processor time of all threads, so that other programs do not count. One of 10,000 cases takes 13 s, and the
-// sanitizers take 30 times as long.
+// Processor time of all threads, so that other programs do not count. The slowest of 10,000 cases takes 13 s, and 30
+// times as long with the sanitizers.
 constexpr long kSecondsPerCase = 1000;
 std::array<char, 64> current_case{};  // text for the signal handler, which may not allocate
 
-/// 0 removes the limit.
+/// Limits the processor time of the program; 0 removes the limit.
 void limit_time(long seconds) {
   const itimerval limit{{0, 0}, {seconds, 0}};
   setitimer(ITIMER_PROF, &limit, nullptr);
@@ -56,14 +56,14 @@ InternalOptions with_plain_layout(InternalOptions options) {
   options.layout = plain.layout;
   options.gap = plain.gap;
   options.mirror = plain.mirror;
-  if (options.cloth) return options;  // its shape depends on its direction
+  if (options.cloth) return options;  // the shape depends on the direction
   options.orientation = plain.orientation;
   options.grain = plain.grain;
   options.up = plain.up;
   return options;
 }
 
-/// Returns the result without stretch, whose directions decide the lengths; nothing without a stretch.
+/// Returns the result without the stretch, whose directions determine the lengths; nullopt if there is no stretch.
 std::optional<FlattenResult> without_stretch(const FlattenInput& input, InternalOptions options, Cache& cache) {
   if (!options.cloth || options.cloth->stretch == Cloth{}.stretch) return std::nullopt;
   options.cloth->stretch = Cloth{}.stretch;
@@ -119,7 +119,7 @@ void print(const Counts& counts) {
 int run_all(std::uint64_t first, std::uint64_t count) {
   Counts outcomes, starts;
   int failures = 0;
-  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // so that no line is lost if a case is ended
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // so that no line is lost if the time limit ends the program
   std::signal(SIGPROF, give_up);
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     std::snprintf(current_case.data(), current_case.size(), "seed %llu takes too long\n",

@@ -13,11 +13,11 @@ namespace wirewarp::test {
 struct RandomCase {
   FlattenInput input;
   InternalOptions options;
-  std::optional<ErrorCode> fault;  // the error that must be thrown or be in a piece; none: the input is legal
+  std::optional<ErrorCode> fault;  // the error that must be thrown or be in a piece; empty: the input is legal
   std::string description;
 };
 
-/// Returns the case of a seed, which is the same on every system.
+/// Returns the case of a seed, the same on every system.
 RandomCase make_random_case(std::uint64_t seed);
 
 }  // namespace wirewarp::test

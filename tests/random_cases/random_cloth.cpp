@@ -22,7 +22,7 @@ std::set<Edge> edges_of_wires(const FlattenInput& input) {
   return edges;
 }
 
-/// Returns a chain from the first edge along edges of the set, and removes them.
+/// Returns a chain of edges of the set from the first edge on, and removes these edges.
 std::vector<int> take_chain(std::set<Edge>& edges) {
   std::vector<int> chain{(*edges.begin())[0], (*edges.begin())[1]};
   edges.erase(edges.begin());
@@ -74,7 +74,7 @@ void add_eases_of_sides(RandomStream& random, FlattenInput& input) {
       if (is_outline && random.chance(0.2)) sides.push_back({a, b});
     }
   }
-  // Two sides of a non-manifold seam may have the same direction: an ease cannot distinguish them.
+  // Two sides of a non-manifold seam may have the same direction, and an ease cannot distinguish them.
   std::map<VertexPair, int> times;
   for (const auto& face : input.faces.rowwise()) {
     for (int k = 0; k < 3; ++k) ++times[{face[k], face[(k + 1) % 3]}];

@@ -8,8 +8,8 @@
 
 namespace wirewarp::test {
 
-/// Turns legal input of the refined method into input of a cloth that is worn stretched, with or without wires along
-/// its seams, and with eases of wires and sides. Appends a description.
+/// Adds a fabric that is stretched when worn to legal input of the refined method, with or without wires along seams,
+/// and with eases of wires and sides. Appends a description.
 void add_random_stretch(RandomStream& random, FlattenInput& input, Options& options, std::string& description);
 
 }  // namespace wirewarp::test

@@ -22,8 +22,7 @@ int append_vertex(FlattenInput& input, const Eigen::Vector3d& position) {
   return static_cast<int>(input.vertices.rows()) - 1;
 }
 
-/// Appends a ring of eight quads without the triangle that would connect its ends along two edges: only a vertex
-/// connects them.
+/// Appends a ring of eight quads without one triangle, so that only a vertex connects the ends of the ring.
 void append_ring_that_touches_itself(FlattenInput& input, const Eigen::Vector3d& at, double size) {
   constexpr int kAround = 8;
   const int first = static_cast<int>(input.vertices.rows());
@@ -40,7 +39,8 @@ void append_ring_that_touches_itself(FlattenInput& input, const Eigen::Vector3d&
   }
 }
 
-/// Removes seams, which would make a third face at an edge legal and would separate a flipped face from its neighbors.
+/// Removes all seams, because a seam would make a third face at an edge legal, and would separate a flipped face from
+/// its neighbors.
 void clear_marks(FlattenInput& input) {
   input.seams.resize(0, 2);
   input.wires.clear();
@@ -53,7 +53,7 @@ int face_with_neighbor(RandomStream& random, const FlattenInput& input) {
   }
   std::vector<int> found;
   for (int f = 0; f < input.faces.rows(); ++f) {
-    bool has_neighbor = false;  // a neighbor with the common edge in the opposite direction
+    bool has_neighbor = false;  // whether a neighbor passes the common edge in the opposite direction
     for (int k = 0; k < 3; ++k) {
       has_neighbor = has_neighbor || directed.count({input.faces(f, (k + 1) % 3), input.faces(f, k)}) > 0;
     }

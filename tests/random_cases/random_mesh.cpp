@@ -17,7 +17,7 @@ constexpr double kPi = 3.141592653589793;
 
 using Mesh = MeshPart;
 
-/// Returns the positions of grid lines in [0, 1]: even, random, or denser towards 0.
+/// Returns the positions of grid lines in [0, 1]: evenly spaced, random, or denser towards 0.
 std::vector<double> grid_lines(RandomStream& random, int count) {
   std::vector<double> lines;
   const int kind = random.below(4);
@@ -35,8 +35,8 @@ std::vector<double> grid_lines(RandomStream& random, int count) {
   return lines;
 }
 
-/// Returns nx by ny quads, wrapped in s and t as requested, each divided along a random diagonal. place(s, t) returns
-/// the position in space of a grid point; grid points that wrap are not repeated.
+/// Returns nx by ny quads, closed in s and t as requested, each divided along a random diagonal. place(s, t) returns
+/// the position in space of a grid point; in a closed direction, the last points are the first ones.
 template <typename Place>
 Mesh make_grid(RandomStream& random, int nx, int ny, bool wraps_s, bool wraps_t, const Place& place) {
   const std::vector<double> s = grid_lines(random, nx);
@@ -67,7 +67,7 @@ Mesh make_grid(RandomStream& random, int nx, int ny, bool wraps_s, bool wraps_t,
   return mesh;
 }
 
-/// Returns a height over the unit square: flat, bent in one direction, a dome, a saddle or bumps.
+/// Returns a random height function on the unit square: flat, bent in one direction, a dome, a saddle or bumps.
 std::function<double(double, double)> random_height(RandomStream& random) {
   const double high = random.across_scales(0.01, 1.5);
   const double fx = random.between(0.3, 4);
@@ -109,7 +109,7 @@ Mesh with_holes(RandomStream& random, int holes) {
   Mesh mesh = make_grid(random, nx, ny, false, false,
                         [&](double s, double t) { return Eigen::Vector3d(2 * s, t, 0.5 * height(s, t)); });
   std::vector<char> removed(mesh.faces.size(), 0);
-  for (int hole = 0; hole < holes; ++hole) {  // one quad each, two columns apart, not at the outline
+  for (int hole = 0; hole < holes; ++hole) {  // each is one quad, two columns apart from others, and not at the outline
     const int quad = 1 + 3 * hole + nx * random.whole(1, ny - 2);
     const std::size_t first = 2 * static_cast<std::size_t>(quad);
     removed[first] = removed[first + 1] = 1;
@@ -141,7 +141,7 @@ Mesh random_tube(RandomStream& random) {
   });
 }
 
-/// Returns a tube whose ends are closed by fans.
+/// Returns a tube with fans that close its ends.
 Mesh random_ball(RandomStream& random) {
   const int around = random.whole(3, 12);
   const int along = random.whole(1, 8);
@@ -247,7 +247,7 @@ FlattenInput random_mesh(RandomStream& random, std::string& description) {
   for (int i = 0; i < parts; ++i) {
     const Mesh part = random_part(random, description);
     const int offset = static_cast<int>(whole.vertices.size());
-    // Parts may be in the same place: coincident vertices are never welded.
+    // Parts may be in the same place, because coincident vertices are never welded.
     const double aside = random.chance(0.3) ? 0 : 30.0 * i;
     for (const Eigen::Vector3d& vertex : part.vertices) whole.vertices.push_back(vertex + Eigen::Vector3d(aside, 0, 0));
     for (const auto& [a, b, c] : part.faces) whole.faces.push_back({a + offset, b + offset, c + offset});

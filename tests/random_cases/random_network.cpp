@@ -35,7 +35,8 @@ struct EdgeGraph {
   }
 };
 
-/// Returns a walk along edges that are not in `used`, and adds them to it. It may end early and may cross itself.
+/// Returns a walk along edges that are not in `used`, and adds its edges to `used`. It may end early and may cross
+/// itself.
 std::vector<int> random_walk(RandomStream& random, const EdgeGraph& graph, int from, int steps, std::set<Edge>& used) {
   std::vector<int> chain{from};
   for (int i = 0; i < steps; ++i) {
@@ -51,7 +52,8 @@ std::vector<int> random_walk(RandomStream& random, const EdgeGraph& graph, int f
   return chain;
 }
 
-/// Returns the path with the fewest edges that are not in `used`, and adds them to it; one vertex if there is none.
+/// Returns the path with the fewest edges along edges that are not in `used`, and adds its edges to `used`. Returns one
+/// vertex if there is no path.
 std::vector<int> short_path(const EdgeGraph& graph, int from, int to, std::set<Edge>& used) {
   std::map<int, int> previous{{from, from}};
   std::queue<int> front;
@@ -81,7 +83,7 @@ std::vector<int> random_chain(RandomStream& random, const EdgeGraph& graph, cons
   if (random.chance(0.4)) return random_walk(random, graph, from, random.whole(1, 12), used);
   const int to = random.chance(0.6) && !border.empty() ? random.pick(border) : random.pick(used_vertices);
   std::vector<int> chain = short_path(graph, from, to, used);
-  if (chain.size() > 2 && random.chance(0.2)) {  // back along another path: closed
+  if (chain.size() > 2 && random.chance(0.2)) {  // closed: returns along another path
     std::vector<int> back = short_path(graph, to, from, used);
     if (back.size() > 1) {
       std::reverse(chain.begin(), chain.end());
@@ -92,7 +94,7 @@ std::vector<int> random_chain(RandomStream& random, const EdgeGraph& graph, cons
   return chain;
 }
 
-/// Adds a cut of a few edges, from an outline or inside, or the edges around a vertex: a dart, a slit or a loop.
+/// Adds a small cut: a dart from an outline or a slit inside, with a few edges, or a loop around a vertex.
 void add_small_cut(RandomStream& random, const FlattenInput& input, const EdgeGraph& graph,
                    const std::vector<int>& used_vertices, std::set<Edge>& seams) {
   const int kind = random.below(5);

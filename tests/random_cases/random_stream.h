@@ -20,7 +20,7 @@ class RandomStream {
           return std::ldexp(static_cast<double>(engine() >> 11), -53);
         }) {}
 
-  /// next: returns a number in [0, 1), such as a fuzzer's.
+  /// next: returns a number in [0, 1), for example from a fuzzer.
   explicit RandomStream(std::function<double()> next) : next_(std::move(next)) {}
 
   /// Returns a number in [0, 1).

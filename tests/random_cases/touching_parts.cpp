@@ -8,13 +8,13 @@
 namespace wirewarp::test {
 namespace {
 
-/// Returns the vertices connected with one of them by edges, including itself.
+/// Returns all vertices that edges connect with a vertex, including this vertex.
 std::set<int> part_around(const FlattenInput& input, int start) {
   std::vector<std::vector<int>> neighbors(static_cast<std::size_t>(input.vertices.rows()));
   for (const auto& face : input.faces.rowwise()) {
     for (int k = 0; k < 3; ++k) neighbors[static_cast<std::size_t>(face[k])].push_back(face[(k + 1) % 3]);
   }
-  // Edges in one direction around each face are enough: every corner reaches all others.
+  // Edges in one direction around each face are enough to reach all its corners from any corner.
   std::set<int> part{start};
   std::queue<int> front;
   for (front.push(start); !front.empty(); front.pop()) {

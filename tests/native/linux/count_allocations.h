@@ -3,7 +3,8 @@
 
 namespace wirewarp {
 
-/// Number of allocations by this thread so far: by operator new, and by malloc and the like, which Eigen calls.
+/// Returns the number of allocations by this thread so far: with operator new, and with malloc and similar functions,
+/// which Eigen calls.
 int num_allocations();
 
 }  // namespace wirewarp

@@ -3,9 +3,9 @@
 
 namespace wirewarp {
 
-/// Number of fronts that all threads of the test program have visited so far in the Cholesky kernels, with up to four
-/// right-hand sides at a visit. One machine gives the same numbers in every run. On another one, rounding may end an
-/// iteration a step earlier or later.
+/// Numbers of fronts that all threads of the test program have visited so far in the Cholesky kernels, with up to four
+/// right-hand sides per visit. The numbers are the same in every run on one machine. On another machine, rounding
+/// errors may end an iteration a step earlier or later.
 struct FrontCounts {
   long factored;
   long substituted_forward;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Limits on the work of the inner loops, as counts instead of seconds. The tests of each algorithm limit its
+// Limits on the work in the inner loops, as counts instead of seconds. The tests of each algorithm limit its
 // factorizations and evaluations.
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ TEST(Budgets, AFactorizationAllocatesNothing) {
   EXPECT_TRUE(positive_definite);
 }
 
-/// Number of allocations for a placement and its adjoint.
+/// Returns the numbers of allocations for a placement and for its adjoint.
 std::pair<int, int> placement_allocations(int n) {
   const SheetToFlatten flat(n);
   const WireNetwork network = build_wire_network(flat.chart());
@@ -81,7 +81,7 @@ TEST(Budgets, InteriorPlacementAllocatesEquallyOftenOnEveryMesh) {
   EXPECT_EQ(placement_allocations(8), placement_allocations(24));
 }
 
-/// Number of allocations for a factorization after the first, and for a solution with it.
+/// Returns the numbers of allocations for a factorization after the first one, and for a solution.
 std::pair<int, int> newton_allocations(int n) {
   const SheetToFlatten flat(n);
   const HeldNetwork network = build_held_network(flat.chart());
@@ -102,7 +102,7 @@ TEST(Budgets, NewtonSystemsAllocateEquallyOftenOnEveryMesh) {
 
 struct RefinementCost {
   int factorizations;
-  /// Full substitutions, each forward and back through all fronts with up to four right-hand sides.
+  /// Number of full substitutions: forward and back through all fronts with up to four right-hand sides.
   double substitutions;
 };
 

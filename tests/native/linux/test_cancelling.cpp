@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Once it is canceled, a run factorizes and solves nothing more.
+// A canceled run ends without further factorizations and solves.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace wirewarp::test_cancelling {
 namespace {
 
-/// The largest amount of work between two questions to the caller, or after the last one.
+/// The largest amount of work between two questions to the caller, or after the last question.
 struct WorkBetweenQuestions {
   void answer() {
     const FrontCounts now = count_fronts();
@@ -27,7 +27,7 @@ struct WorkBetweenQuestions {
   long factored = 0, substituted = 0;
 };
 
-/// Number of fronts of one Newton system.
+/// Returns the number of fronts of one Newton system.
 long fronts_of(const FlattenInput& input) {
   const Charts charts = test::charts_of(input);
   const Chart& chart = charts.charts.at(0);
@@ -42,7 +42,7 @@ TEST(Cancelling, EndsARunAtOnceInEveryStage) {
   for (const double tolerance : {0.0, 1e-4}) {
     const FlattenInput input = test::saddle_of_wires(3, tolerance);
     const long fronts = fronts_of(input);
-    // The search for tolerances makes all of them elastic.
+    // The search for tolerances makes all wires elastic.
     const auto num_wires = static_cast<long>(input.wires.size());
     for (const Method method : {Method::refined, Method::wirewarp_plus_plus}) {
       Options options;
@@ -56,7 +56,7 @@ TEST(Cancelling, EndsARunAtOnceInEveryStage) {
       });
       ASSERT_TRUE(refused.pieces.at(0).error);
       EXPECT_EQ(refused.pieces[0].error->code, ErrorCode::infeasible_lengths);
-      EXPECT_LE(whole.factored, 3 * fronts) << "for the embedding on a circle, and for the free shape";
+      EXPECT_LE(whole.factored, 3 * fronts) << "for the embedding in a circle, and for the free shape";
       EXPECT_LE(whole.substituted, (35 + 2 * num_wires) * fronts)
           << "for steps to exact lengths, and two for each wire";
       for (int last = 0; last < questions; last += 1 + questions / 20) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Each core that the thread may use gets a thread, and work gets done with fewer threads if the system refuses more.
+// A run starts one thread for each core that it may use, and works with fewer threads if the system refuses more.
 #include <gtest/gtest.h>
 #include <sched.h>
 
@@ -55,7 +55,7 @@ TEST(Cores, IfTheSystemRefusesThreadsTheOthersDoTheWork) {
 }
 
 TEST(Cores, ChartsThatKeepAllCoresBusyStartNoThreadsOfTheirOwn) {
-  const FirstCores two(2);  // fewer than there are charts
+  const FirstCores two(2);  // fewer cores than charts
   if (num_cores() < 2) GTEST_SKIP() << "one core starts no threads at all";
   const FlattenInput input = test::sphere_of_gores(12, 4, 16);
   const test::RefuseThreads refuse;

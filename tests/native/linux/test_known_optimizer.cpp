@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outer problem compared with NLopt: from the same h0, with the same E and gradient, NLopt finds nothing better.
+// Compares the outer problem with NLopt: with the same h0, E and gradient, NLopt finds no better minimum.
 #include <gtest/gtest.h>
 #include <nlopt.h>
 
@@ -28,7 +28,7 @@ struct OuterCase {
 };
 void PrintTo(const OuterCase& outer_case, std::ostream* out) { *out << outer_case.name; }
 
-/// E(ψ(h)) over the elastic parts, as NLopt calls it, with the least value found.
+/// E(ψ(h)) as a function of the elastic parts' h, in the form that NLopt calls. Remembers the least value.
 struct ShapeErrorOf {
   Warp& warp;
   std::vector<int> parts;
@@ -65,7 +65,7 @@ double least_shape_error(nlopt_algorithm algorithm, Warp& warp, const VariationB
   nlopt_set_ftol_rel(optimizer.get(), 1e-10);
   nlopt_set_maxeval(optimizer.get(), 300);
   double last = 0;
-  // The returned code only says why NLopt stopped: near the minimum, LD_LBFGS often ends with a failed line search.
+  // The returned code is ignored, because near the minimum, LD_LBFGS often ends with a failed line search.
   nlopt_optimize(optimizer.get(), elastic.data(), &last);
   EXPECT_TRUE(function.is_defined);
   return function.least;
@@ -114,7 +114,7 @@ FlattenInput elastic_gore() {
   return input;
 }
 
-/// A closed wire that touches nothing: its helper wires to the outline count as free.
+/// A closed wire that touches nothing. Its helper wires to the outline count as free.
 FlattenInput elastic_ring() {
   const int n = 16;
   FlattenInput input = test::saddle(n, 0.3);
