@@ -12,13 +12,13 @@ namespace wirewarp::bindings {
 
 FlattenInput read_input(py::handle vertices, py::handle faces, py::handle seams, py::handle wires, py::handle eases);
 
-/// paths: a list of SurfacePath.
+/// Reads paths, a list of SurfacePath.
 std::vector<SurfacePath> read_paths(py::handle value);
 
-/// None means the defaults.
+/// Reads options; None means the defaults.
 Options read_options(py::handle value);
 
-/// None means no cache.
+/// Reads a cache; None means no cache.
 Cache* read_cache(py::handle value);
 
 }  // namespace wirewarp::bindings

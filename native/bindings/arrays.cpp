@@ -25,7 +25,7 @@ FlattenError wrong_shape(const std::string& name, const std::string& wanted, con
                       ErrorArguments{{"name", name}, {"wanted", wanted}, {"found", shape_text(array)}});
 }
 
-/// numpy would drop the mask and read the hidden values.
+/// Throws invalid_type for a masked array, because numpy would drop the mask and read the hidden values.
 void refuse_masked(py::handle value, const std::string& name) {
   if (!py::isinstance(value, py::module_::import("numpy").attr("ma").attr("MaskedArray"))) return;
   throw wrong_type(name, "an array without a mask", "a masked array");
@@ -43,7 +43,8 @@ py::array as_array(py::handle value, const std::string& name) {
   }
 }
 
-/// kinds: numpy's letters of the accepted dtypes ("f" floating, "i" signed, "u" unsigned).
+/// Throws invalid_type unless the dtype is accepted. kinds: numpy's letters of the accepted dtypes ("f" floating, "i"
+/// signed, "u" unsigned).
 void check_kind(const py::array& array, py::handle value, const std::string& name, const std::string& kinds,
                 const char* wanted) {
   if (kinds.find(array.dtype().kind()) != std::string::npos) return;
@@ -77,7 +78,7 @@ struct TooLarge {
   std::string value;
 };
 
-/// Copies into 32-bit indices. Returns the first value that does not fit, if any.
+/// Copies integers into 32-bit indices. Returns the first value that does not fit, if any.
 template <class Integer>
 std::optional<TooLarge> narrow(const py::array& array, int* out) {
   const py::array_t<Integer, kPlain> values(array);

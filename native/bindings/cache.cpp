@@ -12,8 +12,8 @@ void bind_cache(py::module_& module) {
   py::class_<Cache> cache(module, "Cache", py::module_local(), doc_of("Cache"));
   cache.attr("__module__") = package_name();
   cache.def(py::init<>());
-  cache.def_property_readonly("size", &Cache::size, "Number of pieces held.");
-  cache.def("clear", &Cache::clear, "Forgets them.");
+  cache.def_property_readonly("size", &Cache::size, "Number of pieces in the cache.");
+  cache.def("clear", &Cache::clear, "Removes all pieces.");
   cache.def("__reduce_ex__", [](const Cache&, int) -> py::object {
     throw py::type_error("a Cache cannot be copied or pickled: each process keeps one of its own");
   });

@@ -13,7 +13,7 @@ namespace wirewarp::bindings {
 /// does not exist.
 const char* doc_of(const std::string& name);
 
-/// Returns the docstring of an enum field: its meaning, and that of each of its strings.
+/// Returns the docstring of an enum field: the meaning of the field and of each string.
 template <class Enum, std::size_t N>
 std::string doc_of(const std::string& field, const std::string& enumeration, const Named<Enum> (&names)[N]) {
   std::string text = doc_of(field);

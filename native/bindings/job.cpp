@@ -56,7 +56,7 @@ py::object Job::result() {
   return python_result_;
 }
 
-/// Threads do not survive a fork, nor do mutexes that they hold.
+/// Throws in a forked process, because neither threads nor their mutexes survive a fork.
 void Job::check_process() const {
   if (num_forks() == num_forks_) return;
   throw std::runtime_error("this job runs in the process that started it, not in one forked from it");

@@ -131,7 +131,7 @@ Plan plan_of(const std::string& kind) {
                      ErrorArguments{{"name", "kind"}, {"value", kind}, {"allowed", "be dart or seam"}});
 }
 
-/// find: called with a Progress.
+/// Runs a search with a Python progress callback. find: called with a Progress.
 template <class Find>
 auto find_now(const Find& find, const py::object& progress) {
   PythonProgress python_progress(progress);

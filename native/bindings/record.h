@@ -88,7 +88,7 @@ py::tuple record_state(const py::object& record);
 /// does not have, become None.
 py::dict record_to_dict(py::handle record);
 
-/// Returns one line: the class and its fields, arrays by their shape.
+/// Returns one line with the class and its fields; arrays appear as their shape.
 std::string record_repr(py::handle record);
 
 /// A Python class for the struct T, with T's documentation.

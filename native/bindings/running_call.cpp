@@ -49,7 +49,7 @@ void end_work() {
   calls.one_ended.notify_all();
 }
 
-/// Only the forking thread continues in the child.
+/// Resets the calls in a forked child, in which only the forking thread continues.
 void forget_threads_of_parent() {
   RunningCalls& calls = running_calls();
   calls.count = 0;

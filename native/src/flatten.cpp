@@ -44,8 +44,8 @@ Charts cut(const Run& run, const EdgeTable& edges, ProgressReport& report, Secon
   return cut_into_charts(run.input, edges, stop.in("charts"));
 }
 
-/// If the caller cancels, pieces that are flat already are still measured, unless that takes more calls of a WorkMeter
-/// than this: half a second at most.
+/// After the caller canceled, flat pieces are still measured, unless this takes more calls of a WorkMeter: at most
+/// about half a second.
 constexpr int kQuestionsAfterCancel = 25;
 
 StopToken while_measuring(ProgressReport& report) {
@@ -66,7 +66,7 @@ void pack(const Charts& charts, const Options& options, const StopToken& stop, s
   for (std::size_t c = 0; c < solved_charts.size(); ++c) solved_charts[c].uv = std::move(shapes[c]);
 }
 
-/// Flattens charts that are cut already. Throws Stopped if the caller cancels while much remains to be measured.
+/// Flattens charts after they were cut. Throws Stopped if the caller canceled and much remains to be measured.
 FlattenResult flatten_cut(Charts charts, const Run& run, ProgressReport& report, Cache* cache, Seconds& seconds) {
   CacheSession session(cache, run.input, run.options);
   std::vector<SolvedChart> solved_charts = solve_charts(charts.charts, run, report, session);

@@ -15,10 +15,10 @@
 namespace wirewarp {
 namespace {
 
-/// Corners of one vertex that are farther apart than this fraction of the piece's size are separate.
+/// Distance, over the piece's size, above which flat corners of one vertex count as separate.
 constexpr double kSamePoint = 1e-6;
 
-/// The flat corners of a chart's faces, one position per half-edge with a face: where it starts.
+/// The flat corners of a chart's faces: one position per half-edge with a face, at its start.
 class FlatCorners {
  public:
   /// Throws no_layout unless all are finite and below kCoordinateLimit.
@@ -40,7 +40,7 @@ class FlatCorners {
 
   Eigen::RowVector2d operator[](HalfedgeHandle h) const { return uv_.row(h.idx()); }
 
-  /// Whether the faces beside an edge have the vertex at the start of h at different positions.
+  /// Returns whether the two faces at an edge have different positions for the vertex at the start of h.
   bool is_torn(HalfedgeHandle h) const {
     const HalfedgeHandle opposite = mesh_.opposite_halfedge_handle(h);
     if (mesh_.is_boundary(h) || mesh_.is_boundary(opposite)) return false;
@@ -94,7 +94,7 @@ SolvedChart read_chart(const Chart& chart, const CornerUv& corner_uv) {
   return solved;
 }
 
-/// Gives all sides of an elastic seam the same h: the mean of the values that fit each side.
+/// Sets the same h for all sides of an elastic seam: the mean of the values that fit each side.
 void share_variations(const std::vector<Chart>& charts, std::vector<SolvedChart>& solved) {
   struct Mean {
     double sum = 0;

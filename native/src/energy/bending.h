@@ -5,19 +5,20 @@
 //   r     = (u_c − u_b) / l_bc − R(π − α) (u_b − u_a) / l_ab
 //   F(u)  = ½ Σ w |r|²,  w about D³/ℓ as shown below,  D = fairness · √area
 //
-// With exact lengths |r|² = 2 − 2 cos(θ − α), the angle term of Eq. (1) for small deviations, but F is quadratic in the
-// positions, with a constant matrix. Without F, rigid boundaries buckle into zigzags; D is the shortest wavelength that
-// F leaves unpenalized.
+// With exact lengths, |r|² = 2 − 2 cos(θ − α), which is the angle term of Eq. (1) for small deviations. F is quadratic
+// in the positions, with a constant matrix. Without F, rigid boundaries buckle into zigzags; F hardly penalizes waves
+// longer than D.
 //
-// Along a line (a wire or a boundary loop) the deviation shrinks with ℓ, and the sum becomes an integral as the mesh is
-// refined. The angle between two lines that meet deviates equally on every mesh: weight 1/ℓ would constrain it more on
-// finer meshes and make the piece worse. So a corner between lines has at most the weight of one with edges of D/8. The
-// rest of the weight acts on the line itself and is divided by k, the number of its corners on that side:
+// Along a line (a wire or a boundary loop), the deviation is proportional to ℓ, and the sum becomes an integral as the
+// mesh is refined. But the angle between two lines that meet deviates equally on every mesh: a weight proportional to
+// 1/ℓ would constrain it more on finer meshes and make the piece worse. Therefore a corner between lines has at most
+// the weight of a corner with edges of length D/8. The rest of the weight acts on the line itself, divided by k, the
+// number of corners on this side of the line:
 //
 //   corner   w = D³ / max(ℓ, D/8)
 //   line     w = (D³/ℓ − D³ / max(ℓ, D/8)) / k,  D³/ℓ where it passes none,  ℓ the mean of its corners
 //
-// With all edges at least D/8 long, every corner has weight D³/ℓ and the lines have none.
+// If all edges are at least D/8 long, every corner has weight D³/ℓ and the lines have weight 0.
 #pragma once
 
 #include <vector>
@@ -47,8 +48,8 @@ class Bending {
   void add_hessian(VertexMatrix& hessian) const;
 
  private:
-  /// r = to_a u_a + to_b u_b + to_c u_c. F is evaluated from r, not from the Hessian: short edges make the entries of
-  /// the Hessian 1e8 times as large as F.
+  /// r = to_a u_a + to_b u_b + to_c u_c. F is computed from r, not from the Hessian, because short edges make entries
+  /// of the Hessian 1e8 times as large as F.
   struct Node {
     int a, b, c;
     double weight;

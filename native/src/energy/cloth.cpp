@@ -29,13 +29,13 @@ Cloth fabric(std::array<double, 3> stiffness, std::array<double, 2> stretch, dou
 
 }  // namespace
 
-// Stiffness across and along the grain and against shear, of which only the ratios matter; then the maximum stretch
-// across and along. One number for a family of fabrics is a middle value. Stretch stiffness in weft and warp is about
-// 2,100 N/m for stiff plain weaves, with 25 to 100 for shear. The numbers across, along and for shear are 225, 1,055
-// and 70 for 11 oz denim; 40, 138 and 10 to 36 for knits such as swimwear; 67, 182 and 30 for double knit. A plain
+// The first three numbers are stiffnesses against stretch across the grain, along the grain and against shear; only
+// their ratios matter. The next two are the maximum stretch across and along. One number for a family of fabrics is a
+// middle value. Measured stiffnesses across, along and against shear, in N/m: stiff plain weaves 2,100, 2,100 and 25 to
+// 100; 11 oz denim 225, 1,055 and 70; knits such as swimwear 40, 138 and 10 to 36; double knit 67, 182 and 30. A plain
 // weave locks at about 45° (trellis tests on dry fabrics). An isotropic material has shear ½. Foam and leather buckle
-// rather than compress; no measurements are published, so their squeeze factors are chosen. The maximum stretch is what
-// a hand can pull and the fabric recovers from.
+// instead of compressing; no measurements are published, so their squeeze factors are chosen. The maximum stretch is
+// what a hand can pull and the fabric recovers from.
 const std::vector<ClothPreset>& cloth_presets() {
   static const std::string wang = "Wang, O'Brien, Ramamoorthi: Data-driven elastic models for cloth (2011)";
   static const std::vector<ClothPreset> all = {

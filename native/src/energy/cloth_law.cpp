@@ -10,8 +10,8 @@
 namespace wirewarp {
 namespace {
 
-// Relative to the stiffer threads. At 15° beyond locking, a woven fabric has as much energy as with a thread strained
-// by half, and the Newton systems are as well conditioned as without locking.
+// Stiffness beyond locking, relative to the stiffer threads. 15° beyond locking, a woven fabric has as much energy as
+// with a thread strain of 50%, and the Newton systems are as well conditioned as without locking.
 constexpr double kLockingStiffness = 10;
 
 enum Index { kP, kQ, kG, kD };
@@ -27,7 +27,7 @@ Eigen::Matrix4d jacobian(const Eigen::Matrix2d& map, const ClothLaw::Invariants&
   return rows;
 }
 
-/// The cost of a thread, stiffness (r − D)²/D, where r is its p or q.
+/// The energy of a thread, stiffness (r − D)²/D, where r is p or q.
 struct Thread {
   Thread(double thread_stiffness, double squeeze, double reach, double determinant)
       : stiffness(reach < determinant ? thread_stiffness * squeeze : thread_stiffness), ratio(reach / determinant) {}
@@ -113,7 +113,7 @@ Eigen::Matrix4d ClothLaw::hessian(const Eigen::Matrix2d& map) const {
   const Expansion by = expand(of);
   const Eigen::Matrix4d rows = jacobian(map, of);
   Eigen::Matrix4d hessian = rows.transpose() * by.curvature * rows;
-  // Curvature of p and q, which depends on the map, and of g and D, which is constant.
+  // Adds the second derivatives of p and q, which depend on the map, and those of g and D, which are constant.
   const Eigen::Matrix2d identity = Eigen::Matrix2d::Identity();
   const Eigen::RowVector2d along_a = map.row(0) / of.q, along_b = map.row(1) / of.p;
   hessian.topLeftCorner<2, 2>() += by.slope[kQ] / of.q * (identity - along_a.transpose() * along_a);

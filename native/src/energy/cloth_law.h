@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The energy of one triangle of cloth as a function of its map.
+// The energy of one triangle of fabric as a function of its map.
 //
 //   J = (a; b)      the map worn → flat, with the rows a = ∇x (weft) and b = ∇y (warp)
 //   p = |b|, q = |a|, g = a·b, D = det J
@@ -12,12 +12,12 @@
 //   φ = D W = weft (p − D)²/D + warp (q − D)²/D + shear g²/D³ + 10 D max(0, |g|/(pq) − sin γ₀)²     per worn area
 //
 // Threads and shear of woven cloth as independent springs: D. E. Breen, D. H. House, M. J. Wozny (1994), J. McCartney
-// et al. (2000). φ stays finite as a and b approach 0 together, and is not larger for a mirror image, so it is not a
-// barrier by itself; for D <= 0 it is defined as infinite.
+// et al. (2000). φ stays finite as a and b approach 0 together, and a mirror image has the same φ, so φ is not a
+// barrier by itself. For D <= 0, it is defined as infinite.
 //
-// For a cloth that is worn stretched by S = diag(1 + c_weft, 1 + c_warp), J is the map to the stretched cloth, S times
-// the map to the flat piece. The energy then measures the deviation from this stretch, and the flat area is 1 / det S
-// times the area that W refers to here.
+// For a fabric that is stretched by S = diag(1 + c_weft, 1 + c_warp) when worn, J is the map to the stretched fabric, S
+// times the map to the flat piece. The energy then measures the deviation from this stretch, and the flat area is 1 /
+// det S times the area that W refers to here.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,8 +29,8 @@ namespace wirewarp {
 
 class ClothLaw {
  public:
-  /// Stiffnesses are divided by the larger one of weft and warp, so that their scale does not matter beside other
-  /// terms.
+  /// Divides all stiffnesses by the larger of weft and warp, so that their scale relative to other terms does not
+  /// matter.
   explicit ClothLaw(const Cloth& cloth);
 
   /// The invariants p, q, g and D of a map.
@@ -49,13 +49,13 @@ class ClothLaw {
   /// Returns ∂φ/∂J; zero if D <= 0.
   Eigen::Matrix2d gradient(const Eigen::Matrix2d& map) const;
 
-  /// Returns ∂²φ/∂J² by the stacked vector (a, b). Needs D > 0.
+  /// Returns ∂²φ/∂J² for the stacked vector (a, b). Needs D > 0.
   Eigen::Matrix4d hessian(const Eigen::Matrix2d& map) const;
 
   /// Returns the same Hessian with its negative eigenvalues set to zero.
   Eigen::Matrix4d convex_hessian(const Eigen::Matrix2d& map) const;
 
-  /// Returns a factor by which ARAP's Hessian bounds the Hessian of φ at rest.
+  /// Returns a factor c such that, for an isometric map, c times the Hessian of ARAP is at least the Hessian of φ.
   double stiffness_at_rest() const;
 
  private:

@@ -14,9 +14,9 @@ namespace {
 using HatGradients = Eigen::Matrix<double, 2, 3>;
 using PerCorner = Eigen::Matrix<double, 2, 3>;
 
-constexpr double kSmallestDeterminant = 0.1;  // barrier starts here; good pieces have larger determinants
-constexpr double kFiniteWeight = 10;          // ω: a triangle with zero area costs as much as one shrunk by a third
-constexpr double kInfiniteWeight = 0.1;       // κ = ω ⅒², so that both barriers start with the same curvature
+constexpr double kSmallestDeterminant = 0.1;  // below this, the barrier acts; good pieces have larger determinants
+constexpr double kFiniteWeight = 10;     // ω: a triangle of zero area costs as much as a triangle shrunk by a third
+constexpr double kInfiniteWeight = 0.1;  // κ = ω ⅒², so that both barriers start with the same curvature
 
 double kappa(double norm_z, Curvature curvature) {
   const double exact = norm_z > 0 ? 2 / norm_z : 1;  // norm_z is 2 |z|
@@ -125,7 +125,7 @@ double FairShapeError::value_of_rounding(double error) const {
   return error * error * sum + bending_.value_of_rounding(error);
 }
 
-/// The area of each triangle is a quadratic function a + bt + ct² of the step share t, positive at 0.
+/// The area of each triangle is a quadratic function a + bt + ct² of the share t of the step, positive at t = 0.
 double FairShapeError::longest_step(const Positions2& uv, const Positions2& d) const {
   if (injectivity_ == Injectivity::none) return 1;
   double longest = outline_barrier_ ? outline_barrier_->longest_step(uv, d) : 1;

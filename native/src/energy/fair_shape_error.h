@@ -4,11 +4,11 @@
 //
 //   f(u) = E(u) + F(u) + Σ_t A β(det J)                   E: energy/shape_error.h, F: energy/bending.h
 //
-// For a cloth, E is replaced by the energy of its threads and their shear:
+// For a fabric, the energy of its threads and their shear replaces E:
 //
 //   f(u) = Σ_t A φ(J) + Z(u) + F(u) + Σ_t A β(det J)      φ: energy/cloth_law.h, Z: energy/shear_smoothing.h
 //
-//   β(x) = ω max(0, ⅒ − x)²      finite: flips are allowed on the fast path to the minimum
+//   β(x) = ω max(0, ⅒ − x)² finite: flips are allowed on the way to the minimum
 //   β(x) = κ b(x / ⅒)            infinite where x <= 0, energy/log_barrier.h; each step ends before the
 //                                first triangle flips (J. Smith, S. Schaefer, Bijective parameterization with
 //                                free boundaries, ACM Transactions on Graphics 34 (2015), article 70)
@@ -18,9 +18,9 @@
 //   H_ij = 2A g_i·g_j I − A κ s_i s_jᵀ,   κ = 1/|z|      κ > 1 where the triangle is compressed: there H may be
 //   indefinite
 //
-// The first term is the constant Laplacian, which a cloth does not have. With det J = |z|² − |w|² the barrier has ∇_i
-// det = g_i z − ḡ_i w, and its Hessian, without the possibly indefinite term, is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j),
-// where M(a + ib) is the matrix of multiplication by a + ib.
+// The first term is the constant Laplacian; a fabric has no such term. With det J = |z|² − |w|² the barrier has ∇_i det
+// = g_i z − ḡ_i w, and its Hessian, without the possibly indefinite term, is A β″ ∇det ∇detᵀ − ½ A β′ M(ḡ_i g_j), where
+// M(a + ib) is the matrix of multiplication by a + ib.
 #pragma once
 
 #include <optional>
@@ -33,16 +33,16 @@
 
 namespace wirewarp {
 
-/// How much of the negative curvature of E the Hessian includes.
+/// The part of the negative curvature of E that the Hessian includes.
 enum class Curvature {
   exact,
   convex,  // κ <= 1, which makes it positive semidefinite
   none,    // κ = 0, which leaves the Laplacian
 };
 
-/// Which faults a step must not cause.
+/// The faults that a step must not cause.
 enum class Injectivity {
-  none,    // none excluded; flips are penalized
+  none,    // nothing is forbidden; flips are penalized
   local,   // no flipped triangle
   global,  // no flipped triangle, and the outline does not cross itself: the map is injective
 };
@@ -68,7 +68,7 @@ class FairShapeError {
   /// Returns the largest share of the step d from uv, at most 1, that keeps the layout injective as required.
   double longest_step(const Positions2& uv, const Positions2& d) const;
 
-  /// Whether the Hessian includes all contacts of the outline in a layout.
+  /// Returns whether the Hessian includes all contacts of the outline in a layout.
   bool covers_contacts(const Positions2& uv) const {
     return !outline_barrier_ || outline_barrier_->covers_contacts(uv);
   }
@@ -97,7 +97,7 @@ class FairShapeError {
     double value, slope, curvature;  // β, β′, β″
   };
 
-  /// The energy of a cloth and the penalty on zigzagging shear.
+  /// The energy of a fabric and the penalty on zigzagging shear.
   struct ClothTerms {
     ClothLaw law;
     ShearSmoothing smoothing;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The local step finds the best rotations for a shape, and the global step the best shape for these rotations. The
-// latter minimizes a quadratic with the constant Hessian K and the gradient g = ∂E/∂u, so both together are one step
+// global step minimizes a quadratic with the constant Hessian K and the gradient g = ∂E/∂u. Both steps together are
 // -K⁻¹g: steepest descent in the metric K. The steps here are conjugate gradients in this metric (Polak-Ribière):
 //
 //   s = K⁻¹g,   d = -s + β d_before,   β = max(0, (g - g_before)·s / g_before·s_before)
@@ -21,15 +21,15 @@ namespace wirewarp {
 namespace {
 
 constexpr double kSmallestDrop = 1e-6;  // relative decrease of E in a step; a start needs no more digits
-constexpr double kLongestStep = 8;      // over the direction's length; farther away, E is not close to a parabola
-/// Share of each diagonal entry that is added to it: far above rounding, so that slivers cannot make the factorization
-/// fail.
+constexpr double kLongestStep = 8;      // over the direction's length; beyond, E is far from a parabola
+/// Share by which each diagonal entry is increased: far above rounding errors, so that the factorization does not fail
+/// on slivers.
 constexpr double kRegularization = 1e-12;
 
 class GlobalStep {
  public:
-  /// Doubles one diagonal entry of K to fix that vertex. The entries of a gradient sum to 0, so the vertex does not
-  /// move. positions: for the elimination order.
+  /// Doubles one diagonal entry of K, which fixes its vertex, because the entries of a gradient sum to 0. positions:
+  /// for the elimination order.
   GlobalStep(Eigen::SparseMatrix<double> hessian, const Positions2& positions, const StopToken& stop)
       : cholesky_(hessian, nested_dissection(graph_of(hessian, 1), positions), 1, has_second_core()) {
     hessian.coeffRef(0, 0) *= 2;
@@ -53,8 +53,8 @@ class GlobalStep {
 
 double dot(const Positions2& a, const Positions2& b) { return (a.array() * b.array()).sum(); }
 
-/// Returns the step length along the direction: the minimum of the parabola through E, its slope, and E one length
-/// further.
+/// Returns the step length along the direction: the minimum of the parabola with the value and slope of E at the start
+/// and the value of E at the direction's end.
 double step_length(const ShapeError& shape_error, const FreeBoundaryArap& flat, const Positions2& direction,
                    double slope) {
   const double curvature = 2 * (shape_error.energy(flat.uv + direction) - flat.energy - slope);

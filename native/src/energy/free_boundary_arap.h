@@ -17,16 +17,17 @@ struct FreeBoundaryArap {
   Positions2 uv;           // one row per chart vertex, scene units
   double energy = 0;       // E of Eq. (4), scene units squared
   int iterations = 0;      // steps; each solves the factored system once
-  int factorizations = 0;  // number of factorizations: 1, and 1 more for an embedding on a circle
-  bool converged = false;  // the last step lowered E by less than 1e-6 of it
+  int factorizations = 0;  // 1, or 2 with an embedding in a circle
+  bool converged = false;  // the last step lowered E by less than 1e-6 of E
 };
 
 /// Number of steps that is enough for lengths and starts; further steps lower E by little.
 inline constexpr int kFreeSteps = 30;
 
-/// Takes at most max_iterations steps from the given layout or, without one, from the embedding on a circle. layout:
-/// one row per chart vertex; mirrored if its area is negative. No step increases E. Throws Stopped (checked before each
-/// step), and FactorizationFailed if rounding makes the Laplacian or the matrix of the embedding indefinite.
+/// Takes at most max_iterations steps from the given layout or, without a layout, from the Tutte embedding in a circle.
+/// start: one row per chart vertex; mirrored if its area is negative. No step increases E. Throws Stopped (checked
+/// before each step), and FactorizationFailed if rounding errors make the Laplacian or the matrix of the embedding
+/// indefinite.
 FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, const std::optional<Positions2>& start = {},
                                     const StopToken& stop = {});
 

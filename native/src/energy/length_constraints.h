@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The guaranteed lengths as equations: every edge of the boundary and of a rigid or elastic wire has its length. If the
-// layout is not free to turn, one more equation for each connected part fixes its rotation; these come last.
+// The guaranteed lengths as constraints: every edge of the boundary and of a rigid or elastic wire has its length. If
+// the layout is not free to rotate, one more constraint for each connected part fixes its rotation; these come last.
 //
 //   c_e(u, h) = |d| − (1 + h) l,   d = u_b − u_a      h is 0 except on elastic parts, whose edges share one h;
 //                                                       h is the solver's g (surface/charts/chart.h), l the
@@ -11,8 +11,8 @@
 //
 //   c_g(u) = m·d        with a fixed m instead of d̂; ∂²c_g/∂d² = 0
 //
-// For a cloth that is worn stretched, u is the layout of the stretched cloth (energy/target_lengths.h), and the flat
-// edge is w = S⁻¹ d:
+// For a fabric that is stretched when worn, u is the layout of the stretched fabric (energy/target_lengths.h), and the
+// flat edge is w = S⁻¹ d:
 //
 //   c_e(u, h) = |w| − (1 + h) l;   ∂c_e/∂d = S⁻¹ ŵ, called d̂ below;   ∂²c_e/∂d² = m mᵀ / |w|³,   m ⊥ d, |m| = |d|
 //   / det S
@@ -35,20 +35,21 @@ class LengthConstraints {
     int elastic;    // index into h; -1 if h is 0
   };
 
-  /// targets: null: nominal lengths in a layout that is free to turn. layout: gives the scale of rotation rows.
+  /// targets: null for nominal lengths in a layout that is free to rotate. layout: for the scale of rotation rows.
   LengthConstraints(const Chart& chart, const HeldNetwork& network, const TargetLengths* targets = nullptr,
                     const Positions2& layout = {});
 
   const std::vector<Edge>& edges() const { return edges_; }
   int size() const { return static_cast<int>(edges_.size()); }
 
-  /// Whether no rotation is fixed.
+  /// Returns whether the layout is free to rotate.
   bool are_free_to_turn() const { return grain_normals_.empty(); }
 
-  /// Whether the constraint has no curvature.
+  /// Returns whether the constraint is linear in the positions.
   bool is_linear(int edge) const { return edge >= size() - static_cast<int>(grain_normals_.size()); }
 
-  /// Returns the index into h of each wire part of the chart; -1: none. All sides of an elastic seam share one.
+  /// Returns the index into h of each wire part of the chart; -1 if it has no h. All sides of an elastic seam share one
+  /// index.
   const std::vector<int>& elastic_of_part() const { return elastic_of_part_; }
   int num_elastic() const { return static_cast<int>(tolerance_.size()); }
 
@@ -59,7 +60,7 @@ class LengthConstraints {
     return variation.cwiseMax(-tolerance_).cwiseMin(tolerance_);
   }
 
-  /// Returns h of a layout, whether or not it is within the tolerance. #elastic.
+  /// Returns h of a layout, even beyond the tolerance. #elastic.
   Eigen::VectorXd variation(const Positions2& uv) const;
 
   /// Returns T, #edges by #elastic: one entry in the row of an elastic edge.
@@ -69,7 +70,7 @@ class LengthConstraints {
   Eigen::VectorXd residual(const Positions2& uv, const Eigen::VectorXd& variation) const;
 
   /// Returns the largest |c| / (l + 10⁻⁵ √area); infinite if a residual is not finite. The second term matters for
-  /// edges so short that rounding of the coordinates changes their length noticeably.
+  /// edges that are so short that rounding of coordinates changes their length noticeably.
   double largest_error(const Eigen::VectorXd& residual) const;
 
   static constexpr double exact = 1e-13;  // target of the retraction

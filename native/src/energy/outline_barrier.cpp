@@ -14,10 +14,11 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kWeight = 1;    // κ: at d about d̂/2 the force equals that of a strain of 1
-constexpr double kReach = 0.1;   // d̂ over the edge's length; the sides of a corner of more than 6° are no contact
-constexpr double kCovered = 8;   // contacts nearer than this times d̂ are in the Hessian, for the next steps
-constexpr double kAside = 1e-9;  // relative to an edge; a vertex that misses the edge's end by less counts as touching
+constexpr double kWeight = 1;   // κ: at about d = d̂/2, the force is as large as that of a strain of 1
+constexpr double kReach = 0.1;  // d̂ over the edge's length; the sides of a corner of more than 6° are no contact
+constexpr double kCovered = 8;  // contacts nearer than this times d̂ are in the Hessian, so that it lasts for some steps
+constexpr double kAside =
+    1e-9;  // over edge length; a vertex that passes an edge's end at a smaller distance touches it
 
 Box2 box_around(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double margin) {
   return Box2(a.cwiseMin(b).array() - margin, a.cwiseMax(b).array() + margin);
@@ -143,7 +144,8 @@ bool OutlineBarrier::covers_contacts(const Positions2& uv) const {
   return std::includes(covered_.begin(), covered_.end(), contacts.begin(), contacts.end(), comes_before);
 }
 
-/// p is on the line through a and b where p − a and b − a span zero area, which is at the roots of a quadratic.
+/// p reaches the line through a and b when p − a and b − a span zero area: at the roots of a quadratic in the step's
+/// share.
 double OutlineBarrier::longest_step(const Positions2& uv, const Positions2& d) const {
   const Positions2 end = uv + d;
   const auto swept = [&](int v) { return box_around(uv.row(v), end.row(v), 0); };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A barrier that keeps the outline of a flat shape from crossing itself: infinite where a vertex touches an edge.
+// A barrier that prevents the outline of a flat shape from crossing itself: infinite if a vertex touches an edge.
 //
 //   B(u) = Σ_c κ √A w_p d̂_c b(d_c / d̂_c)    over contacts c = (vertex p, edge ab) of the outline, b: log_barrier.h
 //
@@ -20,7 +20,7 @@ namespace wirewarp {
 
 class OutlineBarrier {
  public:
-  /// The contacts that are near in this layout are in the Hessian.
+  /// The Hessian will contain the contacts that are near in this layout.
   OutlineBarrier(const Chart& chart, const Positions2& layout);
 
   /// Returns B; add_gradient() also adds ∂B/∂u to the gradient. uv, gradient: one row per chart vertex.
@@ -33,10 +33,10 @@ class OutlineBarrier {
   /// Adds the Hessian of its contacts.
   void add_hessian(const Positions2& uv, VertexMatrix& hessian) const;
 
-  /// Whether all contacts of a layout are in the Hessian.
+  /// Returns whether the Hessian contains all contacts of a layout.
   bool covers_contacts(const Positions2& uv) const;
 
-  /// Returns the share of the step d from uv, at most 1, after which the outline first touches itself.
+  /// Returns the share of the step d from uv, at most 1, at which the outline first touches itself.
   double longest_step(const Positions2& uv, const Positions2& d) const;
 
  private:

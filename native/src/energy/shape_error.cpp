@@ -7,8 +7,8 @@
 namespace wirewarp {
 namespace {
 
-/// Adds the derivatives by the corners of a triangle. r, s: the derivatives by z and w, halved because z and w are
-/// doubled.
+/// Adds the derivatives with respect to the corners of a triangle. r, s: the derivatives with respect to z and w,
+/// halved because z and w are doubled.
 inline void add_to_corners(const ShapeError::Triangle& t, double r1, double r2, double s1, double s2,
                            Positions2& gradient) {
   const double p11 = r1 + s1, p21 = r2 + s2, p12 = s2 - r2, p22 = r1 - s1;  // derivatives by J

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The shape error of Eq. (4): how far a flat shape is from an isometry of its chart, with its gradient.
+// The shape error of Eq. (4), which measures how far a flat shape is from an isometry of its chart, and its gradient.
 //
 //   E(u) = Σ_t A [2(|z| - 1)² + 2|w|²],   J = [z₁+w₁, w₂-z₂; z₂+w₂, z₁-w₁]   the map of triangle t, linear in u
 //
@@ -24,14 +24,15 @@ class ShapeError {
   double energy(const Positions2& uv) const;
 
   /// Returns the same, and writes ∂E/∂uv. E has a kink at z = 0 (mirror images of similar triangles, and points),
-  /// because every rotation fits equally well; there ẑ = 0 is used, the middle of the possible gradients.
+  /// because every rotation fits equally well. At z = 0, ẑ = 0 is used, which leads to the middle of the possible
+  /// gradients.
   double energy_and_gradient(const Positions2& uv, Positions2& gradient) const;
 
   /// Returns the number of flipped triangles and triangles with zero area.
   int count_flips(const Positions2& uv) const;
 
-  /// Returns G d with the Gauss-Newton Hessian G of E at uv, which differentiates |z| and w only: K without the cost of
-  /// rotating triangles. Positive semidefinite.
+  /// Returns G d with the Gauss-Newton Hessian G of E at uv, from the derivatives of |z| and w. Unlike K, it has no
+  /// cost for rotating triangles. Positive semidefinite.
   Positions2 times_gauss_newton(const Positions2& uv, const Positions2& d) const;
 
   /// Returns the lower triangle of K = Σ_t 2A GᵀG, with G the gradients of the hat functions: twice the cotangent
@@ -54,7 +55,7 @@ class ShapeError {
     }
   };
 
-  /// z and w, doubled to save multiplications.
+  /// 2 z and 2 w, which saves multiplications.
   struct LinearMap {
     double z1, z2, w1, w2;
     double norm_z;

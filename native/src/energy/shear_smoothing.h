@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A penalty on shear that zigzags from triangle to triangle. A thread compressed by more than shear/(shear + weft), a
-// few percent for a woven fabric, can shorten further by zigzagging at the cost of a little shear. The energy of a
-// cloth is not convex there, and its minima become rougher with every refinement. Real threads resist this by their
-// bending stiffness; here the jump of the map's derivative across an edge costs
+// A penalty on shear that zigzags from triangle to triangle. A thread that is compressed by more than shear/(shear +
+// weft), a few percent for a woven fabric, can shorten further by zigzagging at the cost of a little shear. The energy
+// of a fabric is not convex then, and its minima become rougher with every refinement of the mesh. Real threads resist
+// by their bending stiffness; here, the jump of the map's derivative across an edge costs
 //
 //   Z(u) = ½ (δ √A)² Σ (l/d) |[∂u/∂ν]|²    over the inner edges
 //

@@ -14,9 +14,9 @@ struct GrainRow {
   Eigen::Vector2d normal;
 };
 
-/// The flat lengths of a chart in a layout that is not free to turn: x is the weft of a cloth, y its warp. For a cloth
-/// that is worn stretched, the layout is that of the stretched cloth, S u for a flat piece u with
-/// S = diag(1 + c_weft, 1 + c_warp): energies do not change, and flat lengths are |S⁻¹ d|.
+/// The flat lengths of a chart in a layout that is not free to rotate: x is the weft of a fabric, y its warp. For a
+/// fabric that is stretched when worn, the layout is that of the stretched fabric: S u, for the flat piece u and S =
+/// diag(1 + c_weft, 1 + c_warp). Energies do not change, and flat lengths are |S⁻¹ d|.
 struct TargetLengths {
   std::vector<GrainRow> grains;         // one for each connected part
   std::vector<double> ratio;            // per edge of the chart: flat length over the nominal one; empty: 1

@@ -46,7 +46,7 @@ class Springs {
     if (column >= 0) entries_.emplace_back(row, column, -stiffness);
   }
 
-  /// Solves for the equilibrium. layout: separates near from far points, for the elimination order.
+  /// Solves for the equilibrium. layout: near points are near each other; determines the elimination order.
   void relax(const Positions2& layout, const StopToken& stop) {
     if (x_.rows() == 0) return;
     Eigen::SparseMatrix<double> stiffness(x_.rows(), x_.rows());
@@ -93,9 +93,9 @@ void add_faces(const HalfEdgeMesh& mesh, Springs& springs) {
   }
 }
 
-/// Adds a cone over a hole, which is so steep that it meets the loop at right angles. So its corners at the loop count
-/// as right angles: each adds tan(π/4) = 1 over the length to the weights of its edges. A corner at the apex adds l /
-/// 2r², with l the length of the edge opposite to it and 2π r that of the loop.
+/// Adds a cone over a hole, so steep that all its corners at the loop are right angles. Each of these corners adds
+/// tan(π/4) = 1 over the edge length to the weights of its edges. A corner at the apex adds l / 2r², with l the length
+/// of the opposite edge and 2π r the length of the loop.
 void add_cone(const HalfEdgeMesh& mesh, const HalfEdgeChain& hole, int apex, Springs& springs) {
   const double radius = length_of(mesh, hole) / (2 * kPi);
   for (const HalfedgeHandle h : hole) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A symmetric matrix with a 2 by 2 block for each vertex and for each pair of coupled vertices: the Hessian of a
-// function of planar positions. Unknowns 2v and 2v+1 are x and y of vertex v. The pattern is fixed, so terms look up
-// their blocks once and then write without searching.
+// function of planar positions. Unknowns 2v and 2v+1 are x and y of vertex v. The pattern is fixed, so each term of the
+// function looks up its blocks once and then writes without searching.
 #pragma once
 
 #include <Eigen/SparseCore>

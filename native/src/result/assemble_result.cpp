@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns the vertices and faces of a chart whose faults prevent a mesh: one vertex per input vertex.
+/// Sets the vertices and faces of a piece whose chart has no mesh because of faults: one vertex per input vertex.
 void take_input_faces(const FlattenInput& input, const Chart& chart, Piece& piece) {
   piece.faces.resize(static_cast<Eigen::Index>(chart.source_face.size()), 3);
   for (int f = 0; f < piece.faces.rows(); ++f) piece.faces.row(f) = input.faces.row(chart.source_face[f]);
@@ -30,7 +30,7 @@ void take_input_faces(const FlattenInput& input, const Chart& chart, Piece& piec
   });
 }
 
-/// Returns the known part of a piece without a flat shape: its 3D area.
+/// Returns the metrics of a piece without a flat shape, of which only the 3D area is known.
 Metrics unknown_metrics(const FlattenInput& input, const std::vector<int>& faces) {
   Metrics metrics;
   metrics.arap_energy = metrics.angle_deviation_rms = metrics.angle_deviation_max = metrics.area_2d = kNaN;

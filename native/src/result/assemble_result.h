@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From layouts to the result: measures pieces, checks guarantees, reports seams and wires.
+// Makes the result from layouts: measures pieces, checks guarantees, reports seams and wires.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 namespace wirewarp {
 
 /// Measures every chart that has a layout. options.mirror: the layouts are mirrored, but measured as seen from outside.
-/// options.cloth: adds the cloth energy. Throws Stopped.
+/// options.cloth: adds the fabric's energy. Throws Stopped.
 FlattenResult assemble_result(const FlattenInput& input, const Charts& charts, std::vector<SolvedChart> solved_charts,
                               const Options& options, const StopToken& stop = {});
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRelativeLengthError = 1e-9;  // the documented guarantee
 
-/// A wire edge whose planar length is not the guaranteed one.
+/// A wire edge with a planar length that breaks the guarantee.
 struct WrongEdge {
   VertexPair vertices;  // input
   int part;             // index into chart.wire_parts; -1: boundary
@@ -55,7 +55,7 @@ std::vector<int> parts_beyond_tolerance(const Chart& chart, const std::vector<do
   return parts;
 }
 
-/// Returns the arguments that name the wire of a part, or none for the outline.
+/// Returns the arguments that name the wire of a part; empty for the outline.
 ErrorArguments arguments_of_part(const Chart& chart, const std::vector<Wire>& wires, int part) {
   return arguments_of_wires(wires, part < 0 ? std::vector<int>() : std::vector<int>{chart.wire_parts[part].wire_index});
 }

@@ -8,14 +8,13 @@
 
 namespace wirewarp {
 
-/// Returns the first guarantee that is broken, or nothing if all hold:
+/// Returns the error of the first guarantee that is broken, or nullopt if all guarantees hold:
 ///   lengths_not_kept   |l2 - (1+r)(1+h) l| > 1e-9 l + 8 machine epsilon max|uv| on a boundary, rigid or elastic edge,
 ///                      r the ease of its side, or |h - ease| > tolerance on an elastic part
 ///   flipped_faces      metrics.flipped_faces is not empty
 ///   overlapping_faces  metrics.overlapping_faces is not empty
-/// The message also mentions the other broken ones; has_layout is true. uv, variation (h per wire part) and metrics
-/// belong to the layout that the user gets. wires: the input's, for the names. proposed_seams: proposal for a flipped
-/// or overlapping piece.
+/// The message also mentions other broken guarantees; has_layout is true. uv, variation (h per wire part) and metrics:
+/// of the final layout. wires: the input's, for the names. proposed_seams: proposal for a flipped or overlapping piece.
 std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwork& network,
                                             const std::vector<Wire>& wires, const Positions2& uv,
                                             const std::vector<double>& variation, const Metrics& metrics,

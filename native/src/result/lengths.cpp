@@ -60,7 +60,7 @@ std::map<VertexPair, double> list_side_eases(const std::vector<Ease>& eases) {
   return ratios;
 }
 
-/// One side of a seam: sums over its edges.
+/// The lengths of one side of a seam: sums over its edges.
 struct SideLength {
   double unstretched = 0;   // l
   double shared = 0;        // (1 + h) l
@@ -68,7 +68,7 @@ struct SideLength {
   double without_ease = 0;  // l2 / (1 + r)
 };
 
-/// guaranteed: (1 + r)(1 + h) l, one per chart edge.
+/// Measures one side of a seam. guaranteed: (1 + r)(1 + h) l, one per chart edge.
 SideLength measure_side(const Chart& chart, const HalfEdgeChain& chain, const Piece& piece,
                         const std::vector<double>& guaranteed, const std::map<VertexPair, double>& side_eases) {
   SideLength side;
@@ -94,7 +94,7 @@ std::vector<int> source_vertices(const Chart& chart, const HalfEdgeChain& chain)
   return vertices;
 }
 
-/// Lengths of the edges of one wire in all pieces.
+/// The lengths of the edges of one wire in all pieces.
 struct WireEdges {
   struct Edge {
     double length_2d;

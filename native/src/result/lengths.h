@@ -22,14 +22,14 @@ std::vector<SeamReport> measure_seams(const FlattenInput& input, const Charts& c
                                       const std::vector<Piece>& pieces);
 
 /// Returns one report per wire of the input, over all its parts in all pieces. Every edge counts once; an edge along a
-/// seam counts with its side in the first piece. A wire that is all seam or boundary is of kind boundary. length_2d,
-/// variation and max_edge_error are NaN if a part of the wire has no layout. pieces: as above, with their wires
-/// measured.
+/// seam counts with its side in the first piece. A wire that runs only along seams or boundaries has the kind boundary.
+/// length_2d, variation and max_edge_error are NaN if a part of the wire has no layout. pieces: as for measure_seams().
 std::vector<WireReport> measure_whole_wires(const FlattenInput& input, const Charts& charts,
                                             const std::vector<Piece>& pieces);
 
-/// Returns the length variation h, one per wire part, that fits a layout made elsewhere. For rigid parts it is the
-/// ease; for others the variation of the part's length over all sides in the chart, clamped to its tolerance.
+/// Returns the length variation h, one per wire part, that fits a layout made elsewhere. For rigid parts, h is the
+/// ease. For other parts, it is the variation of the total length over all sides in the chart, clamped to the
+/// tolerance.
 std::vector<double> fit_variation(const Chart& chart, const Positions2& uv);
 
 }  // namespace wirewarp

@@ -15,7 +15,7 @@
 namespace wirewarp {
 namespace {
 
-/// The singular values of a face's map are |z| ± |w|; those of a flipped face's mirror image are |w| ± |z|.
+/// Measures faces. The singular values of a face's map are |z| ± |w|, or |w| ± |z| if the face is flipped.
 void measure_faces(const Chart& chart, const Positions2& uv, Metrics& metrics) {
   const ShapeError shape_error(chart);
   const auto num_faces = static_cast<Eigen::Index>(shape_error.triangles().size());
@@ -60,7 +60,7 @@ void measure_wire_edges(const Chart& chart, const WireNetwork& network, const Po
   }
 }
 
-/// Computes θ − α at every node except tails, which have no angle of their own.
+/// Computes θ − α at every node except tails, which have no angle.
 void measure_angles(const Chart& chart, const WireNetwork& network, const Positions2& uv, Metrics& metrics) {
   double sum_of_squares = 0;
   int count = 0;

@@ -11,7 +11,7 @@
 namespace wirewarp {
 namespace {
 
-// Lengths that differ by less than this fraction of the whole are equal, so that rounding does not choose.
+// Lengths that differ by less than this fraction of the whole count as equal, so that rounding errors do not decide.
 constexpr double kSameLength = 1e-6;
 
 /// The upper outline of the boxes placed so far: steps from left to right.
@@ -26,8 +26,8 @@ struct Packing {
   double extent = 0;  // larger side of the box around all boxes
 };
 
-/// Returns the height at which a box rests with its left side on step i; infinite if it leaves the strip. It may extend
-/// past a step by `overhang`, which the gap included in its width allows.
+/// Returns the height at which a box rests with its left side on step i; infinite if it leaves the strip. The box may
+/// extend beyond a step by `overhang`, because its width includes the gap.
 double resting_height(const std::vector<Step>& skyline, std::size_t i, double width, double overhang) {
   double y = 0;
   double remaining = width;

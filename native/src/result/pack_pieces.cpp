@@ -26,7 +26,7 @@ std::vector<Positions2> pack_pieces(const std::vector<Chart>& charts, std::vecto
     work.did(charts[i].source_face.size());
     pieces.push_back(i);
     area += std::abs(enclosed_area(charts[i], layouts[i]));
-    // Pieces of a cloth are solved in their final direction: x is the weft, y the warp.
+    // Pieces of a fabric are solved in their final direction: x is the weft, y the warp.
     Eigen::Vector2d up = options.cloth ? Eigen::Vector2d(0, 1) : upright_direction(charts[i], layouts[i], options);
     if (options.mirror) {
       layouts[i] = mirror_image(layouts[i]);

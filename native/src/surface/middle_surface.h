@@ -5,10 +5,10 @@
 
 namespace wirewarp {
 
-/// Returns the input with its vertices moved to the middle of the material (Options::thickness, Options::surface): each
-/// moves along the mean of the normals around it, weighted by their angles (G. Thürmer, C. Wüthrich, Computing vertex
+/// Returns the input with its vertices moved to the middle of the material (Options::thickness, Options::surface). Each
+/// vertex moves along the mean of the normals around it, weighted by angles (G. Thürmer, C. Wüthrich, Computing vertex
 /// normals from polygonal facets, 1998), equally for all pieces that meet there. Throws FlattenError (invalid_option)
-/// if this flips triangles: the surface is curved too tightly for the thickness.
+/// if this flips triangles, because the surface is curved too tightly for the thickness.
 FlattenInput move_to_middle(const FlattenInput& input, const Options& options);
 
 }  // namespace wirewarp

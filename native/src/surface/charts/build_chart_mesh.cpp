@@ -63,7 +63,8 @@ void add_faces(const EdgeTable& edges, const SurfaceCut& cut, Chart& chart, Char
   }
 }
 
-/// Links the half-edges without a face. At a boundary vertex, the outgoing one comes first, as OpenMesh requires.
+/// Links the half-edges without a face. At a boundary vertex, the outgoing boundary half-edge comes first, as OpenMesh
+/// requires.
 std::vector<HalfedgeHandle> link_boundary(HalfEdgeMesh& mesh) {
   std::vector<HalfedgeHandle> boundary;
   for (const HalfedgeHandle h : mesh.halfedges()) {
@@ -77,8 +78,8 @@ std::vector<HalfedgeHandle> link_boundary(HalfEdgeMesh& mesh) {
   return boundary;
 }
 
-/// Returns the sum of pi - surface angle along a boundary loop: 2 pi for the outline of a flat disk, -2 pi for a hole
-/// in it.
+/// Returns the sum of pi - surface angle along a boundary loop: 2 pi for the outer loop of a flat chart, -2 pi for a
+/// hole.
 double total_turning(const HalfEdgeMesh& mesh, const HalfEdgeChain& loop) {
   double turning = 0;
   for (const HalfedgeHandle leaving : loop) {

@@ -11,11 +11,12 @@
 
 namespace wirewarp {
 
-/// Consecutive half-edges of a chart. On a boundary they are the half-edges with a face, so the chart is on the left.
+/// Consecutive half-edges of a chart. On a boundary, these are the half-edges with a face, so the chart is on the left.
 using HalfEdgeChain = std::vector<HalfedgeHandle>;
 
 /// The part of a user's wire between two vertices on seams or boundaries, inside this chart. A run of edges on the
-/// chart's boundary is a part of kind boundary; each side in this chart is one part, and all of them share one h.
+/// chart's boundary is a part of kind boundary. Each side of such a run in this chart is one part, and all its sides
+/// share one h.
 struct WirePart {
   int wire_index = -1;
   int part = -1;  // counted along the whole wire, over all charts
@@ -25,7 +26,8 @@ struct WirePart {
   double ease = 0;
 };
 
-/// Returns the bound on |g|. Solvers use the target lengths at h = ease; their lengths are (1 + g) times these.
+/// Returns the bound on |g|. Solvers use the target lengths at h = ease; the solved lengths are (1 + g) times the
+/// target.
 inline double solver_tolerance(const WirePart& part) { return part.tolerance / (1 + part.ease); }
 
 /// Returns h for a solver's g.
@@ -33,13 +35,13 @@ inline double variation_of(const WirePart& part, double g) {
   return std::clamp(part.ease + (1 + part.ease) * g, part.ease - part.tolerance, part.ease + part.tolerance);
 }
 
-/// A run on the boundary whose length is elastic.
+/// Returns whether a part is a run on the boundary with elastic length.
 inline bool is_elastic_boundary(const WirePart& part) { return part.kind == WireKind::boundary && part.tolerance > 0; }
 
 /// One section of the outline between junctions of seams and boundaries.
 struct BoundaryChain {
   HalfEdgeChain half_edges;
-  int seam = -1;  // index into the seams of the whole input, -1 none
+  int seam = -1;  // index into the seams of the whole input; -1: not a seam
 };
 
 struct Chart {
@@ -50,7 +52,7 @@ struct Chart {
   std::vector<double> length_ratio;  // per edge of the mesh: target length at h = ease over 3D length, which is
                                      // (1 + r)(1 + ease); 1 for edges beyond the end of the list
   std::vector<BoundaryChain> boundary_chains;
-  std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer one, the others are holes; the chart is on their left
+  std::vector<HalfEdgeChain> boundary_loops;  // [0] is the outer loop, the others are holes; the chart is on their left
   std::optional<FlattenError> error;  // set if the chart cannot be flattened; its parts and chains are then empty
 };
 
@@ -60,7 +62,7 @@ inline double length_ratio(const Chart& chart, HalfedgeHandle h) {
   return edge < chart.length_ratio.size() ? chart.length_ratio[edge] : 1;
 }
 
-/// Copies the source faces and target lengths of a chart to a chart made from some of its faces.
+/// Sets the source faces and target lengths of a chart that was made from some faces of a parent chart.
 void inherit_lengths(const Chart& parent, Chart& chart);
 
 /// Returns the ends of a half-edge in the input.
@@ -75,7 +77,7 @@ inline VertexPair source_edge(const Chart& chart, HalfedgeHandle h) {
   return {std::min(from, to), std::max(from, to)};
 }
 
-/// Whether a wire runs inside the chart, not only along its outline.
+/// Returns whether a wire runs inside the chart, not only along its outline.
 inline bool has_wires(const Chart& chart) {
   return std::any_of(chart.wire_parts.begin(), chart.wire_parts.end(),
                      [](const WirePart& part) { return part.kind != WireKind::boundary; });

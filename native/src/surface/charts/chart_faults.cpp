@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-/// A triangle has zero area if its height over the longest side is below this fraction of that side.
+/// A triangle counts as having zero area if its height over the longest side is below this fraction of that side.
 constexpr double kFlatness = 1e-12;
 
 /// A side that is shorter than this, scene units, counts as a point: the squared areas of such triangles underflow.
@@ -95,7 +95,7 @@ void find_one_sided(const EdgeTable& edges, const SurfaceCut& cut, std::vector<F
   }
 }
 
-/// Charts may touch at a vertex, but a single vertex does not connect a chart.
+/// Finds vertices at which a chart is connected only by this vertex. Two charts may touch at a vertex.
 void find_vertex_faults(const FlattenInput& input, const EdgeTable& edges, const SurfaceCut& cut,
                         std::vector<Faults>& faults) {
   const bool is_uncut = input.seams.rows() == 0;

@@ -10,15 +10,15 @@
 
 namespace wirewarp {
 
-/// Returns the first fault of each chart as an oriented manifold with faces of positive area. Charts may touch at a
-/// vertex.
+/// Returns for each chart the first reason why it is not an oriented manifold with faces of positive area. Two charts
+/// may touch at a vertex.
 std::vector<std::optional<FlattenError>> find_chart_faults(const FlattenInput& input, const EdgeTable& edges,
                                                            const SurfaceCut& cut);
 
 /// Returns the number of handles, 1 for a torus, of a chart with mesh and boundary loops.
 long count_handles(const Chart& chart);
 
-/// Returns the fault of a chart with mesh and boundary loops: closed_chart, handles or none.
+/// Returns the error closed_chart or handles of a chart with mesh and boundary loops, or nullopt.
 std::optional<FlattenError> find_topology_fault(const Chart& chart);
 
 }  // namespace wirewarp

@@ -8,8 +8,8 @@
 
 namespace wirewarp {
 
-/// Partitions the charts into coupled groups, ordered by their first member; members ascend. A chart with an error is a
-/// group of its own.
+/// Partitions the charts into coupled groups, ordered by their first member; members ascend. A chart with an error is
+/// its own group.
 std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& charts);
 
 /// Returns the chart with all elastic seams and outlines fixed at h = ease.
@@ -18,7 +18,7 @@ Chart with_fixed_seams(Chart chart);
 /// Returns the chart at the given h, one per wire part.
 Chart with_fixed_seams(Chart chart, const std::vector<double>& variation);
 
-/// Joins several charts into one that is not connected, for code that treats all vertices alike.
+/// Combines several charts into one chart that is not connected.
 struct CombinedCharts {
   Chart chart;                    // without boundary chains; wire parts in order
   std::vector<int> first_vertex;  // per chart

@@ -11,13 +11,14 @@
 namespace wirewarp {
 namespace {
 
-/// Minimum p for one loop. A spherical cap with p = 1/4 is three quarters of the sphere: all lengths inside would
-/// shrink to half on average, more than any fabric allows. A hemisphere (p = 1/2) and padded cushions (0.4) are still
+/// Minimum p for one loop. A spherical cap with p = 1/4 is three quarters of the sphere: on average, all lengths inside
+/// would shrink to half, more than any fabric allows. A hemisphere (p = 1/2) and padded cushions (0.4) are still
 /// useful.
 constexpr double kRequiredOfDisk = 0.25;
 
-/// Minimum p for several loops. It accepts a hemisphere with an eyelet (p = 1/2), but not tubes: in our garments,
-/// sleeves and open upper bodies have 0.33 to 0.39, legs and whole shirts 0.07 to 0.16, cut panels 0.6 and more.
+/// Minimum p for several loops. It accepts a hemisphere with an eyelet (p = 1/2), but not tubes. In our garments,
+/// sleeves and open upper bodies have p from 0.33 to 0.39, legs and whole shirts from 0.07 to 0.16, cut panels 0.6 and
+/// more.
 constexpr double kRequiredOfTube = 0.45;
 
 }  // namespace

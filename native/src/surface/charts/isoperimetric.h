@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An outline of given length bounds the area inside it: the outer loop encloses at most L²/4π if the piece does not
-// overlap itself. If the surface has more area, the rest is distortion, whatever the wires do.
+// The length of the outline bounds the area of a flat piece: without overlaps, an outer loop of length L encloses at
+// most L²/4π. If the surface has more area, the piece is distorted, with any wires.
 #pragma once
 
 #include "surface/charts/chart.h"
@@ -10,16 +10,16 @@ namespace wirewarp {
 /// Returns the largest length that eases and tolerances allow for a boundary loop, scene units.
 double longest_length(const Chart& chart, const HalfEdgeChain& loop);
 
-/// Returns p, the largest share of its area that a flat chart can have with its longest possible loop. Above 1: no
-/// bound. 0: closed.
+/// Returns p, the largest possible flat area over the 3D area, with the longest outer loop that eases and tolerances
+/// allow. Values above 1 mean no bound, 0 a closed chart.
 double isoperimetric_ratio(const Chart& chart);
 
-/// Returns the least E (Eq. 4) over the 3D area of a map to this share p of the area: 1 - 2p for p <= 1/4 (the singular
-/// values sum to 1), 2 (1 - sqrt p)^2 up to p = 1 (both are sqrt p), then 0. All triangles have the same map in the
-/// optimum, because the function is convex in p (Jensen).
+/// Returns the least E (Eq. 4) over the 3D area of a map that reduces the area to the share p: 1 - 2p for p <= 1/4,
+/// with singular values of sum 1; 2 (1 - sqrt p)^2 up to p = 1, with both singular values sqrt p; 0 above. The function
+/// is convex in p, so the optimal map is the same for all triangles (Jensen).
 double least_shape_error(double share);
 
-/// Whether the flat chart has far too little area, whatever its shape.
+/// Returns whether every flat shape of the chart would have far too little area.
 bool is_outline_too_short(const Chart& chart);
 
 }  // namespace wirewarp

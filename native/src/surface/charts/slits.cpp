@@ -13,7 +13,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns for each half-edge the other one on the same edge; nothing if an edge has no other one in the loop.
+/// Returns for each half-edge the index of the other half-edge on the same edge; nullopt if it is not in the loop.
 std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeChain& loop) {
   std::map<VertexPair, int> first;
   std::vector<int> mate(loop.size(), -1);
@@ -28,7 +28,7 @@ std::optional<std::vector<int>> find_mates(const Chart& chart, const HalfEdgeCha
   return is_matched ? std::optional(mate) : std::nullopt;
 }
 
-/// Returns the index of a half-edge that leaves a tip, where the rims turn back, or nothing without a tip.
+/// Returns the index of a half-edge that leaves a tip, where the rims turn back; nullopt if there is no tip.
 std::optional<int> find_tip(const std::vector<int>& mate) {
   const int count = static_cast<int>(mate.size());
   for (int i = 0; i < count; ++i) {
@@ -62,7 +62,8 @@ HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, Halfedg
                                        sewn_end(chart.mesh.to_vertex_handle(h)));
 }
 
-/// Restores the outer loop: sewing merges vertices and could make another loop turn more.
+/// Makes the outer loop of the chart the outer loop of the sewn chart, because another loop may turn more after
+/// vertices are merged.
 void keep_outer_loop(const Chart& chart, SewnChart& sewn) {
   const HalfedgeHandle there = sewn_half_edge(chart, sewn, chart.boundary_loops.front().front());
   std::vector<HalfEdgeChain>& loops = sewn.chart.boundary_loops;
@@ -135,7 +136,7 @@ std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits)
   const bool is_whole = charts.charts.size() == 1 && !charts.charts[0].error;
   if (!is_whole || static_cast<int>(charts.charts[0].mesh.n_vertices()) != num_vertices) return std::nullopt;
   sewn.chart = std::move(charts.charts[0]);
-  // The two rims of an edge that was left open can become one edge: the outer loop may be such a slit in a closed
+  // The two rims of an edge that stays open can become one edge, for example if the outer loop is a slit in a closed
   // surface.
   if (sewn.chart.boundary_loops.size() + slits.size() != chart.boundary_loops.size()) return std::nullopt;
   keep_outer_loop(chart, sewn);

@@ -10,24 +10,25 @@
 namespace wirewarp {
 
 struct Slit {
-  HalfEdgeChain rims;     // a boundary loop, the chart on its left, starting with a half-edge that leaves a tip
+  HalfEdgeChain rims;     // a boundary loop with the chart on its left; the first half-edge leaves a tip
   std::vector<int> mate;  // for each half-edge, the index of the other half-edge on the same edge of the surface
 };
 
-/// Returns a boundary loop as a slit, or nothing if an edge has only one rim in the loop or the rims never turn back.
+/// Returns a boundary loop as a slit; nullopt if the loop contains only one rim of an edge, or if the rims never turn
+/// back.
 std::optional<Slit> as_slit(const Chart& chart, const HalfEdgeChain& loop);
 
 /// Returns the boundary loops except the outer one that are slits with both rims at their 3D lengths.
 std::vector<Slit> find_slits(const Chart& chart);
 
-/// A chart with its slits closed.
+/// A chart with sewn slits.
 struct SewnChart {
   Chart chart;
-  std::vector<int> vertex;  // vertex of the sewn chart for each vertex of the open one
+  std::vector<int> vertex;  // vertex of the sewn chart for each vertex of the open chart
 };
 
-/// Makes each slit a rigid wire; these follow the other wire parts, before elastic parts of the boundary. The outer
-/// loop remains the outer one. Returns nothing if the sewn surface is not a chart. Slits of one edge must all be sewn.
+/// Sews slits. Each becomes a rigid wire, after other wire parts and before elastic parts of the boundary. The outer
+/// loop stays the outer loop. Returns nullopt if the sewn surface is not a chart. All slits of one edge must be sewn.
 std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits);
 
 }  // namespace wirewarp

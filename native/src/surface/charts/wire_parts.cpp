@@ -14,9 +14,9 @@ struct Run {
   bool is_outline;
 };
 
-/// Splits the vertices of a wire into runs. A closed wire is rotated first to the lowest vertex at which a run starts,
-/// so that its runs do not depend on where its list starts. A run also ends at a vertex where the wire passes to a
-/// chart that touches the first one only there.
+/// Splits the vertices of a wire into runs. The list of a closed wire is rotated first, to begin at the lowest vertex
+/// at which a run starts, so that its runs do not depend on where the list began. A run also ends at a vertex where the
+/// wire passes to another chart that touches the first one only there.
 std::vector<Run> split_into_runs(std::vector<int>& vertices, const EdgeTable& edges, const SurfaceCut& cut,
                                  const Outline& outline) {
   const bool is_closed = vertices.front() == vertices.back();
@@ -76,7 +76,7 @@ HalfEdgeChain follow_run(const std::vector<int>& vertices, const Run& run, int f
   return chain;
 }
 
-/// Does nothing for ratio 1, so that a chart has no list if its targets are its 3D lengths.
+/// Multiplies a target length. Does nothing for ratio 1, so that a chart whose targets are its 3D lengths has no list.
 void multiply_length(Chart& chart, HalfedgeHandle h, double ratio) {
   if (ratio == 1) return;
   chart.length_ratio.resize(chart.mesh.n_edges(), 1);

@@ -44,7 +44,8 @@ void check_name(const Wire& wire) {
 
 bool leaves_length(double ease) { return std::isfinite(ease) && ease > -1; }
 
-/// named: arguments that identify the wire. vertices: of the mesh, for the error.
+/// Checks the length and the tolerance of a wire. named: arguments that identify the wire. vertices: of the mesh, for
+/// the error.
 void check_chain_and_tolerance(const Wire& wire, ErrorArguments named, const std::vector<int>& vertices) {
   if (wire.vertices.size() < 2) throw FlattenError(ErrorCode::wire_too_short, std::move(named), {vertices, {}, {}});
   if (!(wire.tolerance >= 0)) {
@@ -92,8 +93,7 @@ std::vector<VertexPair> pairs_of(const VertexPairs& rows) {
   return pairs;
 }
 
-/// Returns the number of sides of edge a-b whose triangles have b after a, or 0 if it is not a seam or an edge of the
-/// surface.
+/// Returns the number of sides of edge a-b whose triangles have b after a; 0 if the edge is not on a seam or border.
 int num_sides_named(const EdgeTable& edges, const std::set<int>& seams, const VertexPair& ends) {
   const int edge = edges.find(ends[0], ends[1]);
   if (edge < 0 || (edges.num_sides(edge) > 1 && seams.count(edge) == 0)) return 0;
@@ -129,11 +129,11 @@ void check_eases(const FlattenInput& input, const EdgeTable& edges) {
   throw FlattenError(ErrorCode::side_in_two_eases, ErrorArguments{}, {{}, twice, {}});
 }
 
-/// Meshes with up to this many parts are accepted. Models that are meant to have loose parts have a few hundred. A file
+/// Meshes with up to this many parts are accepted. Models with intentionally separate parts have a few hundred. A file
 /// with separate faces has one part per face, and its result would be useless and slow.
 constexpr int kManyParts = 1000;
 
-/// Parts with at most this many triangles on average count as single faces, up to hexagons.
+/// Parts with at most this many triangles on average count as single faces (a hexagon has four triangles).
 constexpr int kTrianglesOfFace = 4;
 
 }  // namespace

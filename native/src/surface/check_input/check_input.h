@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Faults that make the whole input unusable. Faults of single charts are found when the chart is cut out.
+// Checks for faults that make the whole input unusable. cut_into_charts() finds the faults of single charts.
 #pragma once
 
 #include "surface/mesh/edge_table.h"
@@ -10,7 +10,7 @@ namespace wirewarp {
 /// Coordinates must be smaller in magnitude, scene units.
 constexpr double kCoordinateLimit = 1e60;
 
-/// Throws invalid_option unless every option is in its documented range for an input with so many wires.
+/// Throws invalid_option unless every option is in its documented range for an input with num_wires wires.
 void check_options(const Options& options, std::size_t num_wires);
 
 /// Throws empty_mesh, vertex_out_of_range or non_finite_coordinates (also for too large ones).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Turns paths into sites, divides the lines between them where they cross, and triangulates each face with sites or
-// lines again.
+// Turns paths into sites, divides the lines between sites where they cross, and triangulates each face that contains
+// sites or lines.
 #include "wirewarp/cut_mesh.h"
 
 #include <algorithm>
@@ -19,8 +19,8 @@
 namespace wirewarp {
 namespace {
 
-/// Rounding that callers with float32 cannot avoid: a coordinate may be negative by this much, and the sum of three may
-/// differ from 1 by it.
+/// Rounding error of callers with float32 numbers: a coordinate may be negative by this much, and the sum of the three
+/// coordinates may differ from 1 by this much.
 constexpr double kRounded = 1e-6;
 
 std::string name_of(std::size_t path) { return "paths[" + std::to_string(path) + "]"; }
@@ -44,7 +44,7 @@ void check_faces(const FlattenInput& input) {
 
 void check_paths(const std::vector<SurfacePath>& paths, int num_faces, double snap) {
   constexpr double kLeast = 1e-4;  // faces are divided in coordinates with about twelve digits: see kInLine
-  constexpr double kMost = 0.25;   // with a larger one, a point could move past the middle between two others
+  constexpr double kMost = 0.25;   // with more, a point could move past the middle between two others
   if (!(snap >= kLeast && snap <= kMost)) throw wrong_option("snap", shortest(snap), "be from 0.0001 to 0.25");
   for (std::size_t p = 0; p < paths.size(); ++p) {
     check_surface_path(paths[p]);

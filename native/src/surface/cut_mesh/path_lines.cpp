@@ -11,8 +11,8 @@
 namespace wirewarp {
 namespace {
 
-/// A line passes through a site, or crosses another line in it, if the site is nearer than this share of `snap`. Sites
-/// are `snap` apart, so with half of it the nearest one is unique.
+/// A line passes through a site, or crosses another line there, if the site is nearer than this share of `snap`. Sites
+/// are `snap` apart, so with one half the nearest site is unique.
 constexpr double kCloseBy = 0.5;
 
 /// Maximum number of divisions in one face. Sites are `snap` apart, so even dense scribbles need far fewer.
@@ -55,7 +55,7 @@ void PathLines::divide_at(int face, Line line, int site) {
   draw(face, site, line[1]);
 }
 
-/// Accepts only parts shorter than the line, so that dividing ends.
+/// Returns whether a site divides a line. Accepts only parts that are shorter than the line, so that dividing ends.
 bool PathLines::is_between(int face, int site, const Line& line) const {
   const FacePoint a = point(face, line[0]), b = point(face, line[1]), c = point(face, site);
   const auto length = [](const FacePoint& from, const FacePoint& to) {
@@ -98,7 +98,7 @@ int PathLines::crossing_of(int face, const Line& one, const Line& other) {
   return sites_.add_inside(face, {1 - crossing[0] - crossing[1], crossing[0], crossing[1]});
 }
 
-/// Returns false if there was nothing to divide.
+/// Divides a line of a face at a site or crossing. Returns false if there is no line to divide.
 bool PathLines::divide_once(int face, const std::set<Line>& lines) {
   for (const Line& line : lines) {
     const int site = site_close_by(face, line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The straight lines of paths within faces, divided where they cross or pass close by a site.
+// The straight lines of paths within faces, divided where they cross or pass close to a site.
 #pragma once
 
 #include <array>
@@ -22,11 +22,11 @@ class PathLines {
   /// Draws a line between two sites of a face. Lines along edges are ignored.
   void draw(int face, int from, int to);
 
-  /// Divides the lines of all faces, until none crosses another. Throws invalid_option if that takes too long.
+  /// Divides the lines of all faces until no two lines cross. Throws invalid_option if that takes too many divisions.
   void divide();
 
-  /// Appends the sites from one end of a line to the other, without the first: where it was divided, and others on its
-  /// edge.
+  /// Appends the sites along a line, without the first: its divisions, the other sites on its edge if it runs along
+  /// one, and its end.
   void append_sites(int from, int to, std::vector<int>& line) const;
 
   /// Lines within a face. They do not cross. The smaller site is first.

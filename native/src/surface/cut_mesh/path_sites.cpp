@@ -7,7 +7,7 @@
 namespace wirewarp {
 namespace {
 
-/// A site exactly at the reach counts as outside, even with rounded coordinates, so that snapped paths do not move
+/// A site exactly at the reach counts as outside it, even with rounded coordinates, so that snapped paths do not move
 /// again.
 constexpr double kRoundedReach = 1 - 1e-9;
 
@@ -43,7 +43,7 @@ int PathSites::add(int face, const Shares& shares) {
   return add_on_edge(edge, edges_.vertices(edge)[1] == faces_(face, to) ? share : 1 - share);
 }
 
-/// share: position along the edge, 0 at its first end.
+/// Returns the site on an edge. share: position along the edge, 0 at its first end.
 int PathSites::add_on_edge(int edge, double share) {
   std::vector<int>& known = on_edge_[edge];
   auto place = known.begin();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sites: vertices, points on edges and points in faces that paths on a mesh pass through. They are far enough apart to
-// avoid slivers.
+// Sites: the vertices, points on edges and points in faces through which paths on a mesh pass. They are far enough
+// apart to avoid slivers.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ class PathSites {
   /// Returns the faces with a site inside or on their border, ascending.
   std::vector<int> faces_at(int site) const;
 
-  /// Returns the edge with both sites on it or at its ends, -1 if there is none.
+  /// Returns the edge that contains both sites, also as its ends; -1 if there is no such edge.
   int common_edge(int a, int b) const;
 
   /// Returns the edges with sites between their ends, ascending.
@@ -59,7 +59,7 @@ class PathSites {
   /// Returns the vertices or sites along an edge, including its ends, from the smaller end.
   std::vector<int> along(int edge) const;
 
-  /// Returns the same along a side of a face, from the corner with the side's number.
+  /// Returns the vertices or sites along a side of a face, from the corner with the side's number.
   std::vector<int> along_side(int face, int side) const;
 
   double snap() const { return snap_; }

@@ -70,7 +70,7 @@ bool Triangulation::may_join(int a, int b) const {
   });
 }
 
-/// Adds the shortest edges first, if they do not cross others.
+/// Adds edges that do not cross others, the shortest first.
 void Triangulation::join_the_rest() {
   std::vector<std::tuple<double, int, int>> pairs;
   for (int a = 0; a < count_; ++a) {
@@ -131,7 +131,7 @@ int corner_before(const Triangle& triangle, int a, int b) {
   return -1;
 }
 
-/// Replaces the edge between two triangles if this makes the lower one of the two higher. Returns whether it did.
+/// Flips the edge between two triangles if this increases the smaller of their two heights. Returns whether it did.
 bool flip(const FaceToDivide& face, Triangle& first, Triangle& second) {
   constexpr double kHigher = 1 + 1e-9;  // far above rounding, so that no edge flips back and forth
   for (int k = 0; k < 3; ++k) {
@@ -174,7 +174,7 @@ bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const 
 
 std::vector<std::array<int, 3>> triangulate(const FaceToDivide& face) {
   std::vector<Triangle> triangles = Triangulation(face).triangles();
-  while (flip_any(face, triangles)) {  // each flip makes the lowest triangle concerned higher, so the loop ends
+  while (flip_any(face, triangles)) {  // ends, because each flip increases the smaller height of two triangles
   }
   return triangles;
 }

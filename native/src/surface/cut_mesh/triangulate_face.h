@@ -18,16 +18,16 @@ inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoi
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Three points count as collinear if twice the area between them is less. The whole triangle has 1. Points 0.0001
-/// apart, the least that callers allow, have at least 1e-8 or are collinear except for rounding.
+/// Three points count as collinear if twice their area is less, where the whole triangle has 1. Points 0.0001 apart,
+/// the least that callers allow, have at least 1e-8, or are collinear except for rounding errors.
 inline constexpr double kInLine = 1e-12;
 
-/// Whether two segments cross inside both; false if an end of one is collinear with the other.
+/// Returns whether two segments cross inside both. False if an end of one segment is on the line of the other.
 bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const FacePoint& d);
 
 struct FaceToDivide {
   std::vector<FacePoint> points;          // points on the border, counter-clockwise, then those inside
-  Positions3 places;                      // positions in space, where short edges are preferred
+  Positions3 places;                      // positions in space, to prefer short edges
   std::vector<std::array<int, 2>> sides;  // per border point: both sides at a corner, elsewhere its side twice
   std::set<std::array<int, 2>> lines;     // edges that must exist, the smaller index first; they do not cross
 };

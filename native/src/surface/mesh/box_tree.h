@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds which of many planar boxes meet a given one, with a tree of bounding boxes that works for any mix of sizes.
+// Finds the planar boxes that meet a given box, with a tree of bounding boxes, which works for any mix of sizes.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -7,7 +7,7 @@
 
 namespace wirewarp {
 
-/// One connected part of a mesh. A chart has one; charts that are refined together have several.
+/// One connected part of a mesh. A chart has one part; a combined chart of a coupled group has several.
 struct ConnectedPart {
   std::vector<int> vertices;  // ascending
   double area = 0;            // scene units squared

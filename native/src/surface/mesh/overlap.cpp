@@ -26,8 +26,8 @@ Corners counter_clockwise(Corners t) {
   return t;
 }
 
-/// Returns the bounding box, smaller by `depth` on every side, but not empty. If two triangles penetrate each other by
-/// at least twice the depth, their boxes meet.
+/// Returns the bounding box, reduced by `depth` on every side, but not empty. If two triangles penetrate each other by
+/// at least twice the depth, their reduced boxes meet.
 Box2 inner_box(const Corners& t, double depth) {
   const Eigen::Vector2d low = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
   const Eigen::Vector2d high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
@@ -35,7 +35,7 @@ Box2 inner_box(const Corners& t, double depth) {
   return Box2(low + inset, high - inset);
 }
 
-/// Whether b reaches more than depth behind every edge of a. Both are counter-clockwise.
+/// Returns whether b reaches more than depth behind every edge of a. Both are counter-clockwise.
 bool reaches_behind_every_edge(const Corners& a, const Corners& b, double depth) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Eigen::Vector2d edge = a[(i + 1) % 3] - a[i];
@@ -89,7 +89,8 @@ bool any_not_positive(const Triangles& faces, const Positions2& uv) {
   return false;
 }
 
-/// Whether a face is so low (a few times the depth of overlaps) that other faces cannot penetrate it.
+/// Returns whether any of these faces is so thin (a few times the depth of overlaps) that other faces cannot penetrate
+/// it.
 bool any_too_thin(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv, double depth) {
   return std::any_of(candidates.begin(), candidates.end(), [&](int face) {
     const Corners t = corners_of(faces, uv, face);
@@ -119,7 +120,7 @@ std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vecto
 
   // Without flips, the number of faces over a point changes only across boundary edges and is larger on their left. A
   // region that is covered twice ends at some boundary edge, and the face on the left of that edge overlaps another
-  // one. So if no boundary face overlaps any face, there is no overlap. This test visits every face once.
+  // face. Therefore, if no boundary face overlaps any face, there is no overlap. This test visits every face once.
   const std::vector<int> boundary = indices_of(on_boundary);
   if (!any_not_positive(faces, uv) && !any_too_thin(boundary, faces, uv, depth) &&
       !any(overlaps_with(boundary, faces, uv, depth, stop))) {

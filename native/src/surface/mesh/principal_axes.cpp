@@ -7,7 +7,8 @@
 namespace wirewarp {
 namespace {
 
-/// Added to the spread, relative to it: far above rounding, and below the effect of the mesh on axes that differ.
+/// Relative change of the spread that decides between equal axes: far above rounding errors, far below differences
+/// between unequal axes.
 constexpr double kDecides = 1e-7;
 
 }  // namespace

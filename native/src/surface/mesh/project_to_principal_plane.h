@@ -5,8 +5,8 @@
 
 namespace wirewarp {
 
-/// Returns the points in the two directions of largest spread: a layout that separates near from far points before a
-/// flat one exists.
+/// Returns the points in the two directions of largest spread: a layout in which near points are near each other, for
+/// use before a flat shape exists.
 Positions2 project_to_principal_plane(const Positions3& points);
 
 }  // namespace wirewarp

@@ -48,7 +48,8 @@ std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPa
 }
 
 VertexHandle farthest_vertex(const ShortestPaths& paths) {
-  // Relative; a smaller difference may be rounding that depends on the model's orientation.
+  // A path counts as longer only if it is longer by this factor, because smaller differences may be rounding errors,
+  // which depend on the model's orientation.
   constexpr double kClearly = 1 + 1e-9;
   int farthest = 0;
   for (int v = 1; v < static_cast<int>(paths.distance.size()); ++v) {

@@ -4,7 +4,7 @@
 namespace wirewarp {
 namespace {
 
-/// Returns for each half-edge of the network the next one on its line; edge -1 if the line ends there.
+/// Returns for each half-edge of the network the next half-edge on its line; edge -1 if the line ends there.
 std::vector<WireHalfEdge> follow_lines(const Chart& chart, const WireNetwork& network) {
   const HalfEdgeMesh& mesh = chart.mesh;
   std::vector<WireHalfEdge> onward(2 * network.edges.size());

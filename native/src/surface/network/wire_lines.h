@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boundary loops and wires as lines that continue through the vertices where others cross or meet them.
+// Boundary loops and wires as lines. A line continues through vertices at which other lines cross or meet it.
 #pragma once
 
 #include <vector>
@@ -14,9 +14,9 @@ struct LineBend {
   int num_sectors = 1;  // more than one if other lines cross or meet the line on this side
 };
 
-/// The lines of a network. Two wires that meet end to end, with no others, are one line.
+/// The lines of a network. Two wires that meet end to end are one line, unless more wires meet there.
 struct WireLines {
-  std::vector<LineBend> bends;    // for the sides of lines that are inside the chart
+  std::vector<LineBend> bends;    // one per inner vertex of a line and side inside the chart
   std::vector<WireNode> corners;  // the sectors between two lines, which are nodes of the network
 };
 

@@ -49,7 +49,8 @@ struct WirePatch {
     int node;  // node at the start of the half-edge
     WireHalfEdge half_edge;
   };
-  std::vector<std::vector<Step>> loops;  // counter-clockwise; one for a disk, more if wires or holes float in it
+  std::vector<std::vector<Step>>
+      loops;  // counter-clockwise; one for a disk, more if separate wires or holes are inside
 };
 
 struct WireNetwork {
@@ -70,7 +71,7 @@ inline HalfedgeHandle half_edge(const Chart& chart, const WireNetwork& network, 
   return chart.mesh.halfedge_handle(network.edges[h.edge].edge, h.reversed ? 1 : 0);
 }
 
-/// Returns edge -1 if h is not in the network.
+/// Returns the half-edge of the network at h; edge -1 if h is not in the network.
 inline WireHalfEdge wire_half_edge(const HalfEdgeMesh& mesh, const WireNetwork& network, HalfedgeHandle h) {
   const EdgeHandle edge = mesh.edge_handle(h);
   return {network.wire_edge_of_edge[edge.idx()], h != mesh.halfedge_handle(edge, 0)};

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kStraight = 5 * kPi / 180;
 
-// Lengths closer than this are equal, relative: rounding must not choose between the sides of a symmetric piece.
+// Relative difference up to which lengths count as equal, so that rounding errors do not choose between the sides of a
+// symmetric piece.
 constexpr double kSameLength = 1e-6;
 
 double turning(const Eigen::Vector2d& before, const Eigen::Vector2d& after) {

@@ -15,8 +15,8 @@
 namespace wirewarp {
 namespace {
 
-// Sizes and heights closer than this are equal, relative: rounding and numbering must not choose between the sides of a
-// symmetric piece.
+// Relative difference up to which sizes and heights count as equal, so that rounding errors and numbering do not choose
+// between the sides of a symmetric piece.
 constexpr double kSameSize = 1e-6;
 
 // A chord below this fraction of its chain's length does not define the chain's direction.
@@ -77,7 +77,7 @@ std::vector<Eigen::Vector2d> points_along(const Chart& chart, const HalfEdgeChai
   return points;
 }
 
-/// Whether the chord of a chain is long enough to define its direction.
+/// Returns whether the chord of a chain is long enough to define its direction.
 bool is_open(const std::vector<Eigen::Vector2d>& points) {
   double length = 0;  // in the plane, where free wires have a different length
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();

@@ -6,7 +6,7 @@
 namespace wirewarp {
 
 /// Returns the direction in the layout uv that becomes up (+y) by options.orientation. Not normalized; zero only if all
-/// of the chain is one point.
+/// points of the chain coincide.
 ///
 /// wire: along the first part of the wire options.grain in this chart, otherwise along the chart's first wire part;
 /// without wires, along the longest chain of the outline. A chain's direction is its chord. For a chain that is closed
@@ -21,8 +21,8 @@ Eigen::Vector2d upright_direction(const Chart& chart, const Positions2& uv, cons
 void stand_upright(Positions2& uv, const Eigen::Vector2d& up);
 
 /// Returns two vertices of an upright layout that define its rotation: for Orientation::wire the ends of the chain that
-/// defines up, if they are apart; otherwise the lowest and the highest vertex of the outline (of several at one height,
-/// the leftmost), independent of the numbering of the mesh.
+/// defines up, if they are apart; otherwise the lowest and the highest vertex of the outline. At equal heights, the
+/// leftmost vertex is used, so that the numbering of the mesh does not matter.
 VertexPair upright_pair(const Chart& chart, const Positions2& uv, const Options& options);
 
 }  // namespace wirewarp
