@@ -98,7 +98,7 @@ int PathLines::crossing_of(int face, const Line& one, const Line& other) {
   return sites_.add_inside(face, {1 - crossing[0] - crossing[1], crossing[0], crossing[1]});
 }
 
-/// Divides a line of a face at a site or crossing. Returns false if there is no line to divide.
+/// Divides a line of a face at a site or crossing. Returns false if no line needs a division.
 bool PathLines::divide_once(int face, const std::set<Line>& lines) {
   for (const Line& line : lines) {
     const int site = site_close_by(face, line);
