@@ -9,6 +9,7 @@ import pytest
 import shapely
 import wirewarp
 from patterns import cut_polygon, grid, line_string, quads, rectangle, sample, turn
+from samples import flattened
 from wirewarp.pattern import Pattern
 from wirewarp.pattern.geometry import Motion, right_normals
 from wirewarp.pattern.make.outline import flat_piece
@@ -244,3 +245,103 @@ def test_a_fold_that_is_a_little_crooked_opens_without_a_slit():
     outline = shapely.Polygon(cut.points)
     assert outline.is_valid and outline.area == pytest.approx(220 * 80, rel=2e-3)
     assert outline.exterior.length == pytest.approx(2 * (220 + 80), rel=2e-3)
+
+
+AROUND = 2 * np.pi * np.arange(16) / 16
+ROUND = 50 * np.column_stack([np.cos(AROUND), np.sin(AROUND)])  # millimeters
+EGG = ROUND * (1 + 0.2 * np.sin(AROUND + 0.3) + 0.1 * np.cos(2 * AROUND))[:, None]  # no symmetry
+ALONG_TUBE = 60  # millimeters
+UP = wirewarp.Options(orientation="up")
+
+
+def capped_tubes(ring, *seam_rows):
+    """Return tubes beside each other, each with a cap below; every second one is a mirror image.
+
+    ring: (n,2) points around a tube. seam_rows: for each tube, the point at which a seam along it opens it.
+    """
+    count, vertices, faces, seams = len(ring), [], [], []
+    for number, row in enumerate(seam_rows):
+        below = np.column_stack([ring, np.zeros(count)])
+        tube = np.concatenate([below, below + (0, 0, ALONG_TUBE), [(0, 0, 0)]])
+        first, mirror = number * (2 * count + 1), number % 2
+        vertices.append(tube * (-1 if mirror else 1, 1, 1) + (300 * number, 0, 0))
+        for a, b in zip(range(count), np.roll(range(count), -1), strict=True):
+            around = np.array([(a, b, count + b), (a, count + b, count + a), (2 * count, b, a)]) + first
+            faces.append(around[:, ::-1] if mirror else around)
+            seams.append((first + a, first + b))
+        seams.append((first + row, first + count + row))
+    return wirewarp.flatten(np.concatenate(vertices) / 1000, np.concatenate(faces), seams=seams, options=UP)
+
+
+def notched_vertices(pattern, result, number):
+    """Return the vertices of the model with a notch of a drawn piece. number: of the piece in the result."""
+    drawn = next(piece for piece in pattern.pieces if piece.name == f"Piece {number}")
+    points = result.pieces[number - 1].vertices * 1000
+    sewn = np.concatenate([line.points for line in drawn.of_role("sew")])
+    points += sewn.min(axis=0) - points[np.unique(result.pieces[number - 1].faces)].min(axis=0)
+    stitched = [point.at + point.direction * 10 for point in drawn.points if point.pair]  # the allowance is 10 mm
+    apart = np.linalg.norm(np.array(stitched)[:, None] - points[None], axis=2)
+    return sorted(result.pieces[number - 1].source_vertex[row] for row in np.flatnonzero(apart.min(axis=0) < 0.5))
+
+
+@pytest.mark.parametrize("row", [0, 5])
+def test_a_cap_has_its_notches_where_the_tube_has_them(row):
+    """Notches every third edge, from the seam along the tube. They are at the same vertices of both pieces."""
+    edge = float(np.linalg.norm(ROUND[1] - ROUND[0]))
+    result = capped_tubes(ROUND, row)
+    pattern = Pattern.from_result(result, notch_spacing=3 * edge)
+    tube = [vertex for vertex in notched_vertices(pattern, result, 1) if vertex < 16]
+    assert notched_vertices(pattern, result, 2) == tube
+    steps = sorted((np.array(tube) - row) % 16)
+    assert steps in ([3, 6, 9, 12, 15], [1, 4, 7, 10, 13])
+
+
+def test_caps_of_mirrored_tubes_are_a_pair():
+    """The egg has edges of different lengths, so its notches are between vertices; the walks compare their places."""
+    result = capped_tubes(EGG, 5, 5)
+    drawn, whole = Pattern.from_result(result, pairs=True), Pattern.from_result(result)
+    assert [piece.quantity for piece in drawn.pieces] == [(1, 1), (1, 1)]
+    rings = [walk for walk in drawn.walks if len(set(walk.pieces)) == 2]
+    assert len(rings) == 2 and len(rings[0].notches[0]) == 2
+    first, second = (np.sort(walk.notches) for walk in rings)
+    turned = rings[1].lengths[0] - second[:, ::-1]  # places on the mirror image, from the other end
+    assert first == pytest.approx(turned) and first[0] == pytest.approx(first[1])
+    assert [piece.quantity for piece in whole.pieces] == [(1, 0)] * 4
+
+
+def test_caps_whose_tubes_begin_elsewhere_are_drawn_both():
+    """The tubes are alike. Only a turn by 5/16 maps one cap to the other with its notches, and it turns the grain."""
+    result = capped_tubes(ROUND, 0, 5)
+    pieces = [flat_piece(piece, f"Piece {number}", 1000.0) for number, piece in enumerate(result.pieces, start=1)]
+    flat_cap = np.vstack([ROUND, np.zeros((17, 2))])  # both caps in one place, with the ring in the same order
+    for index in (1, 3):
+        pieces[index] = replace(pieces[index], vertices=flat_cap[pieces[index].source_vertex % 33])
+    drawn = Pattern.from_pieces(pieces, [f"Seam {number}" for number in range(1, 5)], pairs=True)
+    assert sorted(piece.quantity for piece in drawn.pieces) == [(1, 0), (1, 0), (2, 0)]
+
+
+def test_a_cushion_of_two_faces_is_a_pair():
+    """A seam all around begins where one face maps to the other. Two cushions have four faces of one shape."""
+    count, vertices, faces, seams = len(EGG), [], [], []
+    for number in range(2):
+        first, around = number * (count + 2), range(count)
+        middle = [(0, 0, 20), (0, 0, -20)]
+        rim = np.roll(np.column_stack([EGG, np.zeros(count)]), 7 * number, axis=0)  # numbered from another vertex
+        vertices.append(np.vstack([rim, middle]) + (300 * number, 0, 0))
+        for a, b in zip(around, np.roll(around, -1), strict=True):
+            faces += [(first + a, first + b, first + count), (first + b, first + a, first + count + 1)]
+            seams.append((first + a, first + b))
+    result = wirewarp.flatten(np.concatenate(vertices) / 1000, np.array(faces), seams=seams, options=UP)
+    (drawn,) = Pattern.from_result(result, pairs=True).pieces
+    assert sum(drawn.quantity) == 4 and min(drawn.quantity) == 2
+
+
+def test_the_bear_has_one_sole_and_one_paw_on_paper():
+    result = flattened("Toy", orientation="up")
+    quantities = {piece.name: piece.quantity for piece in Pattern.from_result(result, pairs=True).pieces}
+    assert quantities == {
+        **dict.fromkeys(["Piece 1", "Piece 2", "Piece 3", "Piece 4"], (1, 0)),
+        **dict.fromkeys(["Piece 5", "Piece 7"], (1, 1)),  # a leg and an arm
+        **dict.fromkeys(["Piece 6", "Piece 8"], (2, 0)),  # a sole and a paw
+        "Piece 9": (2, 2),  # an ear
+    }

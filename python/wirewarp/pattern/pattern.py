@@ -117,10 +117,12 @@ class Pattern(PatternData):
         if not all(isinstance(text, str) for text in (title, material, date)):
             raise problem("title, material and date must be texts.")
         laid = yield from lay_all(pieces, Widths(allowance, hem, allowances, side_allowances, folds), corner, darts)
-        seams = sewn_sides([loop for piece in laid for loop in piece.loops], len(seam_names))
+        loops = [loop for piece in laid for loop in piece.loops]
+        seams = sewn_sides(loops, len(seam_names))
         check_spacing(checked_length("notch_spacing", notch_spacing, 0, math.inf), seam_names, seams)
         system = UnitSystem(units)
         copies = copies_of(laid, [outlined(own) for own in laid], pairs, on_fold)
+        seams = sewn_sides(loops, len(seam_names), copies.starts)
         copied = copied_sides(copies, laid, seams)
         points = marks(laid, seams, copied.groups, notch_spacing)
         joined, notes = joined_by(laid), notes_on_sides(seams, system)

@@ -16,7 +16,7 @@ from .fold import ALONG, folded
 from .mirror import ALIKE, Congruence, congruences, fold_of
 from .outline import Side
 from .pieces import Laid
-from .seams import SewnSide
+from .seams import SewnSide, fixed_starts, row_of
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,8 @@ class Copies:
     # the other pieces of its shape, and the map from each of them to the drawn piece
     others: dict[int, list[tuple[int, Congruence]]]
     folds: dict[int, tuple[np.ndarray, Congruence]]  # the fold (2,2), and the mirror that maps the piece to itself
+    # by seam: the vertex at which its sides that are whole outlines begin; copies map these vertices to each other
+    starts: dict[int, int]
 
     @property
     def left_out(self) -> set[int]:
@@ -38,7 +40,7 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
 
     pieces: the same pieces as `laid`, with their lines. pairs: whether pieces of one shape are drawn once.
     """
-    found = Copies({}, {})
+    found = Copies({}, {}, fixed_starts(side for own in laid for loop in own.loops for side in loop))
 
     def maps(first: int, second: int, *, is_mirror: bool) -> Iterator[Congruence]:
         """Yield the maps from the second piece to the first that keep the grain, and then those that reverse it."""
@@ -52,12 +54,32 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
                     reversing.append(each)
         yield from reversing
 
+    def fits(first: int, second: int, each: Congruence) -> bool:
+        """Return whether the map maps seams to seams, and their starts to starts. If so, keep these starts."""
+        begun, sewn = dict(found.starts), set()
+        for side, image, sources in _matched(laid[first], laid[second], each):
+            if side.seam is None or image.seam is None:
+                continue
+            sewn |= {id(side), id(image)}
+            if not side.is_closed:
+                continue
+            start = begun.setdefault(side.seam, int(side.sources[row_of(side, begun.get(side.seam))]))
+            mapped = int(sources[row_of(side, start)])
+            if begun.setdefault(image.seam, mapped) != mapped:
+                return False
+        if any(id(side) not in sewn for index in (first, second) for side in _sewn_sides(laid[index])):
+            return False
+        found.starts.update(begun)
+        return True
+
     left_out: set[int] = set()
-    for first, second in combinations(range(len(pieces)), 2) if pairs else ():
+    # Pieces with a seam all around often have several maps. Those of their neighbors decide which one is possible.
+    order = sorted(range(len(pieces)), key=lambda index: any(side.is_closed for side in _sewn_sides(laid[index])))
+    for first, second in combinations(order, 2) if pairs else ():
         if first in left_out or second in left_out:
             continue
         found_maps = chain(maps(first, second, is_mirror=False), maps(first, second, is_mirror=True))
-        first_map = next(found_maps, None)
+        first_map = next((each for each in found_maps if fits(first, second, each)), None)
         if first_map:
             found.others.setdefault(first, []).append((second, first_map))
             left_out.add(second)
@@ -65,10 +87,14 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
         if piece.on_fold or index in left_out:
             continue
         folds = ((fold_of(piece, mirror), mirror) for mirror in maps(index, index, is_mirror=True))
-        first_fold = next(((fold, mirror) for fold, mirror in folds if fold is not None), None)
+        first_fold = next(((fold, each) for fold, each in folds if fold is not None and fits(index, index, each)), None)
         if first_fold:
             found.folds[index] = first_fold
     return found
+
+
+def _sewn_sides(laid: Laid) -> list[Side]:
+    return [side for loop in laid.loops for side in loop if side.seam is not None]
 
 
 @dataclass
@@ -102,7 +128,7 @@ def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[
     maps = [(first, second, each) for first, others in copies.others.items() for second, each in others]
     maps += [(index, index, mirror) for index, (_, mirror) in copies.folds.items()]
     for first, second, each in maps:
-        for side, image in _matched(laid[first], laid[second], each):
+        for side, image, _ in _matched(laid[first], laid[second], each):
             a, b = side.seam, image.seam
             if a is None or b is None:
                 continue
@@ -115,15 +141,24 @@ def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[
     return CopiedSides(_groups(len(seams), turns), images)
 
 
-def _matched(first: Laid, second: Laid, found: Congruence) -> list[tuple[Side, Side]]:
-    """Return the sides of the first piece, and those of the second whose images match them."""
-    images = [(side, found.of_outline(side.points)) for loop in second.loops for side in loop]
-    return [
-        (side, other)
-        for side in (side for loop in first.loops for side in loop)
-        for other, image in images
-        if len(image) == len(side.points) and np.abs(image - side.points).max() <= ALIKE
-    ]
+def _matched(first: Laid, second: Laid, found: Congruence) -> list[tuple[Side, Side, np.ndarray]]:
+    """Return the sides of the first piece, those of the second whose images match them, and their vertices.
+
+    The vertices (k,) are those of the second side, at the points of the first one.
+    """
+    matched = []
+    for side in (side for loop in first.loops for side in loop):
+        for other in (side for loop in second.loops for side in loop):
+            if len(other.points) != len(side.points) or other.is_closed != side.is_closed:
+                continue
+            image = found.of_outline(other.points)
+            sources = other.sources[::-1] if found.is_mirror else other.sources
+            if side.is_closed:
+                start = int(np.abs(image[:-1] - side.points[0]).sum(axis=1).argmin())
+                image, sources = (np.concatenate([rows[start:-1], rows[: start + 1]]) for rows in (image, sources))
+            if np.abs(image - side.points).max() <= ALIKE:
+                matched.append((side, other, sources))
+    return matched
 
 
 def _groups(count: int, turns: dict[int, list[tuple[int, bool]]]) -> list[SeamGroup]:

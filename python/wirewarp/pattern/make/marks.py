@@ -32,13 +32,13 @@ def marks(
     widths, closed = _widths(laid), _legs(laid)
     for group in groups:
         for number, places in _places(group, seams, wire_ends, spacing).items():
-            sides = seams[number]
+            sides, is_ring = seams[number], _is_ring(seams[number])
             if any(id(own.side) in closed for own in sides):
                 continue
             sewn = SewnLengths.of(sides)
             if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # a double notch
                 doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
-                places = [place % sewn.whole for place in doubled] if sides[0].side.is_closed else doubled
+                places = [place % sewn.whole for place in doubled] if is_ring else doubled
             for order, place in enumerate(place for place in places if 0 <= place < sewn.whole):
                 points = [
                     notch(own, sewn.on(own, place), rays[own.side.piece], widths[id(own.side)], (number, order))
@@ -96,7 +96,7 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 def _places(
     group: SeamGroup, seams: Sequence[Sequence[SewnSide]], wire_ends: Mapping[int, np.ndarray], spacing: float
 ) -> dict[int, list[float]]:
-    """Return for each seam the sewn lengths from its start to its notches. A closed seam has a notch at its start."""
+    """Return for each seam the sewn lengths from its start to its notches. A ring has a notch at its start."""
     sewn = {seam: SewnLengths.of(seams[seam]) for seam in group.turned if seams[seam]}
     if not sewn:  # pieces without a layout
         return {}
@@ -112,14 +112,20 @@ def _places(
     for place in sorted(ends):
         if APART < place < length - APART and (not taken or place > taken[-1] + APART):
             taken.append(place)
-    is_closed = seams[next(iter(sewn))][0].side.is_closed
-    begin = [0.0] if spacing and is_closed else []
+    is_ring = _is_ring(seams[next(iter(sewn))])
+    begin = [0.0] if spacing and is_ring else []
     between = symmetric_places if group.is_symmetric else places_along
     places = np.array(sorted([*begin, *taken, *between(length, taken, spacing)]))
+    turned = (length - places) % length if is_ring else length - places
     return {
-        seam: sorted(((length - places if group.turned[seam] else places) * (own.whole / length)).tolist())
+        seam: sorted(((turned if group.turned[seam] else places) * (own.whole / length)).tolist())
         for seam, own in sewn.items()
     }
+
+
+def _is_ring(sides: Sequence[SewnSide]) -> bool:
+    """Return whether no side of the seam has a corner where it begins, because all are whole outlines."""
+    return all(own.side.is_closed for own in sides)
 
 
 def _wire_ends(piece: Laid) -> np.ndarray:
@@ -137,10 +143,11 @@ def _free_notches(loop: Sequence[Side], ends: np.ndarray, rays: Rays, widths: Ma
     """Return notches at ends of wires on an outline that is not sewn, and where a seam ends on a smooth outline."""
     found = []
     for number, side in enumerate(loop):
-        forward, length, width = SewnSide(side, True), float(side.along[-1]), widths[id(side)]
+        forward, length, width = SewnSide(side), float(side.along[-1]), widths[id(side)]
         if len(loop) > 1 and turns_little(side, loop[(number + 1) % len(loop)]):
             found.append(notch(forward, length, rays, width))
         if side.seam is None:
-            places = [place for place in _places_of(forward, ends) if APART < place < length - APART]
+            first = -APART if side.is_closed else APART  # an open side has a corner where it begins
+            places = [place for place in _places_of(forward, ends) if first < place < length - APART]
             found += [notch(forward, place, rays, width) for place in places]
     return [point for point in found if point]

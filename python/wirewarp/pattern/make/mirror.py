@@ -55,11 +55,8 @@ def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -
     """Yield the reflections or rotations that map the second piece to the first.
 
     Reflections with the most upright axes and the smallest rotations come first. The triangles along both outlines must
-    correspond, and wires and allowances must match, too. A seam all around an outline has no natural start, so its
-    notches could differ: pieces with one have no copies.
+    correspond, and wires and allowances must match, too.
     """
-    if any(line.closed and line.seam is not None for line in first.of_role("sew")):
-        return
     outlines = [_outline_loops(piece) for piece in (first, second)]
     if not outlines[0] or [len(loop) for loop in outlines[0]] != [len(loop) for loop in outlines[1]]:
         return

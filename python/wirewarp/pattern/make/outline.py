@@ -112,9 +112,6 @@ def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
         if missing:
             raise _not_cut(piece.name, missing, chain.seam is not None)
         vertices = [ends[pairs[0]][0], *(ends[pair][1] for pair in pairs)]
-        if vertices[0] == vertices[-1]:  # all sides of a closed seam begin at one vertex
-            first = int(np.argmin(sources[:-1]))
-            sources, vertices = _rotated(sources, first), _rotated(np.array(vertices), first).tolist()
         chains.append((vertices, Side(index, sources, points[vertices], chain.seam, False)))
     loops = _joined(chains)
     areas = [signed_area(np.concatenate([side.points[:-1] for side in loop])) for loop in loops]
@@ -128,11 +125,6 @@ def _not_cut(name: str, edges: list[tuple[int, int]], is_seam: bool) -> FlattenE
     else:
         message = f'Edge {a}-{b} should be on the outline of "{name}", but it is not: flatten the model again.'
     return FlattenError("invalid_option", message, edges=edges)
-
-
-def _rotated(closed: np.ndarray, first: int) -> np.ndarray:
-    """Return a closed chain with another start, which it repeats at the end."""
-    return np.concatenate([closed[first:-1], closed[: first + 1]])
 
 
 def _outline_edges(piece: FlatPiece) -> dict[tuple[int, int], tuple[int, int]]:

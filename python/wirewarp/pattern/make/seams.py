@@ -3,7 +3,7 @@
 
 import math
 from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -44,15 +44,21 @@ class SewnSide:
     """A side of a seam. All sides of the seam begin at the same vertex of the model."""
 
     side: Side
-    is_forward: bool  # in the direction of the outline
+    is_forward: bool = True  # in the direction of the outline
+    start: int = 0  # row of the side at which the seam begins; 0 unless the side is a whole outline
 
     @property
     def sources(self) -> np.ndarray:
-        return self.side.sources if self.is_forward else self.side.sources[::-1]
+        return self._along_seam(self.side.sources)
 
     @property
     def points(self) -> np.ndarray:
-        return self.side.points if self.is_forward else self.side.points[::-1]
+        return self._along_seam(self.side.points)
+
+    def _along_seam(self, rows: np.ndarray) -> np.ndarray:
+        if self.start:
+            rows = np.concatenate([rows[self.start : -1], rows[: self.start + 1]])
+        return rows if self.is_forward else rows[::-1]
 
     @property
     def along(self) -> np.ndarray:
@@ -64,11 +70,14 @@ class SewnSide:
         row = min(int(np.searchsorted(along, length, side="right")) - 1, len(points) - 2)
         share = (length - along[row]) / (along[row + 1] - along[row])
         nearest = row + round(share)
-        steps = slice(row, row + 2)
-        if abs(along[nearest] - length) < AT_VERTEX and 0 < nearest < len(points) - 1:
+        steps = points[row : row + 2]
+        if abs(along[nearest] - length) < AT_VERTEX:
             # halfway between the steps on both sides: symmetric places stay symmetric
-            steps = slice(nearest - 1, nearest + 2)
-        normal = right_normals(points[steps]).sum(axis=0)
+            if 0 < nearest < len(points) - 1:
+                steps = points[nearest - 1 : nearest + 2]
+            elif self.side.is_closed:
+                steps = points[[-2, 0, 1]]
+        normal = right_normals(steps).sum(axis=0)
         normal /= max(float(np.linalg.norm(normal)), np.finfo(float).tiny)  # 0 if the outline turns back on itself
         return points[row] + share * (points[row + 1] - points[row]), normal if self.is_forward else -normal
 
@@ -101,14 +110,46 @@ class SewnLengths:
         return np.interp(lengths, side.along, self.along)
 
 
-def sewn_sides(loops: Sequence[Sequence[Side]], count: int) -> list[list[SewnSide]]:
-    """Return the sides of each of the `count` seams, over the outlines of all pieces."""
+def fixed_starts(sides: Iterable[Side]) -> dict[int, int]:
+    """Return the vertex where each seam around a tube begins: the end of the seam along the tube, which opens it."""
+    return {
+        side.seam: int(side.sources[0])
+        for side in sides
+        if side.seam is not None and side.sources[0] == side.sources[-1] and not side.is_closed
+    }
+
+
+def sewn_sides(
+    loops: Sequence[Sequence[Side]], count: int, starts: Mapping[int, int] | None = None
+) -> list[list[SewnSide]]:
+    """Return the sides of each of the `count` seams, over the outlines of all pieces.
+
+    starts: by seam, the vertex where its sides that are whole outlines begin; by default where a side is open, or
+    else their lowest vertex.
+    """
     sides: list[list[Side]] = [[] for _ in range(count)]
-    for loop in loops:
-        for side in loop:
-            if side.seam is not None:
-                sides[side.seam].append(side)
-    return [[SewnSide(side, np.array_equal(side.sources, own[0].sources)) for side in own] for own in sides]
+    for side in (side for loop in loops for side in loop):
+        if side.seam is not None:
+            sides[side.seam].append(side)
+    begins = fixed_starts(side for own in sides for side in own) | dict(starts or {})
+    return [_begun_together(own, begins.get(seam)) for seam, own in enumerate(sides)]
+
+
+def _begun_together(sides: Sequence[Side], vertex: int | None) -> list[SewnSide]:
+    """Return the sides of one seam. vertex: where whole outlines begin; None for the lowest."""
+    begun: list[SewnSide] = []
+    for side in sides:
+        start = row_of(side, vertex) if side.is_closed else 0
+        forward = SewnSide(side, start=start)
+        is_forward = not begun or np.array_equal(forward.sources, begun[0].sources)
+        begun.append(SewnSide(side, is_forward, start))
+    return begun
+
+
+def row_of(side: Side, vertex: int | None) -> int:
+    """Return the row of this vertex in a side that is a whole outline. vertex: None for the lowest."""
+    sources = side.sources[:-1]
+    return int(np.argmin(sources) if vertex is None else np.flatnonzero(sources == vertex)[0])
 
 
 def is_dart(first: Side, second: Side, widest: float) -> bool:
