@@ -20,7 +20,7 @@ import wirewarp
 from cut_measures import CutFigures, measure_cuts, read_corner_uv
 from machine import machine
 from mesh_files import read_obj
-from optcuts import BOUND, HEADLESS, LIMIT, OPTIONS, by_size, kept_run, limit_processor_time
+from optcuts import BOUND, LIMIT, by_size, command, kept_run, limit_processor_time
 from run_apart import NoAnswerError, run_apart
 from tables import table
 from text import wrap
@@ -31,7 +31,7 @@ LADDER = 60  # number of requested proposals, more than any cut set has
 FEWEST = 2  # number of sets to which darts are added; adding darts to larger sets gave longer cuts
 DARTS = 20  # maximum number of darts: half the largest number of cuts in a set
 CHOICE = 5  # number of proposed darts, the default of propose_darts()
-SETS = "\n## Sets of seams for closed models\n"  # heading of the section by bench/cut_sets.py, which is kept
+KEPT = "\n## The price of exactness\n"  # heading of the first section by other programs; it and all below are kept
 CLOCK_LIMIT = 10 * LIMIT  # seconds of wall time; more than LIMIT, because other processes may use the core
 
 
@@ -56,52 +56,55 @@ def flat(vertices: np.ndarray, faces: np.ndarray, seams: np.ndarray) -> CutFigur
     return measure_cuts(vertices, faces, flattening.corner_uv)
 
 
-def cut(vertices: np.ndarray, faces: np.ndarray) -> tuple[CutFigures, float | None]:
+def cut(vertices: np.ndarray, faces: np.ndarray, bound: float) -> tuple[CutFigures, float | None]:
     """Return the shortest cuts found that keep the energy below the bound, and Outcome.set_length."""
-    sets = flat_sets(vertices, faces)
-    is_enough = sets[-1][1].energy <= BOUND
+    nothing = np.zeros((0, 2), dtype=int)
+    uncut = flat(vertices, faces, nothing)
+    if uncut and (best := with_darts(vertices, faces, (nothing, uncut), None, bound)):
+        return best, None
+    sets = flat_sets(vertices, faces, bound)
+    is_enough = sets[-1][1].energy <= bound
     best = sets[-1][1] if is_enough else None
     for first in sets[:FEWEST]:
-        best = with_darts(vertices, faces, first, best)
+        best = with_darts(vertices, faces, first, best, bound)
     if not best:
-        raise ValueError(f"{DARTS} darts more leave an energy over {BOUND}")
+        raise ValueError(f"{DARTS} darts more leave an energy over {bound}")
     return best, sets[-1][1].length if is_enough else None
 
 
-def flat_sets(vertices: np.ndarray, faces: np.ndarray) -> list[Cuts]:
+def flat_sets(vertices: np.ndarray, faces: np.ndarray, bound: float) -> list[Cuts]:
     """Return cut sets with which everything is flat, the shortest first, up to the first one that is good enough."""
-    seams = np.zeros((0, 2), dtype=int)
-    if uncut := flat(vertices, faces, seams):
-        return [(seams, uncut)]
     for target in TARGETS:
         sets = []
         proposals = wirewarp.propose_seams(vertices, faces, strain=target, count=LADDER)
         for proposal in sorted(proposals, key=lambda proposal: proposal.length):
             if figures := flat(vertices, faces, proposal.edges):
                 sets.append((proposal.edges, figures))
-                if figures.energy <= BOUND:
+                if figures.energy <= bound:
                     return sets
     if not sets:
         raise ValueError("no cut set is flat without overlaps")
     return sets
 
 
-def with_darts(vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, best: CutFigures | None) -> CutFigures | None:
+def with_darts(
+    vertices: np.ndarray, faces: np.ndarray, cuts: Cuts, best: CutFigures | None, bound: float
+) -> CutFigures | None:
     """Add darts one by one, each with the largest decrease of energy for its length. Return best if it is shorter."""
     seams, figures = cuts
     longest = best.length if best else np.inf
     for _ in range(DARTS):
-        if figures.energy <= BOUND or figures.length >= longest:
+        if figures.energy <= bound or figures.length >= longest:
             break
         tried = []
         for dart in propose_darts(vertices, faces, seams):
             together = np.concatenate([seams, dart.edges])
             if after := flat(vertices, faces, together):
-                tried.append(((figures.energy - max(after.energy, BOUND)) / dart.length, together, after))
+                tried.append(((figures.energy - max(after.energy, bound)) / dart.length, together, after))
         if not tried:
             break
         _, seams, figures = max(tried, key=lambda gain_and_cuts: gain_and_cuts[0])
-    return figures if figures.energy <= BOUND and figures.length < longest else best
+    return figures if figures.energy <= bound and figures.length < longest else best
 
 
 def propose_darts(vertices: np.ndarray, faces: np.ndarray, seams: np.ndarray) -> list[wirewarp.DartProposal]:
@@ -113,20 +116,26 @@ def propose_darts(vertices: np.ndarray, faces: np.ndarray, seams: np.ndarray) ->
         raise
 
 
-def in_limited_time(mesh: Path) -> tuple[CutFigures, float | None]:
+def in_limited_time(mesh: Path, bound: float) -> tuple[CutFigures, float | None]:
     limit_processor_time()
-    return cut(*read_obj(mesh))
+    return cut(*read_obj(mesh), bound)
 
 
-def ours(mesh: Path, results: Path) -> Outcome:
-    kept = results / f"{mesh.stem}.ours.json"
+def folder_of(results: Path, bound: float) -> Path:
+    folder = results / str(bound)
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def ours(mesh: Path, results: Path, bound: float = BOUND) -> Outcome:
+    kept = folder_of(results, bound) / f"{mesh.stem}.ours.json"
     if kept.exists():
         stored = json.loads(kept.read_text())
         return Outcome(**stored | {"figures": stored["figures"] and CutFigures(**stored["figures"])})
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     without, figures, set_length = "", None, None
     try:
-        figures, set_length = run_apart(lambda: in_limited_time(mesh), CLOCK_LIMIT)
+        figures, set_length = run_apart(lambda: in_limited_time(mesh, bound), CLOCK_LIMIT)
     except NoAnswerError as reason:
         without = str(reason)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -136,11 +145,12 @@ def ours(mesh: Path, results: Path) -> Outcome:
     return outcome
 
 
-def theirs(mesh: Path, results: Path, program: Path) -> Outcome:
-    run = kept_run(program, mesh, results)
+def theirs(mesh: Path, results: Path, program: Path, bound: float = BOUND) -> Outcome:
+    folder = folder_of(results, bound)
+    run = kept_run(program, mesh, folder, bound)
     if run.without:
         return Outcome(run.seconds, run.without, None)
-    shape = results / f"{mesh.stem}.obj"
+    shape = folder / f"{mesh.stem}.obj"
     return Outcome(run.seconds, "", measure_cuts(*read_obj(shape), read_corner_uv(shape)))
 
 
@@ -207,7 +217,7 @@ def page(
         if most
         else f"Here are all {all_meshes} of them."
     )
-    call = " ".join([HEADLESS, "MESH", *OPTIONS])
+    call = " ".join(command("OptCuts", "MESH", BOUND))
     text = f"""# Cuts beside OptCuts
 
 Written by `bench/compare_cuts.py`, which describes the steps; not part of `./dev bench`. Machine: {machine()}. Commit:
@@ -228,15 +238,14 @@ area stays below. *Mismatch* is the flat length difference of the two sides of e
 the cuts, in mm per m. *s* are seconds of processor time on one core, at most {LIMIT} for either.
 
 **Comparison.** For WireWarp, we take the shortest cuts found that keep the energy below {BOUND}. A surface with no
-flat shape is cut by `propose_seams`, which proposes cut sets, each shorter than the one before, for a target strain
-of {100 * TARGETS[0]:.0f}%, and if none of these is below the bound, of
-{", ".join(f"{100 * target:.0f}%" for target in TARGETS[1:])}. The column *without darts* has the shortest set
-below the bound.
-To the {FEWEST} sets with fewest cuts, and to a surface that is flat without cuts, darts are added: of {CHOICE} by
-`propose_darts` each time the one with the largest decrease of energy for its length, until the energy is below the
-bound. The shorter result counts. WireWarp keeps the length of every cut and outline, so that the sides of a cut can
-be sewn together. OptCuts does not; it only limits the distortion over the area. The effect of this on the length of
-cuts was not measured.
+flat shape, or one that darts alone do not bring below the bound, is cut by `propose_seams`. It proposes cut sets, each
+shorter than the one before, for a target strain of {100 * TARGETS[0]:.0f}%, and if none of these is below the bound,
+of {", ".join(f"{100 * target:.0f}%" for target in TARGETS[1:])}. The column *without darts* has the shortest set
+below the bound. To a surface that is flat without cuts, and to the {FEWEST} sets with fewest cuts, darts are added: of
+{CHOICE} by `propose_darts` each time the one with the largest decrease of energy for its length, until the energy is
+below the bound. The shorter result counts. WireWarp keeps the length of every cut and outline, so that the sides of a
+cut can be sewn together. OptCuts does not; it only limits the distortion over the area. The section on the price of
+exactness measures the effect of this on the length of cuts.
 
 ## Surfaces
 """
@@ -276,7 +285,7 @@ def main() -> None:
             flush=True,
         )
     kept = arguments.page.read_text(encoding="utf-8") if arguments.page.exists() else ""
-    kept = kept[kept.index(SETS) :] if SETS in kept else ""
+    kept = kept[kept.index(KEPT) :] if KEPT in kept else ""
     arguments.page.write_text(page(meshes, found, len(every), arguments) + kept, encoding="utf-8")
 
 

@@ -37,7 +37,8 @@ def measure_cuts(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray)
     points = vertices[faces]
     areas = np.linalg.norm(np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]), axis=1) / 2
     values, is_flipped = stretches(points, corner_uv)
-    lengths, sides, charts = cuts_of(vertices, faces, corner_uv)
+    edges, sides, charts = cuts_of(faces, corner_uv)
+    lengths = np.linalg.norm(vertices[edges[:, 1]] - vertices[edges[:, 0]], axis=1)
     strains = np.maximum(values[:, 0], 1 / values[:, 1]) - 1
     return CutFigures(
         energy=float(np.average((values**2 + values**-2.0).sum(axis=1), weights=areas)),
@@ -68,8 +69,8 @@ def most_stay_below(strains: np.ndarray, areas: np.ndarray) -> float:
     return float(strains[order][np.searchsorted(areas[order].cumsum(), MOST_OF_AREA * areas.sum())])
 
 
-def cuts_of(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
-    """Return the length of each cut edge on the surface, its two flat lengths (k, 2), and the number of charts."""
+def cuts_of(faces: np.ndarray, corner_uv: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:
+    """Return the cut edges (k, 2), the two flat lengths (k, 2) of each, and the number of charts."""
     neighbors = defaultdict(list)
     for f, face in enumerate(faces):
         for i in range(3):
@@ -77,7 +78,7 @@ def cuts_of(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> t
             (start, start_uv), (end, end_uv) = (a, b) if a[0] < b[0] else (b, a)
             neighbors[start, end].append((f, start_uv, end_uv))
     chart = list(range(len(faces)))
-    lengths, sides = [], []
+    edges, sides = [], []
     for (start, end), around in neighbors.items():
         if len(around) < 2:
             continue  # outline of the surface itself
@@ -85,10 +86,10 @@ def cuts_of(vertices: np.ndarray, faces: np.ndarray, corner_uv: np.ndarray) -> t
         if (f_start == g_start).all() and (f_end == g_end).all():
             chart[root(chart, f)] = root(chart, g)
         else:
-            lengths.append(np.linalg.norm(vertices[end] - vertices[start]))
+            edges.append((start, end))
             sides.append((np.linalg.norm(f_end - f_start), np.linalg.norm(g_end - g_start)))
     charts = len({root(chart, f) for f in range(len(faces))})
-    return np.array(lengths), np.array(sides).reshape(-1, 2), charts
+    return np.array(edges, dtype=int).reshape(-1, 2), np.array(sides).reshape(-1, 2), charts
 
 
 def root(parent: list[int], item: int) -> int:

@@ -17,14 +17,17 @@ from mesh_files import read_obj
 BOUND = 4.1  # of the energy: the default of OptCuts, and that of its authors' benchmark
 LIMIT = 600  # seconds of processor time for one surface
 HEADLESS = "100"
-# As in its README: first weight, name, method, bound, bijective, start.
-OPTIONS = ["0.999", "1", "0", str(BOUND), "1", "0"]
 
 
 @dataclass(frozen=True)
 class PeerRun:
     seconds: float  # of processor time
     without: str  # why there is no result, or empty
+
+
+def command(program: Path | str, mesh: Path | str, bound: float) -> list[str]:
+    """Return the call, as in its README: mode, mesh, first weight, name, method, bound, bijective, start."""
+    return [str(program), HEADLESS, str(mesh), "0.999", "1", "0", str(bound), "1", "0"]
 
 
 def by_size(meshes: Path) -> list[Path]:
@@ -38,19 +41,19 @@ def limit_processor_time() -> None:
     resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT + 5))
 
 
-def kept_run(program: Path, mesh: Path, folder: Path) -> PeerRun:
+def kept_run(program: Path, mesh: Path, folder: Path, bound: float) -> PeerRun:
     stored = folder / f"{mesh.stem}.json"
     if not stored.exists():
-        stored.write_text(json.dumps(asdict(run(program, mesh, folder))), encoding="utf-8")
+        stored.write_text(json.dumps(asdict(run(program, mesh, folder, bound))), encoding="utf-8")
     return PeerRun(**json.loads(stored.read_text()))
 
 
-def run(program: Path, mesh: Path, folder: Path) -> PeerRun:
+def run(program: Path, mesh: Path, folder: Path, bound: float) -> PeerRun:
     with tempfile.TemporaryDirectory() as work:  # it writes to a folder below this one
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         with (folder / f"{mesh.stem}.log").open("w") as log:
-            command = [program.resolve(), HEADLESS, mesh.resolve(), *OPTIONS]
-            ended = subprocess.run(command, cwd=work, stdout=log, stderr=log, preexec_fn=limit_processor_time)
+            call = command(program.resolve(), mesh.resolve(), bound)
+            ended = subprocess.run(call, cwd=work, stdout=log, stderr=log, preexec_fn=limit_processor_time)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         for shape in Path(work).glob("output/*/finalResult_mesh.obj"):

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Measures how much of OptCuts' shorter cuts comes from sides of cuts that are not equally long, and prints two tables:
+
+PYTHONPATH=results python bench/price_of_exactness.py [--most-triangles N] [--most-triangles-for-bounds N]
+
+OptCuts' own cuts are flattened with exact lengths, and with elastic seams. The price of exactness is the length that
+cuts of OptCuts for smaller bounds have if they keep the energy below the bound with exact lengths. The second table
+has the length of cuts for smaller bounds. Environment: as for compare_cuts.py, whose results are used and extended.
+"""
+
+import argparse
+import json
+import os
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+from statistics import median
+
+import wirewarp
+from compare_cuts import folder_of, ours, theirs
+from cut_measures import CutFigures, cuts_of, measure_cuts, read_corner_uv
+from least_energy import least_energy
+from mesh_files import read_obj
+from optcuts import BOUND, by_size
+from tables import table
+
+TOLERANCE = 0.03  # of elastic seams, each edge for itself, which is the largest freedom that ±3% can give
+TIGHTER = (BOUND, 4.08, 4.065, 4.05, 4.035, 4.02)  # bounds of OptCuts whose cuts are tried for the price
+BOUNDS = (BOUND, 4.05, 4.02, 4.005)
+
+
+@dataclass(frozen=True)
+class Energies:
+    """Energies with cuts of OptCuts. The least one is found by moving the vertices inside; the outlines stay exact."""
+
+    exact: float
+    least: float
+    elastic: float
+    elastic_least: float
+
+
+def energies(shape: Path) -> Energies | None:
+    """Return the energies, or None if a piece overlaps itself."""
+    vertices, faces = read_obj(shape)
+    cuts, _, _ = cuts_of(faces, read_corner_uv(shape))
+    found = []
+    for wires in ([], [wirewarp.Wire(edge, tolerance=TOLERANCE) for edge in cuts]):
+        flat = wirewarp.flatten(vertices, faces, seams=cuts, wires=wires)
+        if any(piece.error for piece in flat.pieces):
+            return None
+        for corner_uv in (flat.corner_uv, least_energy(vertices, faces, flat.corner_uv)):
+            found.append(measure_cuts(vertices, faces, corner_uv).energy)
+    return Energies(*found)
+
+
+def kept_energies(shape: Path) -> Energies | None:
+    kept = shape.with_suffix(".energies.json")
+    if not kept.exists():
+        found = energies(shape)
+        kept.write_text(json.dumps(found and asdict(found)), encoding="utf-8")
+    stored = json.loads(kept.read_text())
+    return stored and Energies(**stored)
+
+
+class Runs:
+    """All results for the surfaces, computed when they are needed for the first time."""
+
+    def __init__(self, results: Path, program: Path) -> None:
+        self.results, self.program = results, program
+
+    def lengths(self, mesh: Path, bound: float) -> tuple[float | None, float | None]:
+        """Return the length of OptCuts' cuts and of ours."""
+        peer = self.peer(mesh, bound)
+        own = ours(mesh, self.results, bound).figures
+        return peer and peer.length, own and own.length
+
+    def peer(self, mesh: Path, bound: float) -> CutFigures | None:
+        return theirs(mesh, self.results, self.program, bound).figures
+
+    def energies(self, mesh: Path, bound: float) -> Energies | None:
+        return kept_energies(folder_of(self.results, bound) / mesh.name)
+
+    def exact_length(self, mesh: Path, read: Callable[[Energies], float]) -> float | None:
+        """Return the length of OptCuts' shortest cuts with this energy below BOUND."""
+        for bound in TIGHTER:
+            figures = self.peer(mesh, bound)
+            found = figures and self.energies(mesh, bound)
+            if found and read(found) <= BOUND:
+                return figures.length
+        return None
+
+
+def shown(value: float | None, decimals: int) -> str:
+    return "–" if value is None else f"{value:.{decimals}f}"
+
+
+def middle(values: list[float | None], decimals: int) -> str:
+    known = [value for value in values if value is not None]
+    return f"**{median(known):.{decimals}f}**" if known else "–"
+
+
+def prices(meshes: list[Path], runs: Runs) -> list[str]:
+    names, columns = [], []
+    for mesh in meshes:
+        peer = runs.peer(mesh, BOUND)
+        if not peer:
+            continue
+        found = runs.energies(mesh, BOUND)
+        lengths = [
+            runs.exact_length(mesh, lambda each: each.exact),
+            runs.exact_length(mesh, lambda each: each.least),
+            runs.lengths(mesh, BOUND)[1],
+        ]
+        names.append(mesh.stem)
+        columns.append(
+            [
+                peer.energy,
+                *(asdict(found).values() if found else [None] * len(fields(Energies))),
+                *(length and length / peer.length for length in lengths),
+            ]
+        )
+        print(names[-1], columns[-1], flush=True)
+    decimals = [3] * 5 + [2] * 3
+    rows = [[name, *map(shown, values, decimals)] for name, values in zip(names, columns, strict=True)]
+    rows.append(["**median**", *map(middle, map(list, zip(*columns, strict=True)), decimals)])
+    elastic = f"±{100 * TOLERANCE:.0f}%"
+    return table(["mesh", "OptCuts", "exact", "least", elastic, "least", "exact", "least", "ours"], rows)
+
+
+def lengths_for_bounds(meshes: list[Path], runs: Runs) -> list[str]:
+    rows: list[list[str]] = []
+    ratios: list[list[float | None]] = []
+    for mesh in meshes:
+        lengths = [runs.lengths(mesh, bound) for bound in BOUNDS]
+        ratios.append([own / peer if own and peer else None for peer, own in lengths])
+        rows.append([mesh.stem, *(shown(value, 2) for both in lengths for value in both)])
+        print(" ".join(rows[-1]), flush=True)
+    last = [cell for values in zip(*ratios, strict=True) for cell in ("", middle(list(values), 2))]
+    rows.append(["**median of ours over theirs**", *last])
+    return table(["mesh", *(name for bound in BOUNDS for name in (f"{bound}: OptCuts", "ours"))], rows)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--most-triangles", type=int, help="only surfaces of so many")
+    parser.add_argument("--most-triangles-for-bounds", type=int, help="the same for the second table")
+    arguments = parser.parse_args()
+    results, program = Path(os.environ["OPTCUTS_RESULTS"]), Path(os.environ["OPTCUTS_PROGRAM"])
+    sizes = {mesh: len(read_obj(mesh)[1]) for mesh in by_size(Path(os.environ["OPTCUTS_MESHES"]))}
+
+    def of_at_most(most: int | None) -> list[Path]:
+        return [mesh for mesh, size in sizes.items() if most is None or size <= most]
+
+    runs = Runs(results, program)
+    priced = prices(of_at_most(arguments.most_triangles), runs)
+    bounded = lengths_for_bounds(of_at_most(arguments.most_triangles_for_bounds), runs)
+    print("\n".join([*priced, "", *bounded]))
+
+
+if __name__ == "__main__":
+    main()
