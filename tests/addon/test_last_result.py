@@ -68,6 +68,20 @@ def test_a_failed_report_stays_with_its_object(addon, tmp_path):
     assert not [each for each in bpy.data.objects if "wirewarp_report" in each]
 
 
+def test_after_undo_of_a_run_the_failure_before_it_is_the_last_result(source, addon):
+    last, stored = addon.state.reports.last_report, source["wirewarp_report"]
+    fail(source)
+    assert not last(source).ok
+    source.data.vertices[0].co.z += 0.1
+    source.data.update()
+    bpy.ops.object.wirewarp_flatten()
+    assert last(source).ok and source["wirewarp_report"] != stored
+    source["wirewarp_report"], later = stored, source["wirewarp_report"]  # as undo does, and then redo
+    assert not last(source).ok
+    source["wirewarp_report"] = later
+    assert last(source).ok
+
+
 def test_a_piece_renamed_during_a_run_keeps_its_new_name(source, addon):
     models = addon.flatten.read.read_models(bpy.context, [source], bpy.context.scene.wirewarp)
     settings = bpy.context.scene.wirewarp

@@ -186,6 +186,8 @@ def fixing_is_one_undo_step() -> drive.Tour:
         assert state_of(name) == (True, True)
         yield from undo()
         yield lambda name=name: state_of(name) == (False, False)
+        failed = wirewarp_addon.state.reports.last_report(bpy.data.objects[name])
+        assert failed.issues and failed.issues[0].proposed_seams  # so that the panel still has the suggestion
         yield from redo()
         yield lambda name=name: state_of(name) == (True, True)
         yield from undo()

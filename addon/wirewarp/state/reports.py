@@ -22,15 +22,15 @@ from .memory import all_states, note, state_of
 def store(source: bpy.types.Object, report: ObjectReport) -> None:
     """Keeps the report of a run that wrote results."""
     note(source)
-    state_of(source).failure = None
     text = json.dumps(to_dict(report))
     source[REPORT], source[REPORT_SEAL] = text, digest(text)
 
 
 def remember(source: bpy.types.Object, report: ObjectReport) -> None:
-    """Keeps the report of a run that wrote nothing for this object."""
+    """Keeps the report of a run that wrote nothing for this object, until another run stores its own."""
     note(source)
-    state_of(source).failure = report
+    state = state_of(source)
+    state.failure, state.failed_after = report, source.get(REPORT)
 
 
 def last_report(source: bpy.types.Object) -> ObjectReport | None:
@@ -62,8 +62,12 @@ def with_names(source: bpy.types.Object, report: ObjectReport | None) -> ObjectR
 
 
 def _failure(source: bpy.types.Object) -> ObjectReport | None:
-    """Return the report of a run without results. Before Blender 4.1, counts detect a later object at its address."""
-    failure = state_of(source).failure
+    """Return the report of the last run, if it had no results. Undo of a later run makes it the last one again.
+
+    Before Blender 4.1, counts detect a later object at its address.
+    """
+    state = state_of(source)
+    failure = state.failure if state.failed_after == source.get(REPORT) else None
     if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):
         return None
     return failure
