@@ -16,6 +16,7 @@ from surfaces import (
     edge_lengths,
     edge_vertices,
     flat_of,
+    flatten_fails,
     grid,
     mark,
     mark_seam,
@@ -272,3 +273,47 @@ def test_the_list_of_pieces_has_the_worst_first(addon):
     this.use_filter_sort_alpha = False
     source.wirewarp_pieces.add()  # none of the report's
     assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [])
+
+
+class MarkedRow:
+    """A layout that keeps how the names in a list are marked."""
+
+    def __init__(self):
+        self.marks = []
+
+    def __getattr__(self, _name):
+        return lambda *_, **__: self
+
+    def prop(self, _owner, name, **how):
+        if name == "name":
+            self.marks.append("icon_value" in how)
+
+
+def has_marks(source, addon):
+    """Return whether the list of pieces has ticks or warnings."""
+    addon.state.drawings.forget()
+    row, listed = MarkedRow(), bpy.types.WIREWARP_UL_pieces
+    for index, entry in enumerate(source.wirewarp_pieces):
+        listed.draw_item(None, bpy.context, row, source, entry, 0, source, "", index)
+    return row.marks
+
+
+def test_the_list_of_pieces_has_marks_only_while_the_verdict_is_about_them(addon):
+    source, settings = grid("Bump", bump), bpy.context.scene.wirewarp
+    mark_seam(source, on_line(0, 0.5))
+    bpy.ops.object.wirewarp_flatten()
+    assert has_marks(source, addon) == [True, True]
+    settings.cloth = "JERSEY"
+    assert has_marks(source, addon) == [False, False]
+    settings.cloth = "NONE"
+    assert has_marks(source, addon) == [True, True]
+    place = source.data.vertices[0].co.copy()
+    source.data.vertices[0].co.z += 1
+    source.data.update()
+    bpy.context.view_layer.update()
+    assert has_marks(source, addon) == [False, False]
+    source.data.vertices[0].co.x = float("nan")
+    flatten_fails("not numbers, or far")
+    source.data.vertices[0].co = place
+    source.data.update()
+    assert has_marks(source, addon) == [False, False]  # the last run failed

@@ -9,7 +9,7 @@ from ..solve.report import ObjectReport
 from ..state.reports import pieces_report
 from ..suggest.panel import draw_simplify, draw_suggest
 from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of
-from ..ui.settings import shown_report, shown_source
+from ..ui.settings import settings_sentence, shown_report, shown_source, untrue_sentence
 from .flatten_panel import offered_piece
 from .panel import draw_select
 
@@ -36,7 +36,8 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
         columns = line.split(factor=0.76)
-        columns.prop(entry, "name", text="", emboss=False, **mark_of(row.ok, row.is_strained))
+        mark = mark_of(row.ok, row.is_strained) if _is_current(context) else {"icon": "BLANK1"}
+        columns.prop(entry, "name", text="", emboss=False, **mark)
         if row.has_layout:
             figure = columns.row()
             figure.alignment = "RIGHT"
@@ -68,6 +69,14 @@ def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
 def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
     """Return the row; None if the report and the list have different pieces."""
     return next((row for row in shown_pieces(context).tables.pieces if row.index == index), None)
+
+
+def _is_current(context: bpy.types.Context) -> bool:
+    """Return whether the panel above shows the verdict on these pieces, without a change since the run."""
+    source, report = shown_source(context), shown_pieces(context)
+    if report is not shown_report(context) or untrue_sentence(context.active_object, source, report):
+        return False
+    return not settings_sentence(source, report, context.scene.wirewarp)
 
 
 class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
