@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The view that shows model and pieces."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -40,3 +42,15 @@ def test_nothing_is_below_the_sidebar(addon, cloud, is_perspective):
     middle, distance = framing.fit(points, framing.Projection(axes, 1.4, 2.3, is_perspective, covered=0.25))
     x, _ = on_screen(points, axes, middle, distance, 1.4, 2.3, is_perspective)
     assert -1 < x.min() < x.max() < 1 - 2 * 0.25
+
+
+@pytest.mark.parametrize(("legend", "covered"), [(90.0, 2 * 180), (600.0, 600)])
+def test_places_are_shown_beside_the_legend_and_the_sidebar(addon, monkeypatch, legend, covered):
+    """The legend is at least 180 pixels wide at interface scale 1, and as wide as it was last drawn."""
+    views = addon.blender.views
+    monkeypatch.setattr(views, "_legend_width", 0.0)
+    views.note_legend(legend)
+    system = SimpleNamespace(ui_scale=2.0, use_region_overlap=True)
+    context = SimpleNamespace(preferences=SimpleNamespace(system=system))
+    area = SimpleNamespace(regions=[SimpleNamespace(type="UI", width=230)])
+    assert views._covered(context, area) == covered + 230

@@ -9,11 +9,18 @@ import bpy
 import numpy as np
 from mathutils import Quaternion, Vector
 
-LEGEND_WIDTH = 150  # width of the legend with the usual names of lines, in pixels at interface scale 1
+LEGEND_WIDTH = 180  # width of the legend with the usual names of lines and its margin, in pixels at interface scale 1
 MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
 ONE_SIDE = 0.3  # shortest mean normal of a surface with one visible side; that of a ring around a body is nearly zero
 SEEN = 0.3  # smallest cosine between that normal and the direction to the eye of a visible surface
 LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # elevation of the eye above flat pieces
+_legend_width = 0.0  # pixels of the screen, of the legend that was last drawn, with its margin
+
+
+def note_legend(width: float) -> None:
+    """Keep the width of a legend in a 3D view, so that places are shown beside it: a map makes it wider."""
+    global _legend_width
+    _legend_width = width
 
 
 def redraw_views() -> None:
@@ -133,7 +140,7 @@ def _covered(context: bpy.types.Context, area: bpy.types.Area) -> float:
     """Return the width in pixels that the sidebar and the legend cover on the right of the view."""
     sidebar, system = next(each for each in area.regions if each.type == "UI"), context.preferences.system
     overlaps = system.use_region_overlap and sidebar.width > 1
-    return LEGEND_WIDTH * system.ui_scale + (sidebar.width if overlaps else 0)
+    return max(LEGEND_WIDTH * system.ui_scale, _legend_width) + (sidebar.width if overlaps else 0)
 
 
 def work_area(context: bpy.types.Context) -> bpy.types.Area | None:

@@ -11,6 +11,7 @@ import gpu
 import numpy as np
 from gpu_extras.batch import batch_for_shader
 
+from ..blender.views import note_legend
 from ..solve.maps import ColorMap
 from .batches import blending
 from .gather import Extremes, screen_colors
@@ -246,6 +247,8 @@ def write_legend(
         unit,
         lambda text: blf.dimensions(FONT, text)[0],
     )
+    if legend.boxes and context.area.type == "VIEW_3D":
+        note_legend(legend.boxes[0].right - legend.boxes[0].left + MARGIN * unit)
     _fill(legend.boxes)
     _write(legend.texts, LEGEND_COLOR)
 
