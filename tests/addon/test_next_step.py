@@ -241,11 +241,16 @@ def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
     assert offered and others and {*offered, *others} == set(limits)
     labels = [addon.state.settings.fabric_label(name) for name in [*offered, *others]]
     assert all(label in draw_panels(addon) for label in labels)
+    one_click = f"Flatten for {labels[0].partition(',')[0]}"
+    assert one_click in draw_panels(addon)
     bpy.context.scene.wirewarp.gives_along = 2.0  # left from another fabric
     assert MEND(what="FABRIC", cloth=offered[0].upper()) == {"FINISHED"}
     assert bpy.context.scene.wirewarp.cloth == offered[0].upper()
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
-    assert labels[-1] not in draw_panels(addon)
+    assert labels[-1] not in draw_panels(addon) and one_click not in draw_panels(addon)
+    bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=0.1, gives_along=0.1)
+    assert not addon.core.verdict(addon.state.reports.last_report(source)).is_ready
+    assert "Flatten for" not in draw_panels(addon)  # a fabric that was chosen is not replaced by a guess
 
 
 def test_a_fabric_is_offered_if_it_stretches_far_enough_in_each_direction(addon):

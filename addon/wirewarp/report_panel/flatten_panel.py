@@ -74,7 +74,7 @@ class VIEW3D_MT_wirewarp_fabrics(bpy.types.Menu):
 
 DUE = "Auto updates the pieces when you finish the change."
 LEFT = "Auto was canceled for this change. Press Flatten, or change the model again."
-FABRIC_HELPS = (Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC)
+FABRIC_HELPS = {Kind.NEEDS_STRETCH, Kind.BEYOND_FABRIC}
 WAITS = f"This model has more than {EDIT_LIMIT:,} vertices, so Auto waits until you leave Edit Mode."
 
 
@@ -157,7 +157,10 @@ def _draw_state(
     is_looked_at = step is not None and step.operator == SHOW  # drawn after steps that change the model
     if step and not is_looked_at:
         _draw_step(context, layout, step)
-    if any(line.kind in FABRIC_HELPS for line in verdict.lines):
+    kinds = {line.kind for line in verdict.lines}
+    if Kind.NEEDS_STRETCH in kinds:  # no fabric was chosen
+        _draw_fabric(layout, report)
+    if kinds & FABRIC_HELPS:
         layout.menu(VIEW3D_MT_wirewarp_fabrics.__name__, icon=ICON)
     if wants_seams(report):
         draw_suggest(layout, context.scene.wirewarp, -1, ["seams"], has_seams=False)
@@ -170,6 +173,17 @@ def _draw_state(
         _draw_step(context, layout, step)
     if report.issues and not (step and step.operator == CHECK):
         layout.operator(CHECK, icon="TOOL_SETTINGS")
+
+
+def _draw_fabric(layout: bpy.types.UILayout, report: ObjectReport) -> None:
+    """Draw the button for the fabric that stretches least of those that stretch far enough, if there is one."""
+    can, _ = fabrics_to_choose(report)
+    if not can:
+        return
+    row = layout.row()
+    row.scale_y = 1.2
+    button = row.operator("object.wirewarp_mend", text=f"Flatten for {Cloth.about(can[0])['label']}", icon=ICON)
+    button.what, button.cloth = "FABRIC", can[0].upper()
 
 
 def _may_use_uv_seams(source: bpy.types.Object) -> bool:
