@@ -37,7 +37,7 @@ SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # of 
 SIDE = Mark("wirewarp_side", "INT", "EDGE")  # the number of the face on that side, 0 none
 FACE = Mark("wirewarp_face", "INT", "FACE")  # random 31-bit number of faces beside edges with a marked side, 0 none
 MARKS = (WIRE, TOLERANCE, EASE, SIDE_EASE, SIDE_RATIO, EASED_SIDE, ALLOWANCE, SIDE_ALLOWANCE, SIDE_WIDTH, SIDE, FACE)
-NO_SEAM = "wirewarp_no_seam"  # on faces, above 0: none is suggested there; also a vertex group of the object
+NO_SEAM = "wirewarp_no_seam"  # on faces: no seam is suggested where it is above 0; also a vertex group of the object
 
 # On the model's mesh, written by a run.
 PIECE = Attribute("wirewarp_piece", "INT", "FACE")  # random 31-bit id of the piece, 0 none; on the flat mesh too
@@ -57,7 +57,7 @@ SOURCE_FACE = Attribute("source_face", "INT", "FACE")
 PIECE_INDEX = Attribute("piece", "INT", "FACE")  # index of the piece in the report
 
 # On the flat mesh: its layout, and data by which changes by hand are detected.
-FLAT_LENGTH = Attribute("flat_length", "FLOAT", "EDGE")  # as laid out
+FLAT_LENGTH = Attribute("flat_length", "FLOAT", "EDGE")  # edge lengths of the layout
 FLAT_RECORD = "wirewarp_flat"  # custom property: how the pieces were laid out, see state.record
 
 # Data-blocks.

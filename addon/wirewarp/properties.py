@@ -185,20 +185,21 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
     cloth: EnumProperty(**FlattenSettings.__annotations__["cloth"].keywords, update=_aim_at_fabric)
     auto_update: BoolProperty(
         name="Auto",
-        description="Flatten again automatically when seams, wires, shape or scale change, or with Modifiers their "
-        "result, as soon as no tool is running. Models of more than 20,000 vertices wait until you leave Edit Mode",
+        description="Flatten again automatically when seams, wires, shape or scale change, as soon as no tool is "
+        "running. With Modifiers, also when their result changes. Models of more than 20,000 vertices wait until you "
+        "leave Edit Mode",
         update=_look_for_changes,
     )
     true_height: number(
         "Height (cm)",
-        "How high the model is in reality, from its lowest to its highest point. Undo (Ctrl+Z) takes a wrong one back",
+        "Real height of the model, from its lowest to its highest point. To correct a wrong height, undo it (Ctrl+Z)",
         (0.1, 170.0, 300.0, 100000.0),  # of a person
         step=100,
     )
     tolerance_percent: number(
         "Tolerance ±%",
-        "How much an elastic wire may become longer or shorter, in percent of its length: each part "
-        "between seams by itself, the change spread evenly",
+        "How much an elastic wire may become longer or shorter, in percent of its length. Each part between "
+        "seams may change that much, evenly along its length",
         (0.01, 3.0, 20.0, 99.0),
         subtype="PERCENTAGE",
         precision=2,
@@ -210,7 +211,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
     )
     show_lines: BoolProperty(
         name="Lines",
-        description="Draw outlines, seams, wires and what failed over models and flat pieces, and over "
+        description="Draw outlines, seams, wires and failed areas over models and flat pieces, and over "
         "the map in the UV editor",
         default=True,
         update=_redraw,
@@ -269,7 +270,7 @@ class WIREWARP_preferences(bpy.types.AddonPreferences):
 
     moves_view: BoolProperty(
         name="Show New Pieces",
-        description="After the first Flatten, and where pieces had to move, bring model and pieces into view",
+        description="After the first Flatten, and when pieces had to move, move the view to show model and pieces",
         default=True,
     )
 

@@ -172,4 +172,4 @@ def test_thick_material_is_flattened_in_its_middle(addon):
     assert widths[0] == pytest.approx(size * chord, rel=1e-6)
     assert widths[1] == pytest.approx(size * chord * (1 + middle) - missing, rel=1e-3)
     notes = [note.text for note in last_report(addon, target).notes]
-    assert "Lengths on the model are those of the middle of the material's thickness." in notes
+    assert "Lengths on the model are measured in the middle of the material's thickness." in notes

@@ -157,7 +157,7 @@ def test_a_piece_that_grew_into_another_is_moved_beside_it_with_a_message(source
     assert_same_places(places_of(source), before, ["Top Right"])
     found = boxes(source)
     assert are_apart(found["Top Left"], found["Top Right"])
-    assert notes() == ["Top Left no longer fitted its place and was moved aside."]
+    assert notes() == ["Top Left no longer fits in its place and was moved aside."]
     flatten(source)
     assert notes() == []
 

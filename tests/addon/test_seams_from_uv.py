@@ -81,7 +81,7 @@ def test_the_active_one_of_several_maps_is_read_and_ours_if_there_is_no_other(ca
     target.data.uv_layers.active = plain
     select_edges(target)
     assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"CANCELLED"}
-    assert 'No new seams: every island border of the UV map "Plain" is one already' in capfd.readouterr().out
+    assert 'No new seams: every island border of the UV map "Plain" is a seam already' in capfd.readouterr().out
     bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == set()
     select_only(target, grid("Bare", bump))

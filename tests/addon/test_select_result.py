@@ -76,8 +76,8 @@ def test_places_that_cannot_be_shown_do_not_change_the_view(source, addon):
 
 
 def test_missing_places_are_reported(source):
-    select_fails("That line is gone. Flatten again", what="SEAM", index=1)
-    select_fails("That line is gone", what="OUTLINE", index=2)
+    select_fails("That entry is gone. Flatten again", what="SEAM", index=1)
+    select_fails("That entry is gone", what="OUTLINE", index=2)
     bpy.data.objects.remove(flat_of(source))
     select_fails('flat pieces of this report are gone. Flatten "Bump" again', what="PIECE", index=0)
     grid("Other", bump)

@@ -17,7 +17,7 @@ from ..issues import object_error
 from ..names import Attribute
 from .mesh import read_attribute
 
-DIGITS = 24  # of the digest that seals the text
+DIGITS = 24  # length of the digest that seals a text
 
 
 def sealed(data: dict[str, Any]) -> str:
@@ -26,14 +26,14 @@ def sealed(data: dict[str, Any]) -> str:
 
 
 def unsealed(stored: object) -> dict[str, Any] | None:
-    """Returns the data; None if sealed() has not made this text."""
+    """Returns the data of a text that sealed() has made; None for other texts."""
     if not isinstance(stored, str) or stored[:DIGITS] != digest(stored[DIGITS:]):
         return None
     return json.loads(stored[DIGITS:])
 
 
 def stored_text(owner: bpy.types.ID, name: str) -> str:
-    """Return the text of a custom property; "" for other types, and without it."""
+    """Return the text of a custom property; "" if it is missing or not a text."""
     stored = owner.get(name)
     return stored if isinstance(stored, str) else ""
 
@@ -48,7 +48,7 @@ _PLURALS = {"POINT": "vertices", "EDGE": "edges", "FACE": "faces", "CORNER": "fa
 
 
 def find_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray | None:
-    """Returns (k,) int32 or float32, of any values; None if the mesh has no such attribute of this type on this domain.
+    """Returns the unchecked values (k,), int32 or float32; None if no attribute has this name, type and domain.
 
     Functions that return values need a mesh that is not in Edit Mode.
     """

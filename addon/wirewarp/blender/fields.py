@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields of settings and operators, with what most of them have in common."""
+"""Makes fields of settings and operators with the options that most of them share."""
 
 from typing import Any
 

@@ -242,7 +242,7 @@ def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
 
 @contextmanager
 def evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
-    """Yield the mesh as modifiers leave it. Do not nest this for one object: the first end frees the mesh of both."""
+    """Yield the mesh as modifiers leave it. Do not nest this for one object: the inner end frees the mesh of both."""
     evaluated = source.evaluated_get(depsgraph)
     try:
         yield evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)

@@ -101,7 +101,7 @@ def show_place(
 
 
 def _free_view(area: bpy.types.Area) -> bpy.types.RegionView3D:
-    """Return the view of the area, after leaving its camera."""
+    """Return the view of the area, after switching it out of the camera."""
     view = area.spaces.active.region_3d
     if view.view_perspective == "CAMERA":
         view.view_perspective = "PERSP"

@@ -15,7 +15,7 @@ Stages = Generator[tuple[str, float], None, T]  # steps of the library: the stag
 
 
 Grain = Literal["one way", "both ways", "free"]
-GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}  # by settings
+GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}  # by setting
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Cloth:
 
 
 def library_paper(paper: str, roll_width: float) -> str | float:
-    """Return the library's paper for that of the settings. roll_width: of "ROLL", in millimeters."""
+    """Return the library's paper for a paper of the settings. roll_width: width of "ROLL", in millimeters."""
     return roll_width if paper == "ROLL" else paper.lower().replace("_", "-")
 
 
@@ -50,7 +50,7 @@ class Allowances(NamedTuple):
 class PatternParts:
     title: str
     pieces: Sequence[pattern.FlatPiece]
-    failed: Sequence[str]  # names of those that failed
+    failed: Sequence[str]  # names of failed pieces
     seam_names: Sequence[str]
     allowances: Allowances
     units: Literal["metric", "imperial"]
@@ -69,12 +69,12 @@ class PatternParts:
         )
 
     def cut_lines(self, **options: Any) -> pattern.Pattern:  # noqa: ANN401
-        """Return only the lines in their places. Raises ObjectError like making()."""
+        """Return the cutting lines of the pieces in their places. Raises ObjectError like making()."""
         with _errors_of_library():
             return pattern.Pattern.of_cut_lines(self.pieces, **options, **self._marked)
 
     def making(self, options: pattern.PatternOptions) -> Stages[pattern.Pattern]:
-        """Make the pattern in steps. Raises ObjectError if the pieces make none."""
+        """Make the pattern in steps. Raises ObjectError if these pieces cannot make one."""
         own = {"title": self.title, "date": self.date, "measures": self.measures}
         with _errors_of_library():
             return (yield from pattern.Pattern.making(self.pieces, self.seam_names, **options, **own, **self._marked))
@@ -105,25 +105,25 @@ def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -
         return None
 
 
-SEARCH = 0.9  # share of the search for a marker in the whole run, because it takes seconds
+SEARCH = 0.9  # share of the progress of the run for the search for a marker, which takes seconds
 
 
 @dataclass(frozen=True)
 class ExportChoices:
     made: pattern.PatternOptions
-    drawn: frozenset[str]  # kinds of lines, marks and texts as Pattern.with_only has them
-    options: Mapping[str, Any] = field(default_factory=dict)  # of Pattern.write
-    in_rows: bool = False  # otherwise as the pieces lie
-    cloth: Cloth | None = None  # fabric on which they are nested instead
+    drawn: frozenset[str]  # kinds of lines, marks and texts, as in Pattern.with_only
+    options: Mapping[str, Any] = field(default_factory=dict)  # options of Pattern.write
+    in_rows: bool = False  # otherwise the pieces keep their places
+    cloth: Cloth | None = None  # fabric on which the pieces are nested instead
     seconds: float = 0.0  # seconds to search for a marker
-    anew: bool = False  # search even if one is stored
+    anew: bool = False  # search even if a marker is stored
 
 
 @dataclass(frozen=True)
 class Exported:
     made: pattern.Pattern
     written: pattern.Written
-    cloth: Cloth | None  # of a marker
+    cloth: Cloth | None  # fabric of the marker
 
 
 def made_pattern(parts: PatternParts, choices: ExportChoices) -> pattern.Pattern:
@@ -160,7 +160,7 @@ def _making(parts: PatternParts, choices: ExportChoices) -> Stages[pattern.Patte
 
 
 def _share(stage: str, fraction: float, has_search: bool) -> float:
-    """Return the completed share of the whole."""
+    """Return the completed share of the whole run."""
     stages = pattern.STAGES
     if stage == "nesting":
         return stages["writing"] * (1 - SEARCH) + fraction * SEARCH

@@ -13,21 +13,21 @@ from .export import GRAINS, Cloth, ExportChoices, library_paper
 from .steps import PatternExport, largest_sentence, size_sentences
 
 FORMATS = {suffix[1:].upper(): each for suffix, each in pattern.FORMATS.items()}
-DRAWN = [  # kinds of the library, upper case and with underscores
+DRAWN = [  # the library's kinds, in upper case and with underscores
     ("SEW", "Stitching Lines", "Where to sew, inside the cutting line"),
     ("WIRES", "Wires", "The wires inside of pieces"),
     ("GRAIN", "Grain", "An arrow along the grain"),
     ("NOTCHES", "Notches", "Notches, clips and holes to drill"),
-    ("TEXTS", "Texts", "Name, number and how often to cut the piece"),
+    ("TEXTS", "Texts", "Name and number of the piece, and how often to cut it"),
     ("LINE_NAMES", "Line Names", "Numbers of seams, which are the same on both sides, and names of wires"),
 ]
-PROPERTIES = {"proof": "proof_sheet"}  # properties of the operator whose names differ from the format's option
+PROPERTIES = {"proof": "proof_sheet"}  # operator properties whose names differ from the options of the format
 ALL_DRAWN = {kind for kind, _, _ in DRAWN}
 ALL_KINDS = frozenset(kind.lower().replace("_", " ") for kind in ALL_DRAWN)
 
 
 class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operator):
-    """Write the flat pieces of the active object in actual size, with seam allowances: to print, to plot or to cut"""
+    """Write the flat pieces of the active object in actual size and with seam allowances, to print, plot or cut"""
 
     bl_idname = "object.wirewarp_export"
     bl_label = "Export Pattern"
@@ -44,7 +44,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     )
     drawn: EnumProperty(
         name="Drawn",
-        description="What is drawn besides the cut lines",
+        description="Lines and texts to draw besides the cutting lines",
         items=DRAWN,
         options={"ENUM_FLAG"},
         default=ALL_DRAWN,
@@ -188,7 +188,7 @@ class OBJECT_OT_wirewarp_export_svg(PatternExport, bpy.types.Operator):
         self.layout.prop(self, "failed_pieces")
 
     def choices(self) -> ExportChoices:
-        """Return choices with allowances only where they are marked, and darts as they are."""
+        """Return choices with allowances only at marked edges, and with darts cut out."""
         return ExportChoices(
             {"allowance": 0.0, "notch_spacing": self.notch_spacing, "darts": "cut"}, ALL_KINDS, in_rows=False
         )

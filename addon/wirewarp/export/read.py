@@ -96,7 +96,7 @@ def _parts(
 def _pieces(
     report: ObjectReport, flat: FlatPieces, wire_names: Mapping[int, str], grains: Mapping[int, np.ndarray]
 ) -> list[pattern.FlatPiece]:
-    """Return the pieces. grains: by index of the piece; upright if there is none."""
+    """Return the pieces. grains: grain directions by index of the piece; a piece without one has its grain upright."""
     outline = outline_of(flat)
     wires = _inner_wires(flat, outline, wire_names)
     found = []
@@ -117,7 +117,7 @@ def _pieces(
 
 
 def _closed_slits(chains: Sequence[pattern.Chain], outline: set[tuple[int, int]]) -> set[tuple[int, ...]]:
-    """Return both sides of each seam of one edge inside the piece: it divides no vertex, so it opens nothing."""
+    """Return both sides of seams inside a piece that are one edge long: these split no vertex, so they open nothing."""
     single = {tuple(chain.sources.tolist()) for chain in chains if len(chain.sources) == 2}
     return {side for side in single if side[::-1] in single and not {side, side[::-1]} & outline}
 
@@ -146,7 +146,7 @@ def _allowances(
     with flattened as mesh:
         marked = read_allowances(mesh)
     is_mirrored = bool(np.linalg.det(linear_part(source)) < 0)
-    seams: dict[tuple[int, int], bool] = {}  # of each edge of an outline, in both directions: whether it is sewn
+    seams: dict[tuple[int, int], bool] = {}  # whether each outline edge is sewn, by its vertices in both orders
     chains = [chain for piece in report.pieces if piece.has_layout for chain in piece.outline]
     for chain in chains:
         for a, b in zip(chain.vertices[:-1], chain.vertices[1:], strict=True):

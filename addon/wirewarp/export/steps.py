@@ -102,8 +102,8 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
     )
     notch_spacing: number(
         "Notches Every",
-        "Distance in millimeters (25.4 to the inch) of notches along seams, from the same end on both "
-        "sides. Shorter seams get one near their middle, from 15 mm on. Ends of wires always get one. At least 1 mm; "
+        "Distance in millimeters (an inch is 25.4) between notches along seams, from the same end on both sides. "
+        "Shorter seams of at least 15 mm get one near their middle. Ends of wires always get one. Minimum 1 mm; "
         "0: only at wires",
         (0.0, 100.0, 500.0),
         step=1000,

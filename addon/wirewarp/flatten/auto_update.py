@@ -37,9 +37,9 @@ def forget_change(scene: bpy.types.Scene) -> None:
 
 
 def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return the models that differ from their flat pieces, each once for each of its states.
+    """Return the models that differ from their flat pieces, and never return a model twice in the same state.
 
-    After an undo there are none, because an update would restore what was undone.
+    After an undo, return no models, because an update would restore what was undone.
     """
     undone = state_of(context.scene).is_undone
     forget_change(context.scene)
@@ -58,7 +58,7 @@ def _present_state(source: bpy.types.Object) -> dict | None:
 
 
 def put_back(sources: list[bpy.types.Object], scene: bpy.types.Scene) -> None:
-    """Make the models taken from this scene due again, although their states are unchanged."""
+    """Let take_changed return these models of the scene again, although their states are unchanged."""
     for source in sources:
         state_of(source).tried = None
     note_change(scene)
@@ -165,7 +165,7 @@ class UpdateSteps(FlattenSteps):
 
 
 class OBJECT_OT_wirewarp_update(UpdateSteps, bpy.types.Operator):
-    """Flatten again what has changed"""
+    """Flatten the changed models again"""
 
     bl_idname = "object.wirewarp_update"
     bl_undo_group = LABEL

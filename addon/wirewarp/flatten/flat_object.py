@@ -85,7 +85,7 @@ def _pairs(places: np.ndarray) -> np.ndarray:
 
 
 def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) -> None:
-    """Write the source's own maps, for checking a print, and a map of the pieces on a flat mesh without maps."""
+    """Write UV maps on a flat mesh that has none: the source's own, which show a print, and a map of the pieces."""
     for name, places in list(arrays.uv_maps.items())[: MAX_UV_LAYERS - 1]:
         _write_new(mesh, name, _pairs(places)[flat.source_corner])
     places, _ = _in_unit_square(flat.vertices)
@@ -171,7 +171,7 @@ def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) 
 def _write_mesh(
     target: bpy.types.Object, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays, record: FlatRecord
 ) -> None:
-    """Write the mesh alone: shape keys and groups of the former vertices are removed."""
+    """Write only the mesh: shape keys and groups of the former vertices are removed."""
     mesh = target.data
     target.shape_key_clear()
     target.vertex_groups.clear()
@@ -188,7 +188,7 @@ def _write_mesh(
 
 
 def _write_faces(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
-    """Write the faces alone: earlier ones are removed."""
+    """Write only the faces: earlier ones are removed."""
     mesh.clear_geometry()
     coordinates = np.zeros((len(flat.vertices), 3), dtype=np.float32)
     coordinates[:, :2] = flat.vertices
@@ -231,7 +231,7 @@ def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
 
 
 def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
-    """Assign the model's materials to its faces, and the add-on's to failed ones. Without both, the user's stay."""
+    """Assign the model's materials to its faces, and the add-on's to failed ones. Without both, keep the user's."""
     kept = [material for material in mesh.materials if not (material and material.name == FAILED_MATERIAL)]
     own = [slot.material for slot in source.material_slots]
     shown = own or kept

@@ -24,7 +24,7 @@ from ..solve.identity import (
 from ..solve.report import Facts, ObjectReport, UvSeams, failure_report, object_report, uv_seams
 from ..solve.steps import CanceledError, Steps, reported_as
 
-MIDDLE = "Lengths on the model are those of the middle of the material's thickness."
+MIDDLE = "Lengths on the model are measured in the middle of the material's thickness."
 NO_ANGLE = "Grain Angle was not used: it needs Upright: Grain Wire and a grain wire."
 
 
@@ -53,7 +53,7 @@ class Outcome:
     result: FlattenResult | None = None
     identities: Sequence[PieceIdentity] = ()
     seams: Sequence[SeamIdentity] = ()
-    arrays: MeshArrays | None = None  # of the model, with the present ids of its seams
+    arrays: MeshArrays | None = None  # the model, with the present ids of its seams
     pieces: FlatMesh | None = None  # None if there is no layout
     is_elsewhere: bool = False  # whether some pieces are in new places
 
@@ -66,7 +66,7 @@ def solve_models(
     Canceling the trial of UV seams keeps the pieces.
     """
     outcomes: list[Outcome] = []
-    # Modifiers make edges of their own, which nobody can mark.
+    # Edges that modifiers make cannot be marked.
     readable = [model for model in models if tries_uv_seams and model.arrays and not model.facts.with_modifiers]
     with_map = [model for model in readable if len(new_seams(model.arrays))]
 

@@ -172,14 +172,14 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
     )
     only_active: BoolProperty(
         name="Only Active",
-        description="Flatten the active model alone, whatever else is selected",
+        description="Flatten only the active model, even if others are selected",
         options={"HIDDEN", "SKIP_SAVE"},
     )
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
         if properties.only_active:  # the button Lay Out Again
-            return "Flatten this model again and lay out all its pieces again, wherever they were moved"
+            return "Flatten this model again and lay out all its pieces again, also those that you moved"
         return cls.__doc__
 
     @classmethod

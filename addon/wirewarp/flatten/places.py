@@ -20,7 +20,7 @@ from ..state.flat_pieces import read_flat_pieces
 from ..state.owners import model_of
 from ..state.record import layout_of, read_record
 
-GAP = 0.1  # of the model's largest dimension
+GAP = 0.1  # share of the model's largest dimension
 LARGE = 5.0  # largest size of an obstacle, as a multiple of the model's size: pieces may lie in a room or a landscape
 SOLID = {"MESH", "CURVE", "SURFACE", "META"}
 Box = np.ndarray  # (2,3), the lowest and the highest corner
@@ -51,7 +51,7 @@ def free_place(
 
 
 def _rises(box: Box, floor: float, gap: float) -> bool:
-    """Return whether it stands on the floor or cuts through it."""
+    """Return whether the box begins at the floor or below and rises above it."""
     return bool(box[0, 2] <= floor + gap and box[1, 2] > floor)
 
 
@@ -115,8 +115,8 @@ def is_turned(up: np.ndarray, then: np.ndarray, options: dict) -> bool:
 
 def crowded_text(names: list[str]) -> str:
     if len(names) == 1:
-        return f"{names[0]} no longer fitted its place and was moved aside."
-    return f"{', '.join(names[:-1])} and {names[-1]} no longer fitted their places and were moved aside."
+        return f"{names[0]} no longer fits in its place and was moved aside."
+    return f"{', '.join(names[:-1])} and {names[-1]} no longer fit in their places and were moved aside."
 
 
 def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:

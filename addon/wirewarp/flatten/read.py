@@ -129,7 +129,7 @@ def check_target(target: bpy.types.Object, writes_model: bool, edited: Collectio
     if is_flat:
         raise object_error(
             "flat_pieces",
-            f'"{target.name}" holds flat pieces, and their model was deleted: bring it back, or select another one. To '
+            f'"{target.name}" holds flat pieces, and their model was deleted: restore it, or select another one. To '
             'flatten them as they are, delete the attribute "source_vertex" under Object Data > Attributes.',
         )
     check_local(target, target)

@@ -60,7 +60,7 @@ def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float
 
 
 def change_grain(target: bpy.types.Object, edge: int) -> None:
-    """Make the wire of this edge the grain wire, or none if it is already. Raises ObjectError like wire_at."""
+    """Make the wire of this edge the grain wire, or no wire if it already is. Raises ObjectError like wire_at."""
     mesh = target.data
     wire_at(target, edge)
     wire_id = int(repair_marks(target).wire_ids[edge])
@@ -146,7 +146,7 @@ def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
 
 
 def plan_lines(target: bpy.types.Object, rows: np.ndarray, amount: Amount) -> Planned:
-    """Plan the same longer length on all sides of the lines of these edges; other edges become rigid wires.
+    """Plan to ease the lines of these edges equally on all sides. Edges without a wire become rigid wires.
 
     Raises ObjectError if a line would have no length left.
     """
@@ -209,7 +209,7 @@ def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amo
 
 
 def clear_eases(target: bpy.types.Object, edges: np.ndarray) -> Eased:
-    """Clear the eases of these edges, which may be named twice, on all sides.
+    """Clear the eases of these edges on all sides. An edge may occur twice.
 
     Return a change for each line that had one.
     """

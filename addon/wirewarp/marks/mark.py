@@ -107,7 +107,7 @@ def plan_clear(target: bpy.types.Object) -> Callable[[], int]:
 def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
     """Mark the borders of the islands of each object's map; existing seams stay.
 
-    Return the number of new ones, and the names of the maps. Raises ObjectError, with nothing marked, if an object has
+    Return the number of new seams, and the names of the maps. Raises ObjectError, with nothing marked, if an object has
     no UV map.
     """
     maps = [_find_map(target) for target in targets]

@@ -120,7 +120,7 @@ class MESH_OT_wirewarp_clear(OnModel, bpy.types.Operator):
 
 
 class MESH_OT_wirewarp_allowance(bpy.types.Operator):
-    """Set the seam allowance of the selected edges on seams and outlines; on flat pieces that of their side alone"""
+    """Set the seam allowance of the selected edges on seams and outlines. On flat pieces, only of the selected side"""
 
     bl_idname = "mesh.wirewarp_allowance"
     bl_label = "Mark Allowance"
@@ -196,7 +196,7 @@ class MESH_OT_wirewarp_seams_from_uv_islands(OnModel, bpy.types.Operator):
             count, maps = seams_from_uv(targets)
         named = f"{'UV map' if len(maps) == 1 else 'UV maps'} {quoted(maps)}"
         if count == 0:
-            self.report({"INFO"}, f"No new seams: every island border of the {named} is one already")
+            self.report({"INFO"}, f"No new seams: every island border of the {named} is a seam already")
             return {"CANCELLED"}
         self.report({"INFO"}, f"{counted(count, 'edge')} marked as seam, from the {named}")
         return {"FINISHED"}
@@ -221,7 +221,7 @@ def _deselect(mesh: bpy.types.Mesh) -> None:
 
 
 class OBJECT_OT_wirewarp_mark_model(bpy.types.Operator):
-    """Enter Edit Mode to select edges and mark them as seams and wires. If every edge is selected, none is then"""
+    """Enter Edit Mode to select edges and mark them as seams and wires. Deselect all first if all are selected"""
 
     bl_idname = "object.wirewarp_mark_model"
     bl_label = "Mark This Model"

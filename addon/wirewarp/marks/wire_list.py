@@ -52,7 +52,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
     ease: number(
         "Ease",
         "How much longer than on the model to cut the wire, as a fraction. Below 0: shorter. "
-        "Left out, the wire keeps its own",
+        "Without it, the wire keeps its ease",
         (LEAST_EASE, 0.0, 1.0),
         soft_min=-0.5,
         precision=4,

@@ -50,7 +50,7 @@ def draw_lines(
 
 
 def draw_failed(owner: bpy.types.Object, what: str, triangles: np.ndarray) -> None:
-    """triangles (3m,3)."""
+    """Draw the triangles (3m,3) of failed faces."""
     shader = gpu.shader.from_builtin(TRIANGLES)
     shader.uniform_float("color", (*STYLES["failed"].color, FAILED_ALPHA))
     _batch(owner, what, triangles, TRIANGLES, "TRIS", pos=triangles).draw(shader)

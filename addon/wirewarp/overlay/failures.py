@@ -85,9 +85,9 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
-    """Return a mask of the named edges, of those at named vertices, and of those around named faces.
+    """Return a mask of the named edges, the edges at named vertices, and the edges around named faces.
 
-    Edges inside are left out, because the color of the faces shows wires and proposed seams.
+    Edges between named faces are left out, so that wires and proposed seams stay visible on the tinted faces.
     """
     failed = _named(pairs, [edge for issue in issues for edge in issue.edges])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue.vertices]).any(axis=1)
@@ -97,7 +97,7 @@ def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], 
 
 
 def _named(pairs: np.ndarray, edges: list) -> np.ndarray:
-    """Return a mask of those pairs of the model's vertices (e,2) that are among the edges."""
+    """Return a mask of the pairs of the model's vertices (e,2) that are in the list of edges."""
     wanted = np.array(edges, dtype=np.int64).reshape(-1, 2)
     count = max(int(pairs.max(initial=0)), int(wanted.max(initial=0))) + 1
     return np.isin(edge_keys(pairs, count), edge_keys(wanted, count))
@@ -116,7 +116,7 @@ def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
 
 
 def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> np.ndarray:
-    """Return (2k,3) on a model or flat pieces in Object Mode; none if nothing is chosen."""
+    """Return the ends (2k,3) of the chosen cut on a model or flat pieces in Object Mode; no ends without a choice."""
     segments = _segments(target)
     if segments is None:
         return NO_LINES
@@ -131,7 +131,7 @@ def suggested_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) ->
 
 
 def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
-    """Return (2k,3) in the map of the pieces, for an object in Object Mode."""
+    """Return the ends (2k,3) of the chosen cut in the map of the pieces, for an object in Object Mode."""
     segments = _segments(model)
     if segments is None or is_modified(model):  # a piece without a map
         return NO_LINES
@@ -140,7 +140,7 @@ def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
 
 
 def _segments(target: bpy.types.Object) -> Segments | None:
-    """Return those of the chosen cut; None if they are not visible, as on a mesh that modifiers shape."""
+    """Return the segments of the chosen cut; None if they cannot be shown, as on a mesh that modifiers shape."""
     source = model_or_self(target)
     found = current_suggestions(source)
     if found is None:

@@ -80,7 +80,7 @@ def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
 
 
 def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> AbstractContextManager[bpy.types.Mesh]:
-    """Return the mesh with modifiers and shape keys, or as edited, even through another object of the same mesh."""
+    """Return the mesh with modifiers and shape keys, or as edited, also through another object with this mesh."""
     is_modified = not target.data.is_editmode and (target.modifiers or target.data.shape_keys)
     return evaluated_mesh(target, depsgraph) if is_modified else current_mesh(target)
 
@@ -110,7 +110,7 @@ def _lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
 
 
 def gather_side_eases(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> SideEases | None:
-    """Return None if there are none."""
+    """Return the eases of single sides; None if the mesh has none."""
     with shown_mesh(target, depsgraph) as mesh:
         ratios = SIDE_EASES.read(mesh)
         corners = np.flatnonzero(ratios)
@@ -181,5 +181,5 @@ def _uv_lines(mesh: bpy.types.Mesh, is_edited: bool) -> LineEdges:
         seam_ids=read_ids(mesh, SEAM)[rows],
         outlines=outlines[rows],
         marks=marks.take(rows),
-        selected=np.zeros(len(rows), dtype=bool),  # the map has a selection of its own
+        selected=np.zeros(len(rows), dtype=bool),  # not drawn: the map has its own selection
     )

@@ -40,7 +40,7 @@ def _hex(text: str) -> tuple[float, float, float]:
 
 
 THIN = 1.0  # pixels
-RIM, RIM_ALPHA = 1.5, 0.6  # pixels by which the rim is wider than the line
+RIM, RIM_ALPHA = 1.5, 0.6  # how many pixels wider than the line the rim is
 # In drawing order: a wire is visible on a seam or a failed area.
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
@@ -79,7 +79,7 @@ def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[
         return []
     pairs = np.sort(vertices[marked], axis=1)
     edges, first, edge_of_row = np.unique(pairs, axis=0, return_index=True, return_inverse=True)
-    in_order = np.argsort(first)  # of the mesh, as the list of wires has them
+    in_order = np.argsort(first)  # the order of the mesh, as in the list of wires
     edges, first, edge_of_row = edges[in_order], marked[first[in_order]], np.argsort(in_order)[edge_of_row.ravel()]
     turned = np.where((vertices[:, 0] > vertices[:, 1])[:, None, None], ends[:, ::-1], ends)
     numbers, edges = np.unique(edges, return_inverse=True)
@@ -101,7 +101,7 @@ def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[
 
 
 def cut_into_dashes(ends: np.ndarray, offsets: np.ndarray, dash: float, gap: float) -> np.ndarray:
-    """Return the ends (2m,3) of the dashes on lines (k,2,3) that begin at these offsets (k,) from the first dash."""
+    """Return the ends (2m,3) of the dashes on lines (k,2,3) that begin at these distances (k,) from the first dash."""
     period = dash + gap
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     first = np.floor(offsets / period).astype(np.int64)
@@ -155,7 +155,7 @@ def dashes_by_kind(lines: LineEdges, runs: Sequence[WireRun]) -> dict[str, np.nd
     if not len(lines.ends):
         return {}
     pixel = np.ptp(lines.ends.reshape(-1, 3), axis=0).max() / VIEW_SIZE
-    if not 0 < pixel < np.inf:  # in one place, or nowhere
+    if not 0 < pixel < np.inf:  # all points coincide, or are not finite
         return {}
     dashes = {}
     for kind, mask in _members(lines).items():
@@ -198,9 +198,9 @@ def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[s
 def seam_line_names(
     lines: LineEdges, numbers: np.ndarray, texts: Callable[[int, int], tuple[str, ...]], rooms: Rooms
 ) -> list[Name]:
-    """Return the names of each seam, in all its pieces. numbers (k,): of the seams, 0 for edges without a name.
+    """Return the names of each seam, in all its pieces. numbers (k,): seam of each edge, 0 if it has no name.
 
-    texts: of the seam with this number in a piece, see Name.
+    texts: returns the texts of the seam with this number in a piece, see Name.
     """
     rows: dict[tuple[int, int], list[int]] = {}
     for row in np.flatnonzero(numbers).tolist():
@@ -250,7 +250,7 @@ def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, ro
     place = middles[np.argmin(np.linalg.norm(middles - middles.mean(axis=0), axis=1))]
     by_distance = np.argsort(np.linalg.norm(middles - place, axis=1), kind="stable")
     first = (np.array([0, *ALONG]) * len(rows)).astype(int)
-    best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]  # one on each side
+    best = by_distance[np.unique(np.concatenate([first, first[1:] + 1]).clip(max=len(rows) - 1))]  # on both sides
     reach = float(np.linalg.norm(lines.ends[rows] - place, axis=2).max())
     piece = int(lines.pieces[rows[0]])
     return Name(

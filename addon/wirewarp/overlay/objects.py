@@ -43,8 +43,8 @@ from .lines import (
     wire_runs,
 )
 
-# Unit vectors (2,32). With 32, a vertex that is missed is farther out than the found ones by at most 1 - cos(pi / 32),
-# 0.5% of the piece's radius. None is along an axis, so that both ends of a straight side are outermost somewhere.
+# Unit vectors (2,32). A vertex that 32 directions miss is farther out than the found ones by at most 1 - cos(pi / 32),
+# 0.5% of the piece's radius. No vector is along an axis, so both ends of a straight side are outermost somewhere.
 DIRECTIONS = np.array([[np.cos(angle), np.sin(angle)] for angle in np.pi * (np.arange(32) + 0.5) / 16]).T
 ARROW = 0.4  # length of a grain arrow as a share of the size of its piece
 
@@ -52,7 +52,7 @@ ARROW = 0.4  # length of a grain arrow as a share of the size of its piece
 @dataclass(frozen=True)
 class Lines:
     places: dict[str, np.ndarray]  # (2k,3) float32 for each kind of line
-    dashes: dict[str, np.ndarray]  # (2m,3) float32 for each kind that has them
+    dashes: dict[str, np.ndarray]  # (2m,3) float32 for each kind with dashes
     names: list[Name]
 
 
@@ -72,7 +72,7 @@ def marked_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
 
 
 def uv_lines(target: bpy.types.Object) -> Lines:
-    """Seams and wires of a model in the map of its pieces. Raises ObjectError as gather_uv_lines does."""
+    """Return the seams and wires of a model in the map of its pieces. Raises ObjectError as gather_uv_lines does."""
     return lines_of(target, gather_uv_lines(target), in_plane=True)
 
 
@@ -84,7 +84,7 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
     if report and report.pieces:
         texts = partial(_seam_texts, report, model_of(target) is not None)
         names += seam_line_names(edges, _seams_of_report(edges, report), texts, rooms)
-    else:  # if the model has changed or was refused, the seam keeps its name without the joined pieces
+    else:  # if the model has changed or was refused, the name of the seam lacks the joined pieces
         given = seam_names(model_or_self(target))
         numbers = np.where(edges.seams & np.isin(edges.seam_ids, list(given)), edges.seam_ids, 0)
         names += seam_line_names(edges, numbers, lambda seam_id, _: (given[seam_id],), rooms)

@@ -26,7 +26,7 @@ class CutLines:
 
 @dataclass(frozen=True)
 class PagePreview:
-    """places and names in Blender units, in the space of the flat pieces."""
+    """The pages to draw. Places and names are in Blender units, in the space of the flat pieces."""
 
     sentence: str  # number of pages, or why there are none
     is_good: bool
@@ -45,7 +45,10 @@ def outlines(
 
 
 def cut_lines(parts: PatternParts | None, allowance: float, **options: object) -> CutLines:
-    """parts: see outlines. allowance: where none is marked, in millimeters; options: see PatternOptions."""
+    """Return the cutting lines. parts: see outlines; options: see PatternOptions.
+
+    allowance: at edges without a marked allowance, in millimeters.
+    """
     if parts is None:
         return CutLines(None, False)
     try:
@@ -61,7 +64,7 @@ def cut_places(cut: CutLines, millimeters: float) -> np.ndarray:
 
 @dataclass(frozen=True)
 class PageChoices:
-    paper: str | float  # as the library takes it
+    paper: str | float  # for the library: a name, or the width of a roll in millimeters
     arrangement: str  # "IN_ROWS", "AS_LAID_OUT" or "MARKER"
     cloth: Cloth  # the fabric of a marker
     marker: str  # the stored marker, see export.read
@@ -70,7 +73,7 @@ class PageChoices:
 def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:
     """Return the pages over the pieces, or below them if the file will have the pieces in other places.
 
-    The library lays the pages out as for a PDF. drawn: parts of the pieces in the file; millimeters: in a Blender unit.
+    The library lays the pages out as for a PDF. drawn: the cutting lines in the file; millimeters: in a Blender unit.
     """
     made = drawn.made
     if made is None or cut.made is None:

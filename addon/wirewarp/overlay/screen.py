@@ -127,7 +127,7 @@ def _add_scale(
 FONT, FONT_SIZE, MARGIN = 0, 12, 16
 MAX_NAMES = 150
 NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of its line
-SAME = 1.0  # pixels: points this close to the lowest one count as lowest
+SAME = 1.0  # pixels: points this close to the lowest point count as lowest
 COVERED = 0.25  # maximum share of a piece that all its labels may hide
 LONG_COVERED = 0.03  # maximum share that one label may hide with more than its short text
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
@@ -144,7 +144,7 @@ class PlacedName(NamedTuple):
 
     texts: tuple[str, ...]  # one is written: the first that fits
     points: np.ndarray  # (c,2) possible places, the best first
-    reach: float  # of the named line
+    reach: float  # as in Name, in pixels
     owner: tuple[str, int]  # object and piece whose room it needs
     room: float  # root of the area of that piece
     around: np.ndarray | None  # (c,2) outermost points of the piece; the name is beside it if it does not fit inside
@@ -169,7 +169,7 @@ def write_over(
 
 
 def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHERE) -> None:
-    """unit: see draw_lines; span: see arrange."""
+    """Write the names that fit. unit: see draw_lines; span: see arrange."""
     blf.size(FONT, FONT_SIZE * unit)
 
     def size_of(text: str) -> Size:
@@ -183,7 +183,7 @@ def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHER
 def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE) -> list[Text]:
     """Place the names that fit: a name must not be much longer than its line, meet another name or hide its piece.
 
-    span: the columns of pixels that nothing covers. The name of a point in the span stays in the span.
+    span: the columns of pixels that nothing covers. A name whose point is in the span stays in the span.
     """
     wanted = list(names)
     boxes = [_box(name.around).ravel() for name in wanted if name.around is not None]
@@ -319,8 +319,8 @@ class Taken:
     def place_beside(self, around: np.ndarray, size: Size) -> Corner | None:
         """Return a place below, above, right or left of a piece, and on no other piece.
 
-        around (c,2): its outermost points. The text is beside its lowest point, not beside the middle of a box around
-        it, which may be far from a piece that the view shows at an angle.
+        around (c,2): its outermost points. The text is beside its lowest point. The middle of a box around the piece
+        would not do, because it may be far from a piece that the view shows at an angle.
         """
         (width, height), room = size, TEXT_MARGIN * size[1]
         low, high = _box(around)

@@ -20,7 +20,7 @@ NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
 # Two steps of a 24-bit depth buffer. Multiplied by the distance and divided by that of the near plane, this is the
 # smallest difference in depth that shows, as a share of the distance.
 DEPTH_STEP = 2 / 2**24
-HIDDEN_BY = 0.005  # share of the distance from the eye: anything closer to a place belongs to its own surface
+HIDDEN_BY = 0.005  # share of the distance from the eye: a surface closer to a place does not hide it
 MOST_APART = 8.0  # largest factor of _apart, because lines on the back of a cushion must stay hidden
 
 
@@ -199,7 +199,7 @@ def draw_map_names() -> None:
 
 
 def _names_in_region(context: bpy.types.Context, drawing: UvDrawing) -> Iterator[PlacedName]:
-    """Return texts with those of their places that are in the region."""
+    """Return texts with their places, as far as these are in the region."""
     region, to_region = context.region, context.region.view2d.view_to_region
     origin = np.array(to_region(0, 0, clip=False))
     pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000  # view_to_region rounds

@@ -114,7 +114,7 @@ class OBJECT_OT_wirewarp_show_fault(BetweenRuns, bpy.types.Operator):
         with in_object_mode(context):
             found = find_faults(source.data).get(self.kind)
         if found is None:
-            self.report({"INFO"}, "There are none any more")
+            self.report({"INFO"}, "This fault no longer exists")
             return {"CANCELLED"}
         select_elements(context, source, found)
         return {"FINISHED"}
@@ -125,7 +125,7 @@ def _counts(source: bpy.types.Object) -> dict[str, int]:
     return {kind: len(each.vertices) + len(each.edges) + len(each.faces) for kind, each in found}
 
 
-WORTH_WORDS = 0.001  # smallest change, as a share of the outlines' length: a millimeter on a meter
+WORTH_WORDS = 0.001  # smallest reported change of the outlines' length: a millimeter on a meter
 SUGGEST_AGAIN = "Suggest Darts, Suggest Seams or Simplify Seams"
 NOTHING = {  # by kind
     "SEAMS": "Already marked. Flatten again.",
@@ -155,7 +155,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             ("DISSOLVE", "Dissolve", "Dissolve faces without area on the model"),
             ("MERGE", "Merge", "Merge overlapping vertices of the model"),
             ("NORMALS", "Normals", "Flip faces of the model so that all point to one side"),
-            ("APPLY", "Apply Modifiers", "Make what modifiers show the model itself, with edges that can be marked"),
+            ("APPLY", "Apply Modifiers", "Apply the modifiers, so that their edges can be marked"),
             ("UV_SEAMS", "Seams of the UV Map", "Mark the borders of the islands of the model's own UV map as seams"),
             ("FABRIC", "Fabric", "Choose this fabric"),
             (
@@ -210,7 +210,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             if abs(change) >= WORTH_WORDS:
                 longer = "longer" if change > 0 else "shorter"
                 self.report({"WARNING"}, f"Subdivision makes the outlines {percent_text(abs(change))} {longer}.")
-        elif self.what == "FABRIC":  # so that it has its own maximum stretch
+        elif self.what == "FABRIC":  # so that the fabric gets its own maximum stretch
             settings.cloth = self.cloth
             self.gives_across = self.gives_along = settings.gives_across = settings.gives_along = 0.0
         else:

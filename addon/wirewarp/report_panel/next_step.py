@@ -18,7 +18,7 @@ from ..state.settings import FlattenSettings
 
 FOLDER = Path(str(files(__package__.rpartition(".")[0]))) / "samples"  # in the add-on's folder
 SAMPLES = [  # files of that folder, the simplest first
-    ("CUSHION", "Cushion", "Six pieces that any fabric can do"),
+    ("CUSHION", "Cushion", "Six pieces, for any fabric"),
     ("FITTED_TOP", "Fitted Top", "Four pieces of jersey, with lines that keep their length"),
     ("JEANS", "Jeans", "Seven pieces of woven cotton"),
     ("TOY", "Bear", "Sixteen pieces of minky, with darts"),
@@ -133,7 +133,7 @@ REMEDIES = {
     "MERGE": ("Merge and Flatten", "AUTOMERGE_ON"),
     "NORMALS": ("Fix Normals and Flatten", "NORMALS_FACE"),
 }
-APPLY_FIRST = "The fix is about edges that modifiers make. Mark others on the model, or:"
+APPLY_FIRST = "The fix is about edges that modifiers make. Mark edges of the model itself, or:"
 CHECK = "object.wirewarp_check"
 FAULTY_CODES = {
     "non_manifold_edge",

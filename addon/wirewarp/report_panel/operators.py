@@ -125,7 +125,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
             ("PIECE", "Piece", "Select and show the piece: on the model, or on the flat pieces if these are active"),
             ("STRETCH", "Largest Stretch", "Select and show where the fabric of this piece must stretch most"),
             ("EASE", "Largest Compression", "Select and show where the fabric of this piece is compressed most"),
-            ("ISSUE", "Issue", "Select and show what the sentence is about"),
+            ("ISSUE", "Issue", "Select and show the elements that the sentence is about"),
             ("HINT", "Hint", "Select and show the place: on the model, or on the flat pieces if these are active"),
         ],
         options={"HIDDEN"},
@@ -139,7 +139,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
     def act(self, context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> set[str]:
         elements = elements_of(report, self.what, self.index)
         if elements is None:
-            raise object_error("not_in_report", "That line is gone. Flatten again.")
+            raise object_error("not_in_report", "That entry is gone. Flatten again.")
         # If modifiers made the elements, only the flat pieces have them.
         wants_flat = context.active_object != source or report.with_modifiers
         if wants_flat and self._lies_flat(report, elements):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the report of the active object: what failed, and tables of lengths, the worst first."""
+"""Draws the report of the active object: failures, and tables of lengths, the worst first."""
 
 from collections.abc import Mapping, Sequence
 
@@ -226,8 +226,7 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, f"Method: {report.method_name}")
         if report.issues:
             box = layout.box()
-            # Gray after a change, although the buttons still work: several suggestions can be marked before the next
-            # run.
+            # Gray after a change. The buttons still work: several suggestions can be marked before the next run.
             box.active = not has_changed_since(source, report)
             draw_issues(context, box, report)
         if report.hints:

@@ -41,13 +41,13 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row.has_layout:
             figure = columns.row()
             figure.alignment = "RIGHT"
-            figure.label(text=percent_text(row.needed) if row.needed < 1 else ">100%")  # it fits the column
+            figure.label(text=percent_text(row.needed) if row.needed < 1 else ">100%")  # fits the column
             draw_select(line, "PIECE", index)
 
     def filter_items(
         self, context: bpy.types.Context, source: bpy.types.Object, entries_name: str
     ) -> tuple[list[int], list[int]]:
-        """Return which entries are shown (empty: all), and the place of each."""
+        """Return the flags of shown entries (empty: all are shown), and the place of each."""
         entries, helper = getattr(source, entries_name), bpy.types.UI_UL_list
         shown = []
         if self.filter_name:
@@ -97,7 +97,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         if chosen:
             draw_figures(context, self.layout, chosen)
             report = shown_report(context)
-            offered = offered_piece(context, source, report) if report else None  # has buttons below Flatten
+            offered = offered_piece(context, source, report) if report else None  # the piece with buttons below Flatten
             has_seams = bool(report and report.seams)
             if chosen.ok and chosen.needed >= WORTH_A_CUT and offered != chosen.index:
                 draw_suggest(self.layout, context.scene.wirewarp, chosen.index, has_seams=has_seams)

@@ -24,7 +24,7 @@ class Region:
 
 @dataclass(frozen=True)
 class FaceRegions:
-    sample: np.ndarray  # (s,) int64: faces of which the regions are known
+    sample: np.ndarray  # (s,) int64: faces with known regions
     groups: list[Region]
     materials: list[Region]
 
@@ -53,23 +53,23 @@ class MeshArrays:
     polygon_sizes: np.ndarray  # (f,) int32
     edges: np.ndarray  # (e,2) int32
     seam_edges: np.ndarray  # (k,) int32
-    seams: np.ndarray  # (k,2) int32, the vertices of these
-    seam_ids: np.ndarray  # (k,) int32, of the seams that these edges were in when last flattened; 0 none
+    seams: np.ndarray  # (k,2) int32, the vertices of seam_edges
+    seam_ids: np.ndarray  # (k,) int32, the seam of each seam edge in the last run; 0 none
     outline: np.ndarray  # (k,2) int32, edges of one face
     wires: list[NamedWire]
-    side_eases: np.ndarray  # (l,) float32, of the edge that begins at each corner, on the side of its face; 0 none
-    grain_wire: int  # id of the wire that stands upright in its pieces; 0: none was chosen
-    piece_ids: np.ndarray  # (f,) int32, of the pieces that the polygons were in when last flattened; 0 none
+    side_eases: np.ndarray  # (l,) float32, ease of the edge that begins at each corner, on the side of its face; 0 none
+    grain_wire: int  # id of the wire that is upright in its pieces; 0: no wire was chosen
+    piece_ids: np.ndarray  # (f,) int32, the piece of each polygon in the last run; 0 none
     regions: FaceRegions
     materials: np.ndarray  # (f,) int32, the slot of each polygon
     uv_maps: dict[str, np.ndarray]  # (l,2) float32, the model's own maps by name
-    own_map: str  # the one of these that seams can be taken from; "": none
+    own_map: str  # the map whose island borders can become seams; "": none
     allowance: float  # the widest allowance, in Blender units
     side_allowances: np.ndarray  # (l,) float32, as side_eases, in Blender units; 0 the default, below 0 none
-    loose_marks: int  # edges without a face that are marked as wires: they are ignored
-    loose_eases: int  # edges with the ease of a wire that are not wires: it has no effect
+    loose_marks: int  # number of ignored edges: marked as wires, but without a face
+    loose_eases: int  # number of edges with an ease that has no effect, because they are not wires
     mirrored: bool
-    default_allowance: float = 0.0  # of sides without an own allowance, in Blender units
+    default_allowance: float = 0.0  # for sides without their own allowance, in Blender units
     lengths: LengthText = LengthText("", 1.0)  # format of lengths in sentences; no unit if the scene is unknown
 
 
@@ -125,7 +125,7 @@ def island_borders(
     For each corner (loop): its edge, vertex, the next corner of its face, and its place uv (l,2) in the map.
     """
     turned = loop_vertices > loop_vertices[next_loops]
-    ends = np.column_stack([uv, uv[next_loops]])  # (l,4): the edge's side of this face in the map
+    ends = np.column_stack([uv, uv[next_loops]])  # (l,4): both ends of the edge in the map, on the side of this face
     ends[turned] = ends[turned][:, [2, 3, 0, 1]]  # from the lower vertex to the higher one
     lowest, highest = np.full((edge_count, 4), np.inf), np.full((edge_count, 4), -np.inf)
     np.minimum.at(lowest, loop_edges, ends)

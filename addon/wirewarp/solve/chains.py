@@ -12,7 +12,7 @@ STRAIGHT_COSINE = np.cos(np.radians(45.0))
 
 
 def edge_keys(pairs: ArrayLike, count: int) -> np.ndarray:
-    """Return one number for each pair of vertices in any order. count: of all vertices."""
+    """Return one number for each pair of vertices, in either order. count: number of all vertices."""
     return np.sort(np.asarray(pairs, dtype=np.int64).reshape(-1, 2), axis=1) @ np.array([count, 1])
 
 
@@ -34,7 +34,7 @@ class Chain:
 
 @dataclass(frozen=True)
 class EdgeMarks:
-    """Wires and their lengths: one entry per edge, of a whole mesh or of some of its edges."""
+    """Wires with tolerances and eases: one entry per edge of a mesh, or of some of its edges."""
 
     wire_ids: np.ndarray  # (e,) int32, 0 none
     tolerances: np.ndarray  # (e,) float32: 0 rigid, finite elastic, inf super-elastic
@@ -46,7 +46,7 @@ class EdgeMarks:
 
     @property
     def are_wires(self) -> np.ndarray:
-        """(e,) bool"""
+        """Return a mask (e,) of the edges that are wires."""
         return self.wire_ids != 0
 
     @property
@@ -75,10 +75,10 @@ class WireChain:
 
 
 def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
-    """Return the chains that edges (k,2) form. positions (n,3): of the vertices.
+    """Return the chains of edges (k,2). positions (n,3): places of the vertices.
 
     At a vertex of two edges, a chain continues. If four or six edges meet, chains continue as straight as possible, so
-    that crossing lines stay whole. If an odd number meets, one edge ends, and so do lines that turn.
+    that crossing lines stay whole. If an odd number meet, one chain ends, and so do chains that would turn.
     """
     following, vertex_of_side = _pair_sides(edges, positions).tolist(), edges.ravel().tolist()
     used = [False] * len(edges)
@@ -133,7 +133,7 @@ def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
 
 
 def _straightest_pairs(sides: np.ndarray, edges: np.ndarray, positions: np.ndarray) -> list[tuple[int, int]]:
-    """Return pairs of edge sides at one vertex, the straightest first; an odd one remains."""
+    """Return pairs of edge sides at one vertex, the straightest first; of an odd number, one side remains."""
     here, there = edges.ravel()[sides], edges.ravel()[sides ^ 1]
     directions = positions[there] - positions[here]
     directions = directions / np.maximum(np.linalg.norm(directions, axis=1), np.finfo(float).tiny)[:, None]

@@ -30,22 +30,22 @@ class Segments:
 @dataclass(frozen=True)
 class DividedTriangle:
     corners: tuple[int, int, int]
-    across: Pairs  # new edges between its corners and points on its sides
+    across: Pairs  # new edges between corners and points on the sides
 
 
 @dataclass(frozen=True)
 class DividedPolygon:
-    diagonals: Pairs  # new edges between its corners
-    triangles: list[DividedTriangle]  # all that fill it, if lines cross some of them
+    diagonals: Pairs  # new edges between corners of the face
+    triangles: list[DividedTriangle]  # the triangles of the face, if lines cross some of them
 
 
 @dataclass(frozen=True)
 class Division:
-    """What lines change in a mesh: its surface stays, because faces that lines cross are divided into triangles."""
+    """How lines divide a mesh. The surface stays the same: faces that lines cross are divided into triangles."""
 
     polygons: dict[int, DividedPolygon]
     edges: list[list[tuple[int, float]]]  # points along each divided edge, with their share of its length
-    lines: Pairs  # edges of the lines; points that are new have numbers above those of all vertices
+    lines: Pairs  # edges of the lines; new points are numbered after all vertices of the mesh
 
 
 def segments_of(paths: Iterable[SurfacePath], arrays: MeshArrays) -> Segments:
@@ -99,7 +99,7 @@ def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, pl
 
 
 def divide(library: ModuleType, arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
-    """Return how to make edges of lines. Raises the library's FlattenError, and ObjectError if they cross in a face."""
+    """Return how the lines become edges. Raises the library's FlattenError, and ObjectError if they cross in a face."""
     _, faces, edges, sources = library.cut_mesh(arrays.vertices, arrays.triangles, list(paths))
     _check_crossings(edges, sources, arrays)
     lines = [(int(a), int(b)) for a, b in edges]
@@ -134,13 +134,13 @@ def _check_crossings(edges: np.ndarray, sources: CutSources, arrays: MeshArrays)
 
 
 def common_sides(triangles: Iterable[Sequence[int]]) -> Pairs:
-    """Return the sides that two triangles have."""
+    """Return the sides that belong to two of these triangles."""
     sides = Counter((min(a, b), max(a, b)) for triangle in triangles for a, b in pairwise([*triangle, triangle[0]]))
     return [side for side, count in sides.items() if count == 2]
 
 
 def _followed_diagonals(edges: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """Return those of the edges (k,2) of lines that lie across faces of the mesh, between two of its vertices."""
+    """Return the edges (k,2) of lines that are diagonals of faces of the mesh."""
     count = len(arrays.vertices)
     whole = np.unique(np.sort(edges[(edges < count).all(axis=1)], axis=1), axis=0)
     return whole[~np.isin(edge_keys(whole, count), edge_keys(arrays.edges, count))]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes one mesh of the flat pieces, with its measures.
 
-The flat mesh has the source's own faces, quads and n-gons included, so that its edges are the source's edges and
-no others. Measures of triangles are combined by face: energies are added, and the worst ratio counts.
+The flat mesh has the source's own faces, quads and n-gons included, so that it has no edges but
+the source's. Measures of triangles are combined by face: energies are added, and the worst ratio counts.
 """
 
 from collections.abc import Sequence
@@ -24,7 +24,7 @@ def edge_length_variation(
     """Return the variation of the flat edges, (e,) float32.
 
     flat (e,2): the edges as vectors; places (e,2): piece and model's edge of each. Edges of outlines and wires have the
-    library's value. Other edges are compared as worn: with the built-in stretch of the fabric.
+    library's value. Other edges are compared including the negative ease of the fabric.
     """
     worn = (choices.cloth.worn_across, choices.cloth.worn_along) if choices.cloth else (0.0, 0.0)
     spatial = _model_lengths(result, arrays, choices)[places[:, 1]]
@@ -101,7 +101,7 @@ class FlatMesh:
     face_starts: np.ndarray  # (f,) int32
     face_sizes: np.ndarray  # (f,) int32
     source_corner: np.ndarray  # (l,) int32, corner (loop) of the source
-    side_eases: np.ndarray  # (l,) float32, as MeshArrays has them
+    side_eases: np.ndarray  # (l,) float32, as in MeshArrays
     source_face: np.ndarray  # (f,) int32, face of the source
     face_piece: np.ndarray  # (f,) int32, index of the piece
     piece_id: np.ndarray  # (f,) int32, the piece's id for the next run
@@ -109,10 +109,10 @@ class FlatMesh:
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
     aspect_ratio: np.ndarray  # (f,) float32
-    stretch: np.ndarray  # (f,) float32: 0.1 is fabric that the model stretches by 10%, in the mean of all directions
+    stretch: np.ndarray  # (f,) float32: 0.1 is fabric stretched by 10% on the model, as the mean of all directions
     length_variation: np.ndarray  # (e,) float32: 0.1 is an edge that is 10% off its target length
     threads: "Threads | None"  # with a cloth
-    piece_areas: np.ndarray  # (n,) by index of the piece; below 0 for one upside down
+    piece_areas: np.ndarray  # (n,) by index of the piece; below 0 for a flipped piece
 
 
 @dataclass(frozen=True)
@@ -285,7 +285,7 @@ def _edges(
 
 
 def _signed_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """(m,) of vertices (p,2)"""
+    """Return the signed areas (m,) of triangles of vertices (p,2)."""
     x, y = (np.ascontiguousarray(column)[triangles] for column in vertices.T)
     return ((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) - (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0])) / 2
 

@@ -44,7 +44,7 @@ class ClothChoice:
     gives_along: float
     worn_across: float = 0.0  # negative ease: stretch when worn, as a fraction
     worn_along: float = 0.0
-    weft: float | None = None  # stiffness of a custom one
+    weft: float | None = None  # stiffness of a custom fabric
     warp: float | None = None
     shear: float | None = None
 
@@ -54,7 +54,7 @@ LAYS_OUT = {"lays_out": True}
 
 @dataclass(frozen=True)
 class FlattenChoices:
-    """The operator's settings by the core library's names."""
+    """The operator's settings, with the names of the core library."""
 
     method: str
     fairness: float
@@ -146,7 +146,7 @@ def maximum_stretch(cloth: ClothChoice) -> tuple[float | None, float | None]:
 
 
 def known_stretch(cloth: ClothChoice | None) -> list[float]:
-    """Return the known maximum stretches of the fabric, the smaller first. The verdict takes 3% for an unknown one."""
+    """Return the known maximum stretches of the fabric, smallest first. The verdict assumes 3% for unknown fabric."""
     return sorted(limit for limit in maximum_stretch(cloth) if limit is not None) if cloth else []
 
 
@@ -247,7 +247,7 @@ def polygons_of(arrays: MeshArrays, triangles: Sequence[int] | np.ndarray) -> li
 
 def has_layout(corner_uv: np.ndarray) -> np.ndarray:
     """Return a mask (m,) of triangles with coordinates."""
-    return np.isfinite(corner_uv.reshape(-1, 6) @ np.ones(6))  # a sum is finite if its terms are
+    return np.isfinite(corner_uv.reshape(-1, 6) @ np.ones(6))  # a sum is finite only if its terms are
 
 
 def has_cloth(result: FlattenResult) -> bool:

@@ -22,7 +22,7 @@ from .chains import edge_keys
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
 HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # of two pieces on the same side
 FACES_ONE_WAY = (
-    0.3  # shortest mean normal of a piece that faces one side; a sleeve winds around and is named by its place
+    0.3  # shortest mean normal of a piece that faces one side; others, such as sleeves, are named by their place
 )
 BESIDE = 0.05  # share of the model's size; a piece around the middle (a ball) has no side
 ROUNDED = 3  # compared digits of offsets, because models are seldom exactly mirrored
@@ -65,7 +65,7 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
 
 
 def _halves(side: str, offsets: np.ndarray) -> list[str]:
-    """Return words that distinguish pieces on one side: two by their relative place, more by left and right; or "".
+    """Return words that distinguish pieces on one side: two by their relative place, more by left and right; else "".
 
     Names of a mirrored pair therefore differ only in the side.
     """
@@ -75,20 +75,20 @@ def _halves(side: str, offsets: np.ndarray) -> list[str]:
         return ["" if abs(x) < BESIDE else HALVES[0][int(x > 0)] for x in offsets[:, 0]]
     apart = offsets[1] - offsets[0]
     axis = int(np.argmax(np.abs(apart)))
-    if np.abs(apart[axis]) < BESIDE or side in SIDES[axis]:  # one is inside or behind the other
+    if np.abs(apart[axis]) < BESIDE or side in SIDES[axis]:  # a piece is inside or behind the other
         return ["", ""]
     lower, upper = HALVES[axis]
     return [lower, upper] if apart[axis] > 0 else [upper, lower]
 
 
 def from_top(offsets: np.ndarray) -> list[int]:
-    """Return the pieces from top to bottom and front to back, which numbers both pieces of a mirrored pair alike."""
+    """Return the pieces from top to bottom and front to back, which gives mirrored pairs the same numbers."""
     x, y, z = offsets.T.round(ROUNDED)
     return np.lexsort((x, np.abs(x), y, -z)).tolist()
 
 
 def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
-    """Return the names, with a number if several pieces have one or it is in use."""
+    """Return the names, with numbers for names that several pieces want or that are in use."""
     used, asked = set(taken), Counter(wanted)
     following: dict[str, int] = {}
     names = []
@@ -109,7 +109,7 @@ def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegio
     """Return the region with most faces of each piece; None if no region distinguishes pieces."""
     faces_in_piece = np.bincount(piece_of_face[regions.sample], minlength=piece_count)
     names: list[str | None] = [None] * piece_count
-    for kind in (regions.materials, regions.groups):  # groups come last, because they say more
+    for kind in (regions.materials, regions.groups):  # groups come last, because they are more specific
         for piece, name in _names_by(kind, piece_of_face, faces_in_piece):
             names[piece] = name
     return names

@@ -10,7 +10,7 @@ from .chains import EdgeMarks, edge_keys, next_corners
 
 @dataclass(frozen=True)
 class FlatPieces:
-    """A flat mesh as it was made, or as it was read after changes by users."""
+    """A flat mesh, as WireWarp made it or as users have changed it."""
 
     vertices: np.ndarray  # (n,2) float64
     source_vertex: np.ndarray  # (n,) int32, vertex of the model
@@ -35,7 +35,7 @@ def piece_of_vertices(
 
 @dataclass(frozen=True)
 class OutlineEdges:
-    """Outline edges, directed as in their face. The piece is on the side of `inward`, also if it is mirrored."""
+    """Outline edges, directed as in their face. `inward` points into the piece, also in mirrored pieces."""
 
     edges: np.ndarray  # (b,2) int64, vertices
     piece: np.ndarray  # (b,) int32
@@ -70,7 +70,7 @@ def number_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarra
 
 
 def signed_areas(vertices: np.ndarray, outline: OutlineEdges) -> np.ndarray:
-    """Return (p,) the areas of the pieces 0, 1, ...; below 0 for one that runs clockwise."""
+    """Return the areas (p,) of the pieces 0, 1, ...; below 0 if the outline runs clockwise."""
     return _areas(vertices, outline.edges[:, 0], outline.edges[:, 1], outline.piece)
 
 

@@ -11,8 +11,8 @@ from ..core import pattern
 from .flat_mesh import FlatMesh
 from .outlines import FlatPieces, OutlineEdges, number_edges, outline_edges, outline_loops, piece_of_vertices
 
-SAMPLE = 100  # points by which the place of a piece is stored
-# Rows (k,4) of piece id, source vertex and place: points of pieces that have a place but at present no shape.
+SAMPLE = 100  # number of points that store the place of a piece
+# Points of pieces that have a place but at present no shape: rows (k,4) of piece id, source vertex and place.
 NONE_AWAY = np.empty((0, 4))
 LIKE = 0.7  # smallest correlation of a piece with its earlier shape, point by point, at which it keeps its place
 
@@ -21,11 +21,11 @@ LIKE = 0.7  # smallest correlation of a piece with its earlier shape, point by p
 class Motion:
     """A rotation about the origin followed by a translation. Points of the plane are complex numbers."""
 
-    turn: complex = 1.0  # of length 1
+    turn: complex = 1.0  # rotation, a number of length 1
     shift: complex = 0.0
 
     def __call__(self, points: np.ndarray) -> np.ndarray:
-        """(n,2) to (n,2)"""
+        """Return the moved points (n,2)."""
         moved = (points[:, 0] + 1j * points[:, 1]) * self.turn + self.shift
         return np.column_stack([moved.real, moved.imag])
 
@@ -61,7 +61,7 @@ class _Pieces:
         order = np.argsort(ids, kind="stable")
         present, first = np.unique(ids[order], return_index=True)
         self._vertices = dict(zip(present.tolist(), np.split(order, first[1:]), strict=True))
-        self._vertices.pop(0, None)  # the vertices without a piece
+        self._vertices.pop(0, None)  # vertices without a piece
         away_ids = away[:, 0].astype(np.int64)
         self._away = {piece_id: away[away_ids == piece_id] for piece_id in np.unique(away_ids).tolist()}
 
@@ -157,7 +157,7 @@ def _only_once(sources: np.ndarray) -> np.ndarray:
 
 
 def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
-    """Return pieces that newly overlap another; of two, the one that has grown more."""
+    """Return the pieces that newly overlap another piece. Of two such pieces, return the one that has grown more."""
     overlap = pattern.geometry.overlap
     close = _close(kept, now)
     growth = {piece_id: now.area(piece_id) / max(then.area(piece_id), 1e-300) for piece_id in close}
@@ -179,7 +179,7 @@ def _crowded(kept: dict[int, Motion], now: _Pieces, then: _Pieces) -> list[int]:
 
 
 def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
-    """Return the pieces whose boxes overlap those of others, and these."""
+    """Return each piece whose box overlaps others, with the pieces whose boxes it overlaps."""
     ids = list(kept)
     low, high = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()]).transpose(1, 0, 2)
     meet = np.all((low[:, None] < high) & (low < high[:, None]), axis=2) & ~np.eye(len(ids), dtype=bool)

@@ -36,8 +36,8 @@ class Facts:
     object: str
     mesh: str
     with_modifiers: bool
-    shaped_by: list[str]  # "modifiers", "shape keys": what changes the visible shape
-    counts: dict[str, Any]  # of the elements of its own mesh
+    shaped_by: list[str]  # "modifiers", "shape keys": whatever changes the visible shape
+    counts: dict[str, Any]  # numbers of elements of its own mesh
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -66,7 +66,7 @@ class ObjectReport(Report):
     shaped_by: list[str] = field(default_factory=list)
     counts: dict[str, Any] | None = None
     model_state: dict[str, Any] | None = None  # see state.changes; None if it could not be read
-    options: dict[str, Any] | None = None  # of FlattenChoices, and the grain wire; None for an object that was not read
+    options: dict[str, Any] | None = None  # FlattenChoices and the grain wire; None if the object was not read
     uv_layer: str | None = None
     uv_scale: float | None = None  # Blender units per UV unit
     flat_object: str | None = None  # None: nothing was written
@@ -81,7 +81,7 @@ class ObjectReport(Report):
     def offered_seams(self) -> list[tuple[int, int]]:
         """Return the proposed seams that the next step marks, as vertex pairs.
 
-        There are none if the UV map has good seams, or if all are slits of closed pieces, which only open these.
+        There are none if the UV map has good seams, or if all proposed seams only slit closed pieces open.
         """
         issues = [issue for issue in self.issues if issue.proposed_seams]
         is_good = self.uv_seams is not None and self.uv_seams.is_good

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs work in steps, between which the window responds: generators that yield the completed share of the work.
 
-To stop the steps, throw CanceledError into them: an optional part then ends with the result so far. To discard them,
-close them; files do not change. The caller always closes them, because the traceback of an error would keep them
-alive. There are no Python threads, which Blender does not allow; the core has its own. The module does not use Blender.
+To stop the steps, throw CanceledError into them: an optional part then ends with the result so far. To discard
+the steps, close them; files do not change. The caller always closes them, because the traceback of an error would
+keep them alive. Python threads are not used, because Blender does not allow them; the core has its own threads. The
+module does not use Blender.
 """
 
 import time
@@ -24,7 +25,7 @@ class CanceledError(Exception):
 
 
 def reported_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[T]:
-    """Return the same steps. share: converts what they yield to the share of the whole."""
+    """Return the same steps. share: converts a yielded value to the completed share of the whole."""
     with closing(steps):
         go_on = partial(next, steps)
         while True:
@@ -41,7 +42,7 @@ def reported_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> St
 
 
 def of_all(done: int, count: int, share: float) -> float:
-    """Return the share of all parts of the work. share: completed share of the part after those that are done."""
+    """Return the share of all parts of the work. done: finished parts; share: completed share of the next."""
     return (done + share) / count
 
 

@@ -18,13 +18,13 @@ from .cut_faces import Pairs, Segments, segments_of
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import Steps
 
-WORTH_PIECES = 0.95  # of the stretch: a smaller gain is not felt in fabric, and more pieces are slow to sew
+WORTH_PIECES = 0.95  # share of the stretch; smaller gains are not felt in fabric, and more pieces take longer to sew
 PAINTED = f' Seams are also not allowed where "{NO_SEAM}" is painted.'
 
 
 @dataclass(frozen=True)
 class NoSeam:
-    """What the user has painted."""
+    """Faces and vertices that the user has painted: no seam may cross them."""
 
     faces: np.ndarray  # (f,) bool, of the mesh
     vertices: np.ndarray  # (n,) bool
@@ -37,9 +37,9 @@ class NoSeam:
 class Target:
     """The target of several cuts together."""
 
-    strain: float  # as Cut.strain
+    strain: float  # maximum of Cut.strain
     most: int  # number of cuts; a cut set counts as one
-    length: float | None  # of all cuts on the model, Blender units; None: any
+    length: float | None  # maximum total length of cuts on the model, Blender units; None: any
 
 
 @dataclass(frozen=True)
@@ -49,8 +49,8 @@ class Cut:
     For a target, it includes all cuts from the first to one of them.
     """
 
-    edges: Pairs  # edges of the cut; none if a line crosses faces
-    diagonals: Pairs  # the edges across faces of the mesh
+    edges: Pairs  # edges of the cut; empty if a line crosses faces
+    diagonals: Pairs  # edges of the cut that are diagonals of faces
     paths: list[SurfacePath] = field(compare=False)  # the same cut as lines, for library.cut_mesh
     segments: Segments = field(compare=False)  # drawn lines
     piece: int  # number of the piece in the flattening
@@ -64,12 +64,12 @@ class Cut:
 
     @property
     def is_first(self) -> bool:
-        """Return whether the piece has no flat shape without it."""
+        """Return whether the piece has no flat shape without the cut."""
         return math.isinf(self.strain_before)
 
     @property
     def is_set(self) -> bool:
-        """Return whether it is a full choice of seams for a piece or model; the rows are then alternatives."""
+        """Return whether the cut is a complete set of seams for a piece or model, so that the rows are alternatives."""
         return bool(self.cleared) or (self.is_first and len(self.lengths) == 1)
 
 
@@ -80,8 +80,8 @@ class SearchOptions:
     kind: str  # DARTS or SEAMS; FEWER for seams to clear
     piece: int | None = None  # None for any
     target: Target | None = None
-    is_smooth: bool = False  # darts may be lines across faces, without a target
-    names: dict[int, str] = field(default_factory=dict)  # of pieces, by their ids
+    is_smooth: bool = False  # darts may be lines across faces, if there is no target
+    names: dict[int, str] = field(default_factory=dict)  # names of pieces by their ids
 
     def piece_text(self, arrays: MeshArrays, triangles: np.ndarray) -> str:
         """Return the name of the piece of these triangles in quotes; "the piece" if it is not known."""

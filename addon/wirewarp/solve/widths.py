@@ -15,13 +15,13 @@ from .flatten import FlattenChoices, flatten_arrays
 from .steps import CanceledError, Steps, of_all, reported_as
 from .suggest import Cut, from_few_pieces
 
-SEARCH = 0.8  # share of the progress
+SEARCH = 0.8  # share of the progress for the search
 
 
 def with_widths(
     search: Steps[list[Cut]], library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, limit: float
 ) -> Steps[list[Cut]]:
-    """Search, and return sets with their widths; without them if the measurement is canceled.
+    """Search, and return cut sets with their widths. If the measurement is canceled, the sets have no widths.
 
     limit: the maximum stretch of the fabric, which decides between cut sets. Other cuts stay as they are.
     """

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marks on one side of an edge, and seam allowances, for meshes in Object Mode.
 
-Scripts may write such a value on a corner of the face. Blender blends it when the edge is split, and moves it to
-another edge when the face is flipped or mirrored. Values on edges and faces stay whole. Marks are therefore stored on
-the edge: the value, and the number of the face on the marked side (wirewarp_face INT, random, 0 none).
+Scripts may write such a value on a corner of the face. Blender blends corner values when the edge is split, and moves
+them to another edge when the face is flipped or mirrored. Values on edges and faces do not change. Marks are therefore
+stored on the edge: the value, and the number of the face on the marked side (wirewarp_face INT, random, 0 none).
 
-If a face is cut, copied or extruded, the new faces have its number, too. This does no harm while only one face of the
+If a face is cut, copied or extruded, the new faces get its number, too. This does no harm while only one face of the
 edge has the number, so each face gets a number of its own before a side is marked. If several faces of an edge have the
 number, or if it has several faces and none has it, the side is unknown.
 
 wirewarp_allowance FLOAT, on edges, in Blender units: above 0, the width on all sides of the edge; below 0, nothing is
 added, because the fabric is folded there or stays raw. 0 means the pattern's default, because Blender gives 0 to new
-edges and to those of joined meshes; NaN and a missing attribute mean the default, too. One side of an edge may have its
+edges and to edges of joined meshes; NaN and a missing attribute mean the default, too. One side of an edge may have its
 own width: see SIDE_ALLOWANCES.
 """
 
@@ -42,9 +42,9 @@ class SidedMark:
     """A value that one side of an edge may have. Its methods take meshes in Object Mode."""
 
     what: str  # its name in sentences
-    value: Mark  # FLOAT, on edges: of the side that is marked
+    value: Mark  # FLOAT, on edges: value of the marked side
     side: Mark  # INT, on edges: the number of the face on that side, 0 none
-    corner: Mark  # FLOAT, on corners: of the edge that begins there, as scripts may write it for both sides
+    corner: Mark  # FLOAT, on corners: values that scripts write, of the edge that begins there
 
     def check_attributes(self, mesh: bpy.types.Mesh) -> None:
         """Raises ObjectError if an attribute of our name has another type or domain."""
@@ -256,13 +256,13 @@ def widest_allowance(mesh: bpy.types.Mesh) -> float:
 
 
 def _on_outlines(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return a mask (e,)."""
+    """Return a mask (e,) of the edges on seams and outlines."""
     faces = faces_at_edges(mesh)
     return (faces > 0) & (read_seams(mesh) | (faces != 2))
 
 
 def _where_set(widths: np.ndarray) -> np.ndarray:
-    """Return the widths, 0 where none is marked."""
+    """Return the widths; 0 where no width is marked."""
     return np.where(is_set(widths), widths, np.float32(0))
 
 

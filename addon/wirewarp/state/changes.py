@@ -12,7 +12,7 @@ from .marked_mesh import MarkedMesh, marked_mesh, read_marked
 from .memory import Take, kept, read_anew
 
 SHAPE, MARKS, SCALE = "shape", "marks", "metric"
-MODIFIED = "modified"  # of reports with modifiers
+MODIFIED = "modified"  # key of the state with modifiers
 BLOCKS = 64  # number of blocks of vertices, each with one sum per axis
 ROUNDING = 1e-6  # relative rounding of single-precision coordinates after transformations
 
@@ -38,7 +38,7 @@ def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: 
 def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept) -> bool:
     """Return whether geometry, seams, wires or scale differ from a report's model_state. take: kept, or read_anew.
 
-    For a report with modifiers, also whether they make another mesh, if Blender evaluates them: see shows_modified.
+    For a report with modifiers, also whether their result differs, if Blender evaluates them: see shows_modified.
     """
     return state is not None and bool(_changes(source, state, take))
 
@@ -46,7 +46,7 @@ def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept)
 def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
     """Return whether geometry or scale differ from the report, whatever its seams and wires are now.
 
-    A report without a state counts as one of another model.
+    A report without a state counts as a report on another model.
     """
     return state is None or bool(_changes(source, state, read_anew) & {SHAPE, SCALE})
 
@@ -98,7 +98,7 @@ def _modified_state(source: bpy.types.Object) -> dict:
 
 
 def _is_same(then: dict | None, now: dict) -> bool:
-    """Return whether they are equal except for rounding."""
+    """Return whether the states are equal except for rounding."""
     return (
         then is not None
         and then["faces"] == now["faces"]
@@ -118,7 +118,7 @@ def _faces(mesh: MarkedMesh) -> list[np.ndarray]:
 
 
 def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
-    """Return what to hash of seams, wires and eases."""
+    """Return the arrays of seams, wires and eases to hash."""
     seams, rows, eased = (np.flatnonzero(each) for each in (mesh.seams, mesh.marks.wire_ids, mesh.side_eases))
     wires = mesh.marks.take(rows)
     numbers = (each.astype(np.int32) for each in (seams, rows, eased))

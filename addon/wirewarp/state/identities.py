@@ -42,7 +42,7 @@ def names_of(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> dict[int, str]:
 
 
 def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
-    """Return the name of each wire; several with one id or name become Bust, Bust (2) and so on."""
+    """Return the name of each wire. Wires with the same id or name become Bust, Bust (2) and so on."""
     names, taken = names_of(mesh, wire_ids), dict[str, None]()
     for wire_id in wire_ids:
         taken[_numbered(names[wire_id], taken)] = None
@@ -123,7 +123,7 @@ class WireSummary:
     ease: float
     edges: list[int]  # of the mesh, in order along the wire
     edge_vectors: np.ndarray  # (k,3) in the mesh's own space
-    shares_id: bool  # whether an earlier wire has the same id: this one was copied or cut in two
+    shares_id: bool  # whether an earlier wire has the same id, because the wire was copied or cut in two
 
     def length(self, linear: np.ndarray) -> float:
         """Return the length in Blender units, for an object with this linear part."""

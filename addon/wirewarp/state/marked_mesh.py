@@ -59,9 +59,9 @@ def wires_on(mesh: bpy.types.Mesh) -> list[int]:
 
 
 def own_ids(wire_ids: Sequence[int]) -> list[int]:
-    """Return an id for each wire: its own if it is the first with that, because copied or cut wires share one.
+    """Return an id for each wire. Copied or cut wires share an id: the first wire keeps it.
 
-    The other wires get the next unused numbers, which are deterministic.
+    The others get the next unused numbers, so that the result is deterministic.
     """
     taken, own = set(wire_ids), dict[int, None]()
     for wire_id in wire_ids:

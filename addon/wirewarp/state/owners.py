@@ -35,7 +35,7 @@ def is_deleted(model: bpy.types.Object) -> bool:
 
 
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
-    """Return the object that points to `source`. If it was copied, the one with the add-on's name comes first."""
+    """Return the object that points to `source`. Of several copies, the one with the add-on's name comes first."""
     named = bpy.data.objects.get(flat_name(source.name))
     if named and model_of(named) == source:  # found without checking all objects, of which there may be thousands
         return named

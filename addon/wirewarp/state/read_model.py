@@ -49,9 +49,9 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
 
 
 def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[str]:
-    """Return what makes the object look different from its base mesh: modifiers, shape keys. In Object Mode.
+    """Return whether modifiers or shape keys make the object differ from its base mesh, as words. In Object Mode.
 
-    The evaluated shape counts: an armature at rest changes nothing, nor does a modifier of normals.
+    Only the evaluated shape counts: an armature at rest changes nothing, nor does a modifier of normals.
     """
     makers = ["modifiers"] if any(modifier.show_viewport for modifier in source.modifiers) else []
     makers += ["shape keys"] if source.data.shape_keys else []

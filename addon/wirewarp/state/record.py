@@ -43,8 +43,8 @@ def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorM
     ends = flat.edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     sums = np.bincount(ends, np.repeat(flat.length_variation, 2), minlength=len(mesh.vertices))
-    at_vertex = sums / edges_at  # the mean of its edges
-    face = np.repeat(np.arange(len(flat.face_sizes)), flat.face_sizes)  # of each corner
+    at_vertex = sums / edges_at  # the mean of the vertex's edges
+    face = np.repeat(np.arange(len(flat.face_sizes)), flat.face_sizes)  # face of each corner
     # A color of four float32 has the size of one complex number, and taking these is far faster than taking rows. All
     # maps use the same memory, because new memory is slower still.
     taken = np.empty(len(face), dtype=np.complex128)
@@ -112,7 +112,7 @@ def grains(mesh: bpy.types.Mesh, vertices: np.ndarray) -> dict[int, np.ndarray]:
     """Return unit vectors (2,) along the present grain of the pieces, by index of the piece. vertices (n,2).
 
     The grain rotates with its piece: it is stored as an angle from the line between two vertices. Pieces without these
-    vertices have none.
+    vertices have no grain.
     """
     record, found = read_record(mesh), {}
     for piece, first, last, cosine, sine in record.grain if record else ():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stores the reports of each object: that of its flat pieces, and that of a later run that wrote nothing.
+"""Stores two reports of each object: of the run that made its flat pieces, and of a later run that wrote nothing.
 
 A run that wrote pieces stores its report on the object, so that the file keeps it. A run that wrote nothing does not
 change the file: its report stays in memory until the next run or file. A report that anything else changed is not
@@ -44,7 +44,7 @@ def pieces_report(source: bpy.types.Object) -> ObjectReport | None:
 
 
 def flattened_name(source: bpy.types.Object) -> str:
-    """Return the model's name when its flat pieces were made; its present name without them."""
+    """Return the model's name when its flat pieces were made; without flat pieces, its present name."""
     report = _read(source)
     return report.object if report and report.object else source.name
 

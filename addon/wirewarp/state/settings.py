@@ -18,7 +18,7 @@ METHODS = [
         "REFINED",
         "Refined: least distortion",
         "Lay out lines and fabric together, with the least distortion that these lengths allow. Elastic wires stay "
-        "within their tolerance; free wires get the best length. Use this one",
+        "within their tolerance; free wires get the best length. Recommended",
     ),
     (
         "WIREWARP_PLUS_PLUS",
@@ -38,7 +38,7 @@ LIBRARY_METHODS = {"REFINED": "refined", "WIREWARP_PLUS_PLUS": "wirewarp++", "WI
 MEASURE = (
     "The percentage is the maximum stretch. To measure yours, mark 10 cm on it and pull until it resists: 12 cm is 20%"
 )
-CUSTOM = 1000  # Files store this number, or the place of a preset in the library's table: new presets come last.
+CUSTOM = 1000  # Files store this number, or the index of a preset in the library's table, so new presets come last.
 
 
 def fabric_label(name: str) -> str:
@@ -66,8 +66,7 @@ class FlattenSettings:
     )
     node_weight: EnumProperty(
         name="Angles",
-        description="For the methods that lay out lines first: which angles count more where a line cannot keep all of "
-        "them",
+        description="For the methods that lay out lines first: which angles count more if a line cannot keep them all",
         items=[
             (
                 "LENGTH",
@@ -108,14 +107,14 @@ class FlattenSettings:
     gives_across: number(
         "Max Stretch Across",
         "How far the fabric can be stretched across the grain. To measure it, mark 10 cm and pull until "
-        "it resists: 12 cm is 20%. 0: as usual for this fabric",
+        "it resists: 12 cm is 20%. 0: the usual value for this fabric",
         (0.0, 0.0, 50.0, 300.0),
         subtype="PERCENTAGE",
         step=100,
     )
     gives_along: number(
         "Max Stretch Along",
-        "How far the fabric can be stretched along the grain. 0: as usual for this fabric",
+        "How far the fabric can be stretched along the grain. 0: the usual value for this fabric",
         (0.0, 0.0, 50.0, 300.0),
         subtype="PERCENTAGE",
         step=100,
@@ -162,7 +161,7 @@ class FlattenSettings:
     )
     orientation: EnumProperty(
         name="Upright",
-        description="What is upright in each flat piece",
+        description="Which direction is up in each flat piece",
         items=[
             (
                 "WIRE",
@@ -177,16 +176,16 @@ class FlattenSettings:
     )
     grain_angle: number(
         "Grain Angle",
-        "Angle of the grain wire from upright, counterclockwise: 45° cuts the fabric on the bias. Only for "
-        "pieces that have a grain wire upright",
+        "Angle of the grain wire from upright, counterclockwise: 45° cuts the fabric on the bias. Used "
+        "only for pieces in which a grain wire is upright",
         (-math.pi, 0.0, math.pi, math.pi),
         subtype="ANGLE",
         precision=2,
     )
     spacing: number(
         "Gap (mm)",
-        "Space between the cutting lines of the pieces, for the widest allowance there is. "
-        "Allowances that are changed later move no piece until you press Lay Out Again",
+        "Space between the cutting lines of the pieces, with the widest allowance. "
+        "If you change allowances later, pieces move only when you press Lay Out Again",
         (0.0, 10.0, 200.0),  # room for the scissors
         step=100,
     )
@@ -226,7 +225,7 @@ class Setting:
 
     name: str  # of the property
     choice: str = ""  # its field of FlattenChoices; "": none
-    # its value, from all settings and the meters in a unit
+    # returns the value, from all settings and the meters in a unit
     to_choice: Callable[[FlattenSettings, float], Any] | None = None
     is_advanced: bool = False  # rarely needed
     is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # shown above Flatten
@@ -305,8 +304,8 @@ class TargetSettings:
     )
     suggest_together: BoolProperty(
         name="Up to a Target",
-        description="Suggest cuts to be marked together, one after the other, until the fabric need not stretch more "
-        "than you want. Off: alternatives to choose from",
+        description="Suggest cuts to mark together, until the fabric need not stretch more than the target. "
+        "Off: alternatives to choose from",
     )
     aim_stretch: number(
         "Max Stretch",
@@ -316,7 +315,7 @@ class TargetSettings:
     )
     aim_cuts: IntProperty(
         name="Max Cuts",
-        description="How many cuts at most. Mirror images count as two, a set of first seams of a closed model as one",
+        description="Maximum number of cuts. Mirror images count as two, a set of first seams of a closed model as one",
         min=1,
         max=100,
         soft_max=10,

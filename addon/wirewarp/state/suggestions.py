@@ -23,7 +23,7 @@ LEAST_WEIGHT = 0.5  # weight from which a vertex is in the group: painted with h
 
 
 def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = None) -> NoSeam:
-    """Return where no cut may be, on the object's own mesh in Object Mode, or on that with modifiers.
+    """Return where no cut may be, on the object's own mesh in Object Mode, or on the mesh with modifiers.
 
     Raises ObjectError for an attribute of another type or domain.
     """
@@ -65,7 +65,7 @@ def keep(source: bpy.types.Object, suggestions: Suggestions) -> None:
 
 
 def choose(source: bpy.types.Object, index: int) -> None:
-    """Choose which cut is drawn and can be marked. Without enough suggestions, nothing happens."""
+    """Choose which cut is drawn and can be marked. If there is no suggestion with this index, do nothing."""
     found = suggestions_of(source)
     if found and index < len(found.cuts):
         keep(source, replace(found, chosen=index))
@@ -94,5 +94,5 @@ def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept)
         return True
     try:
         return found.no_seam.is_same(take(source, "no seam", read_no_seam))
-    except ObjectError:  # it could be read during the search
+    except ObjectError:  # the attribute could be read during the search
         return False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggest Darts, Suggest Seams and Simplify Seams: where to cut a model and where not, each with what it gains."""
+"""Suggest Darts, Suggest Seams and Simplify Seams: cuts of a model or seams to clear, each with its effect."""
 
 from dataclasses import dataclass, replace
 
@@ -57,7 +57,7 @@ class Search:
     no_seam: NoSeam  # of the model's own mesh
     with_modifiers: bool  # whether modifiers make another mesh
     steps: Steps[list[Cut]]
-    names: dict[int, str]  # of pieces, where they are known
+    names: dict[int, str]  # known names of pieces, by index
 
     @property
     def is_of_model(self) -> bool:
@@ -85,7 +85,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     )
     if piece is not None and not is_true:
         raise changed_error(source.name)
-    known = report if is_true else last_report(source)  # such as that of a closed model, which has no flat pieces
+    known = report if is_true else last_report(source)  # a closed model, for example, has no flat pieces
     is_known = known is not None and (is_true or not has_changed(source, known.model_state))
     pieces = known.pieces if is_known else []
     choices = choices_of(settings, meters_per_blender_unit(context.scene))
@@ -227,7 +227,7 @@ class SuggestForPiece(SuggestCuts):
 
     piece: IntProperty(
         name="Piece",
-        description="Which piece to cut, by its place in the report from 0; -1 for any, whichever gains most",
+        description="Piece to cut, by its index in the report from 0; -1: whichever piece gains most",
         default=-1,
         min=-1,
         options={"HIDDEN", "SKIP_SAVE"},

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Lines cut into the mesh: those of suggestions, and the button that smooths a seam.
+"""Cuts lines into the mesh: suggested lines, and smooth lines instead of seams along edges.
 
 The surface stays, and so do marks, maps and attributes: new elements get those of the faces and edges that they divide.
 """
@@ -67,7 +67,7 @@ def cut_lines(mesh: bpy.types.Mesh, division: Division) -> Pairs:
         return division.lines
     with _edited(mesh) as edited:
         vertices, faces = dict(enumerate(edited.verts)), list(edited.faces)
-        filled = []  # each triangle that fills a divided face, with what lies across it
+        filled = []  # each triangle that fills a divided face, with the edges across it
         for polygon, divided in division.polygons.items():
             parts = [faces[polygon]]
             _split_along(edited, parts, divided.diagonals, vertices)
@@ -122,7 +122,7 @@ def _split_along(
         face = next(each for each in parts if {first, second} <= set(each.verts))
         new, corner = bmesh.utils.face_split(face, first, second)
         parts.append(new)
-        for loop in corner.edge.link_loops:  # Blender copied their values from corners at which other edges begin
+        for loop in corner.edge.link_loops:  # Blender copied the values from corners at which other edges begin
             for side in _side_layers(edited):
                 loop[side] = 0.0
 

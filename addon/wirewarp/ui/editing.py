@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The common part of operators that change models: they refuse flat pieces, report refusals, and plan first."""
+"""The common part of operators that change models: refuse flat pieces, report refusals, plan before writing."""
 
 from collections.abc import Callable
 from functools import wraps

@@ -105,7 +105,7 @@ def mark_icon(name: str) -> int:
 
 
 def mark_of(ok: bool, is_strained: bool = False) -> dict:
-    """Return arguments of a label: a cross for a failure, a warning for strained fabric, or the tick."""
+    """Return label arguments for the mark: a cross for a failure, a warning for strained fabric, or a tick."""
     if not ok:
         return {"icon": "CANCEL"}
     return {"icon_value": mark_icon("AMBER" if is_strained else "TICK")}

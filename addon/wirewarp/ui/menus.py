@@ -25,7 +25,7 @@ class VIEW3D_MT_wirewarp(bpy.types.Menu):
 
 
 class VIEW3D_MT_wirewarp_edges(bpy.types.Menu):
-    """Seams and wires on the selected edges; on flat pieces what can be marked of one side"""
+    """Marks of the selected edges; on flat pieces, marks of the selected side"""
 
     bl_label = "WireWarp"
 
