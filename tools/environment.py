@@ -64,7 +64,7 @@ def check_system() -> None:
         return
     name = platform.freedesktop_os_release()["PRETTY_NAME"]
     raise StepError(
-        f"{name} has no apt and Python 3.11 or 3.13 as Debian 12 and 13 have them: work in one of these, for example by"
+        f"{name} lacks apt with Python 3.11 or 3.13, which Debian 12 and 13 have: work in one of them, for example with"
         " `docker run -it -v .:/wirewarp -w /wirewarp debian:13`"
     )
 
@@ -96,7 +96,7 @@ def run_quietly(what: str, command: Sequence[str | Path], **more: str) -> None:
 
 
 def output_of(command: Sequence[str | Path], **more: str) -> str:
-    """Return what a command prints; its end is shown only if it fails."""
+    """Return the output of a command. If the command fails, show the end of its output."""
     words = [str(c) for c in command]
     done = subprocess.run(words, cwd=ROOT, env=clean_environment(**more), capture_output=True, text=True)
     if done.returncode:

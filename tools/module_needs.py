@@ -51,7 +51,7 @@ def faults(platform: str, module: Path, oldest: tuple[int, ...], system: Path) -
         libraries = [library.name for library in binary.imports]
         found = []
     else:
-        return [f"{module.name} is no module of any system"]
+        return [f"{module.name} is not a module of a known system"]
     if machine.name != MACHINES[platform]:
         found.append(f"is made for {machine.name}")
     found += [f"needs the library {name}" for name in libraries if not re.fullmatch(allowed, name)]

@@ -83,7 +83,7 @@ def run_side_by_side(steps: Sequence[Step]) -> list[Outcome]:
     return [outcomes[step.name] for step in steps]
 
 
-def show_what_failed(outcomes: Iterable[Outcome]) -> None:
+def show_failed_steps(outcomes: Iterable[Outcome]) -> None:
     """Show the end of the output of each step that failed or was not tested."""
     for outcome in outcomes:
         if outcome.word != PASSED:
@@ -120,12 +120,12 @@ def _run_apart(step: Step) -> None:
     """Run the step in its own process, which ends with it."""
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     with (LOGS / step.name).open("w", buffering=1) as log:
-        os.dup2(log.fileno(), 1)  # for programs that it starts
+        os.dup2(log.fileno(), 1)  # for programs that the step starts
         os.dup2(log.fileno(), 2)
         sys.stdout = sys.stderr = log
         try:
             word = _word_of(step)
-        except Exception:  # a fault of this program: show it at the end of the log, where it is looked for
+        except Exception:  # a fault of this program: show it at the end of the log, where readers look
             traceback.print_exc()
             word = FAILED
     sys.exit(next(code for code, name in EXIT_CODES.items() if name == word))

@@ -111,4 +111,4 @@ def test_failed_pieces_are_in_the_report_and_nothing_is_exported(addon, tmp_path
 
 def test_a_file_without_marks_is_refused_in_a_sentence(addon, tmp_path):
     grid("Bag", bump)
-    assert answer_of(addon, tmp_path)["refusal"].startswith("No mesh that can be seen in the file has a seam or a wire")
+    assert answer_of(addon, tmp_path)["refusal"].startswith("No visible mesh of the file has a seam or a wire")

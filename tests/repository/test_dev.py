@@ -15,7 +15,7 @@ import pytest
 
 from tools import environment, steps
 from tools.environment import NotTestedError, StepError
-from tools.steps import Outcome, Step, When, run_in_order, run_side_by_side, show, show_what_failed
+from tools.steps import Outcome, Step, When, run_in_order, run_side_by_side, show, show_failed_steps
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -161,7 +161,7 @@ def test_side_by_side_the_output_of_a_step_that_fails_is_shown_and_stays_togethe
 
         return work
 
-    show_what_failed(run_side_by_side([Step(name, speak(name, is_good=name == "3")) for name in "123"]))
+    show_failed_steps(run_side_by_side([Step(name, speak(name, is_good=name == "3")) for name in "123"]))
     words = [line for line in capfd.readouterr().out.splitlines() if line in ("1", "2", "3")]
     assert words == ["1"] * 100 + ["2"] * 100
 
@@ -173,7 +173,7 @@ def test_side_by_side_a_step_that_breaks_down_has_failed(log, end):
 
 
 def test_side_by_side_a_fault_of_ours_is_in_the_output(log, capfd):
-    show_what_failed(run_side_by_side([Step("broken", lambda: 1 / 0)]))
+    show_failed_steps(run_side_by_side([Step("broken", lambda: 1 / 0)]))
     assert "ZeroDivisionError" in capfd.readouterr().out
 
 
@@ -245,7 +245,7 @@ def test_elsewhere_one_sentence_says_what_is_needed(dev, monkeypatch, capfd):
     monkeypatch.setattr(sys, "argv", ["dev", "demo"])
     assert dev.main() == 1
     (sentence,) = [line for line in capfd.readouterr().out.splitlines() if not line.startswith("dev: WARNING")]
-    assert sentence.startswith("dev: Ubuntu 24.04 has no apt and Python 3.11 or 3.13 as Debian 12 and 13 have them:")
+    assert sentence.startswith("dev: Ubuntu 24.04 lacks apt with Python 3.11 or 3.13, which Debian 12 and 13 have:")
 
 
 @pytest.mark.parametrize("words", [["lint", "window"], ["test", "--full"], ["bench", "--short"], ["no-such-command"]])

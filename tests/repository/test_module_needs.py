@@ -47,5 +47,5 @@ def test_a_module_for_another_processor_or_an_older_system_is_refused(tmp_path):
 
 def test_a_file_that_is_no_module_is_refused(tmp_path):
     (tmp_path / "text.so").write_text("no module")
-    with pytest.raises(StepError, match="is no module of any system"):
+    with pytest.raises(StepError, match="is not a module of a known system"):
         check_needs(LINUX, tmp_path / "text.so")

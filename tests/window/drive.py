@@ -89,7 +89,7 @@ def move_mouse_until(condition: Callable[[], bool]) -> Tour:
             return
         send("MOUSEMOVE", "NOTHING", (x + 10 * (step % 2), y))
         yield from ticks(2)
-    raise AssertionError("no movement of the mouse brought it about")
+    raise AssertionError("the condition never became true while the mouse moved")
 
 
 def ticks(count: int) -> Tour:

@@ -29,7 +29,7 @@ TOURS = {
         "auto_update_waits_for_a_tool",
         "settings_can_be_adjusted_after_a_run",
         "report_shows_the_place",
-        "report_turns_the_view_to_what_is_on_the_back",
+        "report_turns_the_view_to_elements_on_the_back",
         "copies_the_report",
     ],
     "run_tours": [

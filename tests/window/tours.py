@@ -140,7 +140,7 @@ def report_shows_the_place() -> drive.Tour:
             bpy.ops.object.mode_set(mode="OBJECT")
 
 
-def report_turns_the_view_to_what_is_on_the_back() -> drive.Tour:
+def report_turns_the_view_to_elements_on_the_back() -> drive.Tour:
     """It leaves the view unchanged if everything is visible; flat pieces are seen from above."""
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.0))

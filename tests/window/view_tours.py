@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours to what users find and see besides the sidebar."""
+"""Tours outside the sidebar: local view, search, and the view of the first pieces."""
 
 import bpy
 import drive

@@ -48,7 +48,7 @@ def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     assert [each.num_pieces for each in sets] == [3, 5, 9]
     assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
     assert suggest.set_for(sets, [0.05, 0.5]) == 2  # a set for both directions of the fabric
-    assert suggest.set_for(sets, [0.01, 0.2]) == 1  # there is none
+    assert suggest.set_for(sets, [0.01, 0.2]) == 1  # no set is within the first limit
     sets[1] = replace(sets[1], is_narrow=True)
     assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.01)] == [0, 2, 2]
     narrow = [replace(each, is_narrow=True) for each in sets]

@@ -38,10 +38,10 @@ BYTES = {"MB": 10**6, "GB": 10**9}
 GRAINS: dict[str, Grain] = {"one-way": "one way", "both-ways": "both ways", "free": "free"}  # as in Pattern.nested
 ORIENTATIONS = get_args(Orientation)
 VERDICTS = (
-    "Prints one line of JSON for each model. The exit code is that of the worst model. 0: every length is exact and a "
-    "fabric can do it (ready to cut, or needs stretch fabric). 1: a piece failed, or the fabric does not stretch far "
-    "enough (not ready to cut). 2: the model is refused. 3: it was stopped because it crashed or exceeded its limit of "
-    "time or memory."
+    "Prints one line of JSON for each model. The exit code is that of the worst model. 0: every length is exact, and "
+    "some fabric stretches far enough (ready to cut, or needs stretch fabric). 1: a piece failed, or the fabric does "
+    "not stretch far enough (not ready to cut). 2: the model is refused. 3: it was stopped because it crashed or "
+    "exceeded its limit of time or memory."
 )
 
 
@@ -68,7 +68,7 @@ def parsed(words: Sequence[str]) -> Arguments:
     flatten.set_defaults(command=flatten, jobs=1, part=(1, 1))
     batch = commands.add_parser(
         "batch",
-        parents=[_model_options(), _writing_options(), _running_options()],  # of its own: their defaults differ
+        parents=[_model_options(), _writing_options(), _running_options()],  # a separate instance: its defaults differ
         help="flatten folders and lists of models; a rerun continues where it stopped",
         description="Runs flatten --resume on all models of folders and lists: a rerun continues where it stopped, and "
         "repeats changed models. " + VERDICTS,
@@ -90,8 +90,8 @@ def parsed(words: Sequence[str]) -> Arguments:
         help="find the darts or seams that reduce the distortion of a piece most, or seams to leave out",
         description="Evaluates cuts of models (OBJ, PLY, STL, glTF) by flattening, and prints one line of JSON with "
         "the best cuts of each model. With --cut fewer, the line lists the seams to keep. The exit code is "
-        "that of the worst model. 0: cuts or seams are proposed. 1: none are. 2: the model is refused. 3: it was "
-        "stopped because it crashed or exceeded its limit of time or memory.",
+        "that of the worst model. 0: cuts or seams are proposed. 1: nothing is proposed. 2: the model is refused. "
+        "3: it was stopped because it crashed or exceeded its limit of time or memory.",
     )
     propose.add_argument("models", nargs="+", metavar="MODEL", type=Path)
     propose.set_defaults(command=propose, jobs=1)
@@ -149,7 +149,7 @@ def _shape_options() -> argparse.ArgumentParser:
         "--surface",
         choices=("inside", "middle", "outside"),
         default="inside",
-        help="surface of the thick material that the model is (inside)",
+        help="which surface of the thick material was modeled (inside)",
     )
     return options
 
@@ -220,7 +220,7 @@ def _model_options() -> argparse.ArgumentParser:
     options.add_argument(
         "--take-proposals", action="store_true", help="mark the seams suggested for failed pieces, and flatten again"
     )
-    options.add_argument("--picture", action="store_true", help="also a PNG of the flat pieces, colored by strain")
+    options.add_argument("--picture", action="store_true", help="write a PNG of the flat pieces, colored by strain")
     return options
 
 
@@ -282,14 +282,14 @@ def _made(kind: type[T], given: argparse.Namespace, **others: object) -> T:
 
 def _check_fewer(parser: argparse.ArgumentParser, given: argparse.Namespace) -> None:
     if not given.seams:
-        parser.error("--cut fewer leaves out seams of --seams: name them")
+        parser.error("--cut fewer leaves out some of the seams of --seams: give --seams")
     for option in ("together", "piece", "count", "longest", "no_seam"):
         if getattr(given, option):
             parser.error(f"--cut fewer makes no cuts: use it without --{option.replace('_', '-')}")
 
 
 def _clashes(requests: Sequence[Request]) -> dict[int, str]:
-    """Return a sentence, by its number, for each request that would write a file which another one writes or reads."""
+    """Return a sentence for each request, by number, that would write a file which another writes or reads."""
     clashes: dict[int, str] = {}
     writers: dict[Path, int] = {}
     for number, request in enumerate(requests):

@@ -31,7 +31,7 @@ def flatten_blend(request: Request, folder: Path) -> tuple[Line, dict[str, Any]]
     options = ("--background", "--disable-autoexec", str(request.model.absolute()), "--python-exit-code", "1")
     with subprocess.Popen(
         [program, *options, "--python", str(SCRIPT), "--", json.dumps(job)],
-        # never written to: the script sees its end when this process ends, and then ends Blender
+        # nothing is written to it: it closes when this process ends, and the script then ends Blender
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,

@@ -15,7 +15,7 @@ import bpy
 import numpy as np
 
 NO_ADD_ON = "Blender has no WireWarp add-on: install its zip there and enable it."
-NOTHING_MARKED = "No mesh that can be seen in the file has a seam or a wire: mark where to cut."
+NOTHING_MARKED = "No visible mesh of the file has a seam or a wire: mark where to cut."
 
 
 def end_with_caller() -> None:
@@ -50,7 +50,7 @@ def file_name(text: str) -> str:
 
 
 def clash_sentence(models: list[bpy.types.Object]) -> str:
-    """Return "" if every model has a file of its own, even if file names ignore case."""
+    """Return a sentence if two models would write one file, also if file names ignore case; otherwise ""."""
     owners: dict[str, bpy.types.Object] = {}
     for model in models:
         other = owners.setdefault(file_name(model.name).casefold(), model)

@@ -17,7 +17,7 @@ from .request import InputError
 SHARP = math.radians(30)  # as in Blender's Select Sharp Edges
 KEYS = {"vertices": {"vertices", "tolerance", "name", "ease"}, "side": {"side", "ease"}}
 LARGEST = np.iinfo(np.int64).max
-SAME_UV = 1e-6  # of the unit square: files have about as many decimals
+SAME_UV = 1e-6  # share of the unit square: files have about six decimals
 
 
 def seams_of(model: Model, wanted: str) -> np.ndarray:
@@ -37,7 +37,7 @@ def edges_of(path: str) -> np.ndarray:
     """Return edges (k,2) of the lines in a file; none for "". Raises InputError."""
     chains = _read(Path(path)) if path else []
     if not isinstance(chains, list) or not all(_is_chain(chain) for chain in chains):
-        raise InputError(f'"{path}" must be a JSON list of lines of vertices, as [[0, 1, 2], [5, 6]].')
+        raise InputError(f'"{path}" must be a JSON list of lines of vertices, such as [[0, 1, 2], [5, 6]].')
     pairs = [pair for chain in chains for pair in pairwise(chain)]
     return np.array(pairs, dtype=np.int64).reshape(-1, 2)
 
@@ -54,7 +54,7 @@ def lines_of(path: str) -> Lines:
         return Lines()
     entries = _read(Path(path))
     if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-        raise InputError(f'"{path}" must be a JSON list of wires, as [{{"vertices": [0, 1], "tolerance": 0.03}}].')
+        raise InputError(f'"{path}" must be a JSON list of wires, such as [{{"vertices": [0, 1], "tolerance": 0.03}}].')
     lines = Lines()
     for number, entry in enumerate(entries, start=1):
         kind, add, noun = ("side", _add_ease, "Ease") if "side" in entry else ("vertices", _add_wire, "Wire")

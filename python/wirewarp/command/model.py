@@ -21,13 +21,13 @@ STL_END = 1000  # bytes at the end of a text STL file, enough for "endsolid" and
 
 @dataclass(frozen=True)
 class Model:
-    vertices: np.ndarray  # (n,3) in the order of the file, with those in one place merged
+    vertices: np.ndarray  # (n,3) in the order of the file; vertices at one place are merged
     faces: np.ndarray  # (m,3)
     corner_uv: np.ndarray | None  # (m,3,2)
 
 
 def read_model(path: Path) -> Model:
-    """Raises InputError."""
+    """Return the model of a file. Raises InputError."""
     if path.suffix.lower() not in READ_BY_TRIMESH:
         raise InputError(f'"{path.name}" is not a model of a kind that can be read: {", ".join(SUFFIXES)}.')
     if not path.is_file():

@@ -15,7 +15,7 @@ LONGEST = 2000  # pixels, of the longer side
 SMOOTH = 2  # scale while drawing, for soft edges
 MARGIN = 60  # pixels
 LEAST = 0.01  # smallest strain of the strongest color: less is invisible
-# from none to the largest
+# colors from no strain to the largest
 COLORS = np.array([[255, 255, 255], [255, 221, 140], [235, 120, 50], [160, 20, 30]], dtype=float)
 LEGEND = 24  # pixels: height of its letters; numbers of pieces are twice as high
 Point = tuple[float, float]

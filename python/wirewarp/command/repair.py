@@ -14,7 +14,7 @@ import numpy as np
 from ..report import counted
 from .model import Model
 
-CLOSE = 1e-5  # of the model's size; files write coordinates to five or six digits
+CLOSE = 1e-5  # share of the model's size; files write coordinates to five or six digits
 OBLIQUE = np.array([0.3, 0.5, 0.81])  # a direction in which hardly any model has many vertices at one height
 
 
@@ -28,7 +28,7 @@ class Repaired:
     reversed: set[tuple[int, int]]  # directed edges of faces that were flipped
 
     def chain(self, vertices: np.ndarray) -> list[int]:
-        """Return a line of vertices of the file as one of the repaired mesh."""
+        """Return the line of the repaired mesh along a line of vertices of the file."""
         found: list[int] = []
         for vertex in vertices.tolist():
             own = int(self.labels[vertex]) if 0 <= vertex < len(self.labels) else vertex
@@ -38,12 +38,12 @@ class Repaired:
         return found
 
     def pairs(self, edges: np.ndarray) -> np.ndarray:
-        """Return edges (k,2) of the repaired mesh."""
+        """Return the edges (k,2) of the repaired mesh along edges of the file."""
         steps = [step for edge in edges for step in pairwise(self.chain(edge))]
         return np.array(steps, dtype=np.int64).reshape(-1, 2)
 
     def sides(self, half_edges: np.ndarray) -> np.ndarray:
-        """Return directed edges (k,2) of the repaired mesh, on the side of the same faces."""
+        """Return the edges (k,2) of the repaired mesh along directed edges of the file, on the same side."""
         return np.array([step[::-1] if step in self.reversed else step for step in map(tuple, self.pairs(half_edges))])
 
     def _between(self, a: int, b: int) -> list[int]:
@@ -92,7 +92,7 @@ def _with_flipped(model: Model, rows: np.ndarray) -> Model:
 
 
 def _labels(vertices: np.ndarray, close: float) -> np.ndarray:
-    """Return for each vertex (n,) the first one of those that are close to it."""
+    """Return for each vertex (n,) the first vertex that is close to it."""
     labels = np.arange(len(vertices))
     pairs = _close_pairs(vertices, close)
     while True:  # follow chains of close vertices
@@ -201,7 +201,7 @@ def _cut_at(
 
 
 def _opposed_faces(model: Model) -> np.ndarray:
-    """Return faces (k,): of each connected part the smaller area that faces the other way.
+    """Return the faces (k,) to flip: in each connected part, the side with the smaller area.
 
     For a part with only one side, such as a Möbius strip, return none: no flip makes it consistent.
     """

@@ -30,7 +30,7 @@ def run(arguments: Arguments) -> int:
 
     Raises PrintError.
     """
-    # Matrices are small and models many, so threads for each matrix would only slow it down.
+    # Matrices are small and models many, so threads for each matrix would only slow the run down.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     for request in with_left([each for each in arguments.requests if isinstance(each, Request)]):
         _remove_staged(request)  # now, because finished models are skipped below

@@ -34,7 +34,7 @@ def remove_staged(request: Request) -> None:
 
 
 def with_left(requests: Sequence[Request]) -> list[Request]:
-    """Return the models of which a killed run has left a folder."""
+    """Return the requests whose models have a folder that a killed run has left."""
     left = {folder: {path.name for path in folder.glob(f"{HIDDEN}*")} for folder in {r.folder for r in requests}}
     return [r for r in requests if any(name.startswith(_prefix(r)) for name in left[r.folder])]
 

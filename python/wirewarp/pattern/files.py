@@ -16,7 +16,7 @@ def today() -> datetime.date:
 
 @contextmanager
 def replaced_file(path: Path) -> Iterator[Path]:
-    """Yield a path beside this one, which replaces it at the end if nothing was raised.
+    """Yield a temporary path beside this one. At the end, its file replaces this one, unless an error was raised.
 
     A full disk therefore does not damage the existing file. Raises OSError if no file can be there.
     """

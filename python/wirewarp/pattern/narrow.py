@@ -13,10 +13,10 @@ from .geometry import RESOLUTION, signed_area
 if TYPE_CHECKING:
     from .._wirewarp import Piece
 
-SCRAP = 0.1  # of the area: smaller parts, such as the tip of a tail, are cut off or stay unsewn
+SCRAP = 0.1  # share of the area: smaller parts, such as the tip of a tail, are cut off or stay unsewn
 MOST = 0.5  # least share of the area that disks must cover; they never reach into corners
-# Of the search: a waist is found if it is narrower than the part behind it by a step, 1/24 of the widest disk. Ten
-# halvings of a step are 1/24,000 of it, which is less than a thread even in a piece a meter wide.
+# Steps of the radius, each 1/24 of the widest disk: the search finds a waist that is narrower than the part behind it
+# by a step. Halving a step ten times gives 1/24,000 of the disk, less than a thread even in a piece a meter wide.
 STEPS, HALVINGS = 24, 10
 ARC, ROUGH_ARC = 1e-3, 0.03  # errors of round corners as shares of the radius, for widths and for areas
 
@@ -58,8 +58,9 @@ def has_room(piece: "Piece", allowance: float, sides: ArrayLike = (), widths: Ar
     """Return whether the allowances of a piece with a flat shape have room beside each other inside its outline.
 
     They have room if the piece stays in one part when a strip as wide as its allowance is taken off along each side.
-    Parts below a tenth of the area do not count. allowance: of all sides but these (k,2), which have the widths (k,);
-    a side is given by two vertices of the model in the direction of its face. All widths are in scene units.
+    Parts below a tenth of the area do not count. allowance: width at all sides except `sides` (k,2), which have the
+    widths (k,). A side is given by two vertices of the model, in the direction of its face. All widths are in scene
+    units.
     """
     own, count = outline_sides(piece), 1 + int(max(piece.source_vertex.max(), np.max(sides, initial=0)))
     given = dict(zip((np.reshape(sides, (-1, 2)) @ [count, 1]).tolist(), np.ravel(widths).tolist(), strict=True))
@@ -93,7 +94,7 @@ def _is_whole_without(outlines: Sequence[np.ndarray], sides: np.ndarray, widths:
 
 
 def _is_whole(paths: Sequence[Polygon], radius: float, area: float) -> bool:
-    """Return whether the area that disks of this radius cover is one part, and the parts of the shape that count."""
+    """Return whether disks of this radius cover one part, which has at least MOST of the area; scraps do not count."""
     left = _parts(_offset(paths, -radius, ARC))
     if len(left) == 1 and _area(left[0]) >= MOST * area:
         return True

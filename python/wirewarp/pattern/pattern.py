@@ -164,9 +164,9 @@ class Pattern(PatternData):
         darts: str = "close",
         units: Units = "metric",
     ) -> "Pattern":
-        """Return only the lines in their places.
+        """Return a pattern of cutting lines alone, with the pieces in their places.
 
-        This is faster than from_pieces, and enough to show them and their pages.
+        This is faster than from_pieces, and enough to show the lines and their pages.
         """
         widths = Widths(allowance, None, allowances, side_allowances, folds)
         laid = in_one_go(lay_all(pieces, widths, "auto", darts))

@@ -16,7 +16,7 @@ COARSE_ADVICE = (
 )
 LEAST_TURN = np.radians(15.0)  # at one vertex: a smaller turn looks round on fabric
 CORNER = np.radians(60.0)  # a larger turn is a corner: a curve of so few edges has no shape of its own
-# of its turn: a neighbor on a curve turns at least that much in the same direction; beside a corner it is straight
+# share of the turn by which a neighbor on a curve turns in the same direction, too; beside a corner, it is straight
 ALIKE = 0.5
 
 

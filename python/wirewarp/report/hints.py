@@ -15,10 +15,10 @@ from .words import tolerance_text
 
 # Stretch above which a dart may help: stretch fabric reaches it, but pulls there.
 STRAIN_LIMIT = 0.08
-LARGEST_SHARE = 0.25  # of the area of a piece: if more is strained, only its worst part is a useful place
+LARGEST_SHARE = 0.25  # share of the area of a piece: if more is strained, only its worst part is a useful place
 MOST_PIECES = 4  # number of pieces with a place in the list
 MOST_REGIONS = 2  # number of places in one piece
-LEAST_AMOUNT = 0.1  # of the largest in the piece: smaller ones are single faces
+LEAST_AMOUNT = 0.1  # share of the largest amount in the piece: places with less are single faces
 TORN, STRAINED, BEYOND_FABRIC, WIRE_AT_LIMIT = "torn", "strained", "beyond_cloth", "wire_at_limit"
 TORN_ADVICE = (
     "Some edges overlap but are not joined. If they should be, select them, use Mesh > Merge > By Distance (or Merge "
@@ -169,7 +169,7 @@ def wire_hints(wires: Sequence[Wire]) -> list[Hint]:
 
 
 def torn_hints(vertices: np.ndarray, outline: np.ndarray) -> list[Hint]:
-    """Return one hint, or none. Fabric that is cut apart or doubled on purpose looks the same.
+    """Return one hint, or none: edges may also be apart on purpose.
 
     vertices (n,3) of the model; outline (k,2): its edges with one face.
     """

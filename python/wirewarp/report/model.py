@@ -124,7 +124,7 @@ class Threads:
         return needed > self.limit(way)
 
     def limit(self, way: str) -> float:
-        """Return the maximum stretch; if unknown, what every fabric allows beyond the built-in stretch."""
+        """Return the maximum stretch; if unknown, the built-in stretch and on top of it the stretch of any fabric."""
         known: float | None = getattr(self.gives, way)
         return known if known is not None else (1 + (getattr(self.worn, way) or 0.0)) * (1 + ANY_FABRIC) - 1
 
@@ -171,7 +171,7 @@ class Piece:
     def is_strained(self) -> bool:
         """Return whether lengths are kept, but the piece needs too much stretch.
 
-        Too much is more than the chosen fabric has, or without one, more than some fabrics have.
+        The limit is the maximum stretch of the chosen fabric or, if none is chosen, the stretch that all fabrics allow.
         """
         return self.ok and (self.threads.over if self.threads else self.needed > ANY_FABRIC)
 

@@ -9,7 +9,7 @@ from .names import joined_pieces, open_edges, piece_names, pieces_of_wires, side
 from .verdict import Verdict, verdict
 from .words import ease_text, tolerance_text
 
-LEAST = 5e-5  # smaller eases are shown as none
+LEAST = 5e-5  # smaller eases are not shown
 
 
 @dataclass(frozen=True)

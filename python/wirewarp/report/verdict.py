@@ -169,7 +169,7 @@ def _names(entries: Sequence[_Entry], with_objects: bool) -> str:
 
 
 def _listed(names: Iterable[str], between: str) -> str:
-    """Return each once, the first ones by name."""
+    """Return each name once; of many, the first ones and the number of the others."""
     every = list(dict.fromkeys(names))
     shown, hidden = every[:SHOWN_NAMES], len(every) - SHOWN_NAMES
     if hidden > 0:

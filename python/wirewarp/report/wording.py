@@ -79,9 +79,9 @@ def needs_text(threads: Threads) -> str:
 
 
 def strain_text(stretch: float, compression: float) -> str:
-    """Return "stretched", "compressed" or both, if the smaller share of the flat length is not much smaller.
+    """Return "stretched" or "compressed", or both if the two shares of the flat length are similar.
 
-    It contains no figure, because that of the piece counts and a second one beside it would confuse.
+    The text has no figure, because a second figure beside that of the piece would confuse.
     """
     strains = {"stretched": stretch, "compressed": compression}
     return " and ".join(word for word, share in strains.items() if share >= LESSER * max(strains.values()))

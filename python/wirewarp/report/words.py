@@ -47,7 +47,7 @@ def tolerance_text(tolerance: float) -> str:
 
 @dataclass(frozen=True)
 class LengthText:
-    """Writes lengths given in Blender units. All but rough() use one unit, so that numbers in a column compare."""
+    """Writes lengths given in Blender units. All but rough() use one unit, so that columns of numbers compare well."""
 
     unit: str
     per_blender_unit: float

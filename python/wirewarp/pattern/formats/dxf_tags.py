@@ -28,7 +28,7 @@ def escaped_text(text: str) -> str:
 def block_names(names: list[str], longest: int) -> list[str]:
     """Return unique block names of capitals, digits and underscores within AutoCAD's length.
 
-    A name of which nothing remains becomes PIECE_3, with its number.
+    A name without such characters becomes PIECE_3, with the number of the piece.
     """
     found: list[str] = []
     for number, name in enumerate(names, start=1):
@@ -63,7 +63,7 @@ class Tags:
         return pairs if z is None else [*pairs, (first + 20, self.number(z))]
 
     def polyline(self, layer: str, points: np.ndarray, closed: bool, repeat: bool = False) -> None:
-        """Write a polyline. repeat: a closed one ends with its first point again, for readers that ignore the flag."""
+        """Write a polyline. repeat: end a closed line with its first point again, for readers that ignore the flag."""
         corners = np.concatenate([points, points[:1]]) if closed and repeat else points
         self.add((0, "POLYLINE"), (8, layer), (66, 1), (70, int(closed)), *self.at(np.zeros(2), z=0.0))
         for corner in corners:

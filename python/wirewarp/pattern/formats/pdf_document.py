@@ -79,7 +79,7 @@ class Content:
 
 class Document:
     def __init__(self, title: str, layers: Sequence[str], hidden: Sequence[str] = ()) -> None:
-        """hidden: layers that a reader shows only on request."""
+        """Begin a document. hidden: layers that a reader shows only on request."""
         self.page_count = 0
         self._pdf = pydyf.PDF()
         # a text cut to length may end in half a surrogate pair

@@ -22,8 +22,8 @@ from .file_format import Choice, Format, Option
 from .read_back import read_svg
 
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
-MARGIN = 10.0  # around everything
-DECIMALS = 4  # of a millimeter
+MARGIN = 10.0  # millimeters around the drawing
+DECIMALS = 4  # in coordinates in millimeters
 # characters that XML 1.0 does not allow
 NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -54,7 +54,7 @@ PRESETS = {
     ),
     "cricut": Preset(
         "Cricut",
-        "As for lasers, in pixels, for programs that ignore units",
+        "Like Laser, but in pixels, for programs that ignore units",
         stroke=0.3,
         has_texts=False,
         has_dashes=False,

@@ -65,7 +65,7 @@ def _name_with_copies(piece: PatternPiece) -> str:
 def with_card_anew(
     piece: PatternPiece, count: int, heading: str, units: UnitSystem, sheets: Sheets = ANYWHERE
 ) -> PatternPiece:
-    """Return a changed piece with new texts, but only with those kinds of texts that it had."""
+    """Return a changed piece with new texts, of the same kinds as its earlier texts."""
     roles = {text.role for text in piece.texts}
     whole = with_card(piece, piece.number, count, heading, units, sheets)
     left_out = {LEADERS[role] for role in LEADERS if role not in roles}

@@ -60,7 +60,7 @@ class Font:
     """One face of a file."""
 
     def __init__(self, path: Path, index: int = 0) -> None:
-        """Raises the libraries' errors for a file that is not a font."""
+        """Open the font. Raises the libraries' errors for other files."""
         self._path, self._index = path, index
         self._outlines: dict[int, list[Part]] = {}
         if path.suffix.lower() == ".woff2":

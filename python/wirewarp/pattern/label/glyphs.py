@@ -36,7 +36,7 @@ class _Run:
 
 @cache
 def line_of(text: str) -> Line:
-    """Raises NoLettersError."""
+    """Return the outlines of a line of text. Raises NoLettersError."""
     letters = [letter for letter in text if unicodedata.category(letter) not in ("Cc", "Cs", "Cn")]
     runs = list(_runs(letters, levels(letters)))
     parts: list[Part] = []

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Places texts beside a piece without room for them, with a line that leads to what they name.
+"""Places texts beside a piece without room for them, with a line that leads to the named place.
 
 The texts need no room of their own: the pages are the same as without them.
 """
@@ -18,7 +18,7 @@ from .text_place import text_width
 
 NEAREST, FARTHEST, STEP = 2.0, 40.0, 0.5  # millimeters from the named line to the middle of the text
 TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the direction straight out, the best first
-# of the text, the easiest to read first; along a narrow piece, text stays close to it
+# degrees of the text, the easiest to read first. Along a narrow piece, turned text stays close to the piece.
 ANGLES = (0.0, 90.0, 45.0, -45.0)
 REACH = GAP / 2  # millimeters beyond the box of the cut lines, so that texts of two pieces in rows do not meet
 # Largest distance from the cut lines: within it, a text is on the same sheet, because sheets overlap by more.

@@ -13,8 +13,8 @@ from ..model import Text
 WIDE = 3.0  # the search assumes that text is this many times as wide as high
 LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, as shares of the height of the text
 WIDE_LETTER = 1.0  # Chinese and similar letters, and emoji
-NEARLY = 0.6  # of the height of upright text: level text is easier to read
-SMALL = 0.3125  # of the largest height, 2.5 of 8 mm: instead of smaller letters, text may cross lines
+NEARLY = 0.6  # share of the height of upright text: level text at least this high is easier to read
+SMALL = 0.3125  # share of the largest height (2.5 of 8 mm): rather than be smaller, text may cross lines
 
 
 def place_text(

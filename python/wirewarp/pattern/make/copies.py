@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Leaves out copies: all but one of the pieces with one shape, mirrored or not, and half of each symmetric piece.
+"""Draws only one of several pieces with the same shape, mirrored or not, and only half of each symmetric piece.
 
 Seams that a copy maps to each other get their notches at the same places; otherwise, the copy would not fit.
 """
@@ -142,9 +142,9 @@ def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[
 
 
 def _matched(first: Laid, second: Laid, found: Congruence) -> list[tuple[Side, Side, np.ndarray]]:
-    """Return the sides of the first piece, those of the second whose images match them, and their vertices.
+    """Return a side of the first piece, the side of the second whose image matches it, and vertices, for each match.
 
-    The vertices (k,) are those of the second side, at the points of the first one.
+    The vertices (k,) of the second side are in the order of the points of the first side.
     """
     matched = []
     for side in (side for loop in first.loops for side in loop):

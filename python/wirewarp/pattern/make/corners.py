@@ -17,7 +17,7 @@ CORNER_TYPES: tuple[str, ...] = get_args(CornerType)
 MITRE_LIMIT = 2.5  # times the width: a corner that extends farther is cut off square
 STRAIGHT = 1e-7  # radians: at a smaller turn, the wedge between even the widest strips is finer than the grid
 SHARP = math.radians(30)  # a smaller turn can hardly be seen on fabric, and its allowance needs no end of its own
-STEEP = 1.5  # times the width: if their difference over the sine of the turn is larger, a step is better than a slant
+STEEP = 1.5  # times the wider width: if the difference over the sine of the turn is larger, mitres become steps
 SAGITTA = 0.02  # millimeters, of the chords of a round corner
 
 
@@ -77,7 +77,7 @@ def _fold_back(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _extend(turn: float, a: float, b: float) -> np.ndarray:
-    """End each allowance where its cut line meets the other's extended stitching line, straight in between."""
+    """End each allowance where its cut line meets the other's extended stitching line, with a straight line between."""
     return np.array([[-a / math.tan(turn), -a], [b / math.sin(turn), 0.0]])
 
 

@@ -13,7 +13,7 @@ from .pieces import FOLD_NAME, GRAIN, grain_line
 
 ON_FOLD = 0.05  # millimeters: a nearer point is on the fold
 BESIDE_FOLD = 15.0  # millimeters between the fold and a grain arrow along it
-# a grain with a smaller turn from the fold runs along it: nobody aligns fabric better
+# a grain at a smaller angle to the fold counts as along it, because nobody aligns fabric better
 ALONG = math.sin(math.radians(0.5))
 
 

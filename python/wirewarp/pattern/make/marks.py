@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All marks of a pattern: those that the pieces of a seam share, and those of a single piece."""
+"""All marks of a pattern: marks that the pieces of a seam share, and marks of single pieces."""
 
 import re
 from collections.abc import Mapping, Sequence

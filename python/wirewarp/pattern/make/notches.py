@@ -15,17 +15,17 @@ from .seams import SewnSide, turn_between
 from .sections import Dart
 
 DEEPEST = 5.0  # millimeters
-SHARE = 0.5  # of the allowance: notches never reach the stitching line
-ACROSS = 0.3  # of the way across the piece, if it has no allowance: two notches opposite each other do not meet
+SHARE = 0.5  # depth as a share of the allowance: notches never reach the stitching line
+ACROSS = 0.3  # depth as a share of the way across a piece without allowance: opposite notches do not meet
 NEXT_TO = 2e-3  # millimeters: beside a line, not on it
 LEAST_SPACING = 1.0  # millimeters
 MOST = 10_000  # notches along one seam
-CLEAR = 0.2  # of the spacing: no notch is closer to another one or to the end of the seam
-LEAST_SEAM = 15.0  # millimeters: a shorter one needs no notch in its middle
-LOPSIDED = 5.0  # millimeters by which notches must miss each other if the seam is reversed
-STARTS = (1.0, 0.8, 0.6, 0.4)  # of the spacing, from the start of the seam to its first notch
-DOUBLE = 6.0  # millimeters between the two of a double notch
-CORNER = math.radians(30)  # a smaller turn is a corner that nobody finds on fabric
+CLEAR = 0.2  # share of the spacing: no notch is closer to another notch or to the end of the seam
+LEAST_SEAM = 15.0  # millimeters: a shorter seam needs no notch in its middle
+LOPSIDED = 5.0  # millimeters by which a notch must be off if the seam is reversed
+STARTS = (1.0, 0.8, 0.6, 0.4)  # shares of the spacing, from the start of the seam to its first notch
+DOUBLE = 6.0  # millimeters between the strokes of a double notch
+CORNER = math.radians(30)  # nobody finds a corner with a smaller turn on fabric
 CLIP_SHORT = 2.0  # millimeters between the end of a clip and the corner of the stitching line
 DRILL_BACK = 13.0  # millimeters before the tip of the dart, where the seam hides it (1/2 in)
 DRILL = 3.0  # millimeters: diameter
@@ -82,7 +82,7 @@ def _is_lopsided(places: np.ndarray, length: float) -> bool:
 
 
 def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[int, int] | None = None) -> Point | None:
-    """Return a notch from the cut line, where the side's normal at this length meets it, inwards.
+    """Return a notch that begins where the side's normal at this length meets the cut line, and points inwards.
 
     width: the widest allowance of the side. Returns None if the cut line is much farther, because allowances meet
     there.

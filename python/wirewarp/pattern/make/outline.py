@@ -101,8 +101,8 @@ def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
     farthest = float(np.abs(points[piece.outline]).max())
     if farthest > FARTHEST:
         raise problem(
-            f'"{piece.name}" reaches {farthest / 1e6:.4g} km far, and a pattern at most {FARTHEST / 1e6:g} km: see '
-            "whether the unit of the model is right."
+            f'"{piece.name}" reaches {farthest / 1e6:.4g} km far, but patterns may reach only {FARTHEST / 1e6:g} km: '
+            "check the unit of the model."
         )
     chains = []
     for chain in piece.chains:

@@ -90,7 +90,7 @@ def warnings_of(laid: Laid) -> list[str]:
         found.append(f'"{laid.name}": the allowance closes a gap in the outline; the enclosed area is not cut out.')
     crooked = max((_off_straight(run.points) for own in laid.outlines for run in own.runs if run.is_fold), default=0.0)
     if crooked > STRAIGHT:
-        found.append(f'"{laid.name}": its fold is not straight but {crooked:.1f} mm off: fabric cannot fold there.')
+        found.append(f'"{laid.name}": its fold is {crooked:.1f} mm off a straight line: fabric cannot fold there.')
     if len(laid.cut.outer) > 1:
         found.append(f'"{laid.name}" is cut as {len(laid.cut.outer)} parts, which only touch at single points.')
     return found

@@ -14,7 +14,7 @@ from ..units import UnitSystem
 from .outline import Side
 
 LEAST = 0.5  # millimeters; smaller eases are ignored, and single precision is far more accurate
-GATHERED = 0.15  # of the shorter side: fabric with more ease than this gets pleats, so it is gathered
+GATHERED = 0.15  # share of the shorter side: with more ease, fabric gets pleats, so it is gathered
 
 
 def longer_text(length: float, shortest: float, length_text: Callable[[float], str]) -> str:
@@ -102,11 +102,11 @@ class SewnLengths:
         return float(self.along[-1])
 
     def on(self, side: SewnSide, place: float) -> float:
-        """Return the length along this side at which it is sewn to the others at this place."""
+        """Return the length along this side at this place of the seam."""
         return float(np.interp(place, self.along, side.along))
 
     def of_side(self, side: SewnSide, lengths: np.ndarray) -> np.ndarray:
-        """Return where lengths (p,) along this side are sewn."""
+        """Return the places in the seam of lengths (p,) along this side."""
         return np.interp(lengths, side.along, self.along)
 
 

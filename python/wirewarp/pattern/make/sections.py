@@ -17,7 +17,7 @@ from .seams import is_dart, sewn_first
 from .widths import Widths
 
 Darts = Literal["close", "cut", "slit"]
-WIDEST_DART = math.radians(50)  # folded away in fabric; a wider gap, such as that of a cone, is cut out
+WIDEST_DART = math.radians(50)  # a dart this wide is folded; a wider gap, such as in a cone, is cut out
 LEAST_GAP = 0.01  # millimeters: no cut line fits between the legs of a narrower dart, which is cut as one line
 HIGHEST_CAP = 1.0  # times the mouth of the dart: a cap that would extend farther is flat
 

@@ -2,8 +2,8 @@
 """Finds an order in which the seams can be sewn: darts, flat seams, rings, and last those that close a body.
 
 Each assembly of pieces is stored as the closed loops of sides around it. Sewing two sides of different assemblies makes
-one that is still flat, and so does sewing two successive sides of a loop. Sewing any other two sides of one loop closes
-a ring, such as a sleeve or a neckline.
+one flat assembly. Sewing two successive sides of a loop keeps the assembly flat. Sewing any other two sides of one loop
+closes a ring, such as a sleeve or a neckline.
 """
 
 from collections.abc import Mapping, Sequence

@@ -10,7 +10,7 @@ from .outline import Side
 
 
 class Widths:
-    """Widths of edges: general ones of seams and outlines, of single edges, and of single sides of edges."""
+    """Widths of the allowance: defaults for seams and outlines, of single edges, and of single sides of edges."""
 
     def __init__(
         self,
@@ -46,7 +46,8 @@ class Widths:
         """Check that each edge with a given width is on an outline. Raises FlattenError."""
         if self._unused:
             edges = sorted(self._unused)
-            message = f"Edge {edges[0][0]}-{edges[0][1]} has an allowance or a fold, but is on no outline of a piece."
+            a, b = edges[0]
+            message = f"Edge {a}-{b} has an allowance or a fold, but is not on the outline of a piece."
             raise FlattenError("invalid_option", message, edges=edges)
 
     def _width(self, edge: tuple[int, int], default: float) -> float:

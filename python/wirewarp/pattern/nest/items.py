@@ -31,7 +31,7 @@ class Item:
 
 
 def angles(item: Item, grain: Grain, step: float) -> list[float]:
-    """Return the allowed turns of the item in degrees. step: between the trials if it may be turned freely."""
+    """Return the allowed turns of the item in degrees. step: degrees between trials if it may be turned freely."""
     turns = {"one way": [0.0], "both ways": [0.0, 180.0], "free": np.arange(0.0, 360.0, step).tolist()}[grain]
     return [item.upright + turn for turn in turns]
 

@@ -43,14 +43,14 @@ class _Profile:
 
 class TooLargeError(Exception):
     def __init__(self, item: int) -> None:
-        """item: its index."""
+        """item: index of the item that is too large."""
         super().__init__(item)
         self.item = item
 
 
 class SlidePacking:
     def __init__(self, items: Sequence[Item], grain: Grain, width: float, length: float) -> None:
-        """length: of a sheet; infinite for a roll."""
+        """Prepare to pack the items. length: of a sheet; infinite for a roll."""
         self._items, self._grain, self._length = items, grain, length
         self._row = width / ROWS
         self._profiles: list[list[_Profile]] = []

@@ -64,7 +64,7 @@ def _one_page(pattern: P) -> Plan[P]:
     if size.max() > LONGEST:
         width, height, most = (pattern.units.text(float(side)) for side in (*size, LONGEST))
         raise problem(
-            f"The pattern takes a page of {width} x {height}, and PDF viewers support at most {most}: choose a roll or "
+            f"The pattern needs a page of {width} x {height}, and PDF viewers support at most {most}: choose a roll or "
             "sheets."
         )
 
@@ -134,7 +134,7 @@ def _pages_of_rows(pieces: Sequence[PatternPiece]) -> list[list[int]]:
 def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
     """Return the width of the page.
 
-    roll: that of the paper; None for the necessary one. Raises FlattenError if too narrow.
+    roll: width of the paper; None: as wide as necessary. Raises FlattenError if the roll is too narrow.
     """
     needed = max(marker.width, float(SIZE[0])) + 2 * MARGIN
     if roll is not None and roll < needed - 1e-6:

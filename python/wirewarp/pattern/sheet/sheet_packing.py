@@ -40,7 +40,7 @@ def placed_on_sheets(
     columns: Iterable[int],
     fewest: int,
 ) -> Placed | None:
-    """Return the best arrangement on this many columns of sheets; None if none needs fewer sheets than the best so far.
+    """Return the best arrangement on one of these numbers of columns; None if each needs at least `fewest` sheets.
 
     outlines: of each piece in each of its turns, with the lower left corner at 0, 0. step (2,): from a sheet to the
     next one. inset: millimeters from the edge of the printed area to the nearest piece, and half of the distance
@@ -60,7 +60,7 @@ def placed_on_sheets(
         if max(narrowest) > count * per_sheet[0] + 1:  # no sheet follows the last one, so its overlap is usable, too
             continue
         for order in orders:
-            # Each piece is tried over about all cells that are used in the end.
+            # Each piece is tried in about all cells that the result uses.
             work += sum(len(turned) for turned in shapes) * sum(width * height for width, height in sizes)
             if work > MOST_WORK:
                 return best
@@ -170,7 +170,7 @@ def _shape(outlines: Sequence[np.ndarray], cell: np.ndarray, per_sheet: np.ndarr
 
 
 def _needed(cells: np.ndarray, per_sheet: np.ndarray) -> np.ndarray:
-    """Return Shape.needed. The sheet before shows a part that is only in the first cells of a sheet."""
+    """Return Shape.needed. A part that is only in the first cells of a sheet is shown by the sheet before."""
     sums = np.pad(cells.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
     ends = []
     for count, own in zip(cells.shape, per_sheet.tolist(), strict=True):

@@ -17,7 +17,7 @@ from ..pattern_data import OVERLAP, PatternData, in_rows
 from .papers import MARGIN, SHEETS, sheet_name
 from .sheet_packing import placed_on_sheets
 
-INSET = 5.0  # around the pattern, so that no cut line is on the edge of the printed area
+INSET = 5.0  # millimeters around the pattern, so that no cut line is on the edge of the printed area
 MOST_SHEETS = 2000
 MOST_PACKED = 60  # number of sheets above which no better arrangement is searched for: it would take seconds
 MOST_WIDTHS = 8  # number of different column counts to try, for the same reason
@@ -70,7 +70,7 @@ class Tiles(Generic[P]):
 
 
 class Shape(NamedTuple):
-    """A piece."""
+    """A piece, for Clipper."""
 
     outlines: list[list[list[int]]]  # its cut lines, on Clipper's grid
     bounds: tuple[np.ndarray, np.ndarray]
