@@ -22,7 +22,7 @@ SOFT = 0.2  # maximum stretch of plush and knits
 HEIGHT = 300  # mm of the finished toy, along its largest side
 ALLOWANCE = 6  # mm: the usual one of plush, and a millimeter for the turn of the fabric
 BEND = 30  # degrees
-SAME_PLACE = 1e-4  # of the largest side: mirrored vertices are that close
+SAME_PLACE = 1e-4  # share of the largest side: mirrored vertices are at most this far apart
 HEAD = ["mesh", "triangles", "pieces", "with room", "strain", "length", "narrowest, mm", "bends", "symmetric", "s"]
 
 

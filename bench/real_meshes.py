@@ -45,7 +45,7 @@ def compare_panel(path: Path) -> Comparison:
     return compare(read_panel(path), names, 1, LIMIT)
 
 
-def what_becomes_of(path: Path) -> tuple[str, str]:
+def flattening_outcome(path: Path) -> tuple[str, str]:
     """Return a short outcome for counting, and the error of the first piece without a flat shape."""
     vertices, faces = read_mesh(path)
     try:
@@ -60,12 +60,12 @@ def what_becomes_of(path: Path) -> tuple[str, str]:
 
 
 def outcome_of(path: Path) -> tuple[str, str, str]:
-    """Return the outcome of what_becomes_of(), the wall seconds, and the error."""
+    """Return the outcome of flattening_outcome(), the wall seconds, and the error."""
     if path.suffix.lower() not in READERS:
         return "in a format that the benchmark does not read", "", ""
     begin = time.monotonic()
     try:
-        outcome, sentence = run_apart(lambda: what_becomes_of(path), LIMIT)
+        outcome, sentence = run_apart(lambda: flattening_outcome(path), LIMIT)
     except NoAnswerError as reason:
         outcome, sentence = "**without an answer**", str(reason)
     return outcome, f"{time.monotonic() - begin:.2f}", sentence

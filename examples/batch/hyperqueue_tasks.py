@@ -34,13 +34,7 @@ def main() -> int:
     with connected(given.server) as client:
         # A task fails if a model is not ready to cut. The others continue.
         client.wait_for_jobs([client.submit(job)], raise_on_error=False)
-    # Prints all lines, and repeats models that were refused, stopped or lost
-    #
-    # Usage: python write_docs.py OUTPUT HEADER...
-    #
-    # A struct or enum has the `///` comment above it. A field or enumerator has the `///` comment above or the `//`
-    # comment after it, with its continuation lines below. The table has "Struct", "Struct.field" and "Enum.0",
-    # "Enum.1", ...
+    # Prints all lines, and repeats models that were refused, stopped or lost.
     return subprocess.call([*BATCH, *words])
 
 

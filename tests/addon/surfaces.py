@@ -185,7 +185,7 @@ def tube(name="Tube", sides=16, rows=6, place=0.0, length=3.0):
 
 
 def world_box(target: bpy.types.Object) -> np.ndarray:
-    """(2,2) from above: the lowest and the highest corner in the world."""
+    """Return the lowest and the highest corner (2,2) in the world, seen from above."""
     bpy.context.view_layer.update()
     corners = np.array([(target.matrix_world @ Vector(corner))[:2] for corner in target.bound_box])
     return np.array([corners.min(axis=0), corners.max(axis=0)])

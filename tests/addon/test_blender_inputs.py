@@ -80,8 +80,8 @@ def test_a_model_and_pieces_of_another_file_answer(library, everything_answers, 
     everything_answers(spoil)
 
 
-def test_flat_pieces_beside_those_of_another_file(library):
-    """They have the same names, in a collection of the same name, and cannot be written."""
+def test_pieces_are_written_beside_linked_pieces_of_the_same_name(library):
+    """The linked pieces are in a collection of the same name, and cannot be written."""
     bpy.context.scene.collection.children.link(link(library, "collections", "WireWarp"))
     source = grid("Bump", bump)
     for _ in range(2):
@@ -92,7 +92,7 @@ def test_flat_pieces_beside_those_of_another_file(library):
     assert [each.library is None for each in bpy.data.collections].count(True) == 1
 
 
-def test_a_scene_of_another_file(library):
+def test_a_linked_scene_is_refused(library):
     linked = link(library, "scenes", "Scene")
     window = bpy.context.window_manager.windows[0]
     window.scene = linked
@@ -113,7 +113,7 @@ def test_pieces_in_a_second_scene_have_one_collection_there():
 
 
 def test_hidden_faces_are_flattened_too():
-    """In Object Mode they are visible."""
+    """Faces hidden in Edit Mode are visible in Object Mode."""
     source = grid("Bump", bump)
     source.data.polygons.foreach_set("hide", [index < 20 for index in range(64)])
     assert answer(FLATTEN) == DONE
@@ -122,7 +122,7 @@ def test_hidden_faces_are_flattened_too():
 
 
 @pytest.mark.parametrize("scale", [(-2, 1, 1), (3, 0.5, -1), (-1, -1, -1), (1e-4, 1e-4, 1e-4), (1e5, 1e5, 1e5)])
-def test_lengths_are_true_at_any_scale_and_sheared_by_a_parent(scale):
+def test_lengths_are_true_at_any_scale_and_under_a_shearing_parent(scale):
     source = grid("Bump", bump)
     mark(source, WIRE)
     source.scale = scale

@@ -20,8 +20,8 @@ def source():
     return target
 
 
-def test_the_methods_of_the_paper_and_their_settings_are_apart(addon):
-    """Above Flatten are only the settings that everybody has to enter."""
+def test_settings_of_the_methods_of_the_paper_are_under_advanced(addon):
+    """Above Flatten there are only settings that everybody has to enter."""
 
     def drawn(part):
         layout = MagicMock()
@@ -102,7 +102,7 @@ def test_a_setting_for_one_run_is_not_an_error_and_failures_do_not_mention_setti
     assert "Settings changed" not in draw_panels(addon)  # flattening again would not help
 
 
-def test_another_grain_wire(addon, source):
+def test_another_grain_wire_is_named(addon, source):
     source.data.wirewarp_grain = source.data.wirewarp_names[0].wire_id
     assert give(addon, source) == SENTENCE.format("Grain Wire")
     bpy.ops.object.wirewarp_flatten()

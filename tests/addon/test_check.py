@@ -112,7 +112,7 @@ def test_walls_inside_are_found_but_no_face_that_is_seen_from_outside(addon, siz
     assert len(target.data.polygons) == shell
 
 
-def test_duplicates_after_a_merge_are_those_with_the_same_vertices(addon):
+def test_after_a_merge_only_faces_with_the_same_vertices_are_duplicates(addon):
     """Two squares whose corners are merged first remain two."""
     target, _ = faulty("MERGE")
     assert addon.blender.faults.repair_faults(target.data, ["MERGE", "DUPLICATES"]) == {"MERGE": 2}
@@ -134,7 +134,7 @@ def test_a_repair_keeps_seams_wires_and_maps(addon):
     assert source.data.uv_layers[0].name == "Own" and len(source.data.vertices) == 25
 
 
-def test_a_repair_from_edit_mode_of_the_pieces_leaves_it_so_that_undo_has_the_model(addon):
+def test_a_repair_leaves_edit_mode_of_the_pieces_so_that_undo_restores_the_model(addon):
     source = grid("Bump", bump, size=4)
     bpy.ops.object.wirewarp_flatten()
     source.data.vertices.add(1)
@@ -164,7 +164,7 @@ def test_duplicate_faces_have_check_and_repair_as_the_next_step(addon):
 
 
 @pytest.mark.parametrize(("shift", "apart", "merged"), [(1000.0, 0.005, 0), (1000.0, 0.00012, 2), (0.0, 1e-5, 2)])
-def test_vertices_are_merged_by_the_size_of_the_model_wherever_it_lies(addon, shift, apart, merged):
+def test_the_merge_distance_depends_on_the_size_and_not_on_the_place_of_the_model(addon, shift, apart, merged):
     """Two squares of side 1, with a gap between them, which ends on two vertices on either side."""
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
     left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))

@@ -136,7 +136,7 @@ def test_one_side_or_the_other_is_eased(source):
     assert shares(source) == pytest.approx(one[::-1], abs=1e-5)
 
 
-def test_one_side_is_that_of_the_smaller_piece_on_all_seams(addon):
+def test_one_side_is_the_side_of_the_smaller_piece_on_all_seams(addon):
     """Two armholes that are selected together are an example: their edges may run either way around."""
     source = grid("Body and two sleeves", lambda x, y: (x, y, 0))
     seams = {x: on_line(0, x) for x in (-0.5, 0.5)}
@@ -315,7 +315,7 @@ def test_the_ease_of_all_sides_is_in_the_table_for_spreadsheets(source, addon):
 
 @pytest.mark.parametrize(("percent", "longer", "how"), [(5.0, 0.05, "ease"), (-40.0, 0.4, "gather")])
 def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, percent, longer, how):
-    """They name the longer side, whether it is eased or the other side is cut shorter."""
+    """Panel and paper name the longer side, whether it is eased or the other side is cut shorter."""
     settings = bpy.context.scene.unit_settings
     settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # leaves room for the text
     ease(source, SEAM, sides="ONE", ease_percent=percent)

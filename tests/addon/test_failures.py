@@ -82,7 +82,7 @@ def test_select_issues_selects_the_elements_of_the_error():
     assert 0 in selected("polygons")
 
 
-def test_select_issues_without_issues():
+def test_select_issues_without_issues_selects_nothing():
     grid("Bump", bump)
     with pytest.raises(RuntimeError, match="has not been flattened yet"):
         bpy.ops.mesh.wirewarp_select_issues()

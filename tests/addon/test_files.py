@@ -84,7 +84,7 @@ def test_a_square_becomes_a_pdf(addon, tmp_path):
     assert (tmp_path / "square.pdf").read_bytes().startswith(b"%PDF-")
 
 
-def test_its_libraries_come_with_the_add_on_and_do_not_change_the_path(addon):
+def test_the_libraries_for_pdf_come_with_the_add_on_and_do_not_change_the_path(addon):
     inside = Path(addon.core.__file__).parent / "_core"
     if inside.is_dir():
         assert {path.name for path in (inside / "libraries").iterdir()} == {"pyclipper", "pydyf", "uharfbuzz"}

@@ -33,7 +33,7 @@ def test_a_sample_is_added_with_its_fabric_and_is_ready_to_cut(addon, place):
 
 
 @pytest.mark.api
-def test_a_sample_in_a_file_with_models_leaves_its_settings_and_has_its_size(addon):
+def test_a_sample_keeps_its_size_and_the_settings_of_a_file_with_models(addon):
     grid("Bump", bump)
     scene = bpy.context.scene
     scene.unit_settings.scale_length, scene.wirewarp.cloth = 0.01, "DENIM"
@@ -45,7 +45,7 @@ def test_a_sample_in_a_file_with_models_leaves_its_settings_and_has_its_size(add
 
 
 @pytest.mark.api
-def test_a_sample_beside_the_cube_of_a_new_file_brings_its_fabric_and_in_an_empty_one_its_units():
+def test_a_sample_brings_its_fabric_to_a_new_file_and_its_units_to_an_empty_one():
     scene = bpy.context.scene
     bpy.ops.mesh.primitive_cube_add()
     scene.unit_settings.length_unit = "METERS"

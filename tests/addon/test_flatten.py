@@ -276,7 +276,7 @@ def test_a_run_in_edit_mode_uses_the_edits_and_does_not_leave_it():
 
 
 @pytest.mark.parametrize("shape", ["modifiers", "shape keys", "edited pieces"])
-def test_a_run_returns_to_edit_mode_where_that_hides_the_shape(shape):
+def test_a_run_leaves_edit_mode_if_it_hides_the_shape_and_returns(shape):
     source = grid("Bump", bump)
     flatten(source)
     if shape == "modifiers":

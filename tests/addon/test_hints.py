@@ -39,7 +39,7 @@ def test_the_most_strained_places_of_good_pieces_are_named_largest_first(addon):
 
 
 def test_equal_places_are_one_line(addon):
-    """Two equal domes are strained equally."""
+    """Two equal domes have equal strain."""
     target = grid("Domes", lambda x, y: (x, y, 0.3 * math.exp(-((abs(x) - 0.5) ** 2 + y * y) / 0.05)), size=32)
     flatten(target)
     (hint,) = addon.state.reports.last_report(target).hints
@@ -155,7 +155,7 @@ def test_separate_panels_are_not_tears(addon):
     assert hints(addon, source, "torn") == []
 
 
-def test_a_failed_piece_with_tears_names_them():
+def test_the_error_of_a_failed_piece_names_its_tears():
     source = grid("Bump", bump)
     split(source, on_line(0, 0.0))
     source.data.polygons[0].flip()

@@ -154,7 +154,7 @@ for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_every_reader_of_it_answers(model, everything_answers, case):
+def test_every_reader_of_spoiled_data_answers(model, everything_answers, case):
     everything_answers(lambda: CASES[case](model), READERS)
 
 

@@ -57,7 +57,7 @@ def test_the_name_of_a_small_piece_is_beside_it_and_not_on_another(addon):
 
 
 def test_the_name_beside_a_slanted_piece_touches_it(addon):
-    """It is at the lowest point, not below the middle of the box around the piece."""
+    """The name is at the lowest point, not below the middle of the box around the piece."""
     slanted = label(addon, "Left sleeve", at=(200, 200), room=20.0, box=[(100, 90), (110, 80), (300, 310), (290, 320)])
     (below,) = addon.overlay.screen.arrange([slanted], size_of)
     assert below.left + size_of("Left sleeve")[0] / 2 == 110 and 0 < 80 - (below.base + HEIGHT) < HEIGHT
@@ -75,7 +75,7 @@ def test_the_outermost_vertices_of_a_piece_are_around_it(addon):
 
 
 def test_a_name_at_the_edge_is_not_hidden_by_the_toolbar(addon):
-    """Nor by the sidebar; names of places below them stay there."""
+    """The sidebar does not hide names either. Names of points that are hidden stay at their points."""
     span, (width, _) = (50.0, 300.0), size_of("Seam 4")
     places = [(60, 100), (295, 100), (20, 100), (175, 100)]
     written = addon.overlay.screen.arrange([label(addon, "Seam 4", at=place) for place in places], size_of, span)

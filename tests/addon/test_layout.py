@@ -96,7 +96,7 @@ def test_a_chosen_grain_wire_turns_pieces_and_can_be_undone():
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_the_chosen_one_of_a_wire_and_its_copy_is_the_grain_wire(mode):
+def test_either_a_wire_or_its_copy_can_be_the_grain_wire(mode):
     source = two_wires()
     select_edges(source, lambda *_: True)
     bpy.ops.mesh.duplicate_move(TRANSFORM_OT_translate={"value": (0, 5, 0)})
@@ -111,7 +111,7 @@ def test_the_chosen_one_of_a_wire_and_its_copy_is_the_grain_wire(mode):
     assert source.data.wirewarp_grain == ids[copy]
 
 
-def test_a_grain_wire_that_is_gone_counts_as_none():
+def test_a_missing_grain_wire_has_no_effect():
     source = two_wires()
     with pytest.raises(RuntimeError):
         bpy.ops.mesh.wirewarp_grain_wire(edge=0)  # this edge is not on a wire
@@ -142,7 +142,7 @@ def test_world_up_and_the_longest_straight_edge():
     assert abs(direction_of(source, *longest)[1]) == pytest.approx(1, abs=1e-4)
 
 
-def test_models_flattened_together_have_their_pieces_at_one_height_and_under_none_of_them():
+def test_pieces_of_models_flattened_together_are_at_one_height_and_not_under_a_model():
     """A small model, a tall one on its right, and one that hovers where the pieces of the first would be."""
     models = [grid(name, bump) for name in ("Left", "Tall", "Hovering")]
     for model, place in zip(models, [(0, 0, 0), (7, 0, -1), (3.5, 0, 4)], strict=True):
@@ -171,7 +171,7 @@ def gap_of_two(size, meters, mark_widths=lambda _: None):
 
 @pytest.mark.parametrize(("size", "meters"), [(0.5, 1.0), (4.0, 1.0), (500.0, 0.001)])
 def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, meters):
-    """It is the distance of the cutting lines, which are 10 mm outside the pieces here."""
+    """The gap is the distance of the cutting lines, which are 10 mm outside the pieces here."""
     assert gap_of_two(size, meters) == pytest.approx(0.05 + 2 * 0.01, abs=1e-5)
 
 

@@ -141,7 +141,7 @@ def grid_with_a_loose_edge():
     return target
 
 
-def test_an_edge_without_a_face_is_not_marked_and_one_that_lost_it_is_left_out(addon):
+def test_an_edge_without_a_face_is_not_marked_and_a_marked_one_is_ignored(addon):
     target = grid_with_a_loose_edge()
     select_edges(target, EAST_WEST)
     with pytest.raises(RuntimeError, match='1 selected edge of "Bump" has no face.*Delete Loose'):

@@ -157,7 +157,7 @@ def test_changed_modifiers_are_seen_by_report_export_and_auto(addon, smooth, tmp
     assert bpy.ops.object.wirewarp_export_svg(filepath=str(path)) == {"FINISHED"}
 
 
-def test_a_model_and_what_its_modifiers_refer_to_may_move_together(addon, smooth):
+def test_a_model_may_move_together_with_the_objects_of_its_modifiers(addon, smooth):
     report, mirror = addon.state.reports.last_report(smooth), bpy.data.objects["Mirror"]
     for step in range(1, 6):
         motion = Matrix.LocRotScale(Vector((0.37, -7.1, 12.3)) * step, Euler((0.3, 0.2 * step, 1.1)), None)
@@ -197,7 +197,7 @@ def test_one_vertex_that_moves_is_seen_and_rounding_is_not(addon, count):
 
 
 def test_a_modifier_along_normals_makes_the_same_mesh_each_time(addon):
-    """Up to Blender 3.6 except for the last digits, because threads sum the normals in any order."""
+    """Up to Blender 3.6, the last digits differ, because threads sum the normals in any order."""
     target = grid("Bump", bump, size=72)
     modifier = target.modifiers.new("Thick", "DISPLACE")
     flatten(target, use_modifiers=True)

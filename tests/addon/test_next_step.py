@@ -131,7 +131,7 @@ def test_places_without_a_remedy_are_shown(addon):
 
 
 def test_an_evenly_strained_piece_gets_a_suggested_cut(addon):
-    """It needs more than every fabric allows, but nowhere enough for a hint."""
+    """The piece needs more stretch than every fabric allows, but nowhere enough for a hint."""
     source = grid("Low", lambda x, y: (x, y, 0.3 * (1 - x * x) * (1 - y * y)), size=6)
     bpy.ops.object.wirewarp_flatten()
     report = addon.state.reports.last_report(source)
@@ -213,7 +213,7 @@ def test_modifiers_of_a_shared_mesh_are_not_applied(addon):
 
 
 def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
-    """It is not a wire that would change more, nor a single face."""
+    """A wire at its limit and a single strained face do not come first."""
 
     def entry(code, piece, faces, edges=()):
         return addon.core.Hint(code, "", piece, edges=list(edges), faces=list(range(faces)))

@@ -132,7 +132,7 @@ def test_selected_edges_are_seen_on_their_lines(addon, source):
     assert edges_of(lines_of(addon, source))["rigid"] == 16  # they follow the modifiers that are shown
 
 
-def test_seams_of_a_model_that_has_changed_keep_their_names_and_do_not_say_what_they_join(addon, source):
+def test_seams_of_a_changed_model_keep_their_names_without_the_joined_pieces(addon, source):
     source.data.vertices[40].co.z += 0.1
     source.data.update()
     bpy.context.view_layer.update()
@@ -303,7 +303,7 @@ def test_a_map_shows_its_figure_or_why_it_is_missing(addon, source, notes):
     assert notes("STRETCH_COLOR") == ["Not flattened: no map", "Changed since: flatten again"]
 
 
-def test_edit_mode_of_flat_pieces_is_no_change(source, notes):
+def test_edit_mode_of_flat_pieces_is_not_a_change(source, notes):
     bpy.context.view_layer.objects.active = flat_of(source)
     bpy.ops.object.mode_set(mode="EDIT")
     assert notes("STRETCH_COLOR") == ["In Edit Mode: no map"]

@@ -55,7 +55,7 @@ def test_nothing_is_built_again_until_something_changes(addon, source, at_once):
 
 
 def test_allowances_are_computed_again_only_if_they_change(addon, source, at_once, monkeypatch):
-    """They take longest to compute, and the model changes far more often."""
+    """Allowances take longest to compute, and the model changes far more often."""
     shown, laid = addon.overlay.shown, []
     cut_lines = shown.cut_lines
     monkeypatch.setattr(shown, "cut_lines", lambda *given, **more: laid.append(given) or cut_lines(*given, **more))
@@ -187,7 +187,7 @@ def test_a_build_is_not_repeated_at_once(addon, source, timers, clock):
 
 @pytest.mark.parametrize("of_pieces", [False, True])
 def test_slow_drawings_wait_in_edit_mode_until_the_user_pauses(addon, source, timers, clock, of_pieces):
-    """This also holds for drawings over its pieces."""
+    """Drawings over the pieces of the edited model wait, too."""
     drawing, built = slowly(addon, clock, flat_of(source) if of_pieces else source, 0.25, source)
     assert drawing(0) == 0
     clock.now += 10

@@ -39,7 +39,7 @@ def shown(addon, mode="UV", show_overlays=True):
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_lines_and_names_lie_where_the_pieces_have_them(addon, source, mode):
+def test_lines_and_names_are_at_the_pieces_in_the_map(addon, source, mode):
     select_only(source)
     bpy.ops.object.mode_set(mode=mode)
     (drawing,) = shown(addon)
@@ -61,7 +61,7 @@ def lengths(places):
     return np.linalg.norm(np.diff(places.reshape(-1, 2, 3), axis=1), axis=2)
 
 
-def test_nothing_over_other_maps_images_and_hidden_overlays(addon, source):
+def test_nothing_is_drawn_over_other_maps_or_images_or_with_hidden_overlays(addon, source):
     assert shown(addon, mode="VIEW") == shown(addon, show_overlays=False) == []
     source.data.uv_layers.active = source.data.uv_layers.new(name="Texture")
     assert shown(addon) == []

@@ -89,7 +89,7 @@ def test_copies_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path,
 
 
 def test_equal_pieces_are_named_below_the_export_button(addon, source):
-    """Otherwise turning them on would move the button away from the mouse."""
+    """Above the button, their names would move it away from the mouse."""
     bpy.context.scene.wirewarp.pairs = True
     select_only(source)
     drawn = []
@@ -99,7 +99,7 @@ def test_equal_pieces_are_named_below_the_export_button(addon, source):
     assert named and drawn.index("object.wirewarp_export") < min(named)
 
 
-def test_pages_lie_over_the_pieces_or_beside_them_with_what_is_printed(addon, source):
+def test_pages_are_over_the_pieces_or_below_them_with_the_printed_lines(addon, source):
     flat = 100 * flat_places(source)
 
     def on_page(places, pages):
@@ -115,7 +115,7 @@ def test_pages_lie_over_the_pieces_or_beside_them_with_what_is_printed(addon, so
     assert on_page(100 * pages.places["cut"][:, :2], pages)
 
 
-def test_they_follow_allowances_and_the_unit(addon, source):
+def test_pages_follow_allowances_and_the_unit(addon, source):
     def height():
         return np.ptp(frames(preview(addon, source, paper="PROJECTOR", arrangement="AS_LAID_OUT"))[0], axis=0)[1]
 
@@ -143,7 +143,7 @@ def test_choices_of_another_version_are_the_default(addon, source):
     assert preview(addon, source).sentence.endswith("A4. Drawn below the pieces")
 
 
-def test_the_panel_and_the_view_show_them(addon, source):
+def test_the_panel_and_the_view_show_the_pages(addon, source):
     select_only(flat_of(source))
     drawn = addon.overlay.shown.drawings(view_context())
     shown = {drawing.target.name: drawing for drawing in drawn}

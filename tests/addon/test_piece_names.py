@@ -145,7 +145,7 @@ def test_results_follow_the_name_of_the_model_and_names_given_by_the_user_stay()
 
 
 @pytest.mark.skipif("WINEPREFIX" in os.environ, reason="under Wine Blender does not read the library that it wrote")
-def test_a_linked_mesh_of_the_name_of_the_results_is_no_hindrance(tmp_path):
+def test_a_linked_mesh_may_have_the_name_of_the_results(tmp_path):
     source, path = grid("Sleeve", bump), str(tmp_path / "other.blend")
     flatten(source)
     bpy.data.libraries.write(path, {flat_of(source).data})
@@ -160,8 +160,8 @@ def test_a_linked_mesh_of_the_name_of_the_results_is_no_hindrance(tmp_path):
     assert linked.meshes[0].name == "Sleeve Flat"
 
 
-def test_more_than_two_of_one_side_are_numbered():
-    """They are numbered from front to back in the middle; a left-right pair has one number."""
+def test_more_than_two_pieces_on_one_side_are_numbered():
+    """Pieces in the middle are numbered from front to back; a left-right pair has one number."""
     for axis, names in ((1, ["Top 1", "Top 2", "Top 3", "Top 4"]), (0, FOUR_HALVES)):
         target = grid("Bump", bump)
         for line in (-0.5, 0.0, 0.5):
@@ -234,7 +234,7 @@ def test_the_larger_of_two_parts_keeps_the_name(source):
     assert sorted(flatten(source)) == ["Sleeve", "Top Right"]
 
 
-def test_joined_and_copied_pieces_keep_what_they_can(source):
+def test_joined_and_copied_pieces_keep_their_names_if_possible(source):
     flatten(source)
     rename(source, "Top Left", "Sleeve")
     select_only(source)

@@ -177,7 +177,7 @@ def flip_one(source):
     max(source.data.polygons, key=lambda each: each.center.x).flip()
 
 
-def test_a_failed_piece_returns_to_its_place_or_beside_another_one_there(source, addon):
+def test_a_failed_piece_returns_to_its_place_or_beside_a_piece_that_is_there_now(source, addon):
     move(source, "Top Left", angle=0.5, by=(3, 4))
     before = places_of(source)
     for _ in range(2):

@@ -141,7 +141,7 @@ def neighbors(source, pairs):
     } <= {tuple(sorted(pair)) for pair in edge_vertices(source.data).tolist()}
 
 
-def test_a_proposed_diagonal_goes_round_its_face_the_shorter_way(addon):
+def test_a_proposed_diagonal_becomes_the_shorter_way_around_its_face(addon):
     """The grid has nine vertices per row; each hexagon is a pair of cells."""
     source = grid("Bump", round_bump, faces="ngons")
     arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What cannot be flattened or written is refused before anything is written, with a sentence that says what to do."""
+"""Models and files that cannot be flattened or written are refused before anything is written, with a remedy."""
 
 import math
 import re
@@ -129,7 +129,7 @@ def test_nothing_to_flatten(source):
 
 @pytest.mark.api
 @pytest.mark.parametrize("mode", ["SCULPT", "WEIGHT_PAINT", "VERTEX_PAINT", "TEXTURE_PAINT", "POSE", "EDIT_ARMATURE"])
-def test_other_modes(source, addon, mode):
+def test_other_modes_are_refused(source, addon, mode):
     if mode in {"POSE", "EDIT_ARMATURE"}:
         bpy.ops.object.armature_add()
         select_only(bpy.context.object, source)
@@ -186,7 +186,7 @@ def in_another_scene(data):
     return bpy.context.temp_override(window=window, scene=scene, view_layer=view_layer)
 
 
-def test_a_mesh_that_is_edited_in_another_scene(source):
+def test_a_mesh_that_is_edited_in_another_scene_is_refused(source):
     mark(source, on_line(0, 0.0))
     bpy.ops.object.mode_set(mode="EDIT")
     with in_another_scene(source.data):
@@ -194,7 +194,7 @@ def test_a_mesh_that_is_edited_in_another_scene(source):
     assert "Other Flat" not in bpy.data.objects
 
 
-def test_flat_pieces_that_are_edited_in_another_scene(source, addon):
+def test_flat_pieces_that_are_edited_in_another_scene_are_refused(source, addon):
     bpy.ops.object.wirewarp_flatten()
     select_only(flat_of(source))
     bpy.ops.object.mode_set(mode="EDIT")
@@ -221,7 +221,7 @@ def test_no_export_replaces_a_blender_file(source, tmp_path):
     assert path.read_bytes() == before and list(tmp_path.iterdir()) == [path]
 
 
-def test_users_of_one_mesh_that_differ_in_scale(source):
+def test_objects_with_one_mesh_and_different_scales_are_refused(source):
     bpy.ops.object.duplicate(linked=True)
     twin = bpy.context.active_object
     twin.rotation_euler.z = 1
@@ -235,7 +235,7 @@ def test_users_of_one_mesh_that_differ_in_scale(source):
     assert twin.data["wirewarp_uv_scale"] == pytest.approx(2 * source.data["wirewarp_uv_scale"], rel=1e-5)
 
 
-def test_flat_pieces_without_their_model(source, addon):
+def test_flat_pieces_without_their_model_are_refused(source, addon):
     """Blender keeps a deleted model in the file, because the pieces point to it, unless a script removes it."""
     bpy.ops.object.wirewarp_flatten()
     flat = flat_of(source)
@@ -259,7 +259,7 @@ def test_flat_pieces_without_their_model(source, addon):
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
 
 
-def test_more_notches_than_anybody_cuts(source, tmp_path):
+def test_too_many_notches_are_refused(source, tmp_path):
     mark_seam(source, on_line(0, 0.0))
     for vertex in source.data.vertices:
         vertex.co *= 1000

@@ -53,7 +53,7 @@ def test_nothing_is_left_behind(addon):
     assert during["path"] == before["path"] and during["threads"] == before["threads"]
 
 
-def test_a_list_of_handlers_that_another_add_on_has_cleared(addon):
+def test_unregistering_works_after_another_add_on_cleared_the_handlers(addon):
     bpy.app.handlers.load_pre.clear()
     addon.unregister()
     assert handlers_of(addon) == []
@@ -176,7 +176,7 @@ class MenuLayout(SimpleNamespace):
         return self.entries[-1][1]
 
 
-def test_menu_entries_take_the_settings_of_the_scene_and_stand_under_the_add_on_s_name(addon):
+def test_menu_entries_use_the_settings_of_the_scene_and_are_under_the_name_of_the_add_on(addon):
     """F3 finds them by this name."""
     tools = SimpleNamespace(mesh_select_mode=(False, True, False))
     menus = addon.ui.menus
@@ -193,7 +193,7 @@ def test_menu_entries_take_the_settings_of_the_scene_and_stand_under_the_add_on_
         assert set(layout.contexts) == {"INVOKE_DEFAULT"}
 
 
-def test_the_menu_of_edges_offers_on_flat_pieces_only_what_can_be_marked_there(addon):
+def test_on_flat_pieces_the_edge_menu_offers_only_marks_of_one_side(addon):
     source = grid("Bump", bump)
     bpy.ops.object.wirewarp_flatten()
     offered = []

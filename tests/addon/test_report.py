@@ -201,7 +201,7 @@ def test_the_report_names_the_upright_direction(source, tmp_path):
 
 
 def test_the_report_follows_the_names_of_wires(addon):
-    """In tables, in advice and on the flat pieces; swapped names too, and equal ones stay apart."""
+    """Tables, advice and flat pieces have the new names, also swapped ones. Wires with equal names stay apart."""
     source = grid("Bump", bump)
     for line, tolerance in ((0.0, 0.001), (0.5, 0.002)):
         mark(source, on_line(1, line), kind="ELASTIC", tolerance=tolerance)

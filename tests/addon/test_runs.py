@@ -200,7 +200,7 @@ def move_a_vertex(source):
 
 
 def test_only_changed_models_with_pieces_are_updated(addon, source):
-    """In Edit Mode too."""
+    """This includes models in Edit Mode."""
     grid("Never Flattened", bump)
     assert taken(addon) == []
     move_a_vertex(source)

@@ -32,7 +32,7 @@ def seams(addon, target):
     return {seam.name: places[seam.edges].mean(axis=(0, 1))[:2].round(2).tolist() for seam in report.seams}
 
 
-def test_a_new_seam_leaves_the_others_their_numbers_and_none_is_given_again(addon, source):
+def test_a_new_seam_changes_no_other_number_and_numbers_are_not_reused(addon, source):
     assert seams(addon, source) == {"Seam 1": [0.5, 0.0]}
     mark_seam(source, at(-0.5))
     flatten(source)
@@ -101,7 +101,7 @@ def test_seams_keep_their_numbers_with_modifiers(addon, source):
     assert set(read(flat.attributes["wirewarp_seam"].data, "value", np.int32)) == {0, *before}
 
 
-def test_a_seam_whose_name_was_cleared_gets_one_again_that_stays_when_a_run_is_refused(addon, source):
+def test_a_seam_without_a_name_gets_a_new_one_that_stays_when_a_run_is_refused(addon, source):
     source.wirewarp_seams[0].name = ""
     flatten(source)
     assert list(seams(addon, source)) == ["Seam 2"]  # 1 is not reused
@@ -122,7 +122,7 @@ class MovingEntries(list):
         return self[-1]
 
 
-def test_names_are_written_where_entries_are_after_new_ones(addon):
+def test_names_are_written_to_the_right_entries_after_new_ones_moved_them(addon):
     source = SimpleNamespace(wirewarp_seams=MovingEntries([SimpleNamespace(seam_id=1, name="Seam 1")]))
     names = {2: "Seam 2", 1: "Seam 3"}
     identities = [addon.solve.identity.SeamIdentity(seam_id, name, is_dart=False) for seam_id, name in names.items()]

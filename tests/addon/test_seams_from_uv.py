@@ -75,7 +75,7 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
     assert 'the UV map "Islands"' in capfd.readouterr().out
 
 
-def test_the_active_one_of_several_maps_is_read_and_ours_if_there_is_no_other(capfd):
+def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
     target = with_islands()
     plain = target.data.uv_layers.new(name="Plain", do_init=False)  # all UVs are one point
     target.data.uv_layers.active = plain
@@ -126,7 +126,7 @@ def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addo
     assert uv_seams_of(addon, source) is None
 
 
-def test_seams_of_the_map_that_the_fabric_cannot_do_come_after_suggestions(addon):
+def test_seams_of_the_map_beyond_the_fabric_come_after_suggestions(addon):
     bpy.ops.mesh.primitive_uv_sphere_add(segments=16, ring_count=8)
     source, buttons = bpy.context.active_object, []
     flatten_fails("is closed", cloth="MINKY")

@@ -29,7 +29,7 @@ def selected(target, elements):
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])
-def test_a_seam_on_the_model_and_both_its_sides_on_the_flat_pieces(source, mode):
+def test_a_seam_is_selected_on_the_model_and_both_its_sides_on_the_flat_pieces(source, mode):
     bpy.ops.mesh.wirewarp_select_result(what="SEAM", index=0)
     assert np.array_equal(selected(source, "edges"), np.flatnonzero(read(source.data.edges, "use_seam", bool)))
     flat = flat_of(source)
@@ -42,7 +42,7 @@ def test_a_seam_on_the_model_and_both_its_sides_on_the_flat_pieces(source, mode)
     assert all(SEAM(a, b) for a, b in read(source.data.vertices, "co", np.float32, 3)[sources])
 
 
-def test_a_piece_on_the_model_and_among_the_flat_ones(source):
+def test_a_piece_is_selected_on_the_model_and_among_the_flat_pieces(source):
     flat, found = flat_of(source), []
     pieces = read(flat.data.attributes["piece"].data, "value", np.int32)
     for index in (0, 1):
@@ -112,7 +112,7 @@ def places(target, edges):
 
 
 @pytest.mark.parametrize("what", ["WIRE", "HINT"])
-def test_a_wire_on_the_model_and_on_the_flat_pieces(wired, what):
+def test_a_wire_is_selected_on_the_model_and_on_the_flat_pieces(wired, what):
     bpy.ops.mesh.wirewarp_select_result(what=what, index=0)
     edges = selected(wired, "edges")
     assert len(edges) == 8
@@ -155,7 +155,7 @@ def test_the_most_strained_place_is_selected(source, addon, what):
     assert sorted(sources[on_flat]) == sorted(faces)
 
 
-def test_one_of_several_issues(model):
+def test_one_of_several_issues_is_selected(model):
     select_only(flat_of(model))  # which have no cube
     bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
     assert len(selected(model, "polygons")) == 6

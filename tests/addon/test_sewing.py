@@ -97,7 +97,7 @@ def test_the_copy_is_not_a_flat_object_and_has_no_marks(source, addon):
     assert not addon.overlay.shown.concerns_us(target)
 
 
-def test_it_is_refused_without_pieces():
+def test_sewing_edges_are_refused_without_pieces():
     source = grid("Bump", bump)
     with pytest.raises(RuntimeError, match='"Bump" has no flat pieces'):
         bpy.ops.object.wirewarp_sewing()

@@ -101,7 +101,7 @@ def write_corners(kind, source, left, right):
                 sides.data[corner].value = (right if polygon.center.x > 0 else left) * kind.stored
 
 
-def test_a_side_marked_on_its_piece_survives_what_wires_survive(source, kind):
+def test_a_side_marked_on_its_piece_survives_the_edits_that_wires_survive(source, kind):
     """It survives splitting edges, flipping faces, joining meshes, another unit and a mirrored object."""
     bpy.ops.object.wirewarp_flatten()
     mark_side(kind, source, -1, kind.first)
@@ -206,7 +206,7 @@ def test_each_side_of_a_seam_can_have_its_own_width(source, addon):
     assert widths_at_seam(addon, source) == pytest.approx([10.0, 10.0], abs=1e-4)
 
 
-def test_the_width_of_a_side_goes_through_modifiers_and_is_marked_without(source, addon):
+def test_the_width_of_a_side_survives_modifiers_but_is_not_marked_on_their_pieces(source, addon):
     bpy.ops.object.wirewarp_flatten()
     select_side(source, -1)
     bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=15.0)
@@ -222,7 +222,7 @@ def test_the_width_of_a_side_goes_through_modifiers_and_is_marked_without(source
         bpy.ops.mesh.wirewarp_allowance(kind="WIDTH")
 
 
-def test_edges_inside_of_a_piece_get_none(source):
+def test_edges_inside_of_a_piece_get_no_allowance(source):
     select_edges(source, on_line(1, 0.0))
     with pytest.raises(RuntimeError, match="Nothing to mark: select edges on a seam or outline first"):
         bpy.ops.mesh.wirewarp_allowance(kind="WIDTH")
@@ -236,7 +236,7 @@ def drawn(addon, source, allowance=10.0):
     return np.ptp(lines, axis=0) if len(lines) else np.zeros(3)
 
 
-def test_it_is_drawn_as_soon_as_it_is_marked_and_in_edit_mode(source, addon):
+def test_an_allowance_is_drawn_as_soon_as_it_is_marked_and_in_edit_mode(source, addon):
     bpy.ops.object.wirewarp_flatten()
     flat = np.ptp(read(flat_of(source).data.vertices, "co", np.float32, 3), axis=0)
     assert drawn(addon, source, 0.0).max() == 0

@@ -124,7 +124,7 @@ def test_the_fabric_and_the_target_limit_the_stretch(addon):
     assert cut.num_pieces == 1
 
 
-def test_seams_of_what_modifiers_make_are_cleared_after_these_are_applied(addon):
+def test_modifiers_are_applied_before_seams_on_their_edges_are_cleared(addon):
     source = strips(half_cylinder)
     source.modifiers.new("Finer", "SUBSURF").levels = 1
     settings = bpy.context.scene.wirewarp
@@ -138,7 +138,7 @@ def test_seams_of_what_modifiers_make_are_cleared_after_these_are_applied(addon)
     assert len(seams_of(source)) == 0 and len(source.data.vertices) == 17 * 17
 
 
-def test_a_canceled_search_keeps_what_it_has_found(addon, monkeypatch):
+def test_a_canceled_search_keeps_its_results(addon, monkeypatch):
     source = strips(bump, rows=(-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75), faces="triangles")
     steps = addon.solve.steps
 
@@ -194,7 +194,7 @@ def no_flat_piece():
         (no_flat_piece, "A piece has no flat shape. Flatten, and fix the failed pieces before"),
     ],
 )
-def test_why_there_is_nothing_to_simplify(make, said):
+def test_the_reason_for_nothing_to_simplify_is_reported(make, said):
     make()
     with pytest.raises(RuntimeError, match=said):
         SIMPLIFY()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested darts as smooth lines: what is drawn is what is cut, with the claimed figure, and all else stays."""
+"""Suggested darts as smooth lines: the drawn line is cut, has the claimed figure, and changes nothing else."""
 
 import bpy
 import numpy as np
@@ -125,7 +125,7 @@ def test_darts_along_edges_may_run_around_painted_faces(addon):
             assert not any({a, b} <= set(polygon.vertices) for cut in cuts for a, b in cut.diagonals)
 
 
-def test_along_edges_the_mesh_stays(addon):
+def test_a_dart_along_edges_does_not_change_the_mesh(addon):
     source = grid("Bump", bump, faces="triangles")
     bpy.context.scene.wirewarp.dart_lines = "EDGES"
     SUGGEST["DARTS"]()

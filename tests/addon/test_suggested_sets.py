@@ -74,7 +74,7 @@ def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     assert not any(cut.is_narrow for cut in found(addon, source).cuts)
 
 
-def test_a_set_that_the_fabric_may_not_do_in_both_directions_has_a_warning(addon):
+def test_a_set_beyond_one_direction_of_the_fabric_has_a_warning(addon):
     source = ball()
     settings = bpy.context.scene.wirewarp
     settings.cloth, settings.gives_across, settings.gives_along = "MINKY", 90, 80
@@ -285,7 +285,7 @@ def test_mirror_images_are_one_row(addon, settings):
 
 
 def test_the_target_reaches_the_search_and_the_remaining_stretch_is_reported(addon, settings, capfd):
-    """How a plan keeps to its target is tested in tests/bindings."""
+    """tests/bindings tests that plans keep to their targets."""
     source = grid("Bump", bump, size=6)
     SUGGEST["DARTS"]()
     first, second = found(addon, source).cuts

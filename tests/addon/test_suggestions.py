@@ -142,8 +142,8 @@ def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, monkeypatch):
         assert not operator.poll()
 
 
-def test_it_is_marked_in_edit_mode(addon):
-    """How it is undone is seen in the window: tests/window/suggest_tours.py."""
+def test_a_suggestion_is_marked_in_edit_mode(addon):
+    """tests/window/suggest_tours.py tests that undo clears the marks."""
     source = grid("Bump", bump, size=6)
     bpy.ops.object.mode_set(mode="EDIT")
     SUGGEST["DARTS"]()

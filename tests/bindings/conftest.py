@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Random arguments are the same in every run, so that only a change can cause a failure; `./dev fuzz` tries others.
+"""Random arguments are the same in every run, so that only a change can cause a failure.
 
-It prints a decorator, @reproduce_failure, that repeats a failure.
+`./dev fuzz` tries others, and prints a decorator, @reproduce_failure, that repeats a failure.
 """
 
 import signal

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which arrays are accepted, with equal results, and how the others are refused."""
+"""Arrays of every layout give equal results, and invalid arrays are refused with their name."""
 
 import numpy as np
 import pytest

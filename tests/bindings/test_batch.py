@@ -196,7 +196,7 @@ except KeyboardInterrupt:
 
 
 @posix
-def test_ctrl_c_while_the_server_loads_is_no_traceback(tmp_path):
+def test_ctrl_c_while_the_server_loads_prints_no_traceback(tmp_path):
     (tmp_path / "loads_slowly.py").write_text(LOADS_SLOWLY)
     begun, go_on = tmp_path / "begun", tmp_path / "go on"
     settings = {**os.environ, "BEGUN": str(begun), "GO_ON": str(go_on), "PYTHONPATH": str(tmp_path)}
@@ -218,14 +218,14 @@ def test_a_hanging_model_is_stopped_at_the_time_limit(tmp_path):
     assert stopped.seconds > 0
 
 
-def test_one_that_takes_all_memory_is_stopped():
+def test_a_model_that_takes_all_memory_is_stopped():
     results = dict(each_apart(take_memory_and_hang, [600 * 10**6], 1, Limits(3600.0, 500 * 10**6), command_run.MODULES))
     (stopped,) = results.values()
     assert stopped.sentence == "It took more than 0.5 GB of memory: see --memory-limit."
     assert stopped.code == "memory_limit"
 
 
-def test_lines_come_in_order_and_the_worst_counts(models, tmp_path, monkeypatch, capsys):
+def test_lines_are_in_order_and_the_worst_decides_the_exit_code(models, tmp_path, monkeypatch, capsys):
     arguments = parsed(["batch", str(models), "--out", str(tmp_path / "out")])
     ended = [(1, {"verdict": "not ready to cut"}), (0, Stopped("crashed", "It crashed.", 1.0))]
 
@@ -248,7 +248,7 @@ def test_kills_lose_nothing_and_do_nothing_twice(tmp_path):
 
 
 @posix
-def test_a_full_disk_is_one_sentence_and_keeps_old_files(models, tmp_path):
+def test_a_full_disk_gives_one_sentence_and_keeps_old_files(models, tmp_path):
     import resource
 
     words = (models / "a.obj", "--out", tmp_path / "out", "--format", "svg")
@@ -263,7 +263,7 @@ def test_a_full_disk_is_one_sentence_and_keeps_old_files(models, tmp_path):
 
 
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="no /dev/full")
-def test_unprintable_lines_are_one_sentence(models, tmp_path):
+def test_unprintable_lines_give_one_sentence(models, tmp_path):
     with Path("/dev/full").open("w") as full:
         _, errors = run_apart(models, "--out", tmp_path / "out", "--format", "svg", stdout=full)
     assert errors == "The lines cannot be printed: No space left on device\n"
@@ -342,7 +342,7 @@ def test_blend_files_are_flattened_in_blender(blender, tmp_path):
 
 
 @posix
-def test_a_model_of_several_that_failed_as_a_whole_makes_the_file_not_ready(blender, tmp_path):
+def test_a_model_that_failed_as_a_whole_makes_its_file_not_ready(blender, tmp_path):
     (tmp_path / "partly.blend").write_bytes(b"BLENDER")
     words = (tmp_path / "partly.blend", "--out", tmp_path / "out", "--format", "svg", "--blender", blender)
     ((line,), _) = run(*words, code=1)
@@ -366,7 +366,7 @@ def test_a_stopped_model_leaves_no_files(blender, tmp_path):
 
 
 @posix
-def test_a_closed_pipe_is_one_sentence_and_leaves_no_hidden_files(models, blender, tmp_path):
+def test_a_closed_pipe_gives_one_sentence_and_leaves_no_hidden_files(models, blender, tmp_path):
     """`| head` closes the pipe: the second model hangs when the line of the first cannot be printed."""
     (models / "b hangs").mkdir()
     (models / "b hangs" / "hangs.blend").write_bytes(b"BLENDER")

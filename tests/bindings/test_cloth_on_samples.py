@@ -45,7 +45,7 @@ def test_a_woven_is_strained_less(ratios):
     assert as_grain[-1] <= 1.02, ratios
 
 
-def test_in_the_best_direction_it_is_strained_less_again(ratios):
+def test_a_woven_is_strained_even_less_in_the_best_direction(ratios):
     best = sorted(ratio for _, ratio in ratios.values())
     assert best[4] <= 0.6, ratios
     assert best[-1] <= 1.02, ratios

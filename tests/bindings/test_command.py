@@ -57,7 +57,7 @@ def lengths(result):
 
 
 @pytest.mark.parametrize("name", ["Hat", "Carnival mask"])
-def test_the_same_result_as_through_python(tmp_path, name):
+def test_the_result_is_the_same_as_through_python(tmp_path, name):
     lines = write_sample(name, tmp_path / "model.obj")
     ((line,), _) = run(tmp_path / "model.obj", "--out", tmp_path / "out", *lines)
     assert line["verdict"] == "needs stretch fabric"
@@ -173,7 +173,7 @@ def test_finished_models_are_skipped_until_something_changes(model, tmp_path):
     assert "skipped" not in run(*words)[0][0]
 
 
-def test_a_model_of_several_files_has_changed_when_one_of_them_has(tmp_path):
+def test_a_model_of_several_files_has_changed_when_one_file_has(tmp_path):
     def write(height):
         mesh = trimesh.Trimesh([(0, 0, 0), (0.1, 0, 0), (0, 0.1, height)], [(0, 1, 2)])
         for name, content in trimesh.exchange.gltf.export_gltf(trimesh.Scene(mesh)).items():
@@ -302,7 +302,7 @@ def test_a_file_that_differs_when_read_again_is_refused_and_the_batch_continues(
     assert list((tmp_path / "out").iterdir()) == []
 
 
-def test_several_at_a_time_and_the_worst_counts(model, tmp_path):
+def test_several_models_run_at_a_time_and_the_worst_decides_the_exit_code(model, tmp_path):
     (tmp_path / "empty.ply").write_text("")
     trimesh.creation.icosphere(2, 0.1).export(tmp_path / "ball.ply")
     words = (model, tmp_path / "ball.ply", tmp_path / "empty.ply", "--out", tmp_path / "out", "--jobs", 2)
@@ -335,7 +335,7 @@ def test_several_at_a_time_and_the_worst_counts(model, tmp_path):
         ("a.obj", FOLDED, ("--page", "120mm", "--format", "pdf"), "too large for a roll of 120 mm"),
     ],
 )
-def test_bad_input_is_one_sentence(tmp_path, monkeypatch, name, content, words, said):
+def test_bad_input_gives_one_sentence(tmp_path, monkeypatch, name, content, words, said):
     monkeypatch.chdir(tmp_path)
     (tmp_path / name).write_text(content)
     (tmp_path / "lines.json").write_text("[1, 2]")
@@ -363,7 +363,7 @@ def test_bad_input_is_one_sentence(tmp_path, monkeypatch, name, content, words, 
         (("Folded.stl",), "would both write"),
     ],
 )
-def test_bad_arguments_are_one_sentence(model, tmp_path, words, said):
+def test_bad_arguments_give_one_sentence(model, tmp_path, words, said):
     assert said in run(model, *words, "--out", tmp_path, code=2)[1].splitlines()[-1]
 
 

@@ -32,7 +32,7 @@ def test_a_stretched_cloth_and_a_thick_one(model, tmp_path):
     assert "is not a stretch: give 10%" in said
 
 
-def test_eases_and_a_cloth_change_what_is_made(model, tmp_path):
+def test_eases_and_a_fabric_change_the_pieces(model, tmp_path):
     words = (model, "--out", tmp_path / "out", "--seams", "uv", "--format", "svg", "--resume")
     lines = tmp_path / "lines.json"
     lines.write_text(json.dumps([{"vertices": [1, 4], "ease": -0.1}, {"side": [1, 4], "ease": 0.2}]))
@@ -57,7 +57,7 @@ def test_eases_and_a_cloth_change_what_is_made(model, tmp_path):
         (6.0, (), "not ready to cut", 1),  # no fabric stretches to twice its length
     ],
 )
-def test_the_verdict_asks_for_a_fabric(tmp_path, bulge, words, verdict, code):
+def test_the_verdict_names_the_necessary_stretch(tmp_path, bulge, words, verdict, code):
     """A square of 100 mm with a hill in its middle: every length is exact, and the pattern is written."""
     x, y = np.meshgrid(np.linspace(-1, 1, 13), np.linspace(-1, 1, 13))
     points = np.column_stack([x.ravel(), y.ravel(), 0.4 * bulge * ((1 - x * x) * (1 - y * y)).ravel()]) * 0.05

@@ -30,7 +30,7 @@ def edges(line):
 
 
 @pytest.mark.parametrize(("kind", "function"), [("dart", propose_darts), ("seam", propose_seams)])
-def test_the_same_proposals_as_through_python(dome, kind, function):
+def test_proposals_are_the_same_as_through_python(dome, kind, function):
     (line,) = propose(dome, "--cut", kind, "--count", 2, "--unit", "mm")
     model = read_model(dome)
     expected = function(model.vertices, model.faces, count=2)
@@ -43,7 +43,7 @@ def test_the_same_proposals_as_through_python(dome, kind, function):
         assert listed["twin"] == (None if proposal.twin is None else proposal.twin + 1)
 
 
-def test_a_line_is_a_seam_of_flatten(dome, tmp_path):
+def test_a_printed_line_can_be_a_seam_of_flatten(dome, tmp_path):
     (line,) = propose(dome, "--unit", "mm", "--count", 1)
     first = line["proposals"][0]
     (tmp_path / "seams.json").write_text(json.dumps(first["lines"]))
@@ -52,7 +52,7 @@ def test_a_line_is_a_seam_of_flatten(dome, tmp_path):
     assert listed["figures"]["energy"] == pytest.approx(first["energy"], rel=1e-6)
 
 
-def test_cut_sets_of_a_closed_model_are_lines_of_flatten(tmp_path):
+def test_cut_sets_of_a_closed_model_can_be_seams_of_flatten(tmp_path):
     trimesh.creation.icosphere(subdivisions=1).export(tmp_path / "ball.obj")
     (line,) = propose(tmp_path / "ball.obj", "--cut", "seam", "--strain", "25%")
     model, first = read_model(tmp_path / "ball.obj"), line["proposals"][0]
@@ -76,7 +76,7 @@ def test_cuts_with_together_are_those_of_the_plan(dome):
     assert [edges(cut["lines"][0]).tolist() for cut in line["proposals"]] == [cut.edges.tolist() for cut in expected]
 
 
-def test_fewer_seams_are_those_of_python(dome, tmp_path):
+def test_seams_to_keep_are_the_same_as_through_python(dome, tmp_path):
     columns = [column_chain(8, 8, column) for column in (2, 4, 6)]
     (tmp_path / "seams.json").write_text(json.dumps([[int(v) for v in column] for column in columns]))
     words = ("--seams", tmp_path / "seams.json", "--cut", "fewer", "--strain", "20%", "--unit", "mm")

@@ -19,7 +19,7 @@ import wirewarp
 from surfaces import half_cylinder, spherical_patch
 
 
-def test_a_job_ends_with_what_flatten_returns():
+def test_a_job_ends_with_the_result_of_flatten():
     vertices, faces = spherical_patch(20, 20)
     wires = [wirewarp.Wire([0, 1, 2], name="edge")]
     options = wirewarp.Options(fairness=0.2)

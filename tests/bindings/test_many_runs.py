@@ -22,7 +22,7 @@ def flatten(method, progress=None):
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_cancelled_at_every_call_a_piece_is_cancelled_or_exact(method):
+def test_a_piece_of_a_run_canceled_at_any_call_is_canceled_or_exact(method):
     calls = []
     whole = flatten(method, lambda *call: calls.append(call))
     assert whole.error is None

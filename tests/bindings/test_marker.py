@@ -269,7 +269,7 @@ def test_a_search_ends_if_its_parent_is_killed(tmp_path):
         ({"width": 600, "length": 300}, "too large for sheets of 600 mm x 300 mm"),
     ],
 )
-def test_bad_input_is_one_sentence(options, words):
+def test_bad_input_gives_one_sentence(options, words):
     pattern = Pattern.from_result(rectangle(300, 200))  # upright, so it is 220 mm wide
     with pytest.raises(wirewarp.FlattenError, match=words) as raised:
         pattern.nested(**options)
@@ -287,7 +287,7 @@ def test_imperial_units_are_reported_in_inches(tmp_path):
 
 
 @pytest.mark.parametrize("quantities", [{2: (1, 0)}, {1: (0, 0)}, {1: (1, -1)}, {1: (1.5, 0)}, {1: (1, 2, 3)}])
-def test_impossible_quantities_are_one_sentence(quantities):
+def test_impossible_quantities_give_one_sentence(quantities):
     with pytest.raises(wirewarp.FlattenError, match=r"Piece 2 does not exist|The quantity of piece 1"):
         Pattern.from_result(rectangle(100, 100)).with_quantities(quantities)
 

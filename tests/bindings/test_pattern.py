@@ -270,14 +270,14 @@ def test_holes_filled_by_their_allowance_are_reported():
         ({"title": None}, "must be texts"),
     ],
 )
-def test_bad_input_is_one_sentence(options, words):
+def test_bad_input_gives_one_sentence(options, words):
     with pytest.raises(wirewarp.FlattenError, match=words) as raised:
         Pattern.from_result(rectangle(100, 100), **options)
     assert str(raised.value).count(". ") == 0
 
 
 @pytest.mark.parametrize("size", [1e6, 1e12, 1e20, 1e30])
-def test_a_piece_of_the_wrong_unit_is_one_sentence(size):
+def test_a_piece_of_the_wrong_unit_gives_one_sentence(size):
     """With 1e12, Clipper used to end the process."""
     vertices = size * np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], dtype=float)
     result = wirewarp.flatten(vertices, np.array([(0, 1, 2), (0, 2, 3)]))

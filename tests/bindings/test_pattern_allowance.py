@@ -93,7 +93,7 @@ def square(widths, corner: Corner) -> list[Section]:
         ("mitre", 0, 10, 0),
     ],
 )
-def test_the_area_in_a_corner(kind, a, b, area):
+def test_each_type_of_corner_has_its_area(kind, a, b, area):
     (outer,) = cut_lines([square([a, b, 0, 0], Corner(kind))]).outer
     sides = 100 * a + 100 * b  # nothing extends beyond corners whose other side has no allowance
     assert signed_area(outer) == pytest.approx(100 * 100 + sides + area, abs=0.3 if kind == "round" else 0.01)
@@ -136,7 +136,7 @@ def test_a_sharp_corner_is_cut_off_at_two_and_a_half_widths():
     assert reach.max() == pytest.approx(25, abs=1e-3)
 
 
-def test_a_hole_gets_its_allowance_inside_and_one_too_small_is_not_cut():
+def test_a_hole_gets_its_allowance_inside_and_a_hole_too_small_is_not_cut():
     outer = np.array([[0.0, 0], [200, 0], [200, 200], [0, 200], [0, 0]])
     hole = np.array([[50.0, 50], [50, 150], [150, 150], [150, 50], [50, 50]])
     found = cut_lines([[Section(outer, 10.0)], [Section(hole, 10.0)]])

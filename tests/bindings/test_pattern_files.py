@@ -288,7 +288,7 @@ def test_a_pattern_can_be_stopped_while_it_is_made(monkeypatch):
             Pattern.from_result(flattened("Hat"), progress=lambda now, _, stage=stage: now != stage)
 
 
-def test_paths_that_cannot_be_written(tmp_path):
+def test_paths_that_cannot_be_written_are_refused(tmp_path):
     pattern = sample("Hat")
     with pytest.raises(wirewarp.FlattenError, match="must end in one of .pdf, .svg, .dxf, .plt"):
         pattern.write(tmp_path / "hat.blend")

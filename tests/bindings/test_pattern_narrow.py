@@ -39,7 +39,7 @@ def turned(outline):
         ([dumbbell(1, 0.2, 0.1)], 2.0),  # the small end is less than a tenth of the area
     ],
 )
-def test_the_width_is_that_of_the_largest_disk_that_moves_through(outlines, width):
+def test_the_width_is_the_diameter_of_the_largest_disk_that_moves_through(outlines, width):
     assert narrowest_width(outlines) == pytest.approx(width, rel=NEAR)
     assert narrowest_width([turned(1000 * outline) for outline in outlines]) == pytest.approx(1000 * width, rel=NEAR)
 
@@ -91,13 +91,13 @@ def test_only_the_allowances_at_the_narrow_place_need_room_there(is_mirrored):
     assert has_room(piece, 0.0) and not has_room(piece, 5.0)
 
 
-def test_a_mirrored_piece_is_as_wide():
+def test_a_mirrored_piece_has_the_same_width():
     vertices, faces = half_cylinder()
     (piece,), (mirrored,) = (flatten(vertices, faces, options=Options(mirror=each)).pieces for each in (False, True))
     assert piece_width(mirrored) == pytest.approx(piece_width(piece), rel=NEAR)
 
 
-def test_pieces_along_edges_have_them_and_more_than_an_end():
+def test_pieces_along_edges_contain_a_whole_edge():
     """The edges are seams between three strips, edges inside a strip, and an edge that only ends on a seam."""
     vertices, faces = half_cylinder()
     left, right = column_chain(8, 4, 2), column_chain(8, 4, 6)

@@ -57,7 +57,7 @@ def strap(length, **options):
 
 
 @pytest.mark.parametrize(("length", "count", "place"), [(14, 0, 0.0), (16, 1, 5.5), (40, 1, 16.0)])
-def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_from_15_mm_on(length, count, place):
+def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_if_it_has_15_mm(length, count, place):
     found = notches(strap(length), 100.0)
     assert [len(own) for own in found] == [count, count]
     # If the seam were reversed, the notch would be off by 5 mm, or by a fifth of the seam's length.
@@ -92,7 +92,7 @@ def test_a_wire_that_ends_at_a_seam_has_a_notch_on_the_other_side_too():
     assert sewn == pytest.approx([60, 60]) or sewn == pytest.approx([140, 140])
 
 
-def test_where_four_pieces_meet_the_one_that_is_straight_there_has_a_notch():
+def test_where_four_pieces_meet_the_straight_one_has_a_notch():
     """One piece below, and three with corners of 60 degrees above."""
     rim = [(100 * math.cos(math.radians(60 * k)), 100 * math.sin(math.radians(60 * k))) for k in range(6)]
     vertices = np.array([(0, 0, 0), *((x, y, 0) for x, y in rim)]) / 1000

@@ -107,7 +107,7 @@ def test_letters_of_both_directions_are_placed_as_by_another_program(text):
     assert "".join(in_visual_order(text, own)) == get_display(text)
 
 
-def test_they_are_printed_in_the_height_of_the_text(folder):
+def test_letters_are_printed_in_the_height_of_the_text(folder):
     pattern = Pattern.from_result(rectangle(300, 200), piece_names=["袖"], allowance=0.0, notch_spacing=0)
     written = pattern.with_only(["texts"]).write(folder / "x.pdf", paper="projector")
     assert written.warnings == []

@@ -32,8 +32,8 @@ def test_the_kinds_of_steps_add_up_to_the_model(name):
     assert model == pieces - (len(result.pieces) - 1) - kinds.count("ring") + kinds.count("closing")
 
 
-def test_the_top_is_sewn_as_sewers_do():
-    """They sew the shoulders, then the sleeves while they are flat, the sides, and last the seams under the arms."""
+def test_the_top_is_sewn_in_the_usual_order():
+    """The shoulders come first, then the sleeves while they are flat, the sides, and last the seams under the arms."""
     names = ("Front", "Back", "Left sleeve", "Right sleeve")
     steps = sample("Fitted top", piece_names=names).steps
     pieces = [set(step.pieces) for step in steps]

@@ -7,7 +7,7 @@ from pathlib import Path
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "python" / "index.md"
 
 
-def test_the_python_examples_print_what_the_readme_says(capsys, tmp_path, monkeypatch):
+def test_the_python_examples_print_the_lines_on_the_page(capsys, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     examples = re.findall(r"```python\n(.*?)```\s*```\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
     names = {}

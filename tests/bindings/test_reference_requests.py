@@ -33,7 +33,7 @@ def request_of(name: str) -> tuple[np.ndarray, np.ndarray, list[wirewarp.Wire]]:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_has_an_answer(name: str) -> None:
+def test_requests_with_a_solution_are_flattened(name: str) -> None:
     vertices, faces, wires = request_of(name)
     for piece in wirewarp.flatten(vertices, faces, wires=wires).pieces:
         assert piece.error is None

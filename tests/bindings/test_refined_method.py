@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Methods and tolerances on the samples: the objective as reported, and what more tolerance does to it."""
+"""Methods and tolerances on the samples: the reported objective, and the effect of more tolerance on it."""
 
 import math
 

@@ -180,7 +180,7 @@ def test_gathers_are_not_strain():
     assert unintended.hints and not gathered.hints
 
 
-def test_intended_stretch_is_no_hint():
+def test_intended_stretch_gives_no_hint():
     """A cylinder unfolds: its fabric must stretch exactly by its negative ease."""
     shape = SAMPLES["Half cylinder"]
     vertices, faces = shape.vertices, shape.triangles()
@@ -195,7 +195,7 @@ def test_intended_stretch_is_no_hint():
     assert kinds(known) == [Kind.BEYOND_FABRIC]
 
 
-def test_every_fabric_stretches_as_far_as_any_must():
+def test_a_piece_that_is_ready_for_any_fabric_is_ready_for_each():
     """A piece that is ready for any fabric is ready for each fabric of the table; and each has its words and
     figures.
     """
@@ -234,7 +234,7 @@ def triangle_metrics(flat):
         ([[0, 0], [1, 0], [2, 0]], math.inf, 0),
     ],
 )
-def test_stretch_and_ease_are_the_principal_ones_of_flat_fabric(flat, stretch, ease):
+def test_stretch_and_compression_are_the_principal_strains_of_flat_fabric(flat, stretch, ease):
     strain = piece_strain(triangle_metrics(flat))
     assert strain.stretch == pytest.approx([stretch], abs=1e-12)
     assert strain.ease == pytest.approx([ease], abs=1e-12)
@@ -284,7 +284,7 @@ def test_regions_are_connected_by_edges():
     assert connected_regions(piece, np.zeros(len(faces), dtype=bool)) == []
 
 
-def test_a_winding_region_is_one():
+def test_a_winding_region_is_one_region():
     count = 300
     order = np.random.default_rng(1).permutation(count)  # neighbors have distant numbers
     strip = np.array([[k, k + 1, k + 2] for k in range(count)])

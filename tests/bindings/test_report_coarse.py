@@ -29,7 +29,7 @@ def test_a_circle_of_few_edges_is_named(count, turn):
 
 
 @pytest.mark.parametrize("count", [4, 5, 25])  # square, pentagon; turns of 14 degrees look round
-def test_corners_and_round_outlines_are_not(count):
+def test_corners_and_round_outlines_are_not_named(count):
     assert hints(*disc(count)) == []
 
 

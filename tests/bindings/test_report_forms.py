@@ -37,7 +37,7 @@ from wirewarp.report.words import LengthText
 
 
 @pytest.mark.parametrize("name", sorted(SAMPLES))
-def test_a_report_is_json_out_and_in(name):
+def test_a_report_survives_writing_and_reading_as_json(name):
     report = report_of(name)
     written = json.loads(json.dumps(to_dict(report), allow_nan=False))
     assert from_dict(written, Report) == report
@@ -138,7 +138,7 @@ def test_equal_sides_are_combined():
     assert merged(sides("Flat"), [same]) == [("Flat", same)]
 
 
-def test_names_in_the_table_are_no_formulas_and_stay_one_line():
+def test_names_in_the_table_are_not_formulas_and_stay_one_line():
     report = report_of("Fitted top")
     report.pieces[0].name, report.wires[0].name = "=1+1", 'Waist, "high"\nline'
     report.wires[0].length_2d[0] = report.wires[0].length_3d - 1e-12

@@ -41,7 +41,7 @@ def test_a_false_answer_cancels(answer):
 
 
 @pytest.mark.parametrize("answer", [True, None, 1])
-def test_any_other_answer_goes_on(answer):
+def test_any_other_answer_continues(answer):
     result = wirewarp.flatten(*half_cylinder(), progress=lambda stage, fraction: answer)
     assert result.pieces[0].error is None
 

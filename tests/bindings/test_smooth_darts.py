@@ -99,7 +99,7 @@ def test_mirror_images_have_the_figures_of_both():
         assert proposal.energy_with_twin == pytest.approx(result.pieces[proposal.piece].metrics.arap_energy, rel=1e-6)
 
 
-def test_they_do_not_depend_on_where_the_model_stands():
+def test_darts_do_not_depend_on_the_place_of_the_model():
     rotation, _ = np.linalg.qr(np.random.default_rng(1).normal(size=(3, 3)))
     rotation *= np.linalg.det(rotation)
     vertices, faces = DOME
@@ -119,7 +119,7 @@ def test_cuts_along_edges_have_paths_that_change_no_mesh(propose):
 
 
 @pytest.mark.parametrize("name", ["no_seam", "no_crossing"])
-def test_barred_edges_are_not_crossed(name):
+def test_forbidden_edges_are_not_crossed(name):
     vertices, faces = DOME
     first = propose_darts(vertices, faces, count=1, smooth=True)[0]
     crossed = cut_mesh(vertices, faces, first.paths)[3].divided_edges
@@ -129,7 +129,7 @@ def test_barred_edges_are_not_crossed(name):
         assert divided.isdisjoint(map(tuple, barred.tolist()))
 
 
-def test_darts_along_edges_may_run_where_no_smooth_one_may_cross():
+def test_darts_along_edges_may_run_where_no_smooth_dart_may_cross():
     vertices, faces = DOME
     every = np.vstack([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     along = propose_darts(vertices, faces, count=9)

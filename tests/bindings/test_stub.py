@@ -29,7 +29,7 @@ def stub(name: str) -> ast.Module:
 
 
 def names(body: list[ast.stmt]) -> set[str]:
-    """Return what the statements define for users, except __init__."""
+    """Return the names that the statements define for users, except __init__."""
     found = set()
     for node in body:
         if isinstance(node, ast.ClassDef | ast.FunctionDef):
@@ -49,7 +49,7 @@ CLASSES = {node.name: node for node in stub("_wirewarp.pyi").body if isinstance(
 FUNCTIONS = {node.name: node for node in stub("_wirewarp.pyi").body if isinstance(node, ast.FunctionDef)}
 
 
-def test_the_stub_names_what_the_module_has():
+def test_the_stub_names_everything_in_the_module():
     assert names(stub("_wirewarp.pyi").body) == public(_wirewarp) | {"__version__"}
 
 
@@ -80,7 +80,7 @@ def test_the_stub_of_the_errors_names_every_code_and_attribute():
     assert names(classes["FlattenError"].body) == set(vars(error)) | {"to_dict"}
 
 
-def test_the_package_exports_what_it_names():
+def test_the_package_exports_every_listed_name():
     assert set(wirewarp.__all__) == {
         name for name, value in vars(wirewarp).items() if not name.startswith("_") and not inspect.ismodule(value)
     } | {"__version__"}

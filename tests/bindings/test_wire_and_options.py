@@ -215,7 +215,7 @@ def test_an_option_that_does_not_exist_is_an_error():
         Options(wrinkles=3)
 
 
-def test_a_cloth_keeps_what_it_was_given():
+def test_a_cloth_keeps_its_given_values():
     assert (MADE.weft, MADE.warp, MADE.shear, MADE.squeeze) == (0.2, 1.0, 0.25, 2.0)
     assert (MADE.stretch, MADE.locking, MADE.limits) == ((0.2, 0.0), 0.5, (0.03, 0.04))
     plain = Cloth()
@@ -224,7 +224,7 @@ def test_a_cloth_keeps_what_it_was_given():
 
 
 @pytest.mark.parametrize("name", Cloth.presets())
-def test_a_preset_goes_by_its_name(name):
+def test_a_preset_is_found_by_its_name(name):
     assert Options(cloth=name).cloth == Cloth.preset(name) != Cloth()
 
 
@@ -249,7 +249,7 @@ def test_invalid_fabrics_are_refused(arguments, words):
 
 
 @pytest.mark.parametrize("name", ["lace", 3, None], ids=repr)
-def test_there_is_no_other_preset(name):
+def test_other_presets_are_refused(name):
     assert code_of(lambda: Cloth.preset(name)) is ErrorCode.invalid_option
 
 
