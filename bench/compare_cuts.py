@@ -37,7 +37,7 @@ CLOCK_LIMIT = 10 * LIMIT  # seconds of wall time; more than LIMIT, because other
 
 @dataclass(frozen=True)
 class Outcome:
-    seconds: float  # of processor time
+    seconds: float  # processor time
     without: str  # why there are no figures, or empty
     figures: CutFigures | None
     set_length: float | None = None  # CutFigures.length of the shortest cut set without darts

@@ -19,13 +19,13 @@ class Outcome:
     seconds: float  # on one core
     megabytes: float
     energy: float  # ARAP energy over area
-    outline_error: float  # of the worst section of outline
-    wire_error: float  # of the worst wire
-    edge_error: float  # of the worst edge of both
+    outline_error: float  # error of the worst section of outline
+    wire_error: float  # error of the worst wire
+    edge_error: float  # error of the worst edge of outline and wires
     mismatch: float  # between the sides of the worst seam, in the surface's units; 0 without seams
     flipped: int
-    iterations: int | None  # of libigl
-    counts: dict[str, float | str]  # of the first piece's report
+    iterations: int | None  # iterations of libigl
+    counts: dict[str, float | str]  # counts in the first piece's report
 
 
 @dataclass(frozen=True)

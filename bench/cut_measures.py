@@ -14,7 +14,7 @@ MOST_OF_AREA = 0.99  # as in DartProposal.strain
 class CutFigures:
     energy: float  # symmetric Dirichlet energy: mean over the area of |J|^2 + |1/J|^2; 4 without distortion
     strain: float  # DartProposal.strain of the whole surface
-    length: float  # of the cuts on the surface, each edge counted once, over the square root of the area
+    length: float  # total of the cuts on the surface, each edge counted once, over the square root of the area
     mismatch: float  # flat length difference of the two sides of a cut, mean over the cuts' length: 0.01 is 10 mm per m
     charts: int
     flipped: int  # flipped triangles

@@ -27,7 +27,7 @@ class Answer:
     flattening: wirewarp.FlattenResult
     seconds: float  # on one core
     megabytes: float  # peak, without the surface
-    iterations: int | None = None  # of libigl
+    iterations: int | None = None  # iterations of libigl
 
 
 Method = Callable[[Surface], Answer]

@@ -14,14 +14,14 @@ from pathlib import Path
 
 from mesh_files import read_obj
 
-BOUND = 4.1  # of the energy: the default of OptCuts, and that of its authors' benchmark
+BOUND = 4.1  # largest energy: the default of OptCuts and of its authors' benchmark
 LIMIT = 600  # seconds of processor time for one surface
 HEADLESS = "100"
 
 
 @dataclass(frozen=True)
 class PeerRun:
-    seconds: float  # of processor time
+    seconds: float  # processor time
     without: str  # why there is no result, or empty
 
 

@@ -59,7 +59,7 @@ def of_hard_sheets(hard: Sequence[Comparison]) -> list[tuple[str, ...]]:
 
 
 def over(first: Comparison, second: Comparison, ours: str, theirs: str) -> float | None:
-    """Return the seconds of one over those of the other; None if one of them did not run."""
+    """Return the ratio of the seconds; None if one of the two did not run."""
     seconds = (first.seconds(ours), second.seconds(theirs))
     return None if None in seconds else seconds[0] / seconds[1]
 

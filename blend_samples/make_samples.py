@@ -24,7 +24,7 @@ from views import Projection, fit  # noqa: E402 (the folder must be on the path 
 CLOTHS = (  # in the order of the add-on's setting
     "", "woven", "denim", "jersey", "swim", "leather", "neoprene", "felt", "fleece", "minky", "vinyl", "foam",
 )  # fmt: skip
-COTANGENTS = (1.7, 2.6)  # of half the angles of Blender's usual view without the sidebar and the toolbar
+COTANGENTS = (1.7, 2.6)  # cotangents of half the angles of Blender's usual view without the sidebar and the toolbar
 
 
 def wire_id(name: str) -> int:

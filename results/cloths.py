@@ -38,10 +38,10 @@ class Strained:
     result: wirewarp.FlattenResult
     weft: float  # absolute strain of threads across the grain, as a fraction
     warp: float  # along the grain
-    thread: float  # of the more strained thread
+    thread: float  # strain of the more strained thread
     shear: float  # deviation from the right angle, radians
     energy: float  # ARAP energy over area, Eq. (4), which a fabric does not minimize
-    seconds: float  # of processor time
+    seconds: float  # processor time
 
 
 def of_all(values: list[np.ndarray]) -> np.ndarray:

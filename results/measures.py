@@ -36,16 +36,16 @@ class Summary:
     max_aspect_ratio: float
     max_face_energy: float  # E_A of Eq. (6) over the triangle's area
     seam_mismatch: float | None  # meters; None without seams
-    worst_edge: float  # of outline and wires: the largest relative difference from the method's target length
+    worst_edge: float  # largest relative difference of outline and wires from the method's target lengths
     flipped: int
     overlapping: int
-    angle_rms: float  # of the worst piece, radians
+    angle_rms: float  # for the worst piece, radians
     angle_max: float
     outline: list[Line]
     wires: list[Line]  # whole wires, as marked
-    tolerances: list[float]  # of the wires
+    tolerances: list[float]  # tolerances of the wires
     changes: list[float]  # h of all elastic parts of wires
-    factorizations: int  # of the piece with the most
+    factorizations: int  # largest number of a piece
 
 
 def face_areas(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:

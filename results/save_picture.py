@@ -15,9 +15,9 @@ COLORS = 256  # the maximum for a PNG with a palette
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Save the figure with its most frequent colors, which are those of scales and surfaces, and close it.
+    """Save the figure with its most frequent colors, which scales and surfaces have, and close it.
 
-    Other colors, at borders of lines and letters, are replaced by the nearest of them.
+    Other colors, at borders of lines and letters, are replaced by the nearest of these.
     """
     raw = BytesIO()
     figure.savefig(raw, format="png", metadata={"Software": None})

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests of the Python package on the wheel for Linux on ARM, which QEMU runs here.
 
-Python is that of Debian for ARM: apt fetches its packages into a folder, where they are only unpacked.
+Python is Debian's for ARM: apt fetches its packages into a folder, where they are only unpacked.
 """
 
 import shutil
@@ -27,8 +27,8 @@ from tools.package import BUILD_APT, build_wheel, cross_wheel
 QEMU_APT = ("qemu-user",)
 PYTHON_APT = (f"python{DEBIAN_VERSION}-minimal", f"libpython{DEBIAN_VERSION}-stdlib", "libstdc++6")
 FOLDER = BUILD / "arm"
-PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's names; each package has a wheel for one of them
-# QEMU is slow, and some tests start programs of this machine: run only those of lengths, errors and pattern files.
+PLATFORMS = ("manylinux_2_28_aarch64", "manylinux2014_aarch64")  # pip's names; each package has a wheel for one
+# QEMU is slow, and some tests start programs of this machine: run only tests of lengths, errors and pattern files.
 TESTS = (
     "test_readme",
     "test_errors",

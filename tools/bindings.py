@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tests of the Python package, and of what the add-on does without Blender, on the installed wheel."""
+"""The tests of the Python package and of the add-on's modules without Blender, on the installed wheel."""
 
 import os
 from pathlib import Path
@@ -30,7 +30,7 @@ def bindings_python(version: str) -> Path:
 
 
 def bindings_tests(version: str, *options: str) -> None:
-    """Run all tests in Debian's Python; in others, without those of the core's results. options: of pytest.
+    """Run all tests in Debian's Python; in others, without the tests of the core's results. options: of pytest.
 
     If PYTEST_ADDOPTS is set, they run in one process, where breakpoint() works.
     """

@@ -106,7 +106,7 @@ def blender_script(python: Path, name: str) -> Path:
 
 
 def bpy_tests(requirement: str) -> None:
-    """Run all tests in the newest Blender; in earlier ones those that depend on Blender's interface."""
+    """Run all tests in the newest Blender, and in earlier ones only tests that depend on Blender's interface."""
     require_apt(*BPY_APT)
     package()
     python = bpy_python(requirement)

@@ -18,7 +18,7 @@ def run_tours(
 ) -> tuple[int, str]:
     """Run these generator functions of `script` in the window; return the exit code and the output.
 
-    See tests/window/drive.py for what such a function may do.
+    tests/window/drive.py describes these functions.
 
     environment: for Blender; WIREWARP_ZIP names the zip to install, BLENDER_USER_SCRIPTS and _CONFIG empty folders,
     WIREWARP_PICTURES the folder for pictures, WIREWARP_VIEWPORT_AA how Blender smooths the view (by default "8", the

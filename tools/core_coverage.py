@@ -12,7 +12,7 @@ GCOVR = "gcovr==8.8"
 
 
 def begin() -> None:
-    """Delete earlier counts, and those of moved sources, which would stop gcovr."""
+    """Delete earlier counts. Counts of moved sources would stop gcovr."""
     for counts in OBJECTS.rglob("*.gcda"):
         counts.unlink()
     run(["ninja", "-C", TREE, "-t", "cleandead"])

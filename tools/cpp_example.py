@@ -13,7 +13,7 @@ FOLDER = BUILD / "example"
 
 
 def example_tests() -> None:
-    """Raises StepError unless both programs print what the page on C++ says."""
+    """Raises StepError unless both programs print the lines on the page about C++."""
     require_apt(*NATIVE_APT)
     openmesh = {"FETCHCONTENT_SOURCE_DIR_OPENMESH": str(openmesh_source())}
     build_native("release", "wirewarp", **openmesh)

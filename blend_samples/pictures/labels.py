@@ -8,7 +8,7 @@ import numpy as np
 from .surfaces import Flat
 
 ROOM = 0.5  # space around a number, as a share of its usual distance from the seam
-NARROW = 0.6  # of that distance, if the piece is narrow
+NARROW = 0.6  # share of the usual distance that is used if the piece is narrow
 
 
 def inside_point(candidates: np.ndarray, lines: np.ndarray) -> tuple[np.ndarray, float]:

@@ -70,7 +70,7 @@ def upper_block(
     across = (1 - t) * bust[:, 0] / bust[-1, 0] + t * upper[:, 0] / upper[-1, 0]  # -1 at the right edge, 1 at the left
     followed = (1 - t) * left[0, 0] + t * left[-1, 0] if straight else left[:, :1]
     phi = (followed + (left[:, :1] - followed) * across**4) * across
-    height = (left[:, 1:] - bust[0, 1]) / (1 - bust[0, 1])  # of the left edge in the block, like t from 0 to 1
+    height = (left[:, 1:] - bust[0, 1]) / (1 - bust[0, 1])  # height of the left edge in the block, like t from 0 to 1
     v = bust[0, 1] + (t + (height - t) * across**2) * (upper[:, 1] - bust[0, 1])
     return np.stack([phi, v], axis=-1)
 

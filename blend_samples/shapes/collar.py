@@ -20,7 +20,7 @@ TOP = np.array([
 ])  # fmt: skip
 OPENING = 0.012  # half the width of the gap at the back, at its hem and top
 SPREAD = 0.055  # distance from the hem, inward, at which the skin turns up the neck
-SLOPES = (1.3, 2.4)  # of the skin at the hem, upward over inward: on the shoulder and on the chest
+SLOPES = (1.3, 2.4)  # slopes of the skin at the hem, upward over inward: on the shoulder and on the chest
 RISE = 0.105  # velocity at the top; larger values make it straighter
 TOLERANCE = 0.05
 

@@ -17,7 +17,7 @@ UPPER_ARM, FOREARM = np.array([0.44, 0.02, -0.898]), np.array([0.36, -0.14, -0.9
 LEAVE = np.array([0.92, 0.0, -0.39])  # direction of the sleeve where it leaves the armhole
 ELBOW_SPEED = 0.24  # velocity of the curves along the sleeve, meters: the distance from the elbow to the armhole
 CAP_FULLNESS = 0.22  # distance over which the sleeve leaves the armhole straight before it bends to the arm
-EASE = 0.09  # of the sleeve head between its notches; none under the arm
+EASE = 0.09  # ease of the sleeve head between its notches; the part under the arm has no ease
 NOTCH = 0.36  # position of the notches, as a share of the way from the underarm to the shoulder
 TOLERANCE = 0.05
 
@@ -27,7 +27,7 @@ def set_in_sleeve(
 ) -> Shape:
     """Return front, back and sleeve with elastic lines down each, and rigid bust and upper-arm lines.
 
-    The counts are numbers of edges along each section; neck is that of both halves.
+    The counts are numbers of edges along each section; neck counts both halves.
     """
     builder = ShapeBuilder()
     grids, armholes = {}, {}

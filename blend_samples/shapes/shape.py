@@ -41,7 +41,7 @@ class Shape:
     eases: list[Ease] = field(default_factory=list)
     cloth: str = ""  # a name in wirewarp.Cloth.presets() that stretches far enough; empty: any fabric does
     stretch: tuple[float, float] = (0.0, 0.0)  # stretch of that fabric when worn, across and along the grain
-    fairness: float = FAIRNESS  # of wirewarp.Options
+    fairness: float = FAIRNESS  # option of wirewarp.Options
     groups: dict[str, list[int]] = field(default_factory=dict)  # vertices of parts that give pieces their names
 
     def triangles(self) -> np.ndarray:

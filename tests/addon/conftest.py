@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tests run inside Blender on the installed add-on, whichever way it was installed."""
+"""The tests run inside Blender on the installed add-on or extension."""
 
 import itertools
 from types import ModuleType

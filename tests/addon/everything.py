@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Uses every panel, overlay and operator in turn: each must answer, whatever a file contains."""
+"""Uses every panel, overlay and operator in turn: each must answer for every file."""
 
 from types import SimpleNamespace
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files, scenes and modifiers of any kind: the right pieces, or one sentence that says what to do."""
+"""Files, scenes and modifiers of any kind give the right pieces, or one sentence with a remedy."""
 
 import bpy
 import numpy as np
@@ -59,7 +59,7 @@ def test_linked_objects_must_be_made_local_first(library, addon, kind):
         assert (bpy.context.active_object, set(bpy.context.selected_objects)) == (target, {target, other})
     select_only(target)
     assert refusal in answer(FLATTEN) and refusal in answer(FLATTEN, use_modifiers=True)
-    if kind == "linked":  # of the mesh alone
+    if kind == "linked":  # only the mesh is linked
         target = bpy.data.objects.new("Own", target.data)
         bpy.context.scene.collection.objects.link(target)
         select_only(target)
@@ -181,7 +181,7 @@ def test_ignored_modifiers_and_shape_keys_are_reported(addon):
 
 
 def ignored_after(addon, source):
-    """Return what a run reports as ignored; the pieces are then not ready to cut."""
+    """Return the sentence of a run on ignored modifiers; the pieces are then not ready to cut."""
     bpy.ops.object.wirewarp_flatten()
     level, text = addon.solve.report.run_message([addon.state.reports.last_report(source)])
     assert level == "WARNING" and "Lengths are exact" not in text

@@ -105,7 +105,7 @@ def select_all_edges(*targets):
 
 @pytest.mark.parametrize("sides", ["ALL", "ONE"])
 def test_neither_of_two_objects_is_marked_if_one_is_refused(source, sides):
-    """The outline of the small one is 40 mm long, that of the large one 800 mm."""
+    """The outline of the small object is 40 mm long, and of the large one 800 mm."""
     small = grid("Small", lambda x, y: (0.05 * x + 3, 0.05 * y, 0), size=1)
     large = grid("Large", lambda x, y: (x + 6, y, 0), size=1)
     for targets in ((large, small), (small, large)):

@@ -99,7 +99,7 @@ def test_units_that_give_a_size_to_sew_are_offered_the_likeliest_first(sized):
     sentence, offered = sized(0.0017)
     assert sentence.endswith("is 1.7 mm small. Was it modeled in another unit?")
     assert offered == ["100 m: 17 cm", "1000 m: 170 cm"]
-    assert [sized(width)[0] for width in (0.03, 0.2, 2, 4.9)] == [""] * 4  # of common size
+    assert [sized(width)[0] for width in (0.03, 0.2, 2, 4.9)] == [""] * 4  # models of common size
 
 
 def test_one_click_gives_the_pattern_the_intended_size(addon, sized):

@@ -52,7 +52,7 @@ def test_a_piece_that_is_strained_everywhere_shows_its_worst_place(addon):
     target = grid("Dome", lambda x, y: (x, y, 2.5 * (1 - x * x) * (1 - y * y)), size=16)
     flatten(target)
     report = addon.state.reports.last_report(target)
-    assert report.pieces[0].area_3d > 2 * 4  # twice that of the square below it, so most faces are strained
+    assert report.pieces[0].area_3d > 2 * 4  # twice the area of the square below it, so most faces are strained
     pointed_at = [face for hint in report.hints for face in hint.faces]
     assert 0 < len(pointed_at) < 0.5 * len(target.data.polygons)
     assert set(report.pieces[0].stretch_faces) & set(pointed_at)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Texts on flat pieces do not hide them, name what seams join, and show the grain."""
+"""Texts on flat pieces do not hide them, name the pieces that seams join, and show the grain."""
 
 import math
 

@@ -54,7 +54,7 @@ def test_one_row_is_on_a_line():
     boxes = boxes_of(source)
     assert len(boxes) == 4 and [box[0][1] for box in boxes] == pytest.approx([0] * 4, abs=1e-6)
     assert all(left[1][0] < right[0][0] for left, right in zip(boxes[:-1], boxes[1:], strict=True))
-    flatten(source)  # another layout moves them, whatever Keep Places is
+    flatten(source)  # another layout moves the pieces, also with Keep Places
     assert np.ptp(flat_places(source)[:, 0]) < 1.6 * np.ptp(flat_places(source)[:, 1])
 
 

@@ -321,7 +321,7 @@ def test_failed_elements_are_drawn_on_model_pieces_and_map(addon, notes):
     faces = {face for issue in addon.state.reports.last_report(source).issues for face in issue.faces}
     (in_map,) = addon.overlay.shown.uv_drawings(sidebar())
     for found in (*map(addon.overlay.failures.failures, (source, flat_of(source))), in_map.failures):
-        assert len(found.triangles) == 3 * 2 * len(faces)  # of quads
+        assert len(found.triangles) == 3 * 2 * len(faces)  # each quad has two triangles of three corners
         assert len(found.lines["failed"]) > 0
     centers = addon.overlay.failures.failures(source).triangles.reshape(-1, 6, 3).mean(axis=1)
     expected = [source.data.polygons[face].center for face in sorted(faces)]
@@ -375,5 +375,5 @@ def test_proposed_seams_are_drawn_while_a_button_marks_them(addon):
     drawn = addon.overlay.failures.failures(source).lines["proposed"]
     ends = [tuple(source.data.vertices[vertex].co) for pair in issue.proposed_seams for vertex in sorted(pair)]
     assert sorted(map(tuple, drawn.tolist())) == sorted(ends)
-    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # its cuts have the button now
+    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # now the button marks these cuts
     assert "proposed" not in addon.overlay.failures.failures(source).lines

@@ -90,7 +90,7 @@ def test_in_edit_mode_marks_are_seen_at_once_and_a_selection_builds_nothing_new(
 
 
 class Gpu:
-    """Replaces the module gpu, which cannot draw without a window: counts what is sent and drawn."""
+    """Replaces the module gpu, which cannot draw without a window: counts batches that are sent and drawn."""
 
     def __init__(self):
         self.sent, self.drawn = [], 0

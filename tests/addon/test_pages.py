@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pages drawn over flat pieces are those of the PDF."""
+"""The pages drawn over flat pieces are the pages of the PDF."""
 
 import re
 from types import SimpleNamespace

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons that fix failures: what they write, when they refuse, and that the piece is then flat."""
+"""The buttons that fix failures: their marks, their refusals, and the flat piece afterwards."""
 
 import json
 import math

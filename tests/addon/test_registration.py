@@ -159,7 +159,7 @@ def test_missing_arguments_come_from_the_scene(addon):
 
 
 class MenuLayout(SimpleNamespace):
-    """Records what is drawn into a menu, as after an entry of Blender that is executed and not invoked."""
+    """Records the entries of a menu, as after an entry of Blender that is executed and not invoked."""
 
     def __init__(self):
         super().__init__(operator_context="EXEC_REGION_WIN", contexts=[], menus=[], entries=[])

@@ -189,7 +189,7 @@ def test_lengths_and_areas_are_shown_in_the_scenes_units(addon, system, unit, sc
 
 
 def test_the_report_names_the_upright_direction(source, tmp_path):
-    """Without a grain wire, the report names what is up, whatever was requested."""
+    """Without a grain wire, the report names the upward direction, even if another one was requested."""
 
     def upright(**settings):
         return flatten_with_report(tmp_path, **settings)["objects"][0]["options"]["orientation"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The sample files are what their script makes, and Flatten keeps every length on them."""
+"""The sample files contain the data of their script, and Flatten keeps every length on them."""
 
 import json
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams keep their numbers, which may be chalked on fabric, whatever else is marked or changed."""
+"""Seams keep their numbers, which may be chalked on fabric, even if other edges are marked or changed."""
 
 from copy import copy
 from types import SimpleNamespace

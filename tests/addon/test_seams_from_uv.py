@@ -68,7 +68,7 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
     bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == edges_on(target.data, CUT)
     target.data.uv_layers["Map"].name = "Lightmap"
-    target.data.uv_layers.new(name="Islands", do_init=False).active_render = True  # of several own ones
+    target.data.uv_layers.new(name="Islands", do_init=False).active_render = True  # one of several own maps
     target.data.uv_layers.active = target.data.uv_layers["WireWarp"]
     select_edges(target)
     bpy.ops.mesh.wirewarp_seams_from_uv_islands()
@@ -121,7 +121,7 @@ def test_the_seams_of_the_map_are_tried_and_offered_first_where_pieces_fail(addo
     step = addon.report_panel.next_step.next_step(report, [])
     assert step.sentence == "The seams of the UV map make 1 piece, stretch 0.0%."
     assert bpy.ops.object.wirewarp_mend(**step.settings) == {"FINISHED"}
-    assert len(seam_edges(source.data)) == 7  # of twelve edges, five connect the six faces
+    assert len(seam_edges(source.data)) == 7  # twelve edges minus five that connect the six faces
     assert addon.core.verdict(addon.state.reports.last_report(source)).is_ready
     assert uv_seams_of(addon, source) is None
 

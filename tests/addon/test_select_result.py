@@ -159,7 +159,7 @@ def test_one_of_several_issues_is_selected(model):
     select_only(flat_of(model))  # which have no cube
     bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
     assert len(selected(model, "polygons")) == 6
-    model["wirewarp_report"] = "{}"  # of another version
+    model["wirewarp_report"] = "{}"  # as from another version
     bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
     assert len(selected(model, "edges")) == 0
 

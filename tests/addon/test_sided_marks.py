@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Allowances, and marks of one side of an edge: what they survive, what scripts may write, how they are drawn."""
+"""Allowances and marks of one side of an edge survive edits, may be written by scripts, and are drawn."""
 
 import bpy
 import numpy as np
@@ -13,7 +13,7 @@ class Eases:
 
     attribute = "wirewarp_side_ease"
     first, second, unmarked = 0.05, 0.02, 0.0
-    both = 0.0, 0.02  # values after both sides were marked in turn: the ease of one side replaces that of the other
+    both = 0.0, 0.02  # values after both sides were marked in turn: the ease of one side replaces the ease of the other
     stored, rounding = 1.0, 1e-5
     twice = 'Edges of "Bump" have two eases of one side.*mark their ease again'
 

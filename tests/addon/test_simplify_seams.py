@@ -52,7 +52,7 @@ def test_developable_strips_become_one_piece_again(addon, capfd):
     assert "1 way to simplify suggested. Chosen: 1 piece, stretch" in capfd.readouterr().out
     words = draw_panels(addon)
     assert "Fewer Seams, Strips 1 piece, 0.0%, −" in words
-    assert cut.width == pytest.approx(2, rel=0.001) and not cut.is_narrow  # of a rectangle, π long
+    assert cut.width == pytest.approx(2, rel=0.001) and not cut.is_narrow  # the piece is a rectangle, π long
     assert "length of cleared seams." in words and "Above" not in words and "Clear and Flatten" in words
     assert "Narrowest place of a piece: 2" in words
     places = read(source.data.vertices, "co", np.float32, 3)[np.unique(cut.cleared)]
@@ -98,7 +98,7 @@ def test_rows_go_from_few_pieces_to_little_stretch_with_the_figures_of_flattenin
         assert few.num_pieces <= more.num_pieces and few.strain > more.strain
         assert pairs(few.cleared) > pairs(more.cleared) and few.lengths[0] > more.lengths[0]
     assert all(cut.strain_before == pytest.approx(before, rel=1e-5) for cut in cuts)
-    assert suggestions.chosen == 0 and cuts[0].strain <= 0.2  # of plush and knits, because no fabric is chosen
+    assert suggestions.chosen == 0 and cuts[0].strain <= 0.2  # as for plush and knits: no fabric is chosen
     bpy.ops.object.wirewarp_choose_suggestion(index=1)
     bpy.ops.object.wirewarp_mend(what="SUGGESTION")
     assert pairs(seams_of(source)) == seams - pairs(cuts[1].cleared)

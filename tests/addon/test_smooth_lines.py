@@ -133,7 +133,7 @@ def test_wires_other_seams_and_eases_are_met_at_the_same_places(addon):
         mark_allowance_and_smooth(source)
     assert len(source.data.vertices) == count
     assert smooth(source, lambda a, b: max(a[1], b[1]) < 0.45) == {"FINISHED"}
-    assert len(crossed) == 2 and crossed == on_the_wire(source)  # of the stairs and of the other seam
+    assert len(crossed) == 2 and crossed == on_the_wire(source)  # by the stairs and by the other seam
     marked = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.count_nonzero(marked) == np.count_nonzero(wires)
     eases = read(source.data.attributes["wirewarp_side_ease"].data, "value", np.float32)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Flattens many small models once undisturbed and once with three kill -9 in between: the files must be the same.
 
-python tests/bindings/many_models.py COUNT FOLDER [--jobs N] does all of it and prints the seconds, on Linux.
+python tests/bindings/many_models.py COUNT FOLDER [--jobs N] does both runs and prints the seconds, on Linux.
 """
 
 import argparse
@@ -85,7 +85,7 @@ def run(models, out, jobs):
 
 
 def run_with_kills(models, out, jobs, seed=0):
-    """Kill workers and drivers, and rerun until all is done. Return the lines of the last run, and what was killed."""
+    """Kill workers and drivers, and rerun until all is done. Return the lines of the last run, and the kills."""
     count = sum(1 for _ in models.rglob("*.obj"))
     # Kill the runs during the first half of the models, each time a little later, because a killed run is repeated.
     places = sorted(random.Random(seed).sample(range(1, count // 2), len(KILLS)))

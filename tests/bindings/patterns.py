@@ -79,7 +79,7 @@ def extent(pixels: np.ndarray, scale: float = SCALE) -> tuple[float, float]:
 
 
 def proof_words(pattern: Pattern, path: Path, paper="a4") -> str:
-    """Return the words on the pages after those of the pattern, with single spaces."""
+    """Return the words on the pages after the pattern, with single spaces."""
     pattern.write(path, paper=paper, proof=True)
     pages = list(pypdfium2.PdfDocument(path))
     assert len(pages) == len(pattern.page_sizes(paper, proof=True))

@@ -27,7 +27,7 @@ def sheet():
 
 
 def contents(result):
-    """Return all of a result except its times and what was reused."""
+    """Return a whole result except its times and the number of reused pieces."""
     plain = result.to_dict()
     del plain["report"]
     for piece in plain["pieces"]:
@@ -143,7 +143,7 @@ def test_a_cancelled_piece_is_solved_next_time(sheet):
     cache = Cache()
     cancelled = wirewarp.flatten(**sheet, cache=cache, progress=lambda stage, fraction: stage == "charts")
     ends = [piece.report.termination for piece in cancelled.pieces]
-    assert "cancelled" in ends  # of the calling thread; the other threads may finish first
+    assert "cancelled" in ends  # the piece of the calling thread; the other threads may finish first
     assert cache.size == ends.count("converged")
     run_again(cache, sheet, cache.size)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The order of sewing on the proof sheet works, and finished measures are those of the model."""
+"""The order of sewing on the proof sheet works, and finished measures are the measures of the model."""
 
 import numpy as np
 import pytest
@@ -21,8 +21,8 @@ CONNECTED = ["Fitted top", "Ball of six gores", "Cushion", "Hat", "Jeans", "Wets
 def test_the_kinds_of_steps_add_up_to_the_model(name):
     """Compare Euler's characteristics, so that no more rings are closed than exist.
 
-    That of the model is that of its pieces, minus one for each joined piece and each closed ring, plus one for each
-    body without an open edge.
+    The characteristic of the model is the sum over its pieces, minus one for each joined piece and each closed ring,
+    plus one for each body without an open edge.
     """
     steps, result = sample(name).steps, flattened(name)
     assert sorted(step.seam for step in steps) == sorted(f"Seam {n}" for n in range(1, len(result.seams) + 1))

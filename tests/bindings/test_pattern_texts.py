@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Texts on the pieces can be read, name what is sewn together, and show the grain."""
+"""Texts on the pieces can be read, name the pieces that are sewn together, and show the grain."""
 
 from dataclasses import replace
 from itertools import combinations

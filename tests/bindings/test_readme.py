@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples of the page on Python run in order, and print what the page shows."""
+"""The examples of the page on Python run in order, and print the lines that the page shows."""
 
 import re
 from pathlib import Path

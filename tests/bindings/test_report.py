@@ -326,5 +326,5 @@ def test_changes_of_length_follow_from_eases():
     vertices = np.array([[0, 0, 0], [2, 0, 0], [3, 0, 0], [3, 1, 0]], dtype=float)
     asked = asked_of_outline(piece, vertices, {(0, 1): 0.05, (1, 2): 0.05})
     assert asked == pytest.approx([2 * 1.1 * 1.05 + 1 * 1.05 + 1, 0.8])
-    asked = asked_of_outline(piece, vertices, {(1, 0): 0.05, (2, 1): 0.05})  # of the side that the piece does not have
+    asked = asked_of_outline(piece, vertices, {(1, 0): 0.05, (2, 1): 0.05})  # on the other side, not in this piece
     assert asked == pytest.approx([2 * 1.1 + 1 + 1, 0.8])

@@ -124,7 +124,7 @@ def test_rows_are_worst_first():
     report.seams = [seam(0, 0.1), seam(1, -0.5), seam(2, None, ok=False), seam(3, 1e-12), seam(4, 2e-12)]
     rows = tables_of(report).seams
     assert [row.name for row in rows] == [f"Seam {k}" for k in (3, 2, 1, 4, 5)]
-    assert [row.index for row in rows] == [2, 1, 0, 3, 4]  # what its button selects
+    assert [row.index for row in rows] == [2, 1, 0, 3, 4]  # the entries that the buttons select
 
 
 def test_equal_sides_are_combined():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Darts as smooth lines across triangles: their figures are those of the mesh that is cut along them."""
+"""Darts as smooth lines across triangles: their figures are the figures of the mesh that is cut along them."""
 
 import math
 from itertools import pairwise
@@ -38,7 +38,7 @@ def turns(path: SurfacePath) -> np.ndarray:
     """Return the turns of a line at its inner points on the surface, radians, without the curvature of the sphere."""
     vertices, faces = DOME
     places = np.einsum("ij,ijk->ik", path.coordinates, vertices[faces[path.faces]])
-    normals = places / np.linalg.norm(places, axis=1)[:, None]  # of the sphere
+    normals = places / np.linalg.norm(places, axis=1)[:, None]  # normals of the sphere
     steps = np.diff(places, axis=0)
     before = steps[:-1] - (steps[:-1] * normals[1:-1]).sum(axis=1)[:, None] * normals[1:-1]
     after = steps[1:] - (steps[1:] * normals[1:-1]).sum(axis=1)[:, None] * normals[1:-1]

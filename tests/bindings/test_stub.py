@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The type stubs list what exists, with its types, and the package has everything in the C++ headers."""
+"""The type stubs list every name with its type, and the package has everything in the C++ headers."""
 
 import ast
 import inspect

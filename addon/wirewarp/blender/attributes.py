@@ -64,7 +64,7 @@ def read_values(mesh: bpy.types.Mesh, attribute: Attribute) -> np.ndarray:
 
 
 def has_attributes(mesh: bpy.types.Mesh, *attributes: Attribute) -> bool:
-    """Returns whether the mesh has all of them, with their types and domains."""
+    """Returns whether the mesh has all these attributes, with their types and domains."""
     found = [mesh.attributes.get(each.name) for each in attributes]
     return all(
         each and (each.data_type, each.domain) == (ours.data_type, ours.domain)

@@ -14,8 +14,8 @@ from mathutils.bvhtree import BVHTree
 
 from ..core import Elements, counted
 
-CLOSE = 1e-5  # of the model's size; files write coordinates to five or six digits
-ROUNDED = 5e-7  # of the largest coordinate: two roundings to single precision on either side
+CLOSE = 1e-5  # share of the model's size; files write coordinates to five or six digits
+ROUNDED = 5e-7  # share of the largest coordinate: two roundings to single precision on either side
 Found = list[Any]  # vertices, edges and faces of the bmesh
 
 
@@ -124,7 +124,7 @@ def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
     """Return the faces of Select > Select All by Trait > Interior Faces, except those visible from outside.
 
-    The faces divide space into rooms. A room is open if a straight line leads out of it, as from the notch of a block.
+    The faces divide space into rooms. A room is open if a straight line leads out of it: the notch of a block is open.
     A face is interior if neither of its sides belongs to an open room.
     """
     walled = [face for face in edit.faces if all(len(edge.link_faces) > 2 for edge in face.edges)]

@@ -53,8 +53,8 @@ def check_local(target: bpy.types.Object, written: bpy.types.Object | bpy.types.
     if written.override_library is not None:
         raise object_error(
             "library_override",
-            f'"{target.name}" is a library override, and what would be written to it is lost when the file is opened '
-            f"again: {remedy}",
+            f'"{target.name}" is a library override, and changes to it are lost when the file is opened again: '
+            f"{remedy}",
         )
 
 

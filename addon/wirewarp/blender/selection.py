@@ -20,7 +20,7 @@ WORKING_MODES = frozenset({"OBJECT", "EDIT_MESH"})
 
 
 def edited_meshes(context: bpy.types.Context) -> set[bpy.types.Mesh]:
-    """Return the meshes in Edit Mode in this view layer; context.objects_in_mode may list those of the window's.
+    """Return the meshes in Edit Mode in this view layer; context.objects_in_mode may list the window's.
 
     The set is empty unless the active object is in Edit Mode, because in_object_mode cannot leave Edit Mode otherwise.
     """

@@ -11,7 +11,7 @@ from mathutils import Quaternion, Vector
 
 LEGEND_WIDTH = 180  # width of the legend with the usual names of lines and its margin, in pixels at interface scale 1
 MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
-ONE_SIDE = 0.3  # shortest mean normal of a surface with one visible side; that of a ring around a body is nearly zero
+ONE_SIDE = 0.3  # shortest mean normal of a surface with one visible side; a ring around a body has nearly zero
 SEEN = 0.3  # smallest cosine between that normal and the direction to the eye of a visible surface
 LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # elevation of the eye above flat pieces
 _legend_width = 0.0  # pixels of the screen, of the legend that was last drawn, with its margin

@@ -91,7 +91,7 @@ def _has_changed(source: bpy.types.Object) -> bool:
 
 
 def _is_regrained(source: bpy.types.Object, report: ObjectReport | None) -> bool:
-    """Return whether the grain wire differs from that of the last run."""
+    """Return whether the grain wire has changed since the last run."""
     options = report.options if report else None
     return options is not None and options.get("grain_wire") != source.data.wirewarp_grain
 

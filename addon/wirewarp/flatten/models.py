@@ -32,7 +32,7 @@ NO_ANGLE = "Grain Angle was not used: it needs Upright: Grain Wire and a grain w
 class Model:
     """An object as it was read, by name, because the object may be deleted before the results exist."""
 
-    name: str  # and that of its library: Object.name_full
+    name: str  # Object.name_full, which includes the name of its library
     facts: Facts
     state: dict | None  # see model_state; None if it could not be read
     notes: list[Note]

@@ -101,7 +101,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
                 self._write(context, outcomes)
         except ObjectError as error:
             return self.give_up(context, error.issue.code, str(error), "ERROR")
-        except Exception as error:  # for example if memory is full; the undo step removes what was written
+        except Exception as error:  # for example if memory is full; the undo step removes the partial result
             sentence = fault_sentence(error, "Flatten failed. Press Ctrl+Z to undo the partial result")
             self.give_up(context, "internal_error", sentence, "ERROR")
             hold_whole_file()

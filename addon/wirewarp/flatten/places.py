@@ -81,7 +81,7 @@ def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: f
 
 
 def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
-    """Return whether a run with these options lays out differently from the one that made the flat object `earlier`."""
+    """Return whether these options lay out pieces differently from the run that made the flat object `earlier`."""
     record = read_record(earlier.data)
     return record is None or record.layout != layout_of(options)
 

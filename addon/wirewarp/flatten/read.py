@@ -106,7 +106,7 @@ def in_suitable_mode(
 
 
 def _needs_object_mode(source: bpy.types.Object, settings: RunSettings, edited: Collection[bpy.types.Mesh]) -> bool:
-    """Return whether Edit Mode hides what a run reads, or the run replaces a mesh that is edited."""
+    """Return whether Edit Mode hides data that a run reads, or the run replaces a mesh that is edited."""
     if settings.use_modifiers:
         return True
     flat = find_flat_object(source)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Marks eases, and changes existing wires and seams, on models in Object Mode.
 
-A plan writes only when it is called, so that no object is changed if one of them is refused.
+A plan writes only when it is called, so that no object is changed if any object is refused.
 """
 
 import math

@@ -122,7 +122,7 @@ def has_new_seams(mesh: bpy.types.Mesh) -> bool:
 
 
 def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
-    """Return the user's own map, or that of the flat pieces if there is no other."""
+    """Return the user's own map; without one, the map of the flat pieces."""
     found = own_uv_map(target.data) or target.data.uv_layers.active
     if found is None:
         raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')

@@ -126,7 +126,7 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
     bl_label = "Mark Allowance"
     bl_options = {"REGISTER", "UNDO"}
 
-    kind: EnumProperty(name="Kind", description="What is added outside the edges", items=ALLOWANCES, default="WIDTH")
+    kind: EnumProperty(name="Kind", description="Allowance outside the edges", items=ALLOWANCES, default="WIDTH")
     width: number("Width (mm)", "Width of the seam allowance", (0.1, 10.0, 50.0, 1000.0), step=100, precision=2)
     hem: number("Hem (mm)", "Width of the hem, which is turned up", (0.1, 30.0, 100.0, 1000.0), step=100, precision=2)
 

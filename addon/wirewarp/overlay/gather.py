@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads what the overlay shows of an object into arrays, from the displayed mesh or from its map."""
+"""Reads the data that the overlay shows of an object into arrays, from the displayed mesh or from its map."""
 
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
@@ -32,7 +32,7 @@ from ..state.allowances import SIDE_EASES
 from ..state.marked_mesh import read_ids, read_marks
 from .lines import LineEdges, SideEases
 
-Extremes = tuple[float, float]  # the smallest and the largest value of a map, whatever range its colors show
+Extremes = tuple[float, float]  # smallest and largest value of a map, which may be beyond its scale of colors
 
 
 @dataclass(frozen=True)

@@ -281,7 +281,7 @@ class SideEases:
     normals: np.ndarray  # (k,3) of that face
     ratios: np.ndarray  # (k,) float32
     pieces: np.ndarray  # (k,) int32, on flat pieces; 0 on the model
-    size: float  # of the object
+    size: float  # size of the object
 
 
 def ease_arrows(eases: SideEases) -> tuple[np.ndarray, list[Name]]:

@@ -93,14 +93,14 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
 
 
 def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: ObjectReport | None) -> list[str]:
-    """Return the names; on flat pieces those of the report, because copies of wires have their own ids there."""
+    """Return the names; on flat pieces, the names in the report, because copies of wires have their own ids there."""
     names = chain_names(model_or_self(target).data, wire_ids)
     given = {wire.wire_id: wire.name for wire in report.wires} if report and model_of(target) else {}
     return [given.get(wire_id, name) for wire_id, name in zip(wire_ids, names, strict=True)]
 
 
 def current_report(target: bpy.types.Object) -> ObjectReport | None:
-    """Return the last report, if its elements are still those of the displayed object."""
+    """Return the last report, if its indices still refer to the elements of the displayed object."""
     source = model_or_self(target)
     if source != target:
         return pieces_report(source)

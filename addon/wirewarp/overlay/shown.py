@@ -149,7 +149,7 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
 
 
 def _or_none(build: Callable[..., Lines], *given: object) -> Lines:
-    """Return the lines; no lines if an attribute of our name is foreign, because the list of wires reports it."""
+    """Return the lines; no lines if an attribute of our name is foreign. The list of wires reports that fault."""
     try:
         return build(*given)
     except ObjectError:
@@ -224,7 +224,7 @@ class UvDrawing:
 
 
 def uv_drawings(context: bpy.types.Context) -> Iterator[UvDrawing]:
-    """Return the models in Edit Mode; in Object Mode, those that are selected or whose flat pieces are selected."""
+    """Return the models in Edit Mode; in Object Mode, models that are selected or have selected pieces."""
     space = context.space_data
     if space.mode != "UV" or not space.overlay.show_overlays or not context.scene.wirewarp.show_lines:
         return

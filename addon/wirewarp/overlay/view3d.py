@@ -17,8 +17,8 @@ from .shown import Drawing, UvDrawing, drawings, extremes, map_notes, shown_map,
 # Layers are drawn nearer to the eye by these shares of its distance, so that a surface does not hide its lines.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
-# Two steps of a 24-bit depth buffer. Multiplied by the distance and divided by that of the near plane, this is the
-# smallest difference in depth that shows, as a share of the distance.
+# Two steps of a 24-bit depth buffer. Times the distance over the distance of the near plane, this is the smallest
+# difference in depth that shows, as a share of the distance.
 DEPTH_STEP = 2 / 2**24
 HIDDEN_BY = 0.005  # share of the distance from the eye: a surface closer to a place does not hide it
 MOST_APART = 8.0  # largest factor of _apart, because lines on the back of a cushion must stay hidden
@@ -170,7 +170,7 @@ def _in_region(context: bpy.types.Context, places: np.ndarray) -> tuple[np.ndarr
     in_front = projected[:, 3] > 0
     depth = np.where(in_front, projected[:, 3], 1.0)
     points = (1 + projected[:, :2] / depth[:, None]) / 2 * size
-    in_range = in_front & (np.abs(projected[:, 2]) <= depth)  # Blender clips what is farther
+    in_range = in_front & (np.abs(projected[:, 2]) <= depth)  # Blender clips farther points
     return points, in_range & np.all((points >= 0) & (points <= size), axis=1)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators that apply what the report suggests and flatten again, and Check and Repair."""
+"""Operators that apply suggestions of the report and flatten again, and Check and Repair."""
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty
@@ -136,7 +136,7 @@ NOTHING = {  # by kind
     "MERGE": 'Nothing to merge: no vertices of "{}" overlap.',
     "NORMALS": '"{}" cannot be oriented consistently. Mark a seam where the normals flip.',
 }
-CLEAN_UP = ("DISSOLVE", "MERGE", "NORMALS")  # of blender.faults
+CLEAN_UP = ("DISSOLVE", "MERGE", "NORMALS")  # kinds in blender.faults
 
 
 class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
@@ -189,7 +189,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
         return {"FINISHED"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        """Keep the fix, which can be undone, whatever the run returns."""
+        """Keep the fix even if the run fails, because undo removes it."""
         result = super().modal(context, event)
         return {"FINISHED"} if result == {"CANCELLED"} else result
 

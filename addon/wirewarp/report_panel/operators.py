@@ -25,7 +25,7 @@ PROPOSALS = [
 
 
 def check_indices(target: bpy.types.Object, report: ObjectReport) -> None:
-    """Raises ObjectError if the report's elements are no longer those of the object's own mesh."""
+    """Raises ObjectError if the report's indices no longer refer to the object's own mesh."""
     check_local(target, target.data)
     if report.with_modifiers:
         raise object_error(

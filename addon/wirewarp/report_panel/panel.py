@@ -120,7 +120,7 @@ def _flat_numbers(side: Side, text: LengthText) -> tuple[str, str, str]:
 
 
 def longer_sides(sides: Sequence[Side], units: LengthText, meters: float) -> list[str]:
-    """Return what the pattern prints on an eased seam, such as "Sleeve 12 mm longer, ease between notches".
+    """Return the texts of the pattern on an eased seam, such as "Sleeve 12 mm longer, ease between notches".
 
     meters: in a Blender unit.
     """

@@ -61,7 +61,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
 
 
 def shown_pieces(context: bpy.types.Context) -> ObjectReport | None:
-    """Return the report of the existing pieces, whatever has failed since."""
+    """Return the report of the existing pieces, even if a later run failed."""
     source = shown_source(context)
     return pieces_report(source) if source else None
 

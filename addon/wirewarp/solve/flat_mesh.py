@@ -49,8 +49,8 @@ def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np
 def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenChoices) -> np.ndarray:
     """Return the lengths (k,) of the model's edges, for thick materials in the middle of the thickness.
 
-    The length of an edge is that of dx f_u + dy f_v, where (dx, dy) is the flat edge. The measures of threads give the
-    lengths of f_u and f_v and the angle between them.
+    An edge is as long as dx f_u + dy f_v, where (dx, dy) is the flat edge. The measures of threads give the lengths of
+    f_u and f_v and the angle between them.
     """
     lengths = edge_lengths(arrays.vertices, arrays.edges)
     if choices.thickness == 0 or choices.surface == "middle":

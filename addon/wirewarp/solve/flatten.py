@@ -60,7 +60,7 @@ class FlattenChoices:
     fairness: float
     node_weight: str
     cloth: ClothChoice | None
-    thickness: float  # of the material, in Blender units
+    thickness: float  # thickness of the material, in Blender units
     surface: str
     layout: str = field(metadata=LAYS_OUT)
     orientation: str = field(metadata=LAYS_OUT)
@@ -216,7 +216,7 @@ def _library_ease(library: ModuleType, half_edges: np.ndarray, ratio: float) -> 
 
 
 def issue_of_piece(piece: Piece, index: int, arrays: MeshArrays) -> Issue:
-    """Return the error of a failed piece, and every face of it that breaks a guarantee."""
+    """Return the error of a failed piece with all its faces that break a guarantee."""
     flipped = polygons_of(arrays, piece.metrics.flipped_faces)
     overlapping = polygons_of(arrays, piece.metrics.overlapping_faces)
     issue = issue_of_error(piece.error, arrays, len(flipped), len(overlapping))

@@ -20,7 +20,7 @@ from .chains import edge_keys
 # Names of the negative and positive side by axis, as of a person who faces Blender's front (-Y): the left hand is at
 # +X.
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
-HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # of two pieces on the same side
+HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # for two pieces on the same side
 FACES_ONE_WAY = (
     0.3  # shortest mean normal of a piece that faces one side; others, such as sleeves, are named by their place
 )
@@ -129,7 +129,7 @@ def _names_by(
     return [(piece, regions[best[piece]].name) for piece in np.flatnonzero(carried.any(axis=0)).tolist()]
 
 
-MAX_ID = 2**31 - 1  # of an INT attribute
+MAX_ID = 2**31 - 1  # largest value of an INT attribute
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ class KnownPieces:
     """Ids and names of pieces before a run."""
 
     ids: np.ndarray  # (f,) int32, one per face of the model; 0 on faces that were in no piece yet
-    names: Mapping[int, str]  # of the pieces of the last run, by id
+    names: Mapping[int, str]  # names of the pieces of the last run, by id
     model_name: str  # former name of the model
 
 

@@ -36,7 +36,7 @@ class Facts:
     object: str
     mesh: str
     with_modifiers: bool
-    shaped_by: list[str]  # "modifiers", "shape keys": whatever changes the visible shape
+    shaped_by: list[str]  # causes of a different visible shape: "modifiers", "shape keys"
     counts: dict[str, Any]  # numbers of elements of its own mesh
 
 
@@ -49,7 +49,7 @@ class UvSeams:
 
     pieces: int
     failed: int
-    stretch: float  # of the good pieces, see Piece.stretch
+    stretch: float  # largest Piece.stretch of the good pieces
     is_beyond_fabric: bool = False  # whether the chosen fabric does not stretch that far
 
     @property

@@ -62,7 +62,7 @@ def in_slices(steps: Generator[S, None, T]) -> Generator[S, None, T]:
 
 
 def in_one_go(steps: Generator[S, None, T], show: Callable[[S], object] = lambda _yielded: None) -> T:
-    """Do all steps while Blender waits. show: called with what they yield."""
+    """Do all steps while Blender waits. show: called with each yielded value."""
     with closing(steps):
         while True:
             try:

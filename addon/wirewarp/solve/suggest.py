@@ -44,9 +44,9 @@ class Target:
 
 @dataclass(frozen=True)
 class Cut:
-    """A dart, a seam, a mirrored pair of them, a cut set, or seams to clear; and the effect of marking it.
+    """A suggestion and its effect: a dart, a seam, a mirrored pair of these, a cut set, or seams to clear.
 
-    For a target, it includes all cuts from the first to one of them.
+    With a target, each cut includes all cuts before it.
     """
 
     edges: Pairs  # edges of the cut; empty if a line crosses faces
@@ -54,12 +54,12 @@ class Cut:
     paths: list[SurfacePath] = field(compare=False)  # the same cut as lines, for library.cut_mesh
     segments: Segments = field(compare=False)  # drawn lines
     piece: int  # number of the piece in the flattening
-    lengths: list[float]  # of each line on the model, or the total of a cut set; Blender units
+    lengths: list[float]  # length of each line on the model, or the total of a cut set; Blender units
     strain: float  # strain that 99% of the piece, or of its worst part, stays below after the cut
     strain_before: float  # infinite for a cut set
     num_pieces: int  # pieces after the first line; after all lines of a cut set, or without the cleared seams
     cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
-    width: float | None = None  # of a set: narrowest width of the pieces, Blender units; None until it is measured
+    width: float | None = None  # narrowest width of the pieces of a set, Blender units; None until it is measured
     is_narrow: bool = False  # whether two allowances of a piece have no room beside each other
 
     @property
@@ -153,7 +153,7 @@ def _forbidden_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam
 
 
 def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> list[Cut]:
-    """Return cuts in the library's order. Mirror images become one cut, unless one of them alone gains as much."""
+    """Return cuts in the library's order. Mirror images become one cut, unless one image alone gains as much."""
     cuts = []
     for index, proposal in enumerate(proposals):
         if proposal.twin is not None and proposal.twin < index:

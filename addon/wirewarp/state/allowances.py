@@ -148,7 +148,7 @@ def number_faces(mesh: bpy.types.Mesh, faces: np.ndarray) -> np.ndarray:
 
 
 def marked_corners(mesh: bpy.types.Mesh, side: Mark) -> tuple[np.ndarray, np.ndarray]:
-    """Return a mask (l,) of corners whose face has the number of their edge, and how many of them each edge (e,) has.
+    """Return a mask (l,) of corners whose face has the number of their edge, and the count of these at each edge (e,).
 
     side: the attribute with the number.
     """

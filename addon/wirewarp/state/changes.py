@@ -44,7 +44,7 @@ def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept)
 
 
 def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
-    """Return whether geometry or scale differ from the report, whatever its seams and wires are now.
+    """Return whether geometry or scale differ from the report. Changes of seams and wires do not count.
 
     A report without a state counts as a report on another model.
     """
@@ -52,7 +52,7 @@ def has_moved(source: bpy.types.Object, state: dict | None) -> bool:
 
 
 def shows_modified(source: bpy.types.Object) -> bool:
-    """Return whether Blender evaluates the modifiers. Blender skips those of hidden objects, and some in Edit Mode."""
+    """Return whether Blender evaluates the modifiers. It skips modifiers of hidden objects, and some in Edit Mode."""
     return source.mode == "OBJECT" and source.visible_get()
 
 

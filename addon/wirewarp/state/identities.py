@@ -121,7 +121,7 @@ class WireSummary:
     wire_id: int
     tolerance: float
     ease: float
-    edges: list[int]  # of the mesh, in order along the wire
+    edges: list[int]  # edges of the mesh, in order along the wire
     edge_vectors: np.ndarray  # (k,3) in the mesh's own space
     shares_id: bool  # whether an earlier wire has the same id, because the wire was copied or cut in two
 
@@ -177,7 +177,7 @@ def piece_names(source: bpy.types.Object) -> dict[int, str]:
 def known_pieces(
     source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None, model_name: str
 ) -> KnownPieces:
-    """Return the pieces by the ids on the model or, if given, on its flat pieces, which always have those of the last
+    """Return the pieces by the ids on the model or, if given, on its flat pieces, which always have the ids of the last
     run.
 
     model_name: the model's name in that run.
@@ -199,7 +199,7 @@ def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
 def with_new_names(
     source: bpy.types.Object, known: KnownPieces, identities: Sequence[PieceIdentity]
 ) -> list[PieceIdentity]:
-    """Return the names with those that the user has changed since `known` was read."""
+    """Return the identities with the names that the user has changed since `known` was read."""
     renamed = dict(piece_names(source).items() - known.names.items())
     return [replace(identity, name=renamed.get(identity.piece_id, identity.name)) for identity in identities]
 
@@ -226,7 +226,7 @@ def seam_names(source: bpy.types.Object) -> dict[int, str]:
 
 
 def known_seams(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Object | None) -> KnownSeams:
-    """Return the seams by the ids on the model or, if given, on its flat pieces, which always have those of the last
+    """Return the seams by the ids on the model or, if given, on its flat pieces, which always have the ids of the last
     run.
     """
     ids = _seam_ids_of_flat_pieces(flat.data, arrays) if flat else arrays.seam_ids

@@ -15,7 +15,7 @@ from ..solve.flat_mesh import FlatMesh
 from ..solve.flatten import LAYOUT_OPTIONS
 from ..solve.maps import ARAP_ENERGY, ASPECT_RATIO, COLOR_MAPS, LENGTH_VARIATION, SHEAR, STRETCH, WARP, WEFT, ColorMap
 
-OF_THREADS = {WEFT: "weft_strain", WARP: "warp_strain", SHEAR: "shear_angle"}  # of solve.flat_mesh.Threads
+OF_THREADS = {WEFT: "weft_strain", WARP: "warp_strain", SHEAR: "shear_angle"}  # fields of solve.flat_mesh.Threads
 VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "length_variation": "EDGE"}
 
 

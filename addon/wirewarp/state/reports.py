@@ -39,7 +39,7 @@ def last_report(source: bpy.types.Object) -> ObjectReport | None:
 
 
 def pieces_report(source: bpy.types.Object) -> ObjectReport | None:
-    """Return the report of the run that wrote the flat pieces, whatever has failed since. None if there was none."""
+    """Return the report of the run that wrote the flat pieces, even if a later run failed; None without such a run."""
     return with_names(source, _read(source))
 
 
@@ -91,7 +91,7 @@ def _parse(text: str, seal: str) -> ObjectReport:
 
 
 def forget_incomparable(*_: object) -> None:
-    """Forget reports after undo, except those that describe the present model."""
+    """Forget reports after undo, except reports on the present model."""
     for state in all_states():
         if state.failure and state.failure.model_state is None:
             state.failure = None

@@ -223,7 +223,7 @@ def _cloth_of(settings: FlattenSettings, _meters: float) -> ClothChoice | None:
 class Setting:
     """Data of a setting of Flatten beside its property."""
 
-    name: str  # of the property
+    name: str  # name of the property
     choice: str = ""  # its field of FlattenChoices; "": none
     # returns the value, from all settings and the meters in a unit
     to_choice: Callable[[FlattenSettings, float], Any] | None = None
@@ -234,7 +234,7 @@ class Setting:
     is_used: Callable[[FlattenSettings], bool] = lambda _: True  # otherwise it is gray
 
     def part(self, settings: FlattenSettings) -> str:
-        """Return the one of PARTS in which it is drawn."""
+        """Return the part of the panel, one of PARTS, in which the setting is drawn."""
         return "FRONT" if self.is_in_front(settings) else "ADVANCED" if self.is_advanced else "MAIN"
 
     @property
@@ -244,7 +244,7 @@ class Setting:
 
 
 def _setting(name: str, choice: str = "", **others: Any) -> Setting:  # noqa: ANN401
-    """Return a setting whose value is that of the field, in the library's lower case."""
+    """Return a setting that passes the value of its field to the library, texts in lower case."""
     as_it_is = lambda settings, _: value.lower() if isinstance(value := getattr(settings, name), str) else value  # noqa: E731
     return Setting(name, choice or name, **{"to_choice": as_it_is} | others)
 

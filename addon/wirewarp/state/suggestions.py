@@ -53,7 +53,7 @@ class Suggestions:
     choices: FlattenChoices  # settings of the search
     grain_wire: int  # id on the mesh; 0 for none
     wire_ids: set[int]  # ids of the wires during the search
-    state: dict  # of the model, see model_state
+    state: dict  # state of the model, see model_state
     no_seam: NoSeam  # faces and vertices where the user wants no cut, on the model's own mesh
     chosen: int  # index in cuts
     with_modifiers: bool = False  # whether modifiers made the edges of the cuts; they are applied when a cut is marked

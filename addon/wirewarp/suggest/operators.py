@@ -54,7 +54,7 @@ class Search:
     options: SearchOptions
     model: Model
     choices: FlattenChoices
-    no_seam: NoSeam  # of the model's own mesh
+    no_seam: NoSeam  # painted areas of the model's own mesh
     with_modifiers: bool  # whether modifiers make another mesh
     steps: Steps[list[Cut]]
     names: dict[int, str]  # known names of pieces, by index
@@ -110,7 +110,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
 
 
 def _accepted(choices: FlattenChoices) -> list[float]:
-    """Return the maximum stretches of the fabric, or that of soft fabrics if they are unknown."""
+    """Return the known maximum stretches of the fabric; if none is known, the stretch of soft fabrics."""
     return known_stretch(choices.cloth) or [SOFT]
 
 

@@ -116,7 +116,7 @@ class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
 
 
 def _explained(cuts: Sequence[Cut]) -> str:
-    """Return what the rows of sets contain; empty for other cuts."""
+    """Return the sentence that explains rows of sets; empty for other cuts."""
     if not cuts[0].is_set:
         return ""
     columns = COLUMNS.format("cleared seams" if cuts[0].cleared else "seams")

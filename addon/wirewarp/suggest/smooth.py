@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cuts lines into the mesh: suggested lines, and smooth lines instead of seams along edges.
 
-The surface stays, and so do marks, maps and attributes: new elements get those of the faces and edges that they divide.
+The surface stays, and so do marks, maps and attributes: new elements get the attributes of the faces and edges that
+they divide.
 """
 
 from collections.abc import Iterator, Sequence

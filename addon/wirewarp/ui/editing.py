@@ -34,7 +34,7 @@ class OnMesh:
 
 
 class OnModel(OnMesh):
-    """Mixin of operators that refuse flat pieces. `on_model` of a subclass says what to do on the model instead."""
+    """Mixin of operators that refuse flat pieces. `on_model` of a subclass names the action for the model."""
 
     on_model = ""
     modes = frozenset({"EDIT_MESH"})

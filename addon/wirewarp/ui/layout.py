@@ -14,7 +14,7 @@ from ..core import Level
 from .window_run import Task, shown_progress
 
 WIDE = 330  # pixels at interface scale 1; a new sidebar is half as wide
-BESIDE_TEXT = 90  # of these pixels are taken by icon, margins and tabs
+BESIDE_TEXT = 90  # pixels of these that icon, margins and tabs take
 FONT = 0  # Blender's number of the interface font
 SIZE, THICKNESS = 64, 0.08  # size of a mark in pixels; half the width of its strokes, as a share of the size
 Stroke = list[tuple[float, float]]  # y up
@@ -30,7 +30,7 @@ MARKS: dict[str, tuple[list[Stroke], tuple[float, float, float]]] = {
         (1.0, 0.65, 0.10),
     ),
 }
-LEVEL_ICONS = {Level.GOOD: "TICK", Level.CAUTION: "AMBER", Level.BAD: "CANCEL"}  # of lines of a verdict
+LEVEL_ICONS = {Level.GOOD: "TICK", Level.CAUTION: "AMBER", Level.BAD: "CANCEL"}  # icons for lines of a verdict
 _previews: bpy.utils.previews.ImagePreviewCollection | None = None
 
 

@@ -173,7 +173,7 @@ def _end_with_parent() -> None:
 
 
 def _family(pid: int | None) -> list[psutil.Process]:
-    """Return the process and those that it has started."""
+    """Return the process and all processes that it has started."""
     try:
         process = psutil.Process(pid)
         return [process, *process.children(recursive=True)]

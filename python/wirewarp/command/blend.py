@@ -70,7 +70,7 @@ def _outcome(request: Request, answered: dict[str, Any]) -> tuple[Line, dict[str
         "figures": figures_of(reports),
         "problems": [f"{place_name(report, issue.piece)}: {issue.sentence}" for report, issue in issues],
         "codes": [issue.code for _, issue in issues],
-        "warnings": [*notes, *answered["warnings"]],  # those of the export come last
+        "warnings": [*notes, *answered["warnings"]],  # warnings of the export come last
         "files": [request.report_path.name, *answered["files"]],
     }
     return line, answered["report"]

@@ -22,7 +22,7 @@ class Found:
 
 
 def found_models(inputs: Iterable[Path]) -> list[Found]:
-    """Return the given models, those in folders, and those of lists, in a fixed order. Raises InputError."""
+    """Return the given models and the models in folders and lists, in a fixed order. Raises InputError."""
     models: list[Found] = []
     for path in inputs:
         if path.is_dir():

@@ -58,7 +58,7 @@ def write_picture(path: Path, result: FlattenResult, vertices: np.ndarray, milli
 def strain(vertices: np.ndarray, piece: Piece) -> np.ndarray:
     """Return the largest |stretch - 1| (q,) of each face in any direction.
 
-    vertices (p,3): those of the piece on the model.
+    vertices (p,3): vertices of the piece on the model.
     """
     a, b, c = (vertices[piece.faces[:, corner]] for corner in range(3))
     along, aside = b - a, c - a

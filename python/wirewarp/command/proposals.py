@@ -16,7 +16,7 @@ MOST_ROUNDS = 10  # closed parts need one round, handles another, short outlines
 def with_proposals(
     model: Model, result: FlattenResult, seams: np.ndarray, lines: Lines, options: Options
 ) -> tuple[FlattenResult, Lines, list[str]]:
-    """Return the last result with its lines, and what was done. Raises FlattenError."""
+    """Return the last result with its lines, and sentences on the applied proposals. Raises FlattenError."""
     marked = {(int(min(a, b)), int(max(a, b))) for a, b in seams}
     before, tolerances = len(marked), [wire.tolerance for wire in lines.wires]
     for _ in range(MOST_ROUNDS):

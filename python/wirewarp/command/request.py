@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The request for one model, and faults of it."""
+"""The request for one model, and faults of its input."""
 
 from dataclasses import dataclass
 from pathlib import Path

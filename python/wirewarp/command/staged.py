@@ -51,7 +51,7 @@ def listed_files(report: Path) -> list[str]:
 
 
 def take_places(staged: Path, request: Request) -> None:
-    """Move the files to their places, and those of the previous run into the staged folder, which is removed.
+    """Move the files to their places, and the earlier files into the staged folder, which is removed.
 
     The report is removed first and placed last: if there is one, all files belong to it. Raises InputError if a file is
     not ours.

@@ -12,7 +12,7 @@ from .request import AnyRequest, InputError
 READY, NEEDS_STRETCH = "ready to cut", "needs stretch fabric"
 FAILED, REFUSED, STOPPED = "not ready to cut", "refused", "stopped"
 PROPOSED, NOTHING = "proposed", "nothing to propose"
-# Exit codes: the command ends with that of the worst model. 0: every length is exact, and some fabric stretches far
+# Exit codes: the command ends with the code of the worst model. 0: every length is exact, and some fabric stretches far
 # enough.
 EXIT_CODES = {READY: 0, NEEDS_STRETCH: 0, PROPOSED: 0, FAILED: 1, NOTHING: 1, REFUSED: 2, STOPPED: 3}
 Line = dict[str, Any]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 
 def today() -> datetime.date:
-    """Return the date, or that of SOURCE_DATE_EPOCH (reproducible-builds.org) for reproducible files."""
+    """Return the date of today or, for reproducible files, of SOURCE_DATE_EPOCH (reproducible-builds.org)."""
     epoch = os.environ.get("SOURCE_DATE_EPOCH")
     return datetime.datetime.fromtimestamp(int(epoch), datetime.UTC).date() if epoch else datetime.date.today()
 

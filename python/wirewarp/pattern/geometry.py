@@ -11,7 +11,7 @@ import pyclipper
 GRID = 1e-4  # millimeters: finer than any cutter, and 100 m still fit Clipper's fast integers of 30 bits
 ON_LINE = 1e-3  # millimeters: a closer point is on the line; the grid of cut lines is 10 times finer
 DEPTH = 1e-4  # share of the diagonal of the smaller outline's box: shapes that overlap less deeply only touch
-STEPS, ROUNDS = 8, 3  # of the search for an innermost point
+STEPS, ROUNDS = 8, 3  # for the search for an innermost point
 SAMPLES = 100  # points on the outline from which distances are measured: enough for text
 PAIRS = 1_000_000  # points and sides compared at a time, to limit memory
 RESOLUTION = 2.0**30  # steps of the grid for overlaps, over both outlines: Clipper is exact and fast on it

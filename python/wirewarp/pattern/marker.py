@@ -11,7 +11,7 @@ from .geometry import Motion
 from .model import PatternPiece
 from .units import UnitSystem, counted
 
-SAME = 0.1  # millimeters by which outlines may differ from those of the marker
+SAME = 0.1  # millimeters by which outlines may differ from the outlines of the marker
 SHEETS_APART = 50.0  # millimeters between sheets that are drawn one above the other
 
 
@@ -23,7 +23,7 @@ class Size:
     width: float
     height: float
     area: float
-    x: float  # of the centroid, from the lower left corner: it changes if the piece is turned or mirrored
+    x: float  # place of the centroid from the lower left corner, which changes if the piece is turned or mirrored
     y: float
 
     def is_like(self, other: "Size") -> bool:
@@ -81,7 +81,7 @@ class Marker:
         return 1 + max(placement.sheet for placement in self.placements)
 
     def is_of(self, pieces: Sequence[PatternPiece]) -> bool:
-        """Return whether it was made from pieces like these, none of them half a piece on the fold."""
+        """Return whether the marker was made from pieces like these, and no piece is a half on the fold."""
         sizes = [size_of(piece) for piece in pieces]
         return len(sizes) == len(self.made_of) and all(map(Size.is_like, sizes, self.made_of))
 

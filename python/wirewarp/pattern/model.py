@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parts of a pattern piece, whatever file it is written to. Everything is in millimeters, y upwards."""
+"""The parts of a pattern piece, for every kind of file. Everything is in millimeters, y upwards."""
 
 import re
 from collections.abc import Collection
@@ -37,11 +37,11 @@ class Line:
     points: np.ndarray  # (k,2)
     closed: bool = False  # a closed line does not repeat its first point
     name: str = ""  # "Seam 3", or the name of the wire
-    width: float | None = None  # of stitching lines: width of the allowance outside of it
-    seam: int | None = None  # of stitching lines: index into the result's seams; None if nothing is sewn to it
-    joins: str = ""  # of stitching lines: the names of the other pieces that are sewn to it
-    kind: str = ""  # of wires: "rigid", "elastic" or "super_elastic"
-    note: str = ""  # of stitching lines: "12 mm longer, ease between notches"
+    width: float | None = None  # stitching lines: width of the allowance outside
+    seam: int | None = None  # stitching lines: index into the result's seams; None if nothing is sewn to it
+    joins: str = ""  # stitching lines: names of the other pieces that are sewn to the line
+    kind: str = ""  # wires: "rigid", "elastic" or "super_elastic"
+    note: str = ""  # stitching lines: "12 mm longer, ease between notches"
 
     def placed(self, motion: Motion) -> "Line":
         return replace(self, points=motion.points(self.points))
@@ -54,7 +54,7 @@ class Point:
     role: PointRole
     at: np.ndarray  # (2,), for notches and clips on the cut line
     direction: np.ndarray = field(default_factory=lambda: np.zeros(2))  # (2,) unit vector into the piece
-    depth: float = 0.0  # of notches and clips; for holes the diameter
+    depth: float = 0.0  # depth of notches and clips, diameter of holes
     pair: tuple[int, int] | None = None  # seam, and number along it: notches of one pair are sewn onto each other
     along: float | None = None  # for pairs: length from the start of the seam, on the stitching line of this side
     side: int | None = None  # for pairs: index of the side of the seam
@@ -72,7 +72,7 @@ class Point:
 class Text:
     lines: tuple[str, ...]
     center: np.ndarray  # (2,)
-    height: float  # of the letters
+    height: float  # height of the letters
     angle: float = 0.0  # degrees counterclockwise
     role: TextRole = "card"
     is_beside: bool = False  # outside the piece, which has no room for it
@@ -90,7 +90,7 @@ class PatternPiece:
     texts: list[Text]
     quantity: tuple[int, int] = (1, 0)  # copies to cut as drawn, and mirrored
     material: str = ""
-    on_fold: bool = False  # half of it is drawn; the other half lies beyond the fold
+    on_fold: bool = False  # half of the piece is drawn; the other half is beyond the fold
     area: float = 0.0  # square millimeters inside the stitching lines, of the whole piece
     copied_names: tuple[str, ...] = ()  # names of the pieces that its other copies replace
     deviation: float = 0.0  # millimeters: largest distance of a copy from the flattened shape

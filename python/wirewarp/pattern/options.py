@@ -16,12 +16,12 @@ class PatternOptions(TypedDict, total=False):
     allowance: float  # outside of every seam (10)
     hem: float | None  # outside of every outline that is not sewn; None: the allowance
     allowances: npt.ArrayLike | None  # (k,3) vertex, vertex of an edge of the model, and the width on all its sides
-    # (k,3) width on one side of an edge: that of the triangle in which it runs from the first vertex to the second
+    # (k,3) width on one side of an edge: the side of the triangle in which it runs from the first vertex to the second
     side_allowances: npt.ArrayLike | None
     folds: npt.ArrayLike | None  # (k,2) open edges at which the fabric is folded and not cut
     pairs: bool  # draw pieces of one shape once, "Cut 4", also mirrored ones, "Cut 1 pair" (False)
     on_fold: bool  # draw one half of each symmetric piece, "Cut 1 on the fold" (False)
-    measures: Sequence[tuple[str, float]]  # names and finished lengths, for the proof sheet (those of the rigid wires)
+    measures: Sequence[tuple[str, float]]  # names and finished lengths, for the proof sheet (default: the rigid wires)
     notch_spacing: float  # along seams, 0 for none (100)
     # "auto" (default) chooses by the order of sewing; "mitre", "right angle", "fold-back", "extend", "step"
     corner: str
@@ -30,4 +30,4 @@ class PatternOptions(TypedDict, total=False):
     # "slit" cuts along the legs
     material: str  # text on the pieces
     date: str
-    units: Units  # of texts and of the square to measure ("metric")
+    units: Units  # units of texts and of the square to measure ("metric")

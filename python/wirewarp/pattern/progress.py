@@ -19,7 +19,7 @@ STAGES = {  # start of each stage of making and writing a pattern, as a share of
     "reading again": 0.8,
 }
 T = TypeVar("T")
-Steps = Generator[tuple[str, float], None, T]  # yields what progress is called with, before each step
+Steps = Generator[tuple[str, float], None, T]  # yields the arguments of progress before each step
 
 
 def in_one_go(steps: Steps[T], progress: Progress | None = None) -> T:

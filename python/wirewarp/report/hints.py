@@ -42,9 +42,9 @@ class Places:
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """Connected triangles of one piece with more strain than the limit, or the worst of them."""
+    """Connected triangles of one piece with more strain than the limit, or their worst part."""
 
-    triangles: np.ndarray  # of the model
+    triangles: np.ndarray  # triangles of the model
     stretch: float
     ease: float
     amount: float  # strain times area: the excess that a dart there would have to remove

@@ -51,9 +51,9 @@ def make_report(
     """Return the report of flatten(vertices, faces, wires=wires, eases=eases, options=Options(cloth=cloth)).
 
     fabric: name of the preset of the cloth. limits: its maximum stretch across and along the grain, None if unknown; by
-    default that of the cloth. meters: length of a unit. name: of the model. polygons (m,): face of the model to which
-    each triangle belongs, if its faces are larger. issues: one for each failed piece, if they replace the library's
-    sentences.
+    default the limits of the cloth. meters: length of a unit. name: of the model. polygons (m,): the face of each
+    triangle, if faces of the model are larger than triangles. issues: one for each failed piece, if they replace the
+    library's sentences.
     """
     points = np.asarray(vertices, dtype=np.float64)
     sides = {(a, b): ease.ratio for ease in eases for a, b in np.asarray(ease.half_edges).tolist()}

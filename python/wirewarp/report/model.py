@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 Pairs = list[tuple[int, int]]  # edges as vertex pairs
-ANY_FABRIC = 0.03  # a stretch that every fabric allows: the smallest in the core's table, that of woven cotton
+ANY_FABRIC = 0.03  # a stretch that every fabric allows: the smallest in the core's table, of woven cotton
 
 METHOD_NAMES = {"refined": "Refined", "wirewarp++": "WireWarping++", "wirewarping": "WireWarping, all wires rigid"}
 
@@ -124,7 +124,7 @@ class Threads:
         return needed > self.limit(way)
 
     def limit(self, way: str) -> float:
-        """Return the maximum stretch; if unknown, the built-in stretch and on top of it the stretch of any fabric."""
+        """Return the maximum stretch; if unknown, the built-in stretch plus the stretch that every fabric allows."""
         known: float | None = getattr(self.gives, way)
         return known if known is not None else (1 + (getattr(self.worn, way) or 0.0)) * (1 + ANY_FABRIC) - 1
 
@@ -144,7 +144,7 @@ class Piece:
     cloth_energy: float | None
     stretch: float | None  # see strain.py: the figure of the verdict; inf for a collapsed piece
     aspect_ratio_max: float | None
-    stretch_max: float | None  # of the worst face
+    stretch_max: float | None  # stretch of the worst face
     stretch_faces: list[int]  # around the worst face
     ease_max: float | None
     ease_faces: list[int]
@@ -194,7 +194,7 @@ class LooserWire:
 class Issue:
     """A fault in one sentence, with its elements of the model.
 
-    code: that of wirewarp.ErrorCode, or the program's own.
+    code: a wirewarp.ErrorCode, or the program's own.
     """
 
     code: str

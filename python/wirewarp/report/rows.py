@@ -58,7 +58,7 @@ class PieceRow:
     area_3d: float | None
     area_2d: float | None
     needed: float  # figure of the verdict, a share of the flat length
-    stretch_max: float  # of the worst face; inf if a face has no area
+    stretch_max: float  # stretch of the worst face; inf if a face has no area
     ease_max: float
     threads: Threads | None
 

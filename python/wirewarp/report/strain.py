@@ -17,7 +17,7 @@ import numpy as np
 from .. import Cloth, Metrics, Piece
 from .model import Threads, Ways
 
-SHARE = 0.99  # of the area: fabric does not notice single strained triangles in corners
+SHARE = 0.99  # share of the area: fabric does not notice single strained triangles in corners
 Limits = tuple[float | None, float | None]  # across and along the grain; None: unknown
 NAMES = {"woven": "woven cotton", "swim": "swim knit"}  # for sentences, if the preset's name is not a noun
 

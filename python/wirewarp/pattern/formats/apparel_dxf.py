@@ -61,7 +61,7 @@ class _Writer:
         return key.upper() if self._is_aama else key
 
     def style(self) -> Tags:
-        """Write what is true of all pieces as texts of layer 1."""
+        """Write the data of the whole pattern as texts of layer 1."""
         tags = self._tags()
         fields = {
             "Style Name": plain_text(self._pattern.title) or "PATTERN",
@@ -135,7 +135,7 @@ class _Writer:
             if role == "grain":
                 tags.line("5", points)  # the reference line of grading
             return
-        if role == "cut" and not closed:  # half of a piece: files of AccuMark follow the fold, without the flag
+        if role == "cut" and not closed:  # half of a piece: in AccuMark, the outline follows the fold without the flag
             points = np.concatenate([points, points[:1]])
         tags.polyline(layer, points, closed, repeat=True)
         if role == "sew" and self._is_aama:

@@ -25,7 +25,7 @@ Paper = str | float | None
 def write_pdf(
     path: Path, pattern: PatternData, paper: Paper = None, proof: bool = False, keep_places: bool = False
 ) -> Steps[tuple[int, list[str]]]:
-    """Write the file. Return the number of pages, and sentences on what could not be drawn.
+    """Write the file. Return the number of pages, and sentences on texts that could not be drawn.
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
     a roll in millimeters. None: A4, and for a marker a roll of the necessary width. proof: adds pages with every piece,

@@ -81,7 +81,7 @@ def page_size(pattern: PatternData) -> np.ndarray:
 
 
 def _page(pieces: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the size of the page, the lower left corners of the pieces, and that of the square.
+    """Return the size of the page, and the lower left corners of the pieces and of the square.
 
     All have y upwards. The square is to the right of the pieces or below them, whichever needs less paper.
     """

@@ -46,7 +46,7 @@ def in_visual_order(runs: Sequence[T], run_levels: Sequence[int]) -> list[T]:
 
 
 def _above(base: int, kind: str) -> int:
-    """Return the level above that of the line, by rules I1 and I2."""
+    """Return the level above the level of the line, by rules I1 and I2."""
     if base == 0:
         return {"R": 1, "EN": 2, "AN": 2}.get(kind, 0)
     return int(kind != "R")
@@ -119,7 +119,7 @@ def _closing(bracket: str) -> str:
 
 
 def _neutral(weak: Sequence[str], outer: str) -> list[str]:
-    """Apply rules N1 and N2: spaces and signs get the direction of both neighbors, or that of the line."""
+    """Apply rules N1 and N2: spaces and signs get the common direction of both neighbors, or the line's."""
     found = list(weak)
     for begin, end in _spans(weak, ("B", "S", "WS", "ON")):
         before = _direction(found[begin - 1]) if begin else outer

@@ -77,7 +77,7 @@ def with_card_anew(
 
 
 def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], drawn: list[np.ndarray]) -> list[Text]:
-    """Return the fullest card that can be read; none for a piece that is too small for all of them."""
+    """Return the fullest card that can be read; no card for a piece that is too small."""
     texts = (place_text(card, outlines, drawn, TEXT_HEIGHT) for card in cards)
     return next(([text] for text in texts if text.height >= LEAST_HEIGHT), [])
 
@@ -89,7 +89,7 @@ def _short_cards(texts: list[str], outlines: list[np.ndarray]) -> list[Text]:
 
 
 def how_to_cut(piece: PatternPiece) -> str:
-    """Return the quantity, with what a maker must know to cut it."""
+    """Return the quantity, with a note on folded or mirrored copies."""
     if piece.on_fold:
         return f"Cut {sum(piece.quantity)} on the fold"  # opened, each piece is its own mirror image
     return piece.quantity_text + (" (2 pieces, one mirrored)" if piece.quantity == (1, 1) else "")

@@ -36,7 +36,7 @@ class Beside:
     def __init__(
         self, outlines: Sequence[np.ndarray], sheets: Sequence[Box] = (), others: Sequence[np.ndarray] = ()
     ) -> None:
-        """outlines (k,2): the cut lines. sheets: if there are any, each text must be on one of them.
+        """outlines (k,2): the cut lines. sheets: if given, each text must be on one sheet.
 
         others (k,2): closed lines around neighbors.
         """

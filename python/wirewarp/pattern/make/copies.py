@@ -43,7 +43,7 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
     found = Copies({}, {}, fixed_starts(side for own in laid for loop in own.loops for side in loop))
 
     def maps(first: int, second: int, *, is_mirror: bool) -> Iterator[Congruence]:
-        """Yield the maps from the second piece to the first that keep the grain, and then those that reverse it."""
+        """Yield the maps from the second piece to the first: maps that keep the grain, then maps that reverse it."""
         reversing: list[Congruence] = []
         for each in congruences(pieces[first], pieces[second], is_mirror=is_mirror):
             grain, own = each.direction(laid[second].grain), laid[first].grain
@@ -101,7 +101,7 @@ def _sewn_sides(laid: Laid) -> list[Side]:
 class SeamGroup:
     """Seams whose notches are at the same places."""
 
-    turned: dict[int, bool]  # by seam: whether places are measured from the end opposite to that of the first seam
+    turned: dict[int, bool]  # by seam: whether places are measured from the other end than in the first seam
     is_symmetric: bool = False  # a copy maps a seam to itself, end for end
 
 
@@ -183,7 +183,7 @@ def _groups(count: int, turns: dict[int, list[tuple[int, bool]]]) -> list[SeamGr
 
 
 def drawn_once(pieces: Sequence[PatternPiece], copies: Copies) -> list[PatternPiece]:
-    """Return the pieces without copies of others. pieces: all of them, each to be cut once as drawn."""
+    """Return the pieces without copies of others. pieces: all pieces, each to be cut once as drawn."""
     left_out, drawn = copies.left_out, []
     for index, piece in enumerate(pieces):
         if index in left_out:

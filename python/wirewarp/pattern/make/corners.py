@@ -24,8 +24,8 @@ SAGITTA = 0.02  # millimeters, of the chords of a round corner
 def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray | None:
     """Return the path (k,2) of the cut line from y = -a to the second cut line; None if the corner needs none.
 
-    "right angle", "fold-back" and "extend" end the allowance of the first section; mirror the corner to end that of the
-    second. A path beyond the limit is replaced by a mitre.
+    "right angle", "fold-back" and "extend" end the allowance of the first section. Mirror the corner to end the
+    allowance of the second. A path beyond the limit is replaced by a mitre.
     """
     if turn < STRAIGHT or (a == 0 and b == 0):
         return None

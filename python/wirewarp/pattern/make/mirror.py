@@ -66,7 +66,7 @@ def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -
     steps, turned = np.roll(outer, -1) - outer, np.roll(image, -1) - image
     if abs(np.abs(steps).sum() - np.abs(turned).sum()) > ALIKE:
         return
-    # The sum of steps times conjugate steps is largest if they are in phase, and its angle is that of the turn.
+    # The sum of steps times conjugate steps is largest if they are in phase, and its angle is then the turn.
     match = np.fft.ifft(np.fft.fft(steps) * np.conj(np.fft.fft(turned)))
     best = np.flatnonzero(np.abs(match) >= (1 - IN_PHASE) * np.abs(match).max(initial=np.finfo(float).tiny))
     sign = 1 if is_mirror else -1  # a reflection in an upright axis has the turn -1

@@ -134,7 +134,7 @@ def _outline_edges(piece: FlatPiece) -> dict[tuple[int, int], tuple[int, int]]:
 
 
 def _joined(chains: list[tuple[list[int], Side]]) -> list[list[Side]]:
-    """Return the chains, each after the one that ends at its first vertex."""
+    """Return the chains in loops: each chain begins where the chain before it ends."""
     waiting: dict[int, list[tuple[list[int], Side]]] = {}
     for chain in chains:
         waiting.setdefault(chain[0][0], []).append(chain)

@@ -53,7 +53,7 @@ class Laid:
 
 
 def _off_straight(points: np.ndarray) -> float:
-    """Return the largest distance of the points (k,2) from the line through the first and the last of them."""
+    """Return the largest distance of the points (k,2) from the line through the first and the last point."""
     along = (points[-1] - points[0]) / max(float(np.linalg.norm(points[-1] - points[0])), 1e-9)
     to = points - points[0]
     return float(np.abs(to[:, 0] * along[1] - to[:, 1] * along[0]).max())

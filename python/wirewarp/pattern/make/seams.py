@@ -178,7 +178,7 @@ def turn_between(first: Side, second: Side) -> float:
 
 
 def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
-    """Return (vertex of the junction, seam) for the seams that are sewn before those that cross their end.
+    """Return (vertex of the junction, seam) for each seam that is sewn before the seams that cross its end.
 
     Once a seam is sewn, a line that crosses it should continue straight. At each junction, the first seam is therefore
     the one over which its two neighbors are nearest to a straight line, or the shorter one of equals. Other seams of

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Finds an order in which the seams can be sewn: darts, flat seams, rings, and last those that close a body.
+"""Finds an order in which the seams can be sewn: darts, flat seams, rings, and last the seams that close a body.
 
 Each assembly of pieces is stored as the closed loops of sides around it. Sewing two sides of different assemblies makes
 one flat assembly. Sewing two successive sides of a loop keeps the assembly flat. Sewing any other two sides of one loop
@@ -115,7 +115,7 @@ class _Assemblies:
         return "flat" if any(between) else "closing"
 
     def sew(self, sides: Sequence[Side]) -> StepKind:
-        """Sew two sides. Sides beyond the second, such as those of a pocket, are on top of these."""
+        """Sew two sides. Further sides, as with a pocket, are on top of these."""
         kind, (first, second) = self.kind(sides), sides[:2]
         if self._of_side[id(first)] == self._of_side[id(second)]:
             left = self._between(first, second)

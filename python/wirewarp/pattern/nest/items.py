@@ -24,7 +24,7 @@ class Item:
     count: int
     outline: np.ndarray  # (k,2) counterclockwise, already mirrored, with `room` around the piece
     upright: float  # degrees by which the piece is turned so that its grain is along the cloth
-    area: float  # of one piece, square millimeters
+    area: float  # area of one piece, square millimeters
 
     def turned(self, angle: float) -> np.ndarray:
         return Motion(np.zeros(2), angle).points(self.outline)

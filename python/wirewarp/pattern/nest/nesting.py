@@ -35,7 +35,7 @@ class Cloth:
     """The fabric and how it is cut. Lengths are in millimeters."""
 
     width: float
-    length: float | None  # of a sheet; None for a roll
+    length: float | None  # length of a sheet; None for a roll
     gap: float
     grain: Grain
 
@@ -66,7 +66,7 @@ def nesting(
     search = _Search(pieces, cloth, times, units)
     best: Marker | None = None
     try:
-        with closing(search.markers(seconds)) as markers:  # whatever is raised, no process continues to search
+        with closing(search.markers(seconds)) as markers:  # so that no process continues to search after an error
             for marker in markers:
                 yield "nesting", share()
                 if marker and (best is None or _extent(marker) < _extent(best)):

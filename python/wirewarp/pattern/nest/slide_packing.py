@@ -13,7 +13,7 @@ import numpy as np
 
 from .items import Grain, Item, angles
 
-ROWS = 400  # of 4 mm each on a cloth of 1.5 m
+ROWS = 400  # number of rows: each is 4 mm wide on a cloth of 1.5 m
 FREE_STEP = 30.0  # degrees between the trials if all turns are allowed
 
 
@@ -123,7 +123,7 @@ def _profile(item: Item, angle: float, row: float) -> _Profile:
     rows = max(math.ceil(points[:, 0].max() / row - 1e-9), 1)
     low, high = np.full(rows, math.inf), np.full(rows, -math.inf)
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
-        # Cut at the borders of rows, so that each part is in one of them.
+        # Cut at the borders of rows, so that each part is in one row.
         left, right = sorted((a[0], b[0]))
         borders = row * np.arange(math.floor(left / row) + 1, math.ceil(right / row))
         shares = np.sort((borders - a[0]) / (b[0] - a[0])) if len(borders) else np.empty(0)

@@ -18,7 +18,7 @@ class Look(NamedTuple):
     dashes: tuple[float, ...]
     dxf_layer: str  # in apparel DXF, ASTM D6673
     dxf_color: int  # in plain DXF: AutoCAD's color index
-    pen: int  # of plotters
+    pen: int  # number of the pen of plotters
     label: str = ""  # in the key of lines; "" for lines without an entry
 
 

@@ -181,7 +181,7 @@ def _advice(plan: Tiles) -> list[str]:
         pattern.title or "Pattern",
         "Print at 100% (actual size). Turn off Fit to Page. Measure the squares before you cut.",
         f"{sheets}." if plan.overlap else f"{count}.",
-        f"Neighboring sheets overlap by {pattern.units.text(OVERLAP)}: lay each diamond on the same diamond."
+        f"Neighboring sheets overlap by {pattern.units.text(OVERLAP)}: lay each diamond on the matching diamond."
         if plan.overlap
         else "No piece crosses two sheets.",
         f"{counted(len(pattern.pieces), 'piece')}. Allowance included: {pattern.allowance_text}.",

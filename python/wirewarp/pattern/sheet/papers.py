@@ -14,8 +14,8 @@ class Paper(NamedTuple):
     """A kind of paper. Lengths are in millimeters."""
 
     label: str
-    width: float | None = None  # of an upright sheet, or of a roll; None: as the pattern needs
-    height: float | None = None  # of an upright sheet
+    width: float | None = None  # width of an upright sheet, or of a roll; None: as wide as the pattern
+    height: float | None = None  # height of an upright sheet
 
 
 PROJECTOR = "projector"

@@ -37,11 +37,11 @@ class Sheet(Page):
 class Plan(Generic[P]):
     pattern: P  # in its places on the sheets
     sheets: list[Sheet]
-    layers: tuple[str, ...] = ()  # layers of the file in addition to those of the pieces
+    layers: tuple[str, ...] = ()  # layers of the file besides the layers of the pieces
     hidden: tuple[str, ...] = ()  # layers that are shown only on request
     thinnest: float = 0.0  # millimeters: least width of all lines
     cover: Sheet | None = None  # the first page, with a map of the others
-    text_sheets: Sheets | None = None  # sheets to tape together; texts should stay on one of them
+    text_sheets: Sheets | None = None  # sheets to tape together; each text should be on one sheet
 
     @property
     def all_sheets(self) -> list[Sheet]:

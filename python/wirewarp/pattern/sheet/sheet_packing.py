@@ -2,7 +2,7 @@
 """Packs pieces on sheets to tape together, so that they need the fewest sheets.
 
 The sheets are divided into cells. Each piece goes where it needs the fewest sheets that no earlier piece needs; a piece
-that ends in the overlap of two sheets needs one of them. Pieces may be turned: each takes its grain line with it.
+that ends in the overlap of two sheets needs one of them. Pieces may be turned together with their grain lines.
 """
 
 from collections.abc import Iterable, Sequence
@@ -29,8 +29,8 @@ class Shape:
 class Placed(NamedTuple):
     sheets: int  # number of needed sheets
     columns: int
-    corners: np.ndarray  # (p,2) lower left corners of the pieces, from that of the lowest, leftmost sheet
-    turns: list[int]  # of the pieces: which of their outlines is placed
+    corners: np.ndarray  # (p,2) lower left corners of the pieces, from the corner of the lowest, leftmost sheet
+    turns: list[int]  # for each piece, which of its outlines is placed
 
 
 def placed_on_sheets(

@@ -43,7 +43,7 @@ class Tiles(Generic[P]):
     pattern: P
     paper: np.ndarray  # (2,) width and height of a sheet
     shown: np.ndarray  # (2,) shown part of each sheet, inside its margins
-    overlap: float  # of neighboring sheets; 0 if every piece is on one sheet
+    overlap: float  # overlap of neighboring sheets; 0 if every piece is on one sheet
     rows: int
     columns: int
     low: np.ndarray  # (2,) lower left corner of all sheets
@@ -57,7 +57,7 @@ class Tiles(Generic[P]):
     def borders(self) -> list[np.ndarray]:
         """Return the middle (2,2) of the overlap at the left and the lower edge of each sheet with a neighbor there.
 
-        A line that crosses none of them is on one sheet.
+        A line that does not cross them is on one sheet.
         """
         if not self.overlap:
             return []
@@ -170,7 +170,7 @@ def _check_count(count: int, pattern: PatternData) -> None:
 def _with_tiles(pattern: P, sheet: np.ndarray, columns: int | None = None) -> Tiles[P]:
     """Return the pattern on sheets.
 
-    columns: number of them, from 0, 0 to the right and upwards; None: as many as needed, from the upper left.
+    columns: number of columns, from 0, 0 to the right and upwards. None: as many as needed, from the upper left.
     """
     shown = sheet - 2 * MARGIN
     step, top = shown - OVERLAP, pattern.size[1] + INSET
