@@ -104,7 +104,7 @@ def build_module(system: System, version: str, interpreter: Path) -> Path:
     definitions: dict[str, str | Path] = {
         "WIREWARP_PYTHON": "ON",
         "PYTHON_MODULE_EXTENSION": suffix,
-        "CMAKE_STRIP": "",  # this system's strip cannot read the files; the linker strips
+        "CMAKE_STRIP": "",  # the strip of this system cannot read the files, so the linker strips them
         "CMAKE_MODULE_LINKER_FLAGS": "-s",
         "Python_EXECUTABLE": interpreter,
         # CMake keeps it, because pybind11 forgets the suffix of the module if it changes.

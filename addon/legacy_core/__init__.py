@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Only in the legacy add-on, as _core: the core library, and in libraries/ the packages that it needs.
+"""The core library in the legacy add-on, as _core, with the packages that it needs in libraries/.
 
 Extensions do not need this, because Blender installs wheels for them.
 """

@@ -48,7 +48,7 @@ def load(addon_version: str) -> None:
                 importlib.import_module(f"{found.__name__}.{part}")
     except Exception as error:  # a damaged library, or one for another numpy, may raise anything
         traceback.print_exc()
-        spec = PathFinder.find_spec("wirewarp", places)  # which runs no code of the library
+        spec = PathFinder.find_spec("wirewarp", places)  # does not run code of the library
         folder = Path(spec.submodule_search_locations[0]) if spec and spec.submodule_search_locations else None
         raise LibraryError(loading_problem(error, folder)) from error
     if library_version != addon_version:

@@ -26,7 +26,7 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
 OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)
 CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
 PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # attach() of each returns its detach()
-HANDLERS: dict[str, tuple[Callable, ...]] = {  # by the name of Blender's list
+HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
     "frame_change_post": (memory.drop_changed,),
     "undo_post": (memory.drop_gathered, reports.forget_incomparable, auto_update.note_undo),

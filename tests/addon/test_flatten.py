@@ -250,7 +250,7 @@ def test_several_objects_are_flattened_and_others_ignored():
 
 
 def test_a_run_in_edit_mode_uses_the_edits_and_does_not_leave_it():
-    """It writes the same as in Object Mode: a second run there changes nothing."""
+    """The run writes the same as in Object Mode: a second run there changes nothing."""
     source = grid("Bump", bump)
     select_edges(source, on_line(1, 0.0))
     bpy.ops.mesh.wirewarp_mark()

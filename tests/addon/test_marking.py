@@ -176,7 +176,7 @@ def test_marks_of_models_are_refused_on_flat_pieces(command):
 
 
 def test_mark_this_model_starts_with_nothing_selected(addon):
-    """In an imported model, everything is selected."""
+    """All edges of an imported model are selected."""
     source = grid("Bump", bump, size=4)
     bpy.ops.object.mode_set(mode="EDIT")
     bpy.ops.mesh.select_all(action="SELECT")

@@ -112,7 +112,7 @@ def test_names_are_those_of_the_report_and_are_on_their_lines(addon, source):
     name = next(name for name in lines.names if name.texts == ("Waist",))
     for place in name.places:
         assert np.linalg.norm(lines.places["rigid"] - place, axis=1).min() < 0.25
-    assert abs(name.places[0][0]) < 0.3  # best in the middle
+    assert abs(name.places[0][0]) < 0.3  # the best place is in the middle
     assert min(name.places[:, 0]) < -0.5 < 0.5 < max(name.places[:, 0])  # or farther along, on each side
     assert name.normals[0][2] > 0.9
 

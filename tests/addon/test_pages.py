@@ -33,7 +33,7 @@ def preview(addon, source, **settings):
 
 
 def frames(pages):
-    """Return their lowest and highest corners (p,2,2) in millimeters."""
+    """Return the lowest and the highest corner of each page (p,2,2) in millimeters."""
     corners = 100 * pages.places["page"].reshape(-1, 8, 3)[..., :2]
     return np.stack([corners.min(axis=1), corners.max(axis=1)], axis=1)
 

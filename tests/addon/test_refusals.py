@@ -72,7 +72,7 @@ SETTINGS = [
     ({"report_path": "//report.json"}, "Blender file; save that first"),
     # Nobody can make files in /proc
     ({"report_path": "/proc/report.json"}, 'Cannot write "/proc/report.json": '),
-    ({"use_modifiers": True}, "Bump: "),  # whose first modifier leaves no face
+    ({"use_modifiers": True}, "Bump: "),  # the first modifier leaves no face
 ]
 
 

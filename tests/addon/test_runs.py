@@ -170,7 +170,7 @@ def failing():
 
 @pytest.mark.parametrize(("work", "error"), [(stubborn, OSError), (failing, MemoryError)])
 def test_exceptions_of_the_work_are_raised_with_the_result(addon, begun, work, error):
-    """This includes work that cannot clean up after it was canceled."""
+    """Also raise exceptions of work that cannot clean up after it was canceled."""
     run = begun(work())
     if work is stubborn:
         addon.ui.window_run.cancel()
@@ -200,7 +200,7 @@ def move_a_vertex(source):
 
 
 def test_only_changed_models_with_pieces_are_updated(addon, source):
-    """This includes models in Edit Mode."""
+    """Models in Edit Mode are updated, too."""
     grid("Never Flattened", bump)
     assert taken(addon) == []
     move_a_vertex(source)

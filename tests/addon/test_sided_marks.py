@@ -102,7 +102,7 @@ def write_corners(kind, source, left, right):
 
 
 def test_a_side_marked_on_its_piece_survives_the_edits_that_wires_survive(source, kind):
-    """It survives splitting edges, flipping faces, joining meshes, another unit and a mirrored object."""
+    """The mark survives splitting edges, flipping faces, joining meshes, another unit and a mirrored object."""
     bpy.ops.object.wirewarp_flatten()
     mark_side(kind, source, -1, kind.first)
     check(kind, source, kind.first, kind.unmarked)

@@ -315,7 +315,7 @@ def test_omitted_kinds_of_lines_are_in_no_file(tmp_path):
 
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_formats_list_every_option_for_dialogs(tmp_path, suffix):
-    """They list exactly the writer's options, except paper and keep_places, which belong to pages."""
+    """Each format lists exactly the options of its writer, except paper and keep_places, which belong to pages."""
     chosen = FORMATS[suffix]
     pages = ["paper", "keep_places"] if chosen.has_pages else []
     assert sorted(signature(chosen.write).parameters) == sorted(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reports about pages before they are written are true of the written pages."""
+"""The number, sizes and contents of pages are reported before writing, and the written pages match."""
 
 import re
 from dataclasses import replace

@@ -317,7 +317,7 @@ def test_unused_tolerances_are_noted():
 
 
 def test_changes_of_length_follow_from_eases():
-    """Of three edges of lengths 2, 1 and 1, a wire lengthens the first by 10%, and an ease the first two by 5%."""
+    """A wire lengthens the first of three edges (2, 1 and 1 long) by 10%, and an ease the first two by 5%."""
     chain = np.array([0, 1, 2, 3])
     broken = SimpleNamespace(vertices=chain, length_3d=4.0, length_2d=5.0, max_edge_error=0.1)
     exact = SimpleNamespace(vertices=np.array([3, 0]), length_3d=1.0, length_2d=0.8, max_edge_error=0.0)

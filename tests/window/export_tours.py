@@ -57,7 +57,7 @@ def tick_failed_pieces() -> drive.Tour:
 
 
 def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
-    """It also never leaves Edit Mode, however often it is drawn."""
+    """Drawing the dialog does not leave Edit Mode."""
     source = marked_bump()
     yield from flatten()
     select_only(source)

@@ -56,7 +56,7 @@ def look_from_above() -> drive.Tour:
 
 
 def lines_are_on_the_screen() -> drive.Tour:
-    """They are drawn on the model in either mode and on the pieces, and nowhere once they are switched off."""
+    """Lines are drawn on the model in either mode and on the pieces, and nowhere after they are switched off."""
     source = marked()
     yield from look_from_above()
     assert kinds_seen("model", "VIEW_3D") == COLORFUL

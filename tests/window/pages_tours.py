@@ -8,7 +8,7 @@ from surfaces import flat_of, select_only
 
 
 def pages_are_on_the_screen() -> drive.Tour:
-    """They are drawn over the pieces with the button beside Export, but not in Edit Mode, where pieces are moved."""
+    """The button beside Export draws pages over the pieces, but not in Edit Mode, where pieces are moved."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     source = marked()
     bpy.ops.object.wirewarp_flatten()

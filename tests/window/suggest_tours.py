@@ -128,7 +128,7 @@ def a_model_that_changes_during_the_search_gets_no_suggestion() -> drive.Tour:
 
 
 def a_search_ends_under_a_tool() -> drive.Tour:
-    """It does not leave Edit Mode then, which would crash Blender."""
+    """The search then does not leave Edit Mode, which would crash Blender."""
     source = grid("Bump", bump)
     select_edges(source, on_line(0, 0.0))
     remember()
@@ -154,7 +154,7 @@ def a_search_ends_under_a_tool() -> drive.Tour:
 
 
 def a_fault_of_the_core_ends_the_search() -> drive.Tour:
-    """It is reported, and another search can start."""
+    """The fault is reported, and another search can start."""
     source = grid("Bump", bump)
     run, operators, sentences = wirewarp_addon.suggest.operators, wirewarp_addon.suggest.operators, []
     suggest_cuts, fault_sentence = run.suggest_cuts, operators.fault_sentence

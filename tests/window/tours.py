@@ -141,7 +141,7 @@ def report_shows_the_place() -> drive.Tour:
 
 
 def report_turns_the_view_to_elements_on_the_back() -> drive.Tour:
-    """It leaves the view unchanged if everything is visible; flat pieces are seen from above."""
+    """If everything is visible, the view does not change. Flat pieces are seen from above."""
     source = grid("Bump", bump)
     mark_seam(source, on_line(0, 0.0))
     remember()
@@ -169,7 +169,7 @@ def report_turns_the_view_to_elements_on_the_back() -> drive.Tour:
 
 
 def copies_the_report() -> drive.Tour:
-    """It copies a table to the clipboard, which does not exist without a window."""
+    """Copy a table to the clipboard, which does not exist without a window."""
     source = grid("Bump", bump)
     mark(source, on_line(1, 0.0))
     yield from flatten()

@@ -44,7 +44,7 @@ def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
 
 
 def the_first_pieces_are_brought_into_view() -> drive.Tour:
-    """Only once: afterwards the view belongs to the user. With the preference off, never."""
+    """The view moves only once, and not at all if the preference is off."""
     source = grid("Bump", bump)
     view = drive.view_area().spaces.active.region_3d
     view.view_location, view.view_distance = (100, 100, 100), 1

@@ -181,7 +181,7 @@ def _members(lines: LineEdges) -> dict[str, np.ndarray]:
     }
 
 
-Rooms = Mapping[int, float]  # by piece, the root of its area; empty on models
+Rooms = Mapping[int, float]  # square root of the area of each piece; empty on models
 
 
 def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[str], rooms: Rooms) -> list[Name]:

@@ -127,7 +127,7 @@ def _counts(source: bpy.types.Object) -> dict[str, int]:
 
 WORTH_WORDS = 0.001  # smallest reported change of the outlines' length: a millimeter on a meter
 SUGGEST_AGAIN = "Suggest Darts, Suggest Seams or Simplify Seams"
-NOTHING = {  # by kind
+NOTHING = {  # sentences by kind of fix
     "SEAMS": "Already marked. Flatten again.",
     "SUGGESTION": "Already marked. Flatten again.",
     "UV_SEAMS": "Already marked. Flatten again.",

@@ -24,7 +24,7 @@ class ErrorFacts:
     overlapping: int
     wires: list[str]  # names of all wires, in the library's order
     lengths: LengthText
-    piece: str = "the piece"  # or its name in quotes
+    piece: str = "the piece"  # "the piece", or the name of the piece in quotes
 
     def __getitem__(self, name: str) -> Any:  # noqa: ANN401
         return self.error.arguments[name]

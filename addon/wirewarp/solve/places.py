@@ -48,7 +48,7 @@ def fit_motion(points: np.ndarray, places: np.ndarray) -> Motion:
 
 @dataclass(frozen=True)
 class Places:
-    motions: dict[int, Motion]  # by piece id, from the layout to the piece's place
+    motions: dict[int, Motion]  # motion of each piece from the layout to its place, by id
     crowded: list[int]  # ids of pieces that had to move because they would overlap another
 
 

@@ -41,7 +41,7 @@ from ..solve.identity import new_id
 class SidedMark:
     """A value that one side of an edge may have. Its methods take meshes in Object Mode."""
 
-    what: str  # its name in sentences
+    what: str  # name of the mark in sentences
     value: Mark  # FLOAT, on edges: value of the marked side
     side: Mark  # INT, on edges: the number of the face on that side, 0 none
     corner: Mark  # FLOAT, on corners: values that scripts write, of the edge that begins there

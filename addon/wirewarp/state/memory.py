@@ -25,7 +25,7 @@ class ObjectState:
 
     name: str  # Blender's name_full at the last call of state_of
     gathered: dict[str, Any] = field(default_factory=dict)  # data read from its geometry, by name; see kept
-    drawings: dict[str, Any] = field(default_factory=dict)  # by kind; see state.drawings
+    drawings: dict[str, Any] = field(default_factory=dict)  # drawings by kind; see state.drawings
     parsed: Any = None  # the stored report as text and parsed; see state.reports
     failure: Any = None  # the report of a run that wrote nothing; see state.reports
     failed_after: str | None = None  # the report stored before that run; None if there was none
@@ -39,7 +39,7 @@ class ObjectState:
 
 @dataclass
 class _Memory:
-    states: dict[object, ObjectState] = field(default_factory=dict)  # by _key
+    states: dict[object, ObjectState] = field(default_factory=dict)  # states by _key
     counts: tuple[int, ...] = ()  # counts of objects and meshes when states of removed ones were last dropped
     ours: set[Place] | None = None  # the objects of interest; None: find_objects checks all objects
     updated: set[Place] = field(default_factory=set)  # the objects that find_objects checks again

@@ -224,12 +224,12 @@ class Setting:
     """Data of a setting of Flatten beside its property."""
 
     name: str  # name of the property
-    choice: str = ""  # its field of FlattenChoices; "": none
+    choice: str = ""  # name of the field of FlattenChoices; "": no field
     # returns the value, from all settings and the meters in a unit
     to_choice: Callable[[FlattenSettings, float], Any] | None = None
     is_advanced: bool = False  # rarely needed
     is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # shown above Flatten
-    is_wide: bool = False  # its name does not fit in half a narrow sidebar
+    is_wide: bool = False  # the name does not fit in half a narrow sidebar
     is_shown: Callable[[FlattenSettings], bool] = lambda _: True
     is_used: Callable[[FlattenSettings], bool] = lambda _: True  # otherwise it is gray
 

@@ -74,7 +74,8 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
         raise ObjectError(model.issue)
     depsgraph = context.evaluated_depsgraph_get()
     is_shaped = settings.use_modifiers and bool(shaped_by(source, depsgraph))
-    is_split = len(model.arrays.vertices) != len(source.data.vertices)  # by modifiers that keep the shape
+    # Modifiers that keep the shape may split edges.
+    is_split = len(model.arrays.vertices) != len(source.data.vertices)
     if is_shaped or is_split:
         check_modifiers(source)
     report = pieces_report(source)

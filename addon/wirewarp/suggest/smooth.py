@@ -136,7 +136,7 @@ def _split_edge(
     for index, share in line[1:-1]:
         edge = edited.edges.get((vertices[first], vertices[last]))
         _, vertex = bmesh.utils.edge_split(edge, vertices[first], (share - start) / (1 - start))
-        for loop in vertex.link_loops:  # its edge is the second half of the edge that begins at the corner before
+        for loop in vertex.link_loops:  # at this corner, the second half of the divided edge begins
             for side in _side_layers(edited):
                 loop[side] = loop.link_loop_prev[side]
         vertices[index], first, start = vertex, index, share

@@ -70,7 +70,7 @@ def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts:
             row.use_property_split = not setting.is_wide
             row.use_property_decorate = False
             row.enabled = setting.is_used(settings)
-            if setting.name == "cloth" and parts:  # its items are long and explain themselves
+            if setting.name == "cloth" and parts:  # the items of the menu are long and explain themselves
                 row.use_property_split = False
                 row.prop(settings, setting.name, text="", icon="MATCLOTH")
             else:

@@ -60,7 +60,7 @@ def each_apart(
     """
     CONTEXT.set_forkserver_preload(modules)
     if sys.platform != "win32":
-        resource_tracker.ensure_running()  # its start unblocks Ctrl+C
+        resource_tracker.ensure_running()  # now, because its start unblocks Ctrl+C
     waiting = enumerate(items)
     running: list[_Run[Result]] = []
     looked = time.monotonic()

@@ -239,7 +239,7 @@ def _running_options() -> argparse.ArgumentParser:
         "--time-limit", type=_seconds, default=3600.0, metavar="S", help="maximum seconds per model (3600)"
     )
     options.add_argument(
-        "--memory-limit", type=_memory, metavar="4GB", help="maximum memory per model (its share of the machine's)"
+        "--memory-limit", type=_memory, metavar="4GB", help="maximum memory per model (memory of the machine over jobs)"
     )
     return options
 

@@ -19,7 +19,7 @@ SHEETS_APART = 50.0  # millimeters between sheets that are drawn one above the o
 class Size:
     """Size of the cut lines of a piece, without texts beside it. Lengths are in millimeters."""
 
-    piece: int  # its number
+    piece: int  # number of the piece
     width: float
     height: float
     area: float
@@ -54,7 +54,7 @@ def at_corner(piece: PatternPiece) -> PatternPiece:
 class Placement:
     """Place of one copy of a piece whose cut lines have their lower left corner at its origin."""
 
-    piece: int  # its number
+    piece: int  # number of the piece
     x: float  # across the fabric, millimeters: place of the origin of the piece
     y: float  # along the fabric
     angle: float  # degrees counterclockwise

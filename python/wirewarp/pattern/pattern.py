@@ -248,7 +248,8 @@ class Pattern(PatternData):
         whole = [at_corner(with_card_anew(unfolded(piece), *card) if piece.on_fold else piece) for piece in self.pieces]
         if not marker.is_of(whole):
             raise problem("The pieces have changed since the marker was made: nest them again.")
-        by_number = {piece.number: piece.without_texts_beside() for piece in whole}  # which may be in other pieces
+        # Texts beside a piece could be over other pieces.
+        by_number = {piece.number: piece.without_texts_beside() for piece in whole}
         laid = [
             replace(by_number[placement.piece], quantity=(1, 0)).placed(marker.motion(placement))
             for placement in marker.placements

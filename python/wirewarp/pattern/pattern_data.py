@@ -70,7 +70,7 @@ class PatternData:
     units: UnitSystem
     warnings: list[str] = field(default_factory=list)
     date: str = ""  # as written on the pieces
-    walks: list[SeamWalk] = field(default_factory=list)  # by index of the seam
+    walks: list[SeamWalk] = field(default_factory=list)  # walk of each seam, by its index
     steps: list[SewingStep] = field(default_factory=list)  # in an order in which the seams can be sewn
     measures: list[tuple[str, float]] = field(default_factory=list)  # names and finished lengths in millimeters
     marker: Marker | None = None  # the drawn marker, in which every copy of a piece is a piece of its own

@@ -43,7 +43,7 @@ class GlyphPen:
 
 
 SUFFIXES = (".ttf", ".otf", ".ttc", ".woff2")
-NO_TEXT = ("lastresort", "adobeblank")  # these have every letter, as a box or as nothing
+NO_TEXT = ("lastresort", "adobeblank")  # fonts that draw every letter as a box or as nothing
 STYLES = ("bold", "italic", "oblique", "mono", "serif", "light", "thin", "black", "condensed")  # tried last
 _folders: list[Path] = []
 

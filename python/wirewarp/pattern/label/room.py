@@ -13,7 +13,7 @@ from .text_place import LINE, text_width
 CLEAR = 0.5  # millimeters between a text and its neighbors
 STROKES = np.linspace(-0.5, 0.5, 5)  # strokes that represent a text; no other text fits between them
 
-Segments = tuple[np.ndarray, np.ndarray]  # their first and their second ends (s,2)
+Segments = tuple[np.ndarray, np.ndarray]  # first and second ends (s,2) of segments
 
 
 class Room:

@@ -64,7 +64,7 @@ def _cut_off(corner: np.ndarray, before: np.ndarray, after: np.ndarray, width: f
     out = before + after
     length = np.linalg.norm(out)
     along = np.array([-before[1], before[0]])  # direction of the line before the turn
-    out = out / length if length > 1e-9 else along  # it turns back: the corner points straight on
+    out = out / length if length > 1e-9 else along  # if the line turns back, the corner points straight on
     ends = []
     for normal, direction in ((before, along), (after, np.array([after[1], -after[0]]))):
         start = corner + width * normal

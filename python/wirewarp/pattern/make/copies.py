@@ -101,7 +101,7 @@ def _sewn_sides(laid: Laid) -> list[Side]:
 class SeamGroup:
     """Seams whose notches are at the same places."""
 
-    turned: dict[int, bool]  # by seam: whether places are measured from the other end than in the first seam
+    turned: dict[int, bool]  # whether places on each seam are measured from the other end than on the first
     is_symmetric: bool = False  # a copy maps a seam to itself, end for end
 
 
@@ -110,7 +110,7 @@ class CopiedSides:
     """The sides of seams that copies map to each other."""
 
     groups: list[SeamGroup]
-    images: dict[int, list[Side]] = field(default_factory=dict)  # by the id() of a side: its images
+    images: dict[int, list[Side]] = field(default_factory=dict)  # images of each side, by its id()
 
     def copies(self, side: Side) -> list[Side]:
         """Return the side and all sides for which it is drawn, including images of images."""
@@ -122,7 +122,7 @@ class CopiedSides:
 
 def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]]) -> CopiedSides:
     forward = {id(own.side): own.is_forward for sides in seams for own in sides}
-    # by seam: its images, and whether they run in the other direction
+    # images of each seam, and whether they run in the other direction
     turns: dict[int, list[tuple[int, bool]]] = defaultdict(list)
     images: dict[int, list[Side]] = defaultdict(list)
     maps = [(first, second, each) for first, others in copies.others.items() for second, each in others]

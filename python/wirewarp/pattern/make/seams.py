@@ -36,7 +36,7 @@ def longer_texts(lengths: Sequence[float], units: UnitSystem) -> list[str]:
 
 STRAIGHT = math.radians(1)  # crossing lines are equally straight if they differ by less
 SAME_LENGTH = 0.01  # millimeters
-AT_VERTEX = 1e-6  # millimeters along a side from one of its points: rounding
+AT_VERTEX = 1e-6  # millimeters: a place this close to a point of the side is that point, up to rounding
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,7 @@ def sewing_steps(
     first = sewn_first([loop for piece in laid for loop in piece.loops])
     waiting = {number: [own.side for own in sides] for number, sides in enumerate(seams) if len(sides) > 1}
     ends = {number: {int(sides[0].sources[0]), int(sides[0].sources[-1])} for number, sides in waiting.items()}
-    meeting: dict[int, set[int]] = {}  # by vertex of the model: the waiting seams that end there
+    meeting: dict[int, set[int]] = {}  # seams that are not sewn yet, by the vertices of the model at which they end
     for number, own in ends.items():
         for vertex in own:
             meeting.setdefault(vertex, set()).add(number)
@@ -84,10 +84,10 @@ def _likeness(sides: Sequence[Side]) -> Likeness:
 
 class _Assemblies:
     def __init__(self, laid: Sequence[Laid]) -> None:
-        self._loops: dict[int, list[int]] = {}  # by number: the id() of each side, in order
-        self._of_side: dict[int, int] = {}  # by the id() of a side: its loop
-        self._assembly = list(range(len(laid)))  # by piece
-        self._areas = [piece.area for piece in laid]  # by assembly
+        self._loops: dict[int, list[int]] = {}  # id() of each side of each loop, in order
+        self._of_side: dict[int, int] = {}  # loop of each side, by the id() of the side
+        self._assembly = list(range(len(laid)))  # assembly of each piece
+        self._areas = [piece.area for piece in laid]  # area of each assembly
         self._legs: set[int] = set()  # the id() of each side of a dart
         for loop in (loop for piece in laid for loop in piece.loops):
             self._add([id(side) for side in loop])

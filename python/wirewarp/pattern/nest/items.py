@@ -19,7 +19,7 @@ ROUND = 0.01  # millimeters: error of an arc of straight lines
 
 @dataclass(frozen=True)
 class Item:
-    piece: int  # its number
+    piece: int  # number of the piece
     mirrored: bool
     count: int
     outline: np.ndarray  # (k,2) counterclockwise, already mirrored, with `room` around the piece

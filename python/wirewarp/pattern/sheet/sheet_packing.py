@@ -153,7 +153,7 @@ def _new_sheets(used: np.ndarray, needed: np.ndarray, per_sheet: np.ndarray) -> 
     n, m, columns, rows = needed.shape
     unused = np.pad(~used, ((0, columns), (0, rows)), constant_values=True)
     windows = np.lib.stride_tricks.sliding_window_view(unused, (columns, rows))[: used.shape[0], : used.shape[1]]
-    costs = np.tensordot(windows.astype(float), needed.astype(float), axes=([2, 3], [2, 3]))  # by BLAS: sheets, cells
+    costs = np.tensordot(windows.astype(float), needed.astype(float), axes=([2, 3], [2, 3]))  # by BLAS
     return costs.transpose(0, 2, 1, 3).reshape(used.shape[0] * n, used.shape[1] * m).astype(np.int64)
 
 
@@ -178,6 +178,6 @@ def _needed(cells: np.ndarray, per_sheet: np.ndarray) -> np.ndarray:
         ends.append([np.clip(at - begin, 0, count) for at in (sheet * own + 1, (sheet + 1) * own)])
     (left, right), (below, above) = ends
     counts = [sums[x][:, :, y] for x, y in ((right, above), (left, above), (right, below), (left, below))]
-    inside = counts[0] - counts[1] - counts[2] + counts[3]  # by cell and sheet across, then by cell and sheet upwards
+    inside = counts[0] - counts[1] - counts[2] + counts[3]  # axes: cell and sheet across, cell and sheet upwards
     found: np.ndarray = (inside > 0).transpose(0, 2, 1, 3)
     return found

@@ -72,7 +72,7 @@ class Tiles(Generic[P]):
 class Shape(NamedTuple):
     """A piece, for Clipper."""
 
-    outlines: list[list[list[int]]]  # its cut lines, on Clipper's grid
+    outlines: list[list[list[int]]]  # cut lines of the piece, on Clipper's grid
     bounds: tuple[np.ndarray, np.ndarray]
 
 
