@@ -252,12 +252,12 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
             (
                 "ASPECT_RATIO_COLOR",
                 "Worst Direction",
-                "Stretch or compression in the worst direction, as a factor: 1 is none",
+                "Stretch or compression in the worst direction, as a factor. 1: none",
             ),
             (
                 "ARAP_ENERGY_COLOR",
                 "Distortion",
-                "Stretch and compression of all directions together (ARAP energy per area): 0 is none",
+                "Stretch and compression of all directions together (ARAP energy per area). 0: none",
             ),
         ],
         update=_redraw,

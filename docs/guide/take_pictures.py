@@ -222,7 +222,7 @@ def pieces() -> drive.Tour:
 
 
 def show_pieces_from_above() -> drive.Tour:
-    """Show only them, selected."""
+    """Show only the flat pieces, selected."""
     source = bpy.context.object
     flat_pieces = bpy.data.objects["Fitted top Flat"]
     source.hide_set(True)

@@ -149,7 +149,7 @@ def test_only_the_failed_piece_is_red_and_materials_of_the_user_stay(half_failed
 
 def test_failed_pieces_are_written_only_on_request(half_failed, tmp_path):
     path = tmp_path / "pattern.svg"
-    with pytest.raises(RuntimeError, match="Failed: Top Left. See the report"):
+    with pytest.raises(RuntimeError, match="Failed: Top Left. The report names the faults"):
         bpy.ops.object.wirewarp_export_svg(filepath=str(path))
     assert not path.exists()
     bpy.ops.object.wirewarp_export_svg(filepath=str(path), failed_pieces=True)

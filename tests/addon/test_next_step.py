@@ -120,7 +120,7 @@ def test_places_without_a_remedy_are_shown(addon):
     source = grid("Peak", lambda x, y: (x, y, 3 * (1 - x * x) * (1 - y * y)), size=6)
     bpy.ops.object.wirewarp_flatten()
     step = step_of(addon, source)
-    assert (step.text, step.settings) == ("Show Strained Place", {"what": "HINT", "index": 0})
+    assert (step.text, step.settings) == ("Show Worst Place", {"what": "HINT", "index": 0})
     shown = buttons(addon).count("object.wirewarp_suggest_darts")
     assert shown == 2  # beside the verdict; in a narrow and in a wide sidebar
     assert bpy.ops.mesh.wirewarp_select_result(**step.settings) == {"FINISHED"}
@@ -227,7 +227,7 @@ def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
         entry("strained", 1, 20),
     ]
     step = addon.report_panel.next_step.next_step(report, [])
-    assert (step.text, step.settings) == ("Show Strained Place", {"what": "HINT", "index": 3})
+    assert (step.text, step.settings) == ("Show Worst Place", {"what": "HINT", "index": 3})
 
 
 def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):

@@ -129,7 +129,7 @@ def test_wires_other_seams_and_eases_are_met_at_the_same_places(addon):
     count = len(source.data.vertices)
     wires = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     select_edges(source, lambda a, b: True)
-    with pytest.raises(RuntimeError, match='selected edges of "Bump" would lose what is marked there'):
+    with pytest.raises(RuntimeError, match='selected edges of "Bump" would lose a mark: a wire'):
         mark_allowance_and_smooth(source)
     assert len(source.data.vertices) == count
     assert smooth(source, lambda a, b: max(a[1], b[1]) < 0.45) == {"FINISHED"}

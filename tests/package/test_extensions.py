@@ -92,7 +92,7 @@ def test_a_zip_is_for_one_platform_which_its_name_says(path):
 
 
 @extensions
-def test_permissions_are_those_that_are_used_each_with_a_reason(path):
+def test_each_used_permission_is_declared_with_a_reason(path):
     permissions = manifest_of(path)["permissions"]
     assert all(map(is_short_sentence, permissions.values()))
     attributes = {
@@ -104,7 +104,7 @@ def test_permissions_are_those_that_are_used_each_with_a_reason(path):
 
 
 @extensions
-def test_all_files_lie_in_one_folder_with_plain_names(path):
+def test_all_files_are_in_one_folder_with_plain_names(path):
     names = list(files_of(path))
     assert all(name.isascii() and not re.search(r'[\\:*?"<>|\s]', name) for name in names)
     assert not [
@@ -116,7 +116,7 @@ def test_all_files_lie_in_one_folder_with_plain_names(path):
 
 
 @extensions
-def test_nothing_compiled_lies_outside_of_wheels_and_nothing_is_obscure(path):
+def test_nothing_compiled_is_outside_of_wheels_and_nothing_is_obscure(path):
     for name, content in files_of(path).items():
         if name.endswith(".whl"):
             continue
@@ -129,7 +129,7 @@ def test_nothing_compiled_lies_outside_of_wheels_and_nothing_is_obscure(path):
 
 
 @extensions
-def test_the_wheels_are_those_listed_each_for_this_platform(path):
+def test_the_manifest_lists_the_wheels_and_each_is_for_this_platform(path):
     manifest = manifest_of(path)
     assert sorted(manifest["wheels"]) == sorted(f"./{name}" for name in wheels_of(path))
     system, machine = manifest["platforms"][0].split("-")
@@ -147,7 +147,7 @@ def test_the_wheels_are_those_listed_each_for_this_platform(path):
 
 
 @extensions
-def test_wheels_are_whole_and_hold_nothing_that_blender_has(path):
+def test_wheels_are_complete_and_contain_nothing_that_blender_has(path):
     for name, files in wheels_of(path).items():
         package = name.removeprefix("wheels/").split("-")[0]
         assert package.lower() not in IN_BLENDER

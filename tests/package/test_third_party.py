@@ -45,7 +45,7 @@ def compiled(path) -> dict[str, bytes]:
     return {name: content for name, content in files.items() if re.search(r"\.(so|pyd|dll|dylib)(\.|$)", name)}
 
 
-def test_every_license_is_a_link_or_stands_below():
+def test_every_license_is_a_link_or_is_below():
     for name, text in table().items():
         is_below = text.endswith(", below") and text.removesuffix(", below") in HEADINGS
         assert is_below or re.search(r"\]\(https://", text), name

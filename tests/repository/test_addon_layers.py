@@ -37,15 +37,15 @@ def test_there_are_few_packages_and_none_within_another() -> None:
     assert [str(file.relative_to(ADDON)) for file in ADDON.glob("*/*/**/*.py")] == []
 
 
-def test_the_root_holds_only_what_blender_and_a_newcomer_meet_first() -> None:
+def test_the_root_contains_only_its_listed_modules() -> None:
     assert {file.stem for file in ADDON.glob("*.py")} == GROUND | ROOF
 
 
 @pytest.mark.parametrize("package", packages())
-def test_a_package_imports_what_it_says_and_nothing_else(package: str) -> None:
+def test_a_package_imports_exactly_the_packages_that_it_names(package: str) -> None:
     assert imports_of(package) == may_import(package)
 
 
 @pytest.mark.parametrize("module", sorted(GROUND))
-def test_the_ground_knows_no_package(module: str) -> None:
+def test_modules_of_the_ground_import_no_package(module: str) -> None:
     assert {room_of(each) for each in own_imports(ADDON / f"{module}.py")} <= GROUND

@@ -34,12 +34,12 @@ def way_to_blender(file: Path, seen: set[Path]) -> list[str]:
     return []
 
 
-def test_blender_is_found_where_it_is() -> None:
+def test_imports_of_blender_are_found() -> None:
     assert way_to_blender(ADDON / "marks" / "mark_operators.py", set())[-1] in {"bpy", "bmesh"}
     assert way_to_blender(ADDON / "flatten" / "read.py", set())[-1] == "bpy"
     assert "solve/report.py" in claiming()
 
 
 @pytest.mark.parametrize("module", claiming())
-def test_a_module_that_says_so_imports_no_blender(module: str) -> None:
+def test_a_module_that_states_it_imports_no_blender(module: str) -> None:
     assert way_to_blender(ADDON / module, set()) == []

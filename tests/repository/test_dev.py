@@ -72,21 +72,21 @@ def test_an_unknown_step_names_the_known_ones(main, capfd):
     assert "no step starts with macos; there are: lint, window" in capfd.readouterr().out
 
 
-def test_a_failed_step_is_told_and_the_others_run_all_the_same(main, capfd):
+def test_a_failed_step_is_reported_and_the_others_still_run(main, capfd):
     assert main(["bad", "good"], "bad", "good") == 1
     output = capfd.readouterr().out
     assert "dev: it is bad" in output and "dev: failed: bad" in output
     assert table(output) == [("bad", "FAILED"), ("good", "passed")]
 
 
-def test_a_step_that_cannot_be_tested_here_fails_nothing_and_is_named(main, capfd):
+def test_a_step_that_cannot_be_tested_here_is_named_and_not_a_failure(main, capfd):
     assert main(["lacking"], "lacking") == 0
     output = capfd.readouterr().out
     assert "lacking is NOT TESTED: there is no such Python" in output
     assert table(output) == [("lacking", "NOT TESTED")]
 
 
-def test_all_steps_run_side_by_side_and_end_the_same(main, capfd, tmp_path, monkeypatch):
+def test_all_steps_run_side_by_side_with_the_same_outcomes(main, capfd, tmp_path, monkeypatch):
     monkeypatch.setattr(steps, "LOGS", tmp_path)
     assert main(["good", "bad", "lacking"]) == 1
     output = capfd.readouterr().out
@@ -94,7 +94,7 @@ def test_all_steps_run_side_by_side_and_end_the_same(main, capfd, tmp_path, monk
     assert "lacking is NOT TESTED: there is no such Python" in output
 
 
-def test_steps_run_when_they_are_wanted(main, capfd, tmp_path, monkeypatch):
+def test_each_kind_of_run_has_its_steps(main, capfd, tmp_path, monkeypatch):
     monkeypatch.setattr(steps, "LOGS", tmp_path)
     chosen = {}
     for words in ((), ("--all",), ("extra",), ("seldom",)):
@@ -103,7 +103,7 @@ def test_steps_run_when_they_are_wanted(main, capfd, tmp_path, monkeypatch):
     assert chosen == {(): ["good"], ("--all",): ["extra", "good"], ("extra",): ["extra"], ("seldom",): ["seldom"]}
 
 
-def test_no_step_waits_for_one_that_runs_more_seldom(dev):
+def test_no_step_waits_for_a_rarer_step(dev):
     when = {step.name: step.when for step in dev.test_steps()}
     assert [step.name for step in dev.test_steps() if step.after and when[step.after] > step.when] == []
 
@@ -167,7 +167,7 @@ def test_side_by_side_the_output_of_a_step_that_fails_is_shown_and_stays_togethe
 
 
 @pytest.mark.parametrize("end", [lambda: os.kill(os.getpid(), signal.SIGKILL), lambda: 1 / 0], ids=["killed", "raises"])
-def test_side_by_side_a_step_that_breaks_down_has_failed(log, end):
+def test_side_by_side_an_exception_in_a_step_is_a_failure(log, end):
     outcomes = run_side_by_side([Step("broken", end), Step("good", lambda: None)])
     assert [outcome.word for outcome in outcomes] == ["FAILED", "passed"]
 
@@ -210,7 +210,7 @@ with children.no_child_left():
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGINT], ids=["terminated", "interrupted"])
 @pytest.mark.parametrize(("way", "names"), [("run_in_order", ["one"]), ("run_side_by_side", ["one", "two"])])
-def test_what_is_told_to_end_takes_its_steps_along(tmp_path, way, names, number):
+def test_a_terminated_run_ends_its_steps(tmp_path, way, names, number):
     script = [sys.executable, "-c", HANGING, tmp_path, way, *names]
     started = subprocess.Popen(script, env=os.environ | {"PYTHONPATH": str(ROOT)}, cwd=ROOT)
     files = [tmp_path / f"{name}.pid" for name in names]

@@ -25,14 +25,14 @@ def make_module(folder: Path, system: System, code: str) -> Path:
 
 
 @pytest.mark.parametrize("system", [LINUX, MACOS], ids=lambda system: system.platform)
-def test_what_no_library_has_is_named(tmp_path, system):
+def test_a_symbol_that_no_library_has_is_named(tmp_path, system):
     module = make_module(tmp_path, system, "int elsewhere(void); int f(void) { return elsewhere(); }")
     with pytest.raises(StepError, match=r"module\.so needs _?elsewhere, which no library has"):
         check_needs(system, module)
 
 
 @pytest.mark.parametrize("system", [LINUX, MACOS], ids=lambda system: system.platform)
-def test_python_itself_is_there_when_the_module_is_loaded(tmp_path, system):
+def test_symbols_of_python_are_allowed(tmp_path, system):
     code = "int PyOpen(void); int _PyOpen(void); int f(void) { return PyOpen() + _PyOpen(); }"
     check_needs(system, make_module(tmp_path, system, code))
 
@@ -45,7 +45,7 @@ def test_a_module_for_another_processor_or_an_older_system_is_refused(tmp_path):
         check_needs(replace(MACOS, oldest="10.15"), module)
 
 
-def test_a_file_that_is_no_module_is_refused(tmp_path):
+def test_a_file_that_is_not_a_module_is_refused(tmp_path):
     (tmp_path / "text.so").write_text("no module")
     with pytest.raises(StepError, match="is not a module of a known system"):
         check_needs(LINUX, tmp_path / "text.so")

@@ -22,13 +22,13 @@ def make_wheel(folder: Path, code: str) -> Path:
     return folder / "any.whl"
 
 
-def test_what_no_library_has_is_named(tmp_path):
+def test_a_symbol_that_no_library_has_is_named(tmp_path):
     wheel = make_wheel(tmp_path, "int arc4random(void); int f(void) { return arc4random(); }")
     with pytest.raises(StepError, match=r"any\.whl needs symbols that glibc 2\.\d+ lacks: arc4random"):
         check_symbols(wheel)
 
 
-def test_python_itself_and_weak_symbols_may_be_open(tmp_path):
+def test_symbols_of_python_and_weak_symbols_may_be_undefined(tmp_path):
     check_symbols(
         make_wheel(
             tmp_path,

@@ -74,7 +74,7 @@ def test_no_file_has_old_words() -> None:
     assert old_words() == {}, OLD_WORDS
 
 
-def test_names_of_the_api_are_no_old_words(tmp_path: Path) -> None:
+def test_names_of_the_api_are_not_old_words(tmp_path: Path) -> None:
     source = tmp_path / "source.cpp"
     source.write_text('// A twin, unlike DartProposal::twin.\nfield("twin");\n')
     assert PATTERN.findall(read_by_people(source)) != []

@@ -27,7 +27,7 @@ def test_the_readme_opens_with_what_it_is_and_the_two_commands():
     assert first_screen.index("![") < first_screen.index("./dev demo")  # a maker sees the picture first
 
 
-def test_percent_stands_at_its_number():
+def test_percent_signs_follow_their_numbers():
     files = [file for pattern in READ for file in ROOT.glob(pattern)]
     assert len(files) > 100
     lines = [(file.name, line) for file in files for line in file.read_text().splitlines() if "//" not in line]

@@ -52,7 +52,7 @@ def manifest_of(path: Path) -> tuple[dict, set[str]]:
         return tomllib.loads(archive.read("wirewarp_addon/blender_manifest.toml").decode()), names
 
 
-def test_an_extension_for_each_platform_with_its_wheels_alone(tmp_path, libraries):
+def test_each_platform_has_an_extension_with_only_its_wheels(tmp_path, libraries):
     make_wheels(tmp_path, *LINUX, *OTHERS)
     written = {path.name for path in write_zips(tmp_path, libraries)}
     platforms = {"linux-x64", *OTHERS.values()}
@@ -84,7 +84,7 @@ def test_without_a_wheel_for_python_3_13_newer_blenders_are_left_out(tmp_path, l
     assert "blender_version_max" not in windows
 
 
-def test_the_legacy_zip_holds_the_library_unpacked(tmp_path, libraries):
+def test_the_legacy_zip_contains_the_unpacked_library(tmp_path, libraries):
     make_wheels(tmp_path, *LINUX)
     write_zips(tmp_path, libraries)
     with zipfile.ZipFile(tmp_path / f"wirewarp-{VERSION}-legacy-linux-x64.zip") as archive:

@@ -64,8 +64,8 @@ class PatternParts:
         if not self.failed:
             return ""
         return (
-            f"Failed: {', '.join(self.failed)}. See the report for what is wrong, or choose Failed Pieces to export "
-            "them anyway."
+            f"Failed: {', '.join(self.failed)}. The report names the faults. To export these pieces anyway, choose "
+            "Failed Pieces."
         )
 
     def cut_lines(self, **options: Any) -> pattern.Pattern:  # noqa: ANN401

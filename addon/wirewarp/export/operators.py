@@ -33,7 +33,7 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
     bl_label = "Export Pattern"
 
     filter_glob: StringProperty(
-        description="The files shown",
+        description="Files to show",
         default=";".join(f"*{suffix}" for suffix in pattern.FORMATS),
         options={"HIDDEN", "SKIP_SAVE"},
     )
@@ -174,13 +174,13 @@ OBJECT_OT_wirewarp_export.__annotations__ |= {
 
 
 class OBJECT_OT_wirewarp_export_svg(PatternExport, bpy.types.Operator):
-    """Write the flat pieces of the active object, as they lie, to an SVG file in actual size"""
+    """Write the flat pieces of the active object in their places to an SVG file in actual size"""
 
     bl_idname = "object.wirewarp_export_svg"
     bl_label = "Export Pattern as SVG"
 
     filename_ext = ".svg"
-    filter_glob: StringProperty(description="The files shown", default="*.svg", options={"HIDDEN", "SKIP_SAVE"})
+    filter_glob: StringProperty(description="Files to show", default="*.svg", options={"HIDDEN", "SKIP_SAVE"})
 
     def draw(self, context: bpy.types.Context) -> None:
         self.draw_beforehand(context)

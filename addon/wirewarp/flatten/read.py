@@ -64,7 +64,7 @@ def _nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Obje
     """Return the sentence; empty if something can be flattened."""
     if context.scene.library:
         return (
-            f'Nothing to flatten: the scene "{context.scene.name}" is linked from another file and cannot take flat '
+            f'Nothing to flatten: the scene "{context.scene.name}" is linked from another file and cannot get flat '
             "pieces. Link the model into a scene of this file."
         )
     if sources:

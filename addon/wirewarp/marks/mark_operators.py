@@ -22,7 +22,7 @@ from .mark import plan_clear, plan_wires, seams_from_uv, selected_sides
 KINDS = [
     ("RIGID", "Rigid", "A rigid wire keeps exactly its length on the model"),
     ("ELASTIC", "Elastic", "An elastic wire may become longer or shorter, up to the tolerance"),
-    ("SUPER_ELASTIC", "Free", "A free wire gets whatever length distorts the pieces least"),
+    ("SUPER_ELASTIC", "Free", "A free wire gets the length that distorts the pieces least"),
 ]
 ALLOWANCES = [
     ("WIDTH", "Allowance", "Give the selected edges a seam allowance of their own, on all sides"),
@@ -148,9 +148,9 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
             raise object_error("nothing", "Nothing to mark: select edges on a seam or outline first.")
         hold_whole_file()
         if left_out:
-            lie = counted(left_out, "selected edge lies", "selected edges lie")
+            are = counted(left_out, "selected edge is", "selected edges are")
             self.report(
-                {"WARNING"}, f"{counted(count, 'edge')} marked. {lie} inside a piece, so no allowance was marked there."
+                {"WARNING"}, f"{counted(count, 'edge')} marked. {are} inside a piece, so no allowance was marked there."
             )
         else:
             self.report({"INFO"}, f"{counted(count, 'edge')} marked")

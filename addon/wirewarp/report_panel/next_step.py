@@ -174,7 +174,7 @@ def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: boo
     if left_out:
         return NextStep("", "Flatten with Modifiers", "MODIFIER", MEND, {"what": "MODIFIERS"})
     is_strained = any(piece.is_strained for piece in report.pieces)
-    return _show("HINT", "Show Strained Place", _strained_places(report)) if is_strained else None
+    return _show("HINT", "Show Worst Place", _strained_places(report)) if is_strained else None
 
 
 def uv_step(found: UvSeams | None) -> NextStep:

@@ -115,7 +115,7 @@ def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Ob
     if _is_edited(flat.data, report):
         raise object_error(
             "edited_pieces",
-            f'The pieces in "{flat.name}" were edited by hand, so their lengths are no longer those of the model. '
+            f'The pieces in "{flat.name}" were edited by hand, so their lengths differ from the model. '
             f'Flatten "{source.name}" again. Moving and turning whole pieces is fine.',
         )
     if not is_true_size(flat):

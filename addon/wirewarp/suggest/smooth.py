@@ -208,8 +208,8 @@ def _selected_seams(target: bpy.types.Object) -> Pairs:
     marked = pairs[rows & edges_with_marks(mesh)]
     if len(marked):
         sentence = (
-            f'{counted(len(marked), "selected edge")} of "{target.name}" would lose what is marked there: a wire, an '
-            "ease or an allowance. Clear it first, and mark it on the smooth line again."
+            f'{counted(len(marked), "selected edge")} of "{target.name}" would lose a mark: a wire, an ease or an '
+            "allowance. Clear it first, and mark it on the smooth line again."
         )
         raise ObjectError(Issue("marks_lost", sentence, edges=[tuple(pair) for pair in marked.tolist()]))
     return [tuple(pair) for pair in pairs[np.flatnonzero(rows)].tolist()]

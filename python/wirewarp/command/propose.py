@@ -16,7 +16,7 @@ from .verdicts import NOTHING, PROPOSED, Line, unfinished, with_faults_answered
 
 ALL_NEEDED = "Every seam is needed for this strain."
 NO_SEAMS = "The model has no seams that could be left out."
-IN_BLENDER = "propose reads OBJ, PLY, STL or glTF. For .blend files, suggest darts and seams in Blender."
+IN_BLENDER = "propose reads OBJ, PLY, STL or glTF. For .blend files, use the add-on in Blender."
 
 
 @with_faults_answered
