@@ -36,7 +36,7 @@ def turn_like(uv: np.ndarray, model: np.ndarray) -> np.ndarray:
 
 
 def turn_upright(uv: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Rotate uv so that up on the surface is up; for a level piece, its back. points: (p, 3)."""
+    """Rotate uv so that up on the surface, or back on a level piece, is up in the plane. points: (p, 3)."""
     system = np.column_stack([uv, np.ones(len(uv))])
     rise, back = (np.linalg.lstsq(system, points[:, axis], rcond=None)[0][:2] for axis in (2, 1))
     u, v = rise if np.linalg.norm(rise) > LEVEL else back

@@ -21,7 +21,7 @@ READERS = (
 )  # for tests only: readers of pattern files, and of text in both directions
 # optional packages: tests run with and without them
 OPTIONAL = ("spyrrow==0.9.0", "fonttools[woff]==4.68.0", "hyperqueue==0.27.0")
-MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  # for python -m wirewarp
+MODELS = ("trimesh==5.2.0", "pillow==13.0.0", "psutil==7.2.2", "tqdm==4.70.1")  # packages for python -m wirewarp
 
 
 def bindings_python(version: str) -> Path:

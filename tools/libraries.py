@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tools.environment import BUILD, DEBIAN_PYTHON, fingerprint, is_current, run_quietly, set_current, venv
 
-PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0", "uharfbuzz==0.57.0")  # without dependencies of their own
+PATTERN = ("pyclipper==1.4.0", "pydyf==0.13.0", "uharfbuzz==0.57.0")  # packages without dependencies
 PIP_PLATFORMS = {  # pip's name for the oldest system that Blender supports, by Blender's name
     "linux-x64": "manylinux2014_x86_64",
     "linux-arm64": "manylinux_2_28_aarch64",

@@ -31,7 +31,7 @@ class When(IntEnum):
 
     ALWAYS = 0
     ALL = 1  # ./dev test --all
-    NAMED = 2  # no other runs
+    NAMED = 2  # only runs that name the step
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,7 @@ EXTENSION_MODULE = f"bl_ext.user_default.{ADDON['id']}"
 LEGACY_TAG = "cp311"
 NEWEST_TAG = "cp313"
 FIRST_BLENDER_ON_NEWEST = "5.1.0"
-SAMPLES = ("cushion", "fitted_top", "jeans", "toy", "carnival_mask")  # for Open Sample
+SAMPLES = ("cushion", "fitted_top", "jeans", "toy", "carnival_mask")  # files for Open Sample
 PLATFORMS = {  # pattern of a wheel's tag: Blender's name of the system
     r"manylinux_\d+_\d+_x86_64": "linux-x64",
     r"manylinux_\d+_\d+_aarch64": "linux-arm64",

@@ -47,7 +47,7 @@ UV_SCALE = "wirewarp_uv_scale"  # custom property: Blender units in one UV unit
 
 # On the model's object, custom properties.
 REPORT = "wirewarp_report"  # report of the run that made the flat pieces, JSON
-REPORT_SEAL = "wirewarp_report_seal"  # digest of that text
+REPORT_SEAL = "wirewarp_report_seal"  # digest of the report's text
 MARKER = "wirewarp_marker"  # last marker that an export made, JSON after its digest
 
 # On the flat mesh: the elements of the model from which its elements were made.

@@ -24,9 +24,9 @@ class Fault:
     kind: str
     one: str
     many: str
-    verb: str  # on a button
-    done: str  # in the report
-    find: Callable[[bmesh.types.BMesh, float], Found]  # maximum distance of elements that count as one
+    verb: str  # text of the button
+    done: str  # participle in the message: "merged"
+    find: Callable[[bmesh.types.BMesh, float], Found]  # float: maximum distance of elements that count as one
     repair: Callable[[bmesh.types.BMesh, float, Found], object]
 
     def text(self, count: int) -> str:

@@ -13,8 +13,8 @@ from ..core import pattern
 # Options of a property that may be a relative path; Blender before 4.5 needs none.
 OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4, 5, 0) else {"SKIP_SAVE"}
 LONGEST_NAME = 200  # bytes; most systems allow 255
-DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\.|$)", re.IGNORECASE)  # on Windows, with any suffix
-NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # on at least one system
+DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\.|$)", re.IGNORECASE)  # on Windows, also with a suffix
+NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # characters that a system forbids
 
 
 def given_file(path: str) -> Path:

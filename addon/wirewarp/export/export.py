@@ -15,7 +15,7 @@ Stages = Generator[tuple[str, float], None, T]  # steps of the library: the stag
 
 
 Grain = Literal["one way", "both ways", "free"]
-GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}  # by setting
+GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FREE": "free"}  # keys: settings
 
 
 @dataclass(frozen=True)
@@ -23,7 +23,7 @@ class Cloth:
     """Fabric on which pieces are nested; lengths are in millimeters."""
 
     width: float
-    gap: float  # between pieces
+    gap: float  # space between pieces
     grain: Grain  # how pieces may be turned
 
 

@@ -70,7 +70,7 @@ def _joining(sides: dict[tuple[int, int], list[tuple[int, int]]], edge: tuple[in
     own = sides[edge]
     for first, second in zip(own[:-1], own[1:], strict=True):
         for a, b in zip(first, second, strict=True):
-            if a != b:  # the tip of a dart
+            if a != b:  # equal at the tip of a dart
                 yield min(a, b), max(a, b)
 
 

@@ -79,7 +79,7 @@ def _size_text(made: pattern.Pattern, width: float, height: float) -> str:
     return f"{width:.0f} × {height:.0f} mm{inches}"
 
 
-FAULTS = (ObjectError, FlattenError, OSError, RuntimeError)  # with a sentence for the user
+FAULTS = (ObjectError, FlattenError, OSError, RuntimeError)  # errors whose text is a sentence for the user
 
 
 class _Beforehand(NamedTuple):
@@ -111,7 +111,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
     failed_pieces: BoolProperty(name="Failed Pieces", description="Also export failed pieces, for inspection only")
     modes = WORKING_MODES
     refusal = "Select a model that has been flattened, or its flat pieces"
-    _has_dialog = False  # a script has no event
+    _has_dialog = False  # stays False in a script
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         if not self.filepath:

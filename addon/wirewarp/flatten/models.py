@@ -95,7 +95,7 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         if model.issue:
             raise ObjectError(model.issue)
         result = yield from flatten_arrays(library, model.arrays, choices, model.solved)
-        yield 1.0  # the rest is one step
+        yield 1.0  # the remaining work is one step
     except ObjectError as error:
         outcome = Outcome(model, failed_report(model, error.issue))
     else:

@@ -133,7 +133,7 @@ class Change:
 @dataclass(frozen=True)
 class Eased:
     changes: list[Change]
-    left_out: int  # edges
+    left_out: int  # number of ignored edges
 
 
 Planned = Callable[[], Eased]  # writes the change, and cannot fail

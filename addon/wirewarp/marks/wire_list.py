@@ -105,7 +105,7 @@ class MESH_OT_wirewarp_grain_wire(WireOperator, bpy.types.Operator):
 
     def act(self, target: bpy.types.Object) -> None:
         change_grain(target, self.edge)
-        target.data.update_tag()  # for Auto
+        target.data.update_tag()  # so that Auto notices the change
         hold_whole_file()
 
 

@@ -18,7 +18,7 @@ VIEW_SIZE = 800  # usual width or height of an object in pixels: dashes have the
 @dataclass(frozen=True)
 class LineStyle:
     label: str
-    color: tuple[float, float, float]  # as the screen shows it, sRGB
+    color: tuple[float, float, float]  # sRGB, as on the screen
     width: float  # pixels at interface scale 1
     dash: tuple[float, float] | None = None  # lengths of dash and gap in pixels; the gaps show a thin line
 
@@ -135,14 +135,14 @@ class LineEdges:
 class Name:
     """A text at a point of the surface."""
 
-    texts: tuple[str, ...]  # one is written: the first that fits
+    texts: tuple[str, ...]  # alternatives: the first text that fits is written
     places: np.ndarray  # (c,3) possible places, the best first
     normals: np.ndarray  # (c,3)
     reach: float  # distance from the best place to the farthest end of the named line
-    piece: int = 0  # piece whose room it needs
+    piece: int = 0  # piece on which the name needs room
     room: float = np.inf  # the square root of that piece's area; infinite on models
     around: np.ndarray | None = None  # (c,3) outermost points of the piece; the name is beside it if it does not fit
-    is_selected: bool = False  # a selected one is always written
+    is_selected: bool = False  # a name of selected edges is always written
 
 
 def lines_by_kind(lines: LineEdges) -> dict[str, np.ndarray]:
@@ -265,7 +265,7 @@ def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, ro
 
 
 SHARE = 0.25  # length of an arrow, as a share of the eased line
-LONGEST = 0.12  # as a share of the object's size
+LONGEST = 0.12  # greatest length of an arrow, as a share of the object's size
 BEYOND = (
     2.2  # distance from the edge to the middle of the text in lengths of the arrow, so that the text does not hide it
 )

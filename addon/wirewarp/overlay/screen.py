@@ -142,13 +142,13 @@ EVERYWHERE = (-np.inf, np.inf)
 class PlacedName(NamedTuple):
     """A name with its possible places, in pixels of the region."""
 
-    texts: tuple[str, ...]  # one is written: the first that fits
+    texts: tuple[str, ...]  # alternatives: the first text that fits is written
     points: np.ndarray  # (c,2) possible places, the best first
     reach: float  # as in Name, in pixels
-    owner: tuple[str, int]  # object and piece whose room it needs
-    room: float  # root of the area of that piece
+    owner: tuple[str, int]  # object and piece on which the name needs room
+    room: float  # square root of the area of the piece
     around: np.ndarray | None  # (c,2) outermost points of the piece; the name is beside it if it does not fit inside
-    is_selected: bool  # a selected one is always written
+    is_selected: bool  # a name of selected edges is always written
 
 
 def write_over(

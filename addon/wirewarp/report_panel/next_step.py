@@ -139,7 +139,7 @@ FAULTY_CODES = {
     "non_manifold_edge",
     "repeated_face",
     "repeated_vertex_in_face",
-}  # Check and Repair finds and fixes these
+}  # faults that Check and Repair finds and fixes
 OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_orientation": "NORMALS"}
 
 

@@ -83,7 +83,7 @@ def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
     following, vertex_of_side = _pair_sides(edges, positions).tolist(), edges.ravel().tolist()
     used = [False] * len(edges)
     open_ends = [side for side, next_side in enumerate(following) if next_side < 0]
-    first_sides = range(0, 2 * len(edges), 2)  # closed chains start anywhere
+    first_sides = range(0, 2 * len(edges), 2)  # for closed chains, which may start at any edge
     return [
         _walk(start, vertex_of_side, following, used) for start in [*open_ends, *first_sides] if not used[start // 2]
     ]

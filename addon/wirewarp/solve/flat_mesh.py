@@ -111,7 +111,7 @@ class FlatMesh:
     aspect_ratio: np.ndarray  # (f,) float32
     stretch: np.ndarray  # (f,) float32: 0.1 is fabric stretched by 10% on the model, as the mean of all directions
     length_variation: np.ndarray  # (e,) float32: 0.1 is an edge that is 10% off its target length
-    threads: "Threads | None"  # with a cloth
+    threads: "Threads | None"  # None without a fabric
     piece_areas: np.ndarray  # (n,) by index of the piece; below 0 for a flipped piece
 
 
@@ -271,9 +271,9 @@ def _edges(
     ends = loop_vertices, loop_vertices[following]
     low, high = np.minimum(*ends), np.maximum(*ends)
     first = np.empty(len(arrays.edges), dtype=np.int64)
-    first[source_edge] = np.arange(len(source_edge))  # any corner of each
+    first[source_edge] = np.arange(len(source_edge))  # any corner of each edge
     first = first[source_edge]
-    other = np.flatnonzero((low != low[first]) | (high != high[first]))  # along seams
+    other = np.flatnonzero((low != low[first]) | (high != high[first]))  # corners on the other side of seams
     _, rows, inverse = np.unique(
         np.column_stack([source_edge, low, high])[other], axis=0, return_index=True, return_inverse=True
     )

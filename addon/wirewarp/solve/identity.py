@@ -124,7 +124,7 @@ def _names_by(
     counts = np.array([np.bincount(piece_of_face[each.faces], minlength=len(faces_in_piece)) for each in regions])
     carried = 2 * counts > faces_in_piece  # (regions, pieces)
     pieces_in = carried.sum(axis=1)
-    carried[pieces_in == len(faces_in_piece)] = False  # a region of all pieces distinguishes none
+    carried[pieces_in == len(faces_in_piece)] = False  # a region that all pieces have does not distinguish them
     best = np.argmin(np.where(carried, pieces_in[:, None], len(faces_in_piece) + 1), axis=0)
     return [(piece, regions[best[piece]].name) for piece in np.flatnonzero(carried.any(axis=0)).tolist()]
 

@@ -39,7 +39,7 @@ class SewingStep:
 
     seam: str
     kind: StepKind
-    pieces: tuple[str, ...]  # each once
+    pieces: tuple[str, ...]  # names of the pieces, each once
     has_gap: bool  # an opening through which the work is turned; it is closed by hand at the end
 
 
@@ -54,7 +54,7 @@ class Written:
     sheets: int  # pages of a PDF; 1 for other files
     pieces: int
     off: float  # largest distance in millimeters of a point in the file from its place
-    warnings: list[str]  # sentences
+    warnings: list[str]  # sentences for the maker
 
     def __str__(self) -> str:
         what = f"{counted(self.pieces, 'piece')} on {counted(self.sheets, 'sheet')}"

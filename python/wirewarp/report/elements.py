@@ -21,7 +21,7 @@ class Elements:
     vertices: Indices = ()
     edges: EdgePairs = ()
     faces: Indices = ()
-    piece: int | None = None  # only in this piece
+    piece: int | None = None  # piece with the elements; None: any piece
     whole_piece: bool = False
 
 

@@ -145,7 +145,7 @@ class Piece:
     stretch: float | None  # see strain.py: the figure of the verdict; inf for a collapsed piece
     aspect_ratio_max: float | None
     stretch_max: float | None  # stretch of the worst face
-    stretch_faces: list[int]  # around the worst face
+    stretch_faces: list[int]  # faces around the worst face
     ease_max: float | None
     ease_faces: list[int]
     angle_deviation_rms: float | None
@@ -233,7 +233,7 @@ class Report:
     """The result of one model."""
 
     object: str = ""  # the model's name
-    meters: float = 1.0  # per unit of the model
+    meters: float = 1.0  # length of a unit of the model
     method: str = ""  # "" if nothing was flattened
     pieces: list[Piece] = field(default_factory=list)
     seams: list[Seam] = field(default_factory=list)

@@ -32,7 +32,7 @@ class ReportRow:
     name: str
     ok: bool
     sides: list[Side]
-    what: str | None = None  # for the button that selects it
+    what: str | None = None  # kind of entry for the button that selects it; None: no button
     index: int = 0
     note: str = ""  # pieces of a seam; place, tolerance and result of a wire
     seam_id: int = 0  # id by which the list of names finds the seam
@@ -53,7 +53,7 @@ class PieceRow:
     index: int
     name: str
     ok: bool
-    is_strained: bool  # lengths are kept, but the fabric, or without one some fabrics, cannot stretch as far
+    is_strained: bool  # see Piece.is_strained
     has_layout: bool
     area_3d: float | None
     area_2d: float | None

@@ -12,12 +12,12 @@ from .words import counted
 
 CLOSED_CODE = "closed_chart"
 ANY_LIMIT = 1.0  # no fabric stretches to twice its length
-NOT_KNOWN = Ways(across=None, along=None)  # maximum stretch
+NOT_KNOWN = Ways(across=None, along=None)  # unknown maximum stretch
 SHOWN_NAMES = 4
 
 
 class Level(StrEnum):
-    GOOD = "good"  # cut
+    GOOD = "good"  # the pieces can be cut
     CAUTION = "caution"  # read the sentence before you cut
     BAD = "bad"  # do not cut
 
@@ -83,7 +83,7 @@ def verdict(*reports: Report) -> Verdict:
     by_kind: dict[Kind, list[_Entry]] = {}
     for entry in entries:
         by_kind.setdefault(_kind_of(entry), []).append(entry)
-    if Kind.FAILED in by_kind and Kind.CLOSED in by_kind:  # the issues name the closed ones
+    if Kind.FAILED in by_kind and Kind.CLOSED in by_kind:  # the issues name the closed pieces
         by_kind[Kind.FAILED] += by_kind.pop(Kind.CLOSED)
     if Kind.NEEDS_STRETCH in by_kind:  # the sentence is about all pieces, which are cut from one fabric
         by_kind[Kind.NEEDS_STRETCH] += by_kind.pop(Kind.READY_FOR_ANY, [])

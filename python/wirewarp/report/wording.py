@@ -10,7 +10,7 @@ from .words import counted
 
 LESSER = 0.5  # from this share of the larger figure, the smaller of stretch and compression is mentioned, too
 NOT_FLATTENED = "Not flattened"
-BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # said once, after all pieces
+BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # written once, after all pieces
 EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"
 
 

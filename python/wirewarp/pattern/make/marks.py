@@ -36,7 +36,7 @@ def marks(
             if any(id(own.side) in closed for own in sides):
                 continue
             sewn = SewnLengths.of(sides)
-            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # a double notch
+            if any(own.side.piece in at_back for seam in group.turned for own in seams[seam]):  # double notches
                 doubled = [place + aside for place in places for aside in (-DOUBLE / 2, DOUBLE / 2)]
                 places = [place % sewn.whole for place in doubled] if is_ring else doubled
             for order, place in enumerate(place for place in places if 0 <= place < sewn.whole):

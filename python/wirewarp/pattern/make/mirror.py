@@ -12,7 +12,7 @@ from ..model import PatternPiece
 
 LEVEL = 1e-9  # rise of a unit vector: rounding must not decide which half of a piece with a level fold is drawn
 ALIKE = 0.1  # millimeters between a point and its image: less than the width of a printed line
-IN_PHASE = 1e-3  # share by which a match may be worse than the best one, because a piece may have several axes
+IN_PHASE = 1e-3  # share by which a match may be worse than the best match: a piece may have several axes
 
 
 @dataclass(frozen=True)

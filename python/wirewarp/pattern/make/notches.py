@@ -17,7 +17,7 @@ from .sections import Dart
 DEEPEST = 5.0  # millimeters
 SHARE = 0.5  # depth as a share of the allowance: notches never reach the stitching line
 ACROSS = 0.3  # depth as a share of the way across a piece without allowance: opposite notches do not meet
-NEXT_TO = 2e-3  # millimeters: beside a line, not on it
+NEXT_TO = 2e-3  # millimeters from a line to a point beside it
 LEAST_SPACING = 1.0  # millimeters
 MOST = 10_000  # notches along one seam
 CLEAR = 0.2  # share of the spacing: no notch is closer to another notch or to the end of the seam
@@ -118,11 +118,11 @@ def clips(loop: Sequence[Side], rays: Rays, stitching: Rays) -> list[Point]:
 def drill_hole(dart: Dart) -> Point:
     """Return the hole on the middle line of a dart, before its tip."""
     back = dart.mouth.mean(axis=0) - dart.tip
-    if dart.first.points.shape[0] > 2:  # curved legs: their direction at the tip
+    if dart.first.points.shape[0] > 2:  # for curved legs, use their direction at the tip
         back = (dart.first.points[-2] + dart.second.points[1]) / 2 - dart.tip
     length = np.linalg.norm(back)
     depth = float(np.linalg.norm(dart.mouth.mean(axis=0) - dart.tip))
-    if length < 1e-9:  # a closed slit: along it
+    if length < 1e-9:  # for a closed slit, go along the slit
         back, length = dart.first.points[-2] - dart.tip, np.linalg.norm(dart.first.points[-2] - dart.tip)
         depth = float(dart.first.along[-1])
     return Point("drill", dart.tip + back / length * min(DRILL_BACK, depth / 2), depth=DRILL)

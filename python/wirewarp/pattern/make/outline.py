@@ -38,7 +38,7 @@ class FlatPiece:
     vertices: np.ndarray  # (p,2) millimeters, y upwards
     source_vertex: np.ndarray  # (p,) vertices of the model
     outline: np.ndarray  # (b,2) vertices of the piece at both ends of each edge with one face, in the face's direction
-    chains: list[Chain]  # in the direction of these edges
+    chains: list[Chain]  # chains in the direction of the outline edges
     wires: list[FlatWire]
     grain: np.ndarray = field(default_factory=lambda: np.array([0.0, 1.0]))  # (2,) unit vector; upright, as laid out
 

@@ -95,7 +95,7 @@ class SewnLengths:
     @classmethod
     def of(cls, sides: Sequence[SewnSide]) -> "SewnLengths":
         lengths = [side.along for side in sides]
-        return cls(min(lengths, key=lambda along: round(float(along[-1]) / SAME_LENGTH)))  # the first of equal ones
+        return cls(min(lengths, key=lambda along: round(float(along[-1]) / SAME_LENGTH)))  # the first of equal lengths
 
     @property
     def whole(self) -> float:

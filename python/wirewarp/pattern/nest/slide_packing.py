@@ -107,7 +107,7 @@ class SlidePacking:
             taken = np.lib.stride_tricks.sliding_window_view(front, len(profile.low))
             y = (taken - profile.low).max(axis=1)
             end = np.round(y + profile.height, 1)
-            # in whole millimeters; the leftmost of equals
+            # compared in whole millimeters; of equal places, the leftmost counts
             wasted = np.round((y[:, None] + profile.low - taken).mean(axis=1))
             row = int(np.lexsort((wasted, end))[0])
             rank = (float(end[row]), float(wasted[row]))

@@ -12,12 +12,12 @@ from ..model import PatternPiece, Text
 
 
 class Look(NamedTuple):
-    layer: str  # in SVG and PDF
+    layer: str  # name of the layer in SVG and PDF
     color: str
     stroke: float  # millimeters
     dashes: tuple[float, ...]
-    dxf_layer: str  # in apparel DXF, ASTM D6673
-    dxf_color: int  # in plain DXF: AutoCAD's color index
+    dxf_layer: str  # layer of apparel DXF, by ASTM D6673
+    dxf_color: int  # AutoCAD's color index in plain DXF
     pen: int  # number of the pen of plotters
     label: str = ""  # in the key of lines; "" for lines without an entry
 
@@ -42,7 +42,7 @@ LOOKS = {
     "scale": Look("Scale", "#808080", 0.3, (), "8", 8, 3),
 }
 SHEET = Look("Sheets", "#909090", 0.3, (), "8", 8, 3)  # frames and marks of the sheets of a PDF
-WIRES = {"rigid": "rigid wire", "elastic": "elastic wire", "super_elastic": "free wire"}  # by Line.kind
+WIRES = {"rigid": "rigid wire", "elastic": "elastic wire", "super_elastic": "free wire"}  # keys: Line.kind
 LAYERS = tuple(dict.fromkeys(look.layer for look in LOOKS.values()))
 
 
@@ -67,7 +67,7 @@ def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
     for line in sorted(piece.lines, key=lambda line: (line.role == "cut", line.role == "inner_cut")):
         if line.role == "cut":
             break
-        if line.role == "sew" and line.width == 0:  # the cut line is the same
+        if line.role == "sew" and line.width == 0:  # the cutting line is in the same place
             continue
         role = WIRES[line.kind] if line.role == "wire" else line.role
         yield Stroke(role, line.points, line.closed, line.name)

@@ -28,14 +28,14 @@ P = TypeVar("P", bound=PatternData)
 class Sheet(Page):
     paper: np.ndarray  # (2,) width and height, margins included
     corner: np.ndarray  # (2,) place of `low` on the paper
-    pieces: Sequence[int]  # indices of the pieces on it
+    pieces: Sequence[int]  # indices of the pieces on the sheet
     marks: Callable[[], list[Marks]]  # called only when they are drawn
     is_clipped: bool = False  # the drawing is clipped to the shown part
 
 
 @dataclass(frozen=True)
 class Plan(Generic[P]):
-    pattern: P  # in its places on the sheets
+    pattern: P  # pieces in their places on the sheets
     sheets: list[Sheet]
     layers: tuple[str, ...] = ()  # layers of the file besides the layers of the pieces
     hidden: tuple[str, ...] = ()  # layers that are shown only on request

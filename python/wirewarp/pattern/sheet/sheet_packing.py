@@ -83,7 +83,7 @@ def _placed(
     """
     width = columns * per_sheet[0] + 1
     taken = np.zeros((width, 0), dtype=bool)  # cells of placed pieces
-    used = np.zeros((columns, 0), dtype=bool)  # sheets
+    used = np.zeros((columns, 0), dtype=bool)  # sheets with pieces
     corners, turns = [], []
     for turned in shapes:
         tallest = max(shape.cells.shape[1] for shape in turned)

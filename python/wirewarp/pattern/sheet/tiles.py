@@ -27,7 +27,7 @@ P = TypeVar("P", bound=PatternData)
 
 @dataclass(frozen=True)
 class Tile:
-    row: int  # from the top
+    row: int  # number of the row from the top
     column: int
     low: np.ndarray  # (2,) lower left corner of the shown part
 
