@@ -11,8 +11,7 @@ has the length of cuts for smaller bounds. Environment: as for compare_cuts.py, 
 import argparse
 import json
 import os
-from collections.abc import Callable
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from statistics import median
 
@@ -30,36 +29,36 @@ BOUNDS = (BOUND, 4.05, 4.02, 4.005)
 
 
 @dataclass(frozen=True)
-class Energies:
-    """Energies with cuts of OptCuts. The least one is found by moving the vertices inside; the outlines stay exact."""
+class Flat:
+    """A flattening along cuts of OptCuts, with exact lengths or with elastic seams."""
 
-    exact: float
-    least: float
-    elastic: float
-    elastic_least: float
+    energy: float
+    least: float  # energy after the vertices inside have moved for it; the outlines are the same
+    overlaps: bool  # a piece overlaps itself
 
 
-def energies(shape: Path) -> Energies | None:
-    """Return the energies, or None if a piece overlaps itself."""
+def flatten(shape: Path) -> list[Flat | None]:
+    """Return the flattening with exact lengths and the one with elastic seams, or None for no flat shape."""
     vertices, faces = read_obj(shape)
     cuts, _, _ = cuts_of(faces, read_corner_uv(shape))
-    found = []
+    found: list[Flat | None] = []
     for wires in ([], [wirewarp.Wire(edge, tolerance=TOLERANCE) for edge in cuts]):
         flat = wirewarp.flatten(vertices, faces, seams=cuts, wires=wires)
-        if any(piece.error for piece in flat.pieces):
-            return None
-        for corner_uv in (flat.corner_uv, least_energy(vertices, faces, flat.corner_uv)):
-            found.append(measure_cuts(vertices, faces, corner_uv).energy)
-    return Energies(*found)
+        faults = {piece.error.code for piece in flat.pieces if piece.error}
+        if faults - {wirewarp.ErrorCode.overlapping_faces}:
+            found.append(None)
+            continue
+        both = (flat.corner_uv, least_energy(vertices, faces, flat.corner_uv))
+        energies = [measure_cuts(vertices, faces, corner_uv).energy for corner_uv in both]
+        found.append(Flat(*energies, bool(faults)))
+    return found
 
 
-def kept_energies(shape: Path) -> Energies | None:
-    kept = shape.with_suffix(".energies.json")
+def kept_flat(shape: Path) -> list[Flat | None]:
+    kept = shape.with_suffix(".flat.json")
     if not kept.exists():
-        found = energies(shape)
-        kept.write_text(json.dumps(found and asdict(found)), encoding="utf-8")
-    stored = json.loads(kept.read_text())
-    return stored and Energies(**stored)
+        kept.write_text(json.dumps([flat and asdict(flat) for flat in flatten(shape)]), encoding="utf-8")
+    return [flat and Flat(**flat) for flat in json.loads(kept.read_text())]
 
 
 class Runs:
@@ -77,17 +76,22 @@ class Runs:
     def peer(self, mesh: Path, bound: float) -> CutFigures | None:
         return theirs(mesh, self.results, self.program, bound).figures
 
-    def energies(self, mesh: Path, bound: float) -> Energies | None:
-        return kept_energies(folder_of(self.results, bound) / mesh.name)
+    def flat(self, mesh: Path, bound: float) -> list[Flat | None]:
+        return kept_flat(folder_of(self.results, bound) / mesh.name)
 
-    def exact_length(self, mesh: Path, read: Callable[[Energies], float]) -> float | None:
-        """Return the length of OptCuts' shortest cuts with this energy below BOUND."""
+    def lengths_within(self, mesh: Path) -> list[float | None]:
+        """Return the length of OptCuts' shortest cuts that keep Flat.least below BOUND without overlaps: with exact
+        lengths, and with elastic seams.
+        """
+        found: list[float | None] = [None, None]
         for bound in TIGHTER:
-            figures = self.peer(mesh, bound)
-            found = figures and self.energies(mesh, bound)
-            if found and read(found) <= BOUND:
-                return figures.length
-        return None
+            peer = self.peer(mesh, bound)
+            for i, flat in enumerate(self.flat(mesh, bound) if peer else []):
+                if found[i] is None and flat and not flat.overlaps and flat.least <= BOUND:
+                    found[i] = peer.length
+            if None not in found:
+                break
+        return found
 
 
 def shown(value: float | None, decimals: int) -> str:
@@ -105,26 +109,17 @@ def prices(meshes: list[Path], runs: Runs) -> list[str]:
         peer = runs.peer(mesh, BOUND)
         if not peer:
             continue
-        found = runs.energies(mesh, BOUND)
-        lengths = [
-            runs.exact_length(mesh, lambda each: each.exact),
-            runs.exact_length(mesh, lambda each: each.least),
-            runs.lengths(mesh, BOUND)[1],
-        ]
-        names.append(mesh.stem)
-        columns.append(
-            [
-                peer.energy,
-                *(asdict(found).values() if found else [None] * len(fields(Energies))),
-                *(length and length / peer.length for length in lengths),
-            ]
-        )
+        flat = runs.flat(mesh, BOUND)
+        energies = [value for each in flat for value in ((each.energy, each.least) if each else (None, None))]
+        lengths = [*runs.lengths_within(mesh), runs.lengths(mesh, BOUND)[1]]
+        names.append(mesh.stem + (", overlaps" if flat[0] and flat[0].overlaps else ""))
+        columns.append([peer.energy, *energies, *(length and length / peer.length for length in lengths)])
         print(names[-1], columns[-1], flush=True)
     decimals = [3] * 5 + [2] * 3
     rows = [[name, *map(shown, values, decimals)] for name, values in zip(names, columns, strict=True)]
     rows.append(["**median**", *map(middle, map(list, zip(*columns, strict=True)), decimals)])
     elastic = f"±{100 * TOLERANCE:.0f}%"
-    return table(["mesh", "OptCuts", "exact", "least", elastic, "least", "exact", "least", "ours"], rows)
+    return table(["mesh", "OptCuts", "exact", "least", elastic, "least", "exact", elastic, "ours"], rows)
 
 
 def lengths_for_bounds(meshes: list[Path], runs: Runs) -> list[str]:
