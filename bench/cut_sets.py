@@ -65,13 +65,17 @@ def num_bends(vertices: np.ndarray, edges: np.ndarray) -> int:
     return count
 
 
-def measure(name: str, mesh: Mesh) -> list[str]:
-    vertices, faces = mesh
+def best_set(mesh: Mesh) -> tuple[wirewarp.DartProposal, float]:
+    """Return the set, and the seconds of processor time that the search took."""
     begin = time.process_time()
-    sets = wirewarp.propose_seams(vertices, faces)
+    sets = wirewarp.propose_seams(*mesh)
     seconds = time.process_time() - begin
     soft = [each for each in sets if each.strain <= SOFT]
-    best = min(soft, key=lambda each: each.num_pieces) if soft else min(sets, key=lambda each: each.strain)
+    return min(soft, key=lambda each: each.num_pieces) if soft else min(sets, key=lambda each: each.strain), seconds
+
+
+def row(name: str, mesh: Mesh, best: wirewarp.DartProposal, seconds: float) -> list[str]:
+    vertices, faces = mesh
     points = vertices[faces]
     area = np.linalg.norm(np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]), axis=1).sum() / 2
     pieces = wirewarp.flatten(vertices, faces, seams=best.edges).pieces
@@ -95,7 +99,8 @@ def measure(name: str, mesh: Mesh) -> list[str]:
 def main() -> None:
     rows = []
     for path in map(Path, sys.argv[1:]):
-        rows.append(measure(path.stem, read_obj(path)))
+        mesh = read_obj(path)
+        rows.append(row(path.stem, mesh, *best_set(mesh)))
         print(" ".join(rows[-1]), flush=True)
     print("\n".join(table(HEAD, rows)))
 

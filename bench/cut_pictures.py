@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws the sets of seams that are proposed for the toys of toys.py, and prints a table row for each:
+
+PYTHONPATH=results:blend_samples python bench/cut_pictures.py FOLDER [NAME...]
+
+The set is the one of cut_sets.py. A picture has the model from the front and from the back, and the pieces at the scale
+of the model. Pieces without room for their allowances are darker.
+"""
+
+import sys
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import wirewarp
+from arrange import arrange
+from cut_sets import ALLOWANCE, HEAD, HEIGHT, best_set, row
+from matplotlib.collections import LineCollection, PolyCollection
+from mesh_files import Mesh
+from model_view import draw_model, frame
+from palette import CLOTH, INK, use_style
+from save_picture import save
+from shapes import Shape
+from tables import table
+from toys import toys
+from wirewarp.pattern import has_room
+
+VIEWS = ((30, 15), (210, 15))  # degrees: rotation and tilt
+SIZE = (7.2, 2.4)  # inches
+TOO_NARROW = "#e3b9a0"
+
+
+def draw(path: Path, mesh: Mesh, seams: np.ndarray) -> None:
+    vertices, faces = mesh
+    flat = wirewarp.flatten(vertices, faces, seams=seams)
+    shape = Shape(path.stem, vertices, [tuple(face) for face in faces.tolist()], seams)
+    figure, panels = plt.subplots(1, 3, figsize=SIZE, width_ratios=(1, 1, 1.6), layout="constrained")
+    for axes, view in zip(panels, VIEWS, strict=False):
+        draw_model(axes, shape, *view)
+    arrangement = arrange(vertices, [flat], aspect=1.6)
+    smallest = ALLOWANCE * float(np.ptp(vertices, axis=0).max()) / HEIGHT
+    for piece, uv in zip(flat.pieces, arrangement.positions(0), strict=True):
+        color = CLOTH if has_room(piece, smallest) else TOO_NARROW
+        panels[2].add_collection(PolyCollection(uv[piece.faces], facecolors=color, edgecolors=color, linewidths=0.3))
+        panels[2].add_collection(LineCollection(uv[outline_sides(piece)], colors=INK, linewidths=0.8, capstyle="round"))
+    frame(panels[2], np.zeros(2), arrangement.size)
+    save(figure, path)
+
+
+def outline_sides(piece: wirewarp.Piece) -> np.ndarray:
+    sides = np.sort(np.concatenate([piece.faces[:, [k, k - 1]] for k in range(3)]), axis=1)
+    edges, count = np.unique(sides, axis=0, return_counts=True)
+    return edges[count == 1]
+
+
+def main() -> None:
+    use_style()
+    folder, names = Path(sys.argv[1]), sys.argv[2:]
+    folder.mkdir(parents=True, exist_ok=True)
+    rows = []
+    for name, mesh in toys().items():
+        if not names or name in names:
+            best, seconds = best_set(mesh)
+            rows.append(row(name, mesh, best, seconds))
+            print(" ".join(rows[-1]), flush=True)
+            draw(folder / f"{name}.png", mesh, best.edges)
+    print("\n".join(table(HEAD, rows)))
+
+
+if __name__ == "__main__":
+    main()
