@@ -95,7 +95,7 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
     now, then = signed_areas(pieces.vertices, outline_of(pieces)), np.array(record.areas)
     size = float(np.abs(pieces.vertices).max(initial=0))
     if len(now) != len(then) or np.any(np.abs(now - then) > np.abs(then) + PLACE_ERROR * size**2):
-        return False  # mirrored, the difference is twice the area
+        return False  # a mirrored piece differs by twice its area
     difference = np.abs(edge_lengths(pieces.vertices, pieces.edges) - laid_out)
     return bool(np.all(difference <= LENGTH_ERROR * laid_out + PLACE_ERROR * size))
 

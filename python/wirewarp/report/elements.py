@@ -16,7 +16,7 @@ EdgePairs = Sequence[tuple[int, int]] | np.ndarray  # (k,2) vertices
 
 @dataclass(frozen=True)
 class Elements:
-    """Elements of a mesh; an entry about a whole piece has none."""
+    """Elements of a mesh. They are empty for an entry about a whole piece."""
 
     vertices: Indices = ()
     edges: EdgePairs = ()
