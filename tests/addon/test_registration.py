@@ -104,6 +104,8 @@ def test_the_panels_of_the_sidebar_come_in_the_order_of_the_work(addon):
     first = "Flatten, Settings, Advanced, Suggestions, Export, Mark, Pieces, Wires, Report"
     own = [cls.bl_label for cls in panels if getattr(cls, "bl_parent_id", "") != "VIEW3D_PT_wirewarp_report"]
     assert own == [*first.split(", "), "Overlay", "Overlay"]  # the last in the UV Editor
+    # A panel that comes and goes is part of another one, because Blender keeps the order of appearance.
+    assert addon.suggest.panel.VIEW3D_PT_wirewarp_suggestions.bl_parent_id == "VIEW3D_PT_wirewarp_flatten"
 
 
 def test_every_operator_and_its_properties_have_tooltips(addon):

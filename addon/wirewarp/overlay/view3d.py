@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws in a 3D view and in a UV editor: surfaces and lines, with names and legend over them."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
+import bmesh
 import bpy
 import gpu
 import numpy as np
-from mathutils import Matrix
+from mathutils import Matrix, Vector
+from mathutils.bvhtree import BVHTree
 
+from ..state.memory import kept
 from ..state.owners import model_of
 from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
 from .screen import MAX_NAMES, PlacedName, write_over
@@ -21,6 +24,7 @@ NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
 # difference in depth that shows, as a share of the distance.
 DEPTH_STEP = 2 / 2**24
 HIDDEN_BY = 0.005  # share of the distance from the eye: a surface closer to a place does not hide it
+EDITED_LIMIT = 20_000  # faces; in Edit Mode, names show through larger models, because each change reads all faces
 MOST_APART = 8.0  # largest factor of _apart, because lines on the back of a cushion must stay hidden
 
 
@@ -127,10 +131,10 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
 
 
 def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bool:
-    """Return whether the model can hide parts of itself; unknown in Edit Mode, which has no evaluated surface."""
+    """Return whether the model can hide parts of itself."""
     shading = context.space_data.shading
     is_solid = shading.type != "WIREFRAME" and not shading.show_xray
-    return is_solid and target.mode == "OBJECT" and model_of(target) is None
+    return is_solid and target.mode in {"OBJECT", "EDIT"} and model_of(target) is None
 
 
 def _are_behind(
@@ -140,7 +144,7 @@ def _are_behind(
 
     toward_eye: directions from the places to the eye.
     """
-    surface, inverse = target.evaluated_get(context.view_layer.depsgraph), target.matrix_world.inverted_safe()
+    is_met, inverse = _rays(context, target), target.matrix_world.inverted_safe()
     if context.region_data.is_perspective:
         eyes = np.tile(context.region_data.view_matrix.inverted_safe().translation, (len(places), 1))
     else:
@@ -150,11 +154,30 @@ def _are_behind(
     lengths = np.linalg.norm(ends - begins, axis=1)
     try:
         return np.array([
-            length > 0 and surface.ray_cast(begin, (end - begin) / length, distance=(1 - HIDDEN_BY) * length)[0]
+            length > 0 and is_met(begin, (end - begin) / length, (1 - HIDDEN_BY) * length)
             for begin, end, length in zip(begins.tolist(), ends, lengths.tolist(), strict=True)
         ], dtype=bool)  # fmt: skip
     except RuntimeError:  # after undo Blender draws once before it has evaluated the object
         return np.zeros(len(places), dtype=bool)
+
+
+def _rays(
+    context: bpy.types.Context, target: bpy.types.Object
+) -> Callable[[Sequence[float], Sequence[float], float], bool]:
+    """Return a test of whether a ray from a point in a direction meets the surface within a distance."""
+    if target.mode == "EDIT":  # the evaluated surface is that before Edit Mode
+        tree = kept(target.data, "faces to hide names", _edited_faces)
+        return lambda begin, along, most: tree.ray_cast(Vector(begin), Vector(along), most)[0] is not None
+    surface = target.evaluated_get(context.view_layer.depsgraph)
+    return lambda begin, along, most: surface.ray_cast(begin, along, distance=most)[0]
+
+
+def _edited_faces(mesh: bpy.types.Mesh) -> BVHTree:
+    """Return the faces of a mesh in Edit Mode; none if there are too many, or if some are hidden."""
+    edit = bmesh.from_edit_mesh(mesh)
+    if len(edit.faces) > EDITED_LIMIT or any(face.hide for face in edit.faces):
+        return BVHTree.FromPolygons([], [])
+    return BVHTree.FromBMesh(edit)
 
 
 def _chosen_piece(target: bpy.types.Object) -> int | None:

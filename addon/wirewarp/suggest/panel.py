@@ -63,6 +63,7 @@ def draw_simplify(layout: bpy.types.UILayout, settings: TargetSettings) -> None:
 
 class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
     bl_label = "Suggestions"
+    bl_parent_id = "VIEW3D_PT_wirewarp_flatten"  # otherwise Blender shows it below a panel that appeared after it
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
