@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The present result survives failed runs, and is distinguished from look-alikes."""
 
+from itertools import count
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
@@ -80,6 +83,24 @@ def test_after_undo_of_a_run_the_failure_before_it_is_the_last_result(source, ad
     assert not last(source).ok
     source["wirewarp_report"] = later
     assert last(source).ok
+
+
+def test_the_panel_does_not_say_that_the_model_changed_right_after_a_run(source, addon, monkeypatch):
+    """Slow answers are kept for a while. Every reading of this clock takes a tenth of a second."""
+    ticks = count()
+    monkeypatch.setattr(addon.state.drawings, "time", SimpleNamespace(monotonic=lambda: next(ticks) / 10))
+    addon.state.drawings.forget()
+
+    def has_changed():
+        return addon.ui.settings.has_changed_since(source, addon.state.reports.last_report(source))
+
+    assert not has_changed()
+    source.data.vertices[0].co.z += 0.1
+    source.data.update()
+    bpy.context.view_layer.update()
+    assert any(has_changed() for _ in range(50))
+    bpy.ops.object.wirewarp_flatten()
+    assert not has_changed()
 
 
 def test_a_piece_renamed_during_a_run_keeps_its_new_name(source, addon):

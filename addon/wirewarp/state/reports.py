@@ -18,11 +18,14 @@ from ..solve.report import ObjectReport, failure_report
 from .identities import piece_names, present_names, seam_names
 from .memory import all_states, note, state_of
 
+HAS_CHANGED = "has changed"  # the kept answer for the panel: an answer about an earlier report must not be shown
+
 
 def store(source: bpy.types.Object, report: ObjectReport) -> None:
     """Keeps the report of a run that wrote results."""
     note(source)
     text = json.dumps(to_dict(report))
+    state_of(source).drawings.pop(HAS_CHANGED, None)
     source[REPORT], source[REPORT_SEAL] = text, digest(text)
 
 
@@ -31,6 +34,7 @@ def remember(source: bpy.types.Object, report: ObjectReport) -> None:
     note(source)
     state = state_of(source)
     state.failure, state.failed_after = report, source.get(REPORT)
+    state.drawings.pop(HAS_CHANGED, None)
 
 
 def last_report(source: bpy.types.Object) -> ObjectReport | None:

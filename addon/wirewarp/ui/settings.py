@@ -14,7 +14,7 @@ from ..state.drawings import Same, kept_drawing
 from ..state.flat_pieces import no_pieces_sentence
 from ..state.memory import stamp
 from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
-from ..state.reports import last_report
+from ..state.reports import HAS_CHANGED, last_report
 from ..state.settings import PARTS, SETTINGS, FlattenChoices, FlattenSettings, choices_of
 from ..state.suggestions import Suggestions
 
@@ -50,7 +50,7 @@ def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:
     """
     place = source.mode, source.visible_get(), source.matrix_world.copy()
     seen = stamp(source), stamp(source.data), place, Same(report)
-    return kept_drawing(source, "has changed", seen, lambda: has_changed(source, report.model_state))
+    return kept_drawing(source, HAS_CHANGED, seen, lambda: has_changed(source, report.model_state))
 
 
 def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
