@@ -12,6 +12,8 @@ from surfaces import bump, grid, mark_seam, on_line, read, select_edges
 
 current = wirewarp_addon.state.suggestions.current_suggestions
 
+MARK = "bpy.ops.object.wirewarp_mend(what='SUGGESTION'"  # Mark and Flatten, also Clear and Flatten
+
 
 def seam_count() -> int:
     return int(read(bpy.data.objects["Bump"].data.edges, "use_seam", bool).sum())
@@ -36,7 +38,7 @@ def take_and_undo(source: bpy.types.Object, picture: str) -> drive.Tour:
     assert contents(source) == before
     found = current(source)
     edges = found.cuts[found.chosen].edges
-    yield from drive.click_button("bpy.ops.object.wirewarp_mend(")
+    yield from drive.click_button(MARK)
     yield lambda: seam_count() == len(edges) and not window_run.is_running()
     assert current(bpy.data.objects["Bump"]) is None
     yield from undo()
@@ -60,7 +62,7 @@ def a_smooth_dart_is_cut_and_undone_with_one_click_each() -> drive.Tour:
     wirewarp_addon.state.suggestions.choose(source, smooth)
     yield from drive.ticks(10)
     drive.screenshot("smooth_suggestion")
-    yield from drive.click_button("bpy.ops.object.wirewarp_mend(")
+    yield from drive.click_button(MARK)
     yield lambda: len(source.data.vertices) > 13 * 13 and not window_run.is_running()
     drive.screenshot("smooth")
     cut = contents(source)
@@ -98,7 +100,7 @@ def seams_are_simplified_and_undone_with_one_click_each() -> drive.Tour:
     assert contents(source) == before
     found = current(source)
     cleared = found.cuts[found.chosen].cleared
-    yield from drive.click_button("bpy.ops.object.wirewarp_mend(")
+    yield from drive.click_button(MARK)
     yield lambda: seam_count() == count - len(cleared) and not window_run.is_running()
     yield from undo()
     yield lambda: contents(bpy.data.objects["Bump"]) == before
