@@ -30,7 +30,7 @@ constexpr double kMostTrials = 30;          // number of trials with fewer wires
 constexpr std::size_t kFewWires = 8;  // up to 8 wires get individual tolerances; more wires share one, which is faster
                                       // to find and to type
 /// No tolerance is tried on more wires than this, because a trial on n wires solves dense problems of size n in n³
-/// operations: one on 569 wires costs as much as 23 on 200. Nets of 168 wires get one tolerance of 5%.
+/// operations: a trial on 569 wires costs as much as 23 trials on 200. Nets of 168 wires get one tolerance of 5%.
 constexpr std::size_t kMostElasticWires = 200;
 
 /// Tolerances to try, 0.1% to 50%: each is 1.3 to 2 times the one before.

@@ -25,8 +25,8 @@ std::vector<int> free_parts(const NewtonState& state) {
   return free;
 }
 
-/// Returns the force of the wires at each vertex, rotated by 90 degrees. At a saddle the way down may break a symmetry
-/// that the gradient has; these forces break it, too.
+/// Returns the force of the wires at each vertex, rotated by 90 degrees. At a saddle, the direction of descent may
+/// break a symmetry of the gradient. The rotated forces break this symmetry, too.
 Positions2 forces_across_symmetry(const NewtonState& state) {
   Positions2 tension = Positions2::Zero(state.now.uv.rows(), 2), turned(tension.rows(), 2);
   state.constraints.add_transposed(state.system->directions(), state.multipliers, tension);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part that all stages of a coupled group, usually of one chart, have in common: from the shapes of the previous
-// stage, it solves for all shapes and the common lengths of elastic seams at once (newton/refine_coupled.h).
+// Solves a coupled group, usually of one chart, in any stage: from the shapes of the previous stage, finds all shapes
+// and the common lengths of elastic seams at once (newton/refine_coupled.h).
 //
-// It fails if no common lengths are found, or if a chart becomes flipped or overlaps itself although all charts were
+// This fails if no common lengths are found, or if a chart becomes flipped or overlaps itself although all charts were
 // good before, because good pieces matter more than less distortion. Then the stages solve each chart alone, with its
 // elastic seams fixed at h = ease.
 #pragma once

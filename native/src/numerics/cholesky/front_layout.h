@@ -25,8 +25,8 @@ struct Front {
   int first_entry;        // in FrontLayout::entries; the next front's value is the end
   int first_child;        // in FrontLayout::children
   int first_row;          // in FrontLayout::rows_in_parent
-  std::size_t panel = 0;  // first tile, among all panels
-  std::size_t schur = 0;  // first tile, in the space for Schur complements
+  std::size_t panel = 0;  // index of the first tile among all panels
+  std::size_t schur = 0;  // index of the first tile in the space for Schur complements
 
   /// Returns the approximate number of tile multiplications that the front's elimination takes.
   double work() const {

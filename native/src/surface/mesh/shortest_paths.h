@@ -30,7 +30,7 @@ ShortestPaths shortest_paths(const HalfEdgeMesh& mesh, const std::vector<VertexH
 /// Returns the half-edges from a source to a vertex, last one first.
 std::vector<HalfedgeHandle> path_back(const HalfEdgeMesh& mesh, const ShortestPaths& paths, VertexHandle v);
 
-/// Returns the vertex with the longest path, the first of several. Vertices without a path do not count.
+/// Returns the vertex with the longest path, or the first such vertex. Vertices without a path do not count.
 VertexHandle farthest_vertex(const ShortestPaths& paths);
 
 std::vector<VertexHandle> boundary_vertices(const HalfEdgeMesh& mesh);
