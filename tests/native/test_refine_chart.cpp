@@ -39,10 +39,10 @@ TEST(RefineChart, CountsStartsThatFail) {
 TEST(RefineChart, AnInjectiveShapeIsFoundWithAndWithoutFixingFolds) {
   const Charts charts = test::charts_of(test::quarter_sphere(8));
   InternalOptions options;
-  for (const bool mends_folds : {true, false}) {
-    options.mends_folds = mends_folds;
+  for (const bool makes_injective : {true, false}) {
+    options.makes_injective = makes_injective;
     Budget budget(options.max_factorizations);
-    EXPECT_TRUE(refine_injective(charts.charts.at(0), options, {budget})) << mends_folds;
+    EXPECT_TRUE(refine_injective(charts.charts.at(0), options, {budget})) << makes_injective;
   }
 }
 

@@ -7,24 +7,24 @@
 
 namespace wirewarp {
 
-/// When the refined method ends.
+/// The point at which the refined method ends.
 enum class Target {
-  minimum,  // when another step would not gain anything worthwhile
-  rough,    // when another step would gain little; the result is a start for others and gives their direction
-  /// After the first descending Newton step; the result is a start for others. Going on takes a sixth more
-  /// factorizations.
+  minimum,  // when another step would gain nothing worthwhile
+  rough,    // when another step would gain little; the result is a start and determines the direction
+  /// After the first Newton step that decreases f; the result is a start. To continue would take a sixth more
+  /// factorizations in all.
   newton_step,
 };
 
-/// Options that users do not have. Tests use them to reach with small input what otherwise only large input reaches,
-/// and the search for cuts uses them to compute shapes only.
+/// Options that users do not have. With them, tests with small input run code that otherwise only large input runs, and
+/// the search for cuts computes shapes only.
 struct InternalOptions : Options {
   InternalOptions(const Options& options = {}) : Options(options) {}  // NOLINT(google-explicit-constructor)
 
-  std::size_t large_chart = 8'000;  // number of faces from which a coarse start saves more time than it costs
-  bool with_proposals = true;       // searches for fixes of a piece that fails, which takes far longer than the run
+  std::size_t large_chart = 8'000;  // number of faces from which on a coarse start saves time
+  bool with_proposals = true;  // whether to search for fixes of a failed piece, which takes far longer than the run
 
-  bool mends_folds = true;  // searches for another shape if one is flipped or overlaps itself
+  bool makes_injective = true;  // whether to search for an injective shape if a shape is flipped or overlaps itself
   Target target = Target::minimum;
 };
 

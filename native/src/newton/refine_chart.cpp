@@ -65,7 +65,7 @@ Solution refine_chart(Problem& problem, const InternalOptions& options, const Co
   if (!found.is_exact()) {
     found = try_starts(problem, stage, problem.chart().mesh.n_faces() >= options.large_chart, control);
   }
-  if (options.mends_folds) make_injective(problem, stage, control, found);
+  if (options.makes_injective) make_injective(problem, stage, control, found);
   return found;
 }
 

@@ -16,17 +16,17 @@ namespace {
 
 constexpr double kHasNoFlatShape = std::numeric_limits<double>::infinity();
 
-/// Good cuts take 3 to 8 factorizations. Pieces that take many have wires that almost contradict one another.
+/// Good cuts take 3 to 8 factorizations. Pieces with more have wires that almost contradict one another.
 constexpr int kMaxFactorizations = 20;
 
-/// Cut pieces start from the uncut shape if its energy over its area is below this value: that takes half the time of
-/// refine_chart()'s starts. On a hat (0.04) and a cushion (0.26), this start leads to folds in every third evaluation.
-/// On seven panels of garments (0.0006 to 0.01), it leads to folds in no evaluation of the best cuts.
+/// Cut pieces start from the uncut shape if its energy over its area is below this value, which takes half the time of
+/// refine_chart(). On a hat (0.04) and a cushion (0.26), this start leads to folds in every third evaluation. On seven
+/// panels of garments (0.0006 to 0.01), it leads to no folds for the best cuts.
 constexpr double kNearFlat = 0.02;
 
 InternalOptions brief(InternalOptions options) {
   options.max_factorizations = kMaxFactorizations;
-  options.mends_folds = false;  // a cut that folds the piece is bad, and fixing folds takes as long as ten cuts
+  options.makes_injective = false;  // a cut that folds the piece is bad, and fixing folds takes as long as ten cuts
   options.target = Target::rough;
   options.cloth.reset();  // a fabric takes about twice as long, and exact evaluations follow
   return options;
@@ -37,7 +37,7 @@ double energy_of(const Chart& piece, const Solution& found) {
   return lies_flat ? ShapeError(piece).energy(found.shape.uv) : kHasNoFlatShape;
 }
 
-/// Starts from the shape of the whole chart without forces in the wires, so that the first step opens the cut.
+/// Starts from the shape of the whole chart without multipliers, so that the first step opens the cut.
 Solution refine_from(const Positions2& whole, const Chart& piece, const InternalOptions& options,
                      const StopToken& stop) {
   const Problem problem(piece, options.fairness);

@@ -79,7 +79,7 @@ bool has_eases(const FlattenInput& input) {
 
 InternalOptions without_long_runs(InternalOptions options) {
   options.max_factorizations = std::min(options.max_factorizations, kMergeFactorizations);
-  options.mends_folds = false;
+  options.makes_injective = false;
   return options;
 }
 

@@ -100,7 +100,7 @@ class StretchedGroup {
     set_stretched_lengths(group_[k], stretched);
     InternalOptions options = run_.options;
     options.cloth.reset();
-    options.mends_folds = false;
+    options.makes_injective = false;
     Problem problem(stretched, options.fairness);
     Solution found = refine_chart(problem, options, {budget, stop_});
     if (!found.is_exact()) return std::nullopt;
