@@ -84,11 +84,11 @@ def test_progress_is_reported_and_can_cancel():
         (propose_darts, {"strain": -1.0}, "strain is -1"),
         (propose_darts, {"longest": 0.0}, "longest is 0"),
         (propose_darts, {"piece": 1}, "piece is 1"),
-        (propose_seams, {"no_seam": [[0, 9999]]}, "with the pair 0, 9999: it must hold edges of the mesh"),
+        (propose_seams, {"no_seam": [[0, 9999]]}, "with the pair 0, 9999: it must contain edges of the mesh only"),
         (
             propose_darts,
             {"no_crossing": [[0, 9999]]},
-            "no_crossing is a list with the pair 0, 9999: it must hold edges",
+            "no_crossing is a list with the pair 0, 9999: it must contain edges",
         ),
         (plan_cuts, {"kind": "zip"}, "it must be dart or seam"),
         (plan_cuts, {"most": 0}, "option most is 0: it must be at least 1"),

@@ -346,9 +346,9 @@ TEST(ProposeCuts, RefuseOptionsOutOfRange) {
   cut_options = {};
   for (const int other : {24, 25}) {  // the opposite corner, and a vertex that does not exist
     cut_options.no_seam = (VertexPairs(1, 2) << 0, other).finished();
-    EXPECT_EQ(
-        refusal(hill(4), cut_options, ErrorCode::invalid_option),
-        "The option no_seam is a list with the pair 0, " + std::to_string(other) + ": it must hold edges of the mesh.");
+    EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option),
+              "The option no_seam is a list with the pair 0, " + std::to_string(other) +
+                  ": it must contain edges of the mesh only.");
   }
 }
 

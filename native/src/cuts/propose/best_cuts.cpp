@@ -156,7 +156,7 @@ void check_edges(const std::string& name, const VertexPairs& pairs, const Flatte
     const bool are_vertices = ends.minCoeff() >= 0 && ends.maxCoeff() < input.vertices.rows();
     if (are_vertices && edges.find(ends[0], ends[1]) >= 0) continue;
     throw wrong_option(name, "a list with the pair " + std::to_string(ends[0]) + ", " + std::to_string(ends[1]),
-                       "hold edges of the mesh");
+                       "contain edges of the mesh only");
   }
 }
 
