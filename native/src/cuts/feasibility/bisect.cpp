@@ -15,7 +15,7 @@ namespace {
 
 using Sides = std::vector<char>;  // 0 or 1 per face
 
-/// Cost of a border along each edge: its length in scene units; infinite if the edge is forbidden.
+/// The cost of a border along each edge: the edge's length in scene units; infinite if the edge is forbidden.
 using Prices = std::vector<double>;
 
 Prices prices_of(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
@@ -42,7 +42,7 @@ bool is_border(const HalfEdgeMesh& mesh, const Sides& side, HalfedgeHandle h) {
   return side[mesh.face_handle(h).idx()] != side[mesh.opposite_face_handle(h).idx()];
 }
 
-/// Returns by how much the border's cost grows if all faces around a vertex change to one side; infinite if the border
+/// Returns the increase of the border's cost if all faces around a vertex move to one side; infinite if the border
 /// would run along a forbidden edge.
 double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Sides& side, VertexHandle v, char to) {
   const auto price = [&](HalfedgeHandle h) { return prices[mesh.edge_handle(h).idx()]; };
@@ -57,7 +57,7 @@ double growth_of_border(const HalfEdgeMesh& mesh, const Prices& prices, const Si
   return growth;
 }
 
-/// Straightens the border: moves it over a vertex as long as that makes it shorter.
+/// Straightens the border: moves it over single vertices as long as this makes it shorter.
 void shorten_border(const HalfEdgeMesh& mesh, const Prices& prices, Sides& side) {
   constexpr double kRounding = 1e-12;  // relative to the vertex's longest edge
   std::vector<VertexHandle> queue(mesh.vertices_begin(), mesh.vertices_end());
@@ -87,7 +87,8 @@ Sides nearer_to(const HalfEdgeMesh& mesh, VertexHandle first, VertexHandle secon
   return side;
 }
 
-/// For each face with corners a, b, c: their mean, and half the cross product of b - a and c - a. #faces by 3.
+/// For each face with corners a, b, c: the mean of its corners, and half the cross product of b - a and c - a. #faces
+/// by 3.
 struct FaceGeometry {
   explicit FaceGeometry(const HalfEdgeMesh& mesh) {
     const Positions3 points = points_of(mesh);
@@ -104,8 +105,8 @@ struct FaceGeometry {
   Positions3 middle, area;
 };
 
-/// Divides faces by their position along an axis. Faces in the middle all go to one side, whichever way the axis
-/// points. The tolerance covers the small rotation of axes that principal_axes() allows.
+/// Divides faces by their position along an axis. All faces in the middle go to one side, for both directions of the
+/// axis. The tolerance covers the small rotation of axes that principal_axes() allows.
 Sides sides_along(Eigen::VectorXd along) {
   const double middle = 1e-5 * along.cwiseAbs().maxCoeff();
   const auto first = std::find_if(along.begin(), along.end(), [&](double place) { return std::abs(place) > middle; });
@@ -115,8 +116,8 @@ Sides sides_along(Eigen::VectorXd along) {
   return side;
 }
 
-/// Divides the faces by planes through the center, across the principal axes, and by the normals' direction along these
-/// axes.
+/// Divides the faces by planes through the center, across the principal axes, and by the direction of their normals
+/// along these axes.
 std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   const FaceGeometry faces(mesh);
   const Eigen::VectorXd areas = faces.area.rowwise().norm();
@@ -133,8 +134,7 @@ std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   return result;
 }
 
-/// Divides the faces by the nearer of two far ends, and again by the nearer of two more ends, which are across the
-/// first two.
+/// Divides the faces by the nearer of two far ends, and again by the nearer of two more ends, across the first two.
 std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   const VertexHandle first = far_end(mesh);
   const VertexHandle second = farthest_from(mesh, {first});
@@ -176,9 +176,9 @@ std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidd
     const bool is_known = std::find(cuts.begin(), cuts.end(), cut) != cuts.end();
     if (!is_known && length_of_cut(mesh, cut) > 0) cuts.push_back(std::move(cut));
   };
-  // On a box of a few faces, a border may shrink to nothing when it is shortened, so the border as drawn is a
-  // candidate, too. On fine meshes, borders as drawn are ragged: without this limit, 43 garments, shoes, cushions and
-  // toys are cut into 154 pieces instead of 93.
+  // On a box with few faces, shortening may reduce a border to nothing, so the original border is a candidate, too. On
+  // fine meshes, original borders are jagged: without this limit, 43 garments, shoes, cushions and toys are cut into
+  // 154 pieces instead of 93.
   constexpr std::size_t kCoarse = 1000;
   for (Sides& side : all_sides) {
     keep_together(mesh, forbidden, side);

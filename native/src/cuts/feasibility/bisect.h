@@ -7,9 +7,9 @@
 namespace wirewarp {
 
 /// Returns cuts that divide the faces by three planes through the center, by the direction of their normals along the
-/// same three axes, and by which of two far ends of the surface is nearer, for two pairs of ends. Each cut is shortened
-/// by moving it over single vertices. On coarse meshes, the cut before that is returned, too. No cut runs along a
-/// forbidden edge: faces that share one stay together. Empty cuts and duplicates are dropped.
+/// same three axes, and by the nearer of two far ends of the surface, for two pairs of ends. Each cut is shortened by
+/// moving it over single vertices. On coarse meshes, the original cut is returned, too. No cut runs along a forbidden
+/// edge: faces at a forbidden edge stay together. Empty cuts and duplicates are dropped.
 std::vector<CutMask> bisections(const HalfEdgeMesh& mesh, const CutMask& forbidden);
 
 }  // namespace wirewarp

@@ -11,8 +11,8 @@
 namespace wirewarp {
 namespace {
 
-/// Returns the cut edges and the outline. The outline is included because both rims of a slit of one edge have the same
-/// ends, and would otherwise be merged.
+/// Returns the cut edges and the outline. Without the outline, the rims of a slit of one edge would be merged, because
+/// they have the same ends.
 VertexPairs cut_and_outline(const HalfEdgeMesh& mesh, const CutMask& cut) {
   std::vector<VertexPair> edges;
   for (const EdgeHandle e : mesh.edges()) {

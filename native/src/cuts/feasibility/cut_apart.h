@@ -12,7 +12,7 @@ namespace wirewarp {
 /// chart's own vertices, faces and wire parts.
 std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut);
 
-/// Returns the same chart with its vertices and faces in this order.
+/// Returns the chart with its vertices and faces in the given order.
 Chart renumbered(const Chart& chart, const std::vector<VertexHandle>& vertices, const std::vector<FaceHandle>& faces);
 
 }  // namespace wirewarp

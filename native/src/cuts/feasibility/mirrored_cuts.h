@@ -11,8 +11,8 @@ namespace wirewarp {
 /// Makes cuts symmetric if a plane mirrors their chart onto itself.
 class MirroredCuts {
  public:
-  /// image: the mirror image of each vertex, or empty if there is no such plane, and then no cut changes. An edge
-  /// without a mirror image counts as its own.
+  /// image: the mirror image of each vertex; empty if there is no such plane. Then no cut changes. An edge without a
+  /// mirror image counts as its own image.
   MirroredCuts(const Chart& chart, const std::vector<VertexHandle>& image);
 
   CutMask with_image(const CutMask& cut) const;
@@ -24,7 +24,7 @@ class MirroredCuts {
   /// Without a plane, returns the cut alone.
   std::vector<CutMask> both_ways(const CutMask& cut) const;
 
-  /// Returns all edges in the plane as one cut, then each connected run of them.
+  /// Returns all edges in the plane as one cut, then each connected run of these edges.
   std::vector<CutMask> lines_in_plane() const;
 
  private:

@@ -24,21 +24,20 @@
 namespace wirewarp {
 namespace {
 
-/// Number of times that parts are cut again. Of 64 meshes of garments,
-/// shoes, cushions, toys and figures, 41 were flat after one cut, 8 needed one more level, and none needed two.
+/// Number of times that parts are cut again. Of 64 meshes of garments, shoes, cushions, toys and figures, 41 were flat
+/// after one cut, 8 needed one more level, and none needed two.
 constexpr int kMostDepth = 3;
 
-/// Number of cuts of one chart that are judged. With 2, garments are cut into more pieces; 5 are no better.
+/// Number of cuts of one chart that lies_flat() judges. With 2, garments are cut into more pieces; 5 are no better.
 constexpr int kMostJudged = 3;
 
-/// Cost of distortion, as a length of cut over the square root of the area. With this value, a cushion is cut around
-/// its edge (length 2.8, distortion 0.02) instead of along one line (1.2, 0.3), but a skirt along one line (0.7, 0.014)
-/// instead of into two pieces (1.3, 0.01). All of 43 garments, shoes, cushions and toys become flat at any value: with
-/// 3, 10, 30 and 100, the lengths of the cuts add up to 86, 97, 100 and 103, and the distortions to 3.5, 0.9, 0.6 and
-/// 0.5.
+/// Cost of distortion, as length of cut over the square root of the area. With this value, a cushion is cut around its
+/// edge (length 2.8, distortion 0.02), not along one line (1.2, 0.3), but a skirt is cut along one line (0.7, 0.014),
+/// not into two pieces (1.3, 0.01). With any value, all of 43 garments, shoes, cushions and toys become flat. With 3,
+/// 10, 30 and 100, the total length of the cuts is 86, 97, 100 and 103, and the total distortion 3.5, 0.9, 0.6 and 0.5.
 constexpr double kPriceOfDistortion = 10;
 
-/// Shares of the area and costs that differ by less count as equal, because free maps have errors of about this size.
+/// Shares of the area, and costs, that differ by less count as equal, because free maps have errors of about this size.
 constexpr double kSamePrice = 1e-6;
 
 /// The free map of a chart, which has no fixed lengths.
@@ -67,7 +66,7 @@ struct Division {
   double covered = 0;          // share of the area
 };
 
-/// Cuts from the boundary (on a closed surface, from a far end) to the vertex farthest from there.
+/// Returns the cut from the boundary (on a closed surface, from a far end) to the vertex farthest from there.
 CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   std::vector<VertexHandle> starts = boundary_vertices(mesh);
   const bool is_closed = starts.empty();
@@ -81,7 +80,7 @@ CutMask slit_to_far_end(const HalfEdgeMesh& mesh, const CutMask& forbidden) {
   return cut;
 }
 
-/// Cuts are masks of the whole chart's edges, and parts keep its sources.
+/// Searches for a cut of a chart. Cuts are masks of the whole chart's edges, and parts keep the chart's sources.
 class OpeningSearch {
  public:
   OpeningSearch(const Chart& whole, const std::function<bool(const Chart&)>& lies_flat, const StopToken& stop,
@@ -119,7 +118,7 @@ std::vector<Chart> OpeningSearch::pieces_of(const Chart& piece, const CutMask& c
   return pieces;
 }
 
-/// Cuts a piece, and opens those of its parts that are folded.
+/// Cuts a piece, and opens its folded parts.
 Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   Division division{std::move(cut), {}, {}, 0, 0};
   bool opens_more = false;
@@ -152,7 +151,7 @@ Division OpeningSearch::divide(const Chart& piece, CutMask cut) const {
   return division;
 }
 
-/// Returns candidates for cuts; if the whole chart has a mirror image, they are symmetric.
+/// Returns candidates for cuts. They are symmetric if the whole chart is.
 std::vector<CutMask> OpeningSearch::cuts_through(const Chart& piece) const {
   const CutMask forbidden = map_.on_part(piece, places_.forbidden);
   std::vector<CutMask> drawn = bisections(piece.mesh, forbidden);
@@ -223,7 +222,7 @@ CutMask OpeningSearch::open(const Chart& piece, int depth) const {
   CutMask cut = best->cut;
   for (const std::size_t p : failing) {
     const Chart& part = best->pieces[p];
-    const bool is_cut = !is_empty(map_.on_part(part, cut));  // by the mirror image of an earlier cut
+    const bool is_cut = !is_empty(map_.on_part(part, cut));  // the mirror image of an earlier cut did it
     if (depth > 0 && !is_cut && part.mesh.n_faces() > 1) unite(cut, open(part, depth - 1));
   }
   return cut;

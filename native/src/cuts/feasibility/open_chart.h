@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds where to cut a chart that has no good flat shape.
+// Finds cuts for a chart that has no good flat shape.
 #pragma once
 
 #include <functional>
@@ -11,17 +11,17 @@
 
 namespace wirewarp {
 
-/// Where cuts may run.
+/// Rules for the course of cuts.
 struct CutPlaces {
   CutMask forbidden;                // edges that no cut may follow; empty: none
   std::vector<VertexHandle> image;  // mirror image of each vertex, to make cuts symmetric; empty: none
 };
 
-/// Returns a cut of a chart without a good flat shape, such that the parts have good flat shapes. Tubes and handles are
+/// Returns a cut of a chart without a good flat shape, so that the parts have good flat shapes. Tubes and handles are
 /// opened, and charts are slit or cut in two; parts without a flat shape are cut again. All candidates are flattened
-/// without any fixed length; then lies_flat judges the best few for each chart. The shortest successful cut with the
-/// least distortion is returned, or the best one if none succeeds. The result is empty if the search is stopped, or if
-/// no edge is left to cut.
+/// without fixed lengths; then lies_flat() judges the best few for each chart. Returns the successful cut with the
+/// least cost of length and distortion, or the best cut if all fail. The result is empty if the search is stopped, or
+/// if all edges are forbidden.
 CutMask open_chart(const Chart& chart, const std::function<bool(const Chart& part)>& lies_flat, const StopToken& stop,
                    CutPlaces places = {});
 

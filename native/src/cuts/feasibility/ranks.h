@@ -5,8 +5,8 @@
 
 namespace wirewarp {
 
-/// Returns the rank of each value, from 0 for the lowest. Values at most `same` above the next lower one share its
-/// rank, so that rounding does not decide the order. Values must not be NaN.
+/// Returns the rank of each value, from 0 for the lowest. A value that exceeds the next lower value by at most `same`
+/// has the same rank, so that rounding errors do not decide the order. Values must not be NaN.
 std::vector<int> ranks_of(const std::vector<double>& values, double same);
 
 }  // namespace wirewarp

@@ -18,13 +18,13 @@ namespace {
 /// times the rounding when the input is rotated, and far below the differences between edges of a large outline.
 constexpr double kSame = 1e-9;
 
-/// The first half-edge of a numbering, and whether it goes clockwise around vertices.
+/// The first half-edge of a numbering, and whether the numbering goes clockwise around vertices.
 struct Start {
   HalfedgeHandle first;
   bool backwards = false;
 };
 
-/// A vertex of the outline and the edge after it, described without positions: the rank of the edge's length, the rank
+/// Describes a vertex of the outline and the edge after it without positions: the rank of the edge's length, the rank
 /// of the angle inside, and the number of edges.
 using OutlineStep = std::array<int, 3>;
 
@@ -66,8 +66,8 @@ bool comes_before(const std::vector<OutlineStep>& a, std::size_t a_start, const 
 }
 
 /// Returns the start of the lexicographically least rotation, in linear time: compares two candidates, and at the first
-/// difference drops the greater one with all starts that it has passed (J. P. Duval, Factorizing words over an ordered
-/// alphabet, 1983).
+/// difference drops the greater candidate with all starts in its compared section (J. P. Duval, Factorizing words over
+/// an ordered alphabet, 1983).
 std::size_t least_rotation(const std::vector<OutlineStep>& ring, WorkMeter& work) {
   const std::size_t count = ring.size();
   std::size_t a = 0, b = 1, same = 0;
@@ -97,7 +97,7 @@ Start start_on_outline(const Chart& chart, WorkMeter& work) {
 /// Numbers vertices breadth first; the neighbors of each follow in their order around it.
 class SurfaceWalk {
  public:
-  /// rank: -1 for each vertex. Holds the vertices' numbers during the walk, and is reset to -1 afterwards.
+  /// rank: -1 for each vertex. It contains the vertices' numbers during the walk, and is reset to -1 afterwards.
   SurfaceWalk(const HalfEdgeMesh& mesh, Start start, std::vector<int>& rank)
       : mesh_(mesh), backwards_(start.backwards), rank_(rank) {
     find(mesh.from_vertex_handle(start.first), start.first);
@@ -151,8 +151,9 @@ std::vector<VertexHandle> breadth_first(const HalfEdgeMesh& mesh, Start start) {
   return walk.order();
 }
 
-/// Starts at one of the longest edges. Usually there are few, and their walks differ after a few steps. A surface of
-/// revolution has as many longest edges as segments, and each needs a walk over the whole surface.
+/// Returns the start of the numbering at one of the longest edges. Usually there are few longest edges, and their walks
+/// differ after a few steps. A surface of revolution has one longest edge per segment, and each needs a walk over the
+/// whole surface.
 Start start_on_closed(const HalfEdgeMesh& mesh, const StopToken& stop) {
   double longest = 0;
   for (const EdgeHandle e : mesh.edges()) longest = std::max(longest, edge_length(mesh, mesh.halfedge_handle(e, 0)));

@@ -6,10 +6,10 @@
 
 namespace wirewarp {
 
-/// Returns the chart with its vertices and faces numbered by its shape alone: loops over them visit the same places in
-/// the same order, however the input is numbered, rotated or mirrored. A symmetric chart has several such numberings;
-/// one of them is chosen. Vertices and faces keep their sources, and the index of a wire part becomes that of the
-/// chart's own part. Throws Stopped.
+/// Returns the chart with its vertices and faces numbered by its shape alone. Loops over them visit the same places in
+/// the same order, also if the input is renumbered, rotated or mirrored. A symmetric chart has several such numberings;
+/// the function chooses one. Vertices and faces keep their sources. The wire index of a part becomes its index in the
+/// chart. Throws Stopped.
 Chart in_canonical_order(const Chart& chart, const StopToken& stop);
 
 }  // namespace wirewarp

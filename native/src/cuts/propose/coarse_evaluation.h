@@ -20,7 +20,7 @@ class CoarseEvaluation {
   /// shape.
   double energy_uncut() const { return uncut_; }
 
-  /// Returns the same for the chart with a cut. Throws Stopped.
+  /// Returns this energy for the chart with a cut. Throws Stopped.
   double energy_when_cut(const CutMask& cut, const StopToken& stop) const;
 
  private:

@@ -14,19 +14,19 @@
 namespace wirewarp {
 namespace {
 
-/// A landing must have the shortest path within this share of the outline to each side of it. Both sides together are
-/// about as long as the distance between two points spread along the outline.
+/// A landing must have a shorter path than all points within this share of the outline on each side. Both sides
+/// together are about as long as the distance between two of the points spread along the outline.
 constexpr double kWindow = 1.0 / 24;
 
 /// The outline has a corner if it turns by more (radians). A ring of twelve edges turns by this much at each vertex.
 constexpr double kCorner = kPi / 6;
 
-/// A value counts as larger only if it exceeds the other one by this factor, so that rounding in rotated input does not
-/// decide.
+/// A value counts as larger only if it exceeds the other value by this factor, so that rounding errors in rotated input
+/// do not decide.
 constexpr double kClearly = 1 + 1e-9;
 
-/// Ends of cuts that are farther apart than this, relative to the root of the area, are not near each other. It is
-/// slightly less than 0.2, the distance between points inside.
+/// Largest distance, over the root of the area, between ends of cuts that count as near each other. It is slightly less
+/// than 0.2, the distance between points inside.
 constexpr double kApart = 0.15;
 
 struct OutlinePoint {
@@ -121,7 +121,7 @@ std::vector<VertexHandle> spread_inside(const Chart& chart, const SmoothPathFind
   return spread(chart, boundary_vertices(chart.mesh), may_take, count);
 }
 
-/// The two ends of a seam are interchangeable, so the one with the lower number comes first.
+/// Returns the ends of a cut. The ends of a seam are interchangeable, so the end with the lower number comes first.
 CutEnds in_one_order(const Chart& chart, CutEnds cut) {
   const bool is_seam = chart.mesh.is_boundary(cut.start) && chart.mesh.is_boundary(cut.end);
   return is_seam && cut.end < cut.start ? CutEnds{cut.end, cut.start} : cut;

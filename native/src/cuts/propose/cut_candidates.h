@@ -22,7 +22,7 @@ struct CutEnds {
   bool operator<(const CutEnds& other) const { return start == other.start ? end < other.end : start < other.start; }
 };
 
-/// Numbers of points that cuts start and end at.
+/// Numbers of points at which cuts start and end.
 struct CandidatePoints {
   int inside;
   int on_outline;  // half of them at corners, if there are enough
@@ -37,8 +37,8 @@ std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder&
 /// Returns the cuts with one end moved to a neighboring vertex.
 std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& paths, CutEnds cut);
 
-/// Whether both ends of the cuts are near each other, so that a tailor would see one cut. size: root of the chart's
-/// area.
+/// Returns whether both ends of two cuts are near each other, so that a tailor would see one cut. size: root of the
+/// chart's area.
 bool are_beside(const HalfEdgeMesh& mesh, double size, CutEnds a, CutEnds b);
 
 /// Returns the edges of a cut from its start to its end; empty if no path exists.

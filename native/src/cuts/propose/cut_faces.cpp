@@ -15,7 +15,7 @@ struct WireRun {
   int begin;  // its first edge
 };
 
-/// Some faces of an input as an input of its own, with vertices and faces in the same order.
+/// Some faces of an input as a separate input, with vertices and faces in the same order.
 class PartOfInput {
  public:
   PartOfInput(const FlattenInput& whole, const std::vector<int>& faces, const std::vector<VertexPair>& seams)
@@ -74,7 +74,8 @@ class PartOfInput {
     }
   }
 
-  /// Adds each run of the wire's edges in the part. The run of a closed wire may pass the vertex where its list starts.
+  /// Adds each run of the wire's edges that is in the part. The run of a closed wire may pass the vertex at which the
+  /// wire's list starts.
   void take_wire(int index) {
     const Wire& wire = whole_.wires[index];
     const int count = static_cast<int>(wire.vertices.size()) - 1;

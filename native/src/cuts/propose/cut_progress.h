@@ -10,7 +10,7 @@
 namespace wirewarp {
 
 /// Reports the progress of a search as stage "cuts", only in the thread that created this object. The duration of a
-/// search is unknown, so each poll advances by a share of the remaining progress, unless the search reports its
+/// search is unknown, so each poll advances the progress by a share of the rest, unless the search reports its
 /// progress.
 class CutProgress {
  public:
@@ -34,7 +34,7 @@ class CutProgress {
     enter(0, 1);
   }
 
-  /// Reports the following progress between these shares of the round. Reported progress never decreases.
+  /// Makes the following progress run between these shares of the round. Reported progress never decreases.
   void enter(double from, double to) {
     from_ = from;
     to_ = to;
@@ -42,7 +42,7 @@ class CutProgress {
   }
 
  private:
-  /// The search for darts in a piece of a few thousand triangles polls about this often.
+  /// Approximate number of polls in a search for darts in a piece of a few thousand triangles.
   static constexpr int kTypicalPolls = 2000;
 
   ProgressReport report_;

@@ -60,9 +60,9 @@ class MirrorSearch {
     tolerance_ = kSamePlace * std::sqrt(surface_area(mesh_));
   }
 
-  /// Returns the image by the plane with the longest edges in it. In a piece that is not flat, a plane through the
-  /// center cannot contain all corners of a face. So each plane moves a corner of the first face, and the images of
-  /// these corners define all planes.
+  /// Returns the image by the plane that contains the longest edges. In a piece that is not flat, a plane through the
+  /// center cannot contain all corners of a face. Therefore each plane moves a corner of the first face, and the images
+  /// of these corners define all planes.
   std::vector<VertexHandle> best_image(const StopToken& stop) const {
     std::vector<VertexHandle> best;
     double longest = -1;

@@ -9,8 +9,8 @@
 
 namespace wirewarp {
 
-/// Returns the mirror image of each vertex if a plane mirrors the chart onto itself, otherwise nothing. Of several
-/// planes, it chooses the one with the longest edges in it, because cuts may follow them. Throws Stopped.
+/// Returns the mirror image of each vertex if a plane mirrors the chart onto itself; otherwise empty. If there are
+/// several planes, chooses the plane that contains the longest edges, because cuts may follow these. Throws Stopped.
 std::vector<VertexHandle> mirror_image(const Chart& chart, const StopToken& stop);
 
 /// Returns the mirror image of a chain; empty if its edges are not mirrored with their vertices.

@@ -16,8 +16,8 @@ Eigen::ArrayXd as_numbers(const Eigen::VectorXd& strains) {
   return strains.array().isFinite().select(strains.array(), std::numeric_limits<double>::infinity());
 }
 
-/// Returns how far the fabric must stretch in each face beyond the eases, in the worst direction. Compression counts as
-/// the stretch that would undo it.
+/// Returns the necessary stretch of the fabric in each face beyond the eases, in the worst direction. Compression
+/// counts as the stretch that would undo it.
 Eigen::VectorXd worst_direction(const Metrics& metrics, double wanted_stretch, double wanted_compression) {
   const Eigen::ArrayXd weft = 1 + as_numbers(metrics.face_weft_strain), warp = 1 + as_numbers(metrics.face_warp_strain);
   Eigen::VectorXd worst(weft.size());
@@ -48,7 +48,8 @@ NeededStretch::NeededStretch(const FlattenInput& input, bool has_cloth) : input_
   }
 }
 
-/// Returns the least ease of the piece's lines, or 0 if all are positive, and the largest, or 0 if all are negative.
+/// Returns the least ease of the piece's lines, or 0 if all eases are positive, and the largest ease, or 0 if all are
+/// negative.
 std::pair<double, double> NeededStretch::range_of_eases(const Piece& piece) const {
   std::pair<double, double> range{0, 0};
   const auto add = [&](double ease) { range = {std::min(range.first, ease), std::max(range.second, ease)}; };

@@ -12,7 +12,7 @@ namespace wirewarp {
 /// No fabric stretches to twice its length, so cuts that leave more strain are not proposed.
 constexpr double kMostStrain = 1;
 
-/// Computes DartProposal::strain: how far the fabric must stretch in a piece, as in reports and verdicts.
+/// Computes DartProposal::strain, the stretch of the fabric that a piece needs, as in reports and verdicts.
 class NeededStretch {
  public:
   /// input: as given by the user; kept by reference.
@@ -21,8 +21,8 @@ class NeededStretch {
   /// Returns the strain of a piece with a layout.
   double of(const Piece& piece) const;
 
-  /// Returns the strain of each face of a piece with a layout. The piece's strain is the one that 99% of the area do
-  /// not exceed.
+  /// Returns the strain of each face of a piece with a layout. The piece's strain is the value that 99% of the area
+  /// does not exceed.
   Eigen::VectorXd of_faces(const Piece& piece) const;
 
  private:

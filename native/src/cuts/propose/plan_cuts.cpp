@@ -45,8 +45,8 @@ class PlanOfCuts {
 
   bool may_be_cut(const FlatPiece& piece) const { return !requested_ || is_part_of(piece.chart, requested_->chart); }
 
-  /// Returns the pieces to try. For seams, those that lack seams come first, the largest first. Then come the
-  /// pieces with a flat shape, the most strained first, because cuts of other pieces do not lower the largest strain.
+  /// Returns the pieces to try. For seams, pieces that lack seams come first, the largest first. Pieces with a flat
+  /// shape follow, the most strained first, because cuts of other pieces do not lower the largest strain.
   std::vector<int> pieces_in_order() const {
     struct Place {
       bool lacks_seams;
@@ -69,7 +69,7 @@ class PlanOfCuts {
     return order;
   }
 
-  /// Returns the proposals for the first piece that a cut helps; empty if none does, but there are cuts already.
+  /// Returns the proposals for the first piece that a cut helps; empty if no cut helps and the plan already has cuts.
   std::vector<DartProposal> propose_next() const {
     CutOptions cut_options;
     cut_options.piece = target_.piece;
@@ -103,7 +103,7 @@ class PlanOfCuts {
     return comes_with_mirror_image(cut, proposals) ? *cut.strain_with_twin : cut.strain;
   }
 
-  /// Whether the cut lowers the strain, together with its mirror image if both may be taken.
+  /// Returns whether the cut lowers the strain, together with its mirror image if both are allowed.
   bool helps(const DartProposal& cut, const std::vector<DartProposal>& proposals) const {
     return strain_if_taken(cut, proposals) < cut.strain_before;
   }

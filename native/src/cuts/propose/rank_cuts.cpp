@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-/// Share of the energy by which a step of an end must lower it to be followed by another; exact evaluations compare
+/// Least relative decrease of the energy by a step of an end for another step to follow; exact evaluations compare
 /// finer differences. With 2%, the second and third best cuts become worse.
 constexpr double kLeastStep = 0.01;
 

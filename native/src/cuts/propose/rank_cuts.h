@@ -20,8 +20,8 @@ struct CutLimits {
   double longest;  // length of one cut, scene units
 };
 
-/// Returns the best candidates of a chart with their ends moved to the best places, and others that are almost as good,
-/// the best first; only cuts that lower E. stop: polled in any thread. Throws Stopped.
+/// Returns the best candidates of a chart, with their ends moved to the best places, and candidates that are almost as
+/// good, the best first. All returned cuts lower E. stop: polled in any thread. Throws Stopped.
 std::vector<RankedCut> rank_cuts(const Chart& chart, const SmoothPathFinder& paths,
                                  const std::vector<CutEnds>& candidates, const InternalOptions& options,
                                  const CutLimits& limits, const StopToken& stop);

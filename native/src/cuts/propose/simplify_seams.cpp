@@ -21,7 +21,7 @@
 namespace wirewarp {
 namespace {
 
-/// Progress once the input has been flattened with all its seams.
+/// Progress after the input was flattened with all its seams.
 constexpr double kFlattened = 0.1;
 
 VertexPair sorted(const VertexPair& ends) { return {std::min(ends[0], ends[1]), std::max(ends[0], ends[1])}; }
@@ -55,7 +55,7 @@ class SeamSimplifier {
         exact_(exact),
         progress_(progress) {}
 
-  /// Throws Stopped before there is anything to return.
+  /// Throws Stopped if the search is stopped before there is a result.
   SeamProposal find() {
     progress_.enter(0, kFlattened);
     pieces_ = exact_.uncut();
@@ -89,7 +89,7 @@ class SeamSimplifier {
   }
 
  private:
-  /// Returns the edges that are seams, each once, and adds those that must stay to kept_.
+  /// Returns the edges that are seams, each once, and adds the seams that must stay to kept_.
   std::vector<VertexPair> list_seams() {
     std::set<VertexPair> eased, known;
     for (const Ease& ease : input_.eases) {

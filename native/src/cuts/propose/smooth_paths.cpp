@@ -13,12 +13,12 @@
 namespace wirewarp {
 namespace {
 
-/// Cost of a landing that is off the outline's bisector by an angle δ (radians), over δ² and the root of the area. A
-/// path that lands along the bisector is preferred to one at 45° even if it is longer by 3% of the piece's size.
+/// Cost of a landing at an angle δ (radians) from the outline's bisector, over δ² and the root of the area. A path that
+/// lands along the bisector is preferred to a path at 45° even if it is longer by 3% of the piece's size.
 constexpr double kPriceOfLanding = 0.05;
 
-/// A path that turns by more at one vertex (radians) has a corner, which cannot be sewn as a dart: less than a square's
-/// corner, more than between edges of regular triangles.
+/// A path that turns by more at a vertex (radians) has a corner and cannot be sewn as a dart. The value is less than
+/// the corner of a square, and more than the turn between edges of regular triangles.
 constexpr double kSharpTurn = 80 * kPi / 180;
 
 }  // namespace

@@ -2,8 +2,8 @@
 // Paths along edges that are short and smooth, and land on the outline squarely.
 //
 // A turn by τ makes the edges beside it (1 + τ²) times as expensive. A zigzag costs a multiple of its length on every
-// mesh, but a curve costs less on finer meshes. Turns are measured relative to the full angle around the vertex: on a
-// cone, a straight path has the same angle on both sides.
+// mesh, but a curve costs less on finer meshes. Turns are measured relative to the full angle around the vertex, so
+// that a straight path on a cone has the same angle on both sides.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@ namespace wirewarp {
 
 /// Vertices and edges that paths must avoid.
 struct Forbidden {
-  std::vector<char> vertices;  // per vertex of the chart, such as on wires
+  std::vector<char> vertices;  // per vertex of the chart, for example on wires
   std::vector<char> edges;     // per edge of the chart
 };
 
@@ -32,7 +32,8 @@ class SmoothPathFinder {
   /// Returns the cheapest paths that touch the outline only at their ends, squarely if possible.
   SmoothPaths paths_from(VertexHandle start) const;
 
-  /// Returns the path from the start to a vertex; empty if there is none, or if the cheapest passes a vertex twice.
+  /// Returns the path from the start to a vertex; empty if there is no path, or if the cheapest path passes a vertex
+  /// twice.
   HalfEdgeChain path_to(const SmoothPaths& paths, VertexHandle end) const;
 
   /// Returns the root of the area in scene units.
