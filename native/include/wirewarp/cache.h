@@ -9,16 +9,16 @@ namespace wirewarp {
 
 struct CachedCharts;
 
-/// Holds the charts of the last run of flatten() that used it. A chart reuses its shape if geometry, order of vertices
-/// and faces, outline, wires, tolerances and solver options are the same bit for bit. Except for the seconds, the
-/// result equals that of a run without a cache. Failed charts are kept, and canceled ones are not. For a cloth with
-/// stretch, the shapes before the stretch are kept. The cache needs about as much memory as the pieces. Several threads
-/// may use one cache at the same time, and it then holds the charts of the run that ended last.
+/// Contains the charts of the last run of flatten() that used it. A chart reuses its shape if geometry, order of
+/// vertices and faces, outline, wires, tolerances and solver options are the same bit for bit. Except for the seconds,
+/// the result equals that of a run without a cache. Failed charts are kept, and canceled charts are not. For a cloth
+/// with stretch, the shapes before the stretch are kept. The cache needs about as much memory as the pieces. Several
+/// threads may use one cache at the same time; then it contains the charts of the run that ended last.
 class Cache {
  public:
   Cache();
 
-  /// Returns the number of charts that it holds.
+  /// Returns the number of charts in the cache.
   int size() const;
 
   /// Removes all charts.

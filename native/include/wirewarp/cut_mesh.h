@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes edges of lines that cross the triangles of a mesh.
+// Divides the triangles of a mesh so that lines across them become edges.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One error type for everything a user can get wrong and everything that cannot be flattened.
+// The error type for all faults of input and for all pieces that cannot be flattened.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ namespace wirewarp {
 
 /// The kind of an error. describe(code) returns its meaning and remedy.
 enum class ErrorCode {
-  // Raised: the input is not a mesh with seams and wires, so there is no result.
+  // Raised if the input is not a mesh with seams and wires. There is no result then.
   invalid_shape,
   invalid_type,
   invalid_option,
@@ -31,7 +31,7 @@ enum class ErrorCode {
   invalid_ease,
   ease_without_side,
   side_in_two_eases,
-  // In the piece's error: this chart fails, the others do not.
+  // In the error of a piece. Other pieces are not affected.
   repeated_vertex_in_face,
   repeated_face,
   zero_area_face,
@@ -92,10 +92,10 @@ struct ErrorElements {
 /// place and remedy. A program for other users makes its own sentence from the code, arguments and elements.
 class FlattenError : public std::runtime_error {
  public:
-  /// Composes the sentence from the other parts. with_layout: see has_layout.
+  /// Makes an error, with a sentence from its other parts. with_layout: see has_layout.
   FlattenError(ErrorCode error_code, ErrorArguments details, ErrorElements named = {}, bool with_layout = false);
 
-  /// An error with a given sentence, such as one that was stored.
+  /// Makes an error with a given sentence, for example a stored one.
   FlattenError(ErrorCode error_code, const std::string& message, ErrorElements named = {}, bool with_layout = false,
                ErrorArguments details = {})
       : std::runtime_error(message),

@@ -22,7 +22,7 @@ enum class NodeWeight {
   uniform,  // 1, as in the paper; the result depends on where the mesh has vertices
 };
 
-/// Which planar angles the inner problem returns.
+/// Planar angles that the inner problem returns.
 enum class Inner {
   minimum,     // the local minimizer of Eq. (1) reached from the surface angles
   least_norm,  // the first feasible point of the paper's least-norm steps, all wires rigid; depends on the mesh, for
@@ -35,26 +35,26 @@ enum class PieceLayout {
   row,     // side by side on one line, from left to right in their order
 };
 
-/// Which direction is up in each piece.
+/// Direction that is up in each piece.
 enum class Orientation {
   wire,      // the wire Options::grain; without wires the longest chain of the outline
   boundary,  // the longest straight section of the outline, with the piece on its left
-  up,        // Options::up: the direction in which the surface rises most on average; for level pieces like wire
+  up,        // Options::up: the direction in which the surface rises most on average; for level pieces, as for wire
   best,      // the direction with the least energy of the cloth; needs a cloth
 };
 
-/// Which surface of a thick material the input is.
+/// Surface of a thick material that the input represents.
 enum class Surface {
-  inside,   // the inner one: the material is in front of the front faces, as on a body
-  middle,   // the middle one: half of the material is on each side
-  outside,  // the outer one: the material is behind the front faces
+  inside,   // the inner surface: the material is in front of the front faces, as on a body
+  middle,   // the middle surface: half of the material is on each side
+  outside,  // the outer surface: the material is behind the front faces
 };
 
 /// How to flatten. A value out of its range throws FlattenError (invalid_option).
 struct Options {
   Method method = Method::refined;              // how wire lengths and the shape are found
   NodeWeight node_weight = NodeWeight::length;  // weight of a wire-node in Eq. (1)
-  Inner inner = Inner::minimum;                 // which planar angles the inner problem returns
+  Inner inner = Inner::minimum;                 // planar angles that the inner problem returns
 
   /// For the refined method: shortest wavelength of an outline or wire that is not smoothed, divided by the square root
   /// of the piece's area. Larger values give smoother lines and more distortion inside. In [0.001, 10].
@@ -79,10 +79,10 @@ struct Options {
   /// its thickness, so that surface is flattened, and all lengths and areas refer to it.
   double thickness = 0;
 
-  Surface surface = Surface::inside;  // which surface of the thick material the input is
+  Surface surface = Surface::inside;  // surface of the thick material that the input represents
 
   PieceLayout layout = PieceLayout::packed;     // how the pieces are placed
-  Orientation orientation = Orientation::wire;  // which direction is up in each piece
+  Orientation orientation = Orientation::wire;  // direction that is up in each piece
 
   /// For Orientation::wire: index of the wire that is upright in the pieces that it crosses, in [-1, number of wires).
   /// For -1, and for pieces that it does not cross, it is the piece's first wire.

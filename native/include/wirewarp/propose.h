@@ -15,8 +15,8 @@ namespace wirewarp {
 /// A dart, a seam across a piece or a cut set, with its effect. Every figure comes from flatten() with its edges as
 /// seams, or with the edges that cut_mesh() makes of its paths, and the energy is that of all parts together.
 ///
-/// Strain is the figure of reports and verdicts. Without a cloth, 99% of the area of a part has max(sigma_1, 1/sigma_2)
-/// - 1 below it, where intended eases do not count. With a cloth, it is the stretch of its threads instead.
+/// Strain is the stretch in reports and verdicts: the value that 99% of the area of a part does not exceed. Without a
+/// cloth, it is max(sigma_1, 1/sigma_2) - 1 beyond intended eases. With a cloth, it is the stretch of the threads.
 struct DartProposal {
   int piece = -1;                  // index of the piece that it cuts, in the result of flatten() without the cut
   std::vector<VertexPair> edges;   // (k, 2) in order from the outline, to be added to the input's seams; for a cut
@@ -29,7 +29,7 @@ struct DartProposal {
   double strain = 0;               // of the worst part with the cut: how far the fabric must stretch
   double strain_before = 0;        // the same without the cut; infinite for a cut set
   std::optional<int> twin;         // index of its mirror image in the list; none if it has no mirror image
-  std::optional<double> energy_with_twin;  // of the piece with both cuts; none if it is not less, or if they meet
+  std::optional<double> energy_with_twin;  // of the piece with both cuts; none if they meet or are no better than one
   std::optional<double> strain_with_twin;  // the strain with both cuts
   std::optional<double> strain_left;  // for a plan: largest strain of a flat part after this cut, its mirror image in
                                       // the same step, and all earlier ones; see CutTarget::piece
@@ -51,25 +51,25 @@ struct CutOptions {
 /// by the strain that they leave in the model, then by the strain that they remove from their piece. For a dart that
 /// helps only together with its mirror image, strain_with_twin is below the strain before. Darts lead from the outline
 /// to a point inside, along smooth chains of edges, and do not cross wires. With is_smooth, they are smooth lines
-/// across triangles without corners, straight unless a bend gains clearly more, and the best one along edges if it
-/// leaves at least 5% less strain than all of them. cut_mesh() turns lines into edges, and the figures are those of
-/// flatten() with these edges as seams. Around the tip of a smooth dart, made with its mirror image if both are better
-/// than one, the mean strain is at most 3%, or the strain of the piece before if that is larger. All lengths stay
-/// exact. The result does not depend on how the input is turned, mirrored or numbered, except for the order of equal
-/// darts. Throws the errors of flatten(), the error of the requested piece if it has no flat shape, no_proposal if a
-/// piece is flat already, has no room or gains nothing, and cancelled.
+/// across triangles without corners, straight unless a bend gains clearly more. The best dart along edges is added if
+/// it leaves at least 5% less strain than all smooth darts. cut_mesh() turns lines into edges, and the figures are
+/// those of flatten() with these edges as seams. Around the tip of a smooth dart, made with its mirror image if both
+/// are better than one, the mean strain is at most 3%, or the strain of the piece before if that is larger. All lengths
+/// stay exact. The result does not depend on how the input is turned, mirrored or numbered, except for the order of
+/// equal darts. Throws the errors of flatten(), the error of the requested piece if it has no flat shape, no_proposal
+/// if a piece is flat already, has no room or gains nothing, and cancelled.
 std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 
 /// Returns seams that cut a piece from outline to outline, by the same rules.
 ///
 /// Returns cut sets if the requested piece has no flat shape because it lacks seams: it is closed, has handles, or its
-/// outline is too short. A flat shape with a strain of 1 or more counts as none if no wire is in it. If no piece is
-/// requested, the largest such piece is cut. Each proposal is a set of seams and darts with which all parts have a flat
-/// shape. The first set brings every part to the accepted strain, if at most forty cuts of the worst part and their
-/// mirror images can do so. Each later set is shorter and leaves more strain. Sets are symmetric if the piece is. They
-/// may cross wires, but follow neither edges of no_seam nor their mirror images. Sets that leave a strain of 1 or more
-/// are not returned.
+/// outline is too short. A flat shape with a strain of 1 or more and without wires inside does not count. If no piece
+/// is requested, the largest such piece is cut. Each proposal is a set of seams and darts with which all parts have a
+/// flat shape. The first set brings every part to the accepted strain, if at most forty cuts of the worst part and
+/// their mirror images can do so. Each later set is shorter and leaves more strain. Sets are symmetric if the piece is.
+/// They may cross wires, but follow neither edges of no_seam nor their mirror images. Sets that leave a strain of 1 or
+/// more are not returned.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 
@@ -88,7 +88,7 @@ struct CutTarget {
 /// helps, and is the one from propose_darts() that leaves the least strain. Its figures and the number of its piece
 /// refer to the state with the earlier cuts. Each dart of a mirrored pair has its own figures and refers to its mirror
 /// image. Fewer darts than allowed mean that the target is met or that no further dart helps. Throws the errors of
-/// propose_darts() for the first dart, and no_proposal if the target is met without any.
+/// propose_darts() for the first dart, and no_proposal if the target is already met.
 std::vector<DartProposal> plan_darts(const FlattenInput& input, const Options& options = {},
                                      const CutTarget& target = {}, const Progress& progress = {});
 
@@ -115,16 +115,17 @@ struct SeamProposal {
 };
 
 /// Returns the seams that remain after sections of seams, or parts of them, were left out one after the other, the
-/// longest first. Sections are divided in the middle and at their sharpest corner. A section is left out only if
-/// flatten() finds a flat shape for what the pieces beside it become, with no more than the given strain, or than the
-/// worst of these pieces has with the input's seams. Strains below 1e-6 are rounding, and always accepted. Mirrored
-/// sections of a symmetric part between seams that remain are left out together.
+/// longest first. Sections are divided in the middle and at their sharpest corner. Without a section, the pieces beside
+/// it are joined. The section is left out only if flatten() finds a flat shape of the joined piece with at most the
+/// given strain, or at most the strain of the worst of these pieces with the input's seams. Strains below 1e-6 are
+/// rounding errors and always accepted. Mirrored sections of a symmetric part between seams that remain are left out
+/// together.
 ///
 /// Seams with an ease on one side and seams with three sides or more remain. So do all seams of a part of the model
 /// that has no flat shape for other reasons than missing seams, such as a Moebius strip. The result does not depend on
 /// how the input is turned, mirrored or numbered. If progress returns false, the search ends with the seams that remain
-/// by then, which have the figures claimed. Throws the errors of flatten(), invalid_option for a strain below 0, and
-/// cancelled before the seams of the input have been flattened.
+/// by then, and with their figures. Throws the errors of flatten(), invalid_option for a strain below 0, and cancelled
+/// before the seams of the input have been flattened.
 SeamProposal simplify_seams(const FlattenInput& input, const Options& options = {}, double strain = 0.05,
                             const Progress& progress = {});
 

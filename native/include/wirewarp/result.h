@@ -93,11 +93,11 @@ enum class Termination {
   converged,  // the method's own criterion is met
   stalled,    // lengths are exact, but the method's criterion is not met: see warnings
   failed,     // no layout: see error
-  cancelled,  // stopped before it was flat
+  cancelled,  // the caller stopped before the piece was flat
   measured,   // by measure(): nothing was solved
 };
 
-/// What the solver did for one piece, also for a failed one.
+/// The solver's work on one piece, also if it failed.
 struct PieceReport {
   Termination termination = Termination::failed;  // how it ended
   std::string message;                            // one sentence
@@ -140,8 +140,8 @@ struct Piece {
   std::vector<BoundaryReport> boundaries;  // one per chain of its outline between junctions
   std::vector<HelperWire> helper_wires;    // the wires that the method added
   Metrics metrics;                         // distortion
-  PieceReport report;                      // what the solver did
-  std::optional<FlattenError> error;       // the guarantee that is broken; none: all guarantees hold
+  PieceReport report;                      // the solver's work
+  std::optional<FlattenError> error;       // the broken guarantee; none: all guarantees hold
 };
 
 /// All pieces of a flattening, and the seams and wires that join them.

@@ -20,9 +20,9 @@ struct LinePoint {
 /// edge if it would cross the edge within a twentieth of its length from there; so cutting it into the mesh leaves no
 /// slivers. Between two of its vertices on wires, seams or outlines, it crosses each triangle at most once.
 ///
-/// path: vertices, each joined to the next by an edge that is not on a seam or outline. A future seam must not be
-/// marked as one yet. Throws the errors of flatten() for the input, invalid_option if `path` does not follow mesh
-/// edges, and the error of a piece on the path whose faces are not a surface.
+/// path: vertices, each joined to the next by an edge that is not on a seam or outline. An edge of a future
+/// seam must not be marked as a seam yet. Throws the errors of flatten() for the input, invalid_option if `path` does
+/// not follow mesh edges, and the error of a piece on the path whose faces are not a surface.
 std::vector<LinePoint> straighten_path(const FlattenInput& input, const std::vector<int>& path);
 
 }  // namespace wirewarp

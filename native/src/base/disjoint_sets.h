@@ -16,7 +16,7 @@ class DisjointSets {
     while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
   }
-  /// Unites two sets. Returns false if they were one set already.
+  /// Unites two sets. Returns false if they were already one set.
   bool unite(int i, int j) {
     i = find(i);
     j = find(j);

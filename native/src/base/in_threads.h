@@ -18,7 +18,7 @@ namespace wirewarp {
 /// Returns the number of cores this thread may use, at least 1.
 std::size_t num_cores();
 
-/// While an object of this class exists, num_cores() is 1 on its thread. Use it when every core is busy already and
+/// While an object of this class exists, num_cores() is 1 on its thread. Use it if every core is already busy, so that
 /// more threads would only compete.
 class OnOneCore {
  public:
@@ -31,10 +31,10 @@ class OnOneCore {
   bool was_on_one_core_;
 };
 
-/// Returns whether a second thread has a core of its own.
+/// Returns whether a second core is available for a second thread.
 inline bool has_second_core() { return num_cores() > 1; }
 
-/// Starts a thread. Returns nothing if the system allows no more threads.
+/// Starts a thread. Returns nullopt if the system allows no more threads.
 template <typename Work>
 std::optional<std::future<void>> begin_thread(const Work& work) {
   try {

@@ -9,7 +9,7 @@
 
 namespace wirewarp {
 
-/// The caller stopped the solver of a chart.
+/// Thrown if the caller stops the solver of a chart.
 class Stopped : public std::exception {
  public:
   const char* what() const noexcept override { return "stopped"; }

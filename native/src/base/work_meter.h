@@ -7,11 +7,11 @@
 
 namespace wirewarp {
 
-/// Asks whether to go on after a fixed amount of work, so that the calls are as regular in one large piece as in
-/// thousands of small ones.
+/// Polls a stop token after a fixed amount of work, so that polls are as regular in one large piece as in thousands of
+/// small ones.
 class WorkMeter {
  public:
-  /// Faces, edges or pairs visited between two calls: a few milliseconds.
+  /// Number of faces, edges or pairs visited between two polls: a few milliseconds.
   static constexpr std::size_t work_per_question = 20'000;
 
   explicit WorkMeter(StopToken stop) : stop_(std::move(stop)) {}

@@ -13,9 +13,10 @@ namespace wirewarp {
 /// copy of the chart on the same surface:
 /// - its first vertices and all wires and boundaries are those of the chart, with equal handles and positions;
 /// - new vertices follow, with source_vertex -1; source_face of a divided face is the input face that contains it;
-/// - helper wires follow the chart's wire parts: super-elastic, wire_index -1, parts counted from 0. Throws
-///   UnjoinedWires if no such network is found, because rounding spoils a path or join_separate_loops fails. Throws
-///   Stopped.
+/// - helper wires follow the chart's wire parts: super-elastic, wire_index -1, parts counted from 0.
+///
+/// Throws UnjoinedWires if no such network is found, because rounding errors spoil a path or join_separate_loops()
+/// fails. Throws Stopped.
 std::optional<Chart> process_topology(const Chart& chart, const StopToken& stop = {});
 
 }  // namespace wirewarp
