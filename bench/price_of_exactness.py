@@ -81,13 +81,15 @@ class Runs:
 
     def lengths_within(self, mesh: Path) -> list[float | None]:
         """Return the length of OptCuts' shortest cuts that keep Flat.least below BOUND without overlaps: with exact
-        lengths, and with elastic seams.
+        lengths, and with elastic seams, which may keep exact lengths.
         """
         found: list[float | None] = [None, None]
         for bound in TIGHTER:
             peer = self.peer(mesh, bound)
-            for i, flat in enumerate(self.flat(mesh, bound) if peer else []):
-                if found[i] is None and flat and not flat.overlaps and flat.least <= BOUND:
+            flat = self.flat(mesh, bound) if peer else [None, None]
+            enough = [bool(each and not each.overlaps and each.least <= BOUND) for each in flat]
+            for i, is_enough in enumerate((enough[0], any(enough))):
+                if peer and is_enough and found[i] is None:
                     found[i] = peer.length
             if None not in found:
                 break
