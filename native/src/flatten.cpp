@@ -44,8 +44,8 @@ Charts cut(const Run& run, const EdgeTable& edges, ProgressReport& report, Secon
   return cut_into_charts(run.input, edges, stop.in("charts"));
 }
 
-/// After the caller canceled, flat pieces are still measured, unless this takes more calls of a WorkMeter: at most
-/// about half a second.
+/// Largest number of polls of a WorkMeter, at most about half a second, for which flat pieces are still measured after
+/// the caller canceled.
 constexpr int kQuestionsAfterCancel = 25;
 
 StopToken while_measuring(ProgressReport& report) {

@@ -8,7 +8,8 @@ namespace wirewarp::test {
 /// Returns whether the error is about a fault of the mesh itself.
 bool is_of_mesh(ErrorCode code);
 
-/// Checks that the error of piece `number` agrees with the piece's topology, outline and wires, and names its elements.
+/// Checks that the error of piece `number` agrees with the piece's topology, outline and wires, and names only elements
+/// of this piece.
 void check_error(Judged& judged, int number);
 
 }  // namespace wirewarp::test

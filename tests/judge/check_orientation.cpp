@@ -21,7 +21,7 @@ struct Line {
   double length = 0;
 };
 
-/// Appends an edge from corner a, with its positions in this piece.
+/// Appends an edge, which starts at the input vertex a, with its positions in this piece.
 void append(const Judged& judged, const Side& side, int a, Line& line) {
   const int begin = judged.vertex(side.face, side.corner) == a ? 0 : 1;
   if (line.points.empty()) line.points.push_back(judged.uv(side.face, side.corner + begin));

@@ -5,8 +5,8 @@ namespace wirewarp::test {
 namespace {
 
 constexpr double kEven = 1e-12;  // rounding error of differences of shares
-constexpr double kWithoutStrain =
-    1e-18;  // largest E over the area of a piece that unfolds; other pieces have several minima
+// Largest E over the area of a piece that unfolds; other pieces have several minima.
+constexpr double kWithoutStrain = 1e-18;
 constexpr double kSamePlace = 1e-6;  // allowed distance of vertices from their expected places, over the piece's size
 
 Eigen::Vector2d shares(const Judged& judged) {

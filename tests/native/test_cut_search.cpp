@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cuts proposed for one of several pieces. Their reported strain and lengths include the effect on the other pieces.
+// Cuts proposed for one of several pieces. Their energy is that of a new run of the whole model, because a cut may also
+// change other pieces.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -91,8 +91,8 @@ TEST_F(OutlineOfANotch, HessianEqualsDifferencesAlongALinearMotion) {
 }
 
 TEST_F(OutlineOfANotch, AStepEndsWhereTheOutlineFirstTouches) {
-  const Positions2 too_far =
-      closed_to(-3 * kGap) - narrow;  // a step of four gap widths; a quarter of it closes the notch
+  // A step of four gap widths: a quarter of it closes the notch.
+  const Positions2 too_far = closed_to(-3 * kGap) - narrow;
   EXPECT_NEAR(barrier.longest_step(narrow, too_far), 0.25, 1e-12);
   EXPECT_EQ(barrier.longest_step(narrow, wide - narrow), 1);
   EXPECT_EQ(barrier.longest_step(wide, closed_to(kGap) - wide), 1);

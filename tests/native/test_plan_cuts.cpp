@@ -48,8 +48,8 @@ TEST(PlanCuts, StrainLeftIsThatOfAFreshRun) {
 
 TEST(PlanCuts, MirroredPairsAreChosenTogetherIfBothAreAllowed) {
   FlattenInput input = hills(8);
-  test::add_wire(input,
-                 test::grid_column(8, 8, 4));  // no dart crosses this wire, so no single dart can help both hills
+  // No dart crosses this wire, so no single dart can help both hills.
+  test::add_wire(input, test::grid_column(8, 8, 4));
   CutTarget target;
   target.strain = 0;
   target.twins = true;

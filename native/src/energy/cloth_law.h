@@ -12,8 +12,8 @@
 //   φ = D W = weft (p − D)²/D + warp (q − D)²/D + shear g²/D³ + 10 D max(0, |g|/(pq) − sin γ₀)²     per worn area
 //
 // Threads and shear of woven cloth as independent springs: D. E. Breen, D. H. House, M. J. Wozny (1994), J. McCartney
-// et al. (2000). φ stays finite as a and b approach 0 together, and a mirror image has the same φ, so φ is not a
-// barrier by itself. For D <= 0, it is defined as infinite.
+// et al. (2000). φ stays finite as a and b approach 0 together, and a mirror image has the same W, so W is not a
+// barrier by itself. For D <= 0, φ is defined as infinite.
 //
 // For a fabric that is stretched by S = diag(1 + c_weft, 1 + c_warp) when worn, J is the map to the stretched fabric, S
 // times the map to the flat piece. The energy then measures the deviation from this stretch, and the flat area is 1 /

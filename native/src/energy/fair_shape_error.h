@@ -8,7 +8,7 @@
 //
 //   f(u) = Σ_t A φ(J) + Z(u) + F(u) + Σ_t A β(det J)      φ: energy/cloth_law.h, Z: energy/shear_smoothing.h
 //
-//   β(x) = ω max(0, ⅒ − x)² finite: flips are allowed on the way to the minimum
+//   β(x) = ω max(0, ⅒ − x)²      finite: flips are allowed on the way to the minimum
 //   β(x) = κ b(x / ⅒)            infinite where x <= 0, energy/log_barrier.h; each step ends before the
 //                                first triangle flips (J. Smith, S. Schaefer, Bijective parameterization with
 //                                free boundaries, ACM Transactions on Graphics 34 (2015), article 70)

@@ -104,7 +104,7 @@ bool MultiplierMethod::factorize(const Eigen::VectorXd& multipliers) {
 }
 
 /// Returns the Newton step of Φ. With d eliminated, a quadratic program in Δh remains: its Hessian is the stiffness of
-/// the springs ρ and the surface, its gradient is −Tᵀ times the forces.
+/// the springs ρ and the surface, its gradient is −Tᵀ (λ + ρ (c + J d)) with the d for Δh = 0.
 std::optional<MultiplierMethod::Step> MultiplierMethod::newton_step() {
   const Eigen::VectorXd stiffness = stiffness_ * unit_;
   const Eigen::VectorXd forces = multipliers_ + stiffness.cwiseProduct(residual(now_));

@@ -45,7 +45,7 @@ struct NewtonConstants {
   /// 3¹⁰ times shorter gains nothing.
   static constexpr int max_radii = 10;
   /// Largest dimension of the Krylov space. Each vector costs a few substitutions. On 300 random cases, 8 vectors lead
-  /// to 4% more factorizations, and 30 vectors to as many.
+  /// to 4% more factorizations, and 30 vectors to no fewer.
   static constexpr int max_krylov_size = 15;
   /// Smallest negative curvature, relative to the convex part's curvature, at which leaving a saddle is worthwhile.
   static constexpr double flat_curvature = 1e-4;

@@ -22,7 +22,7 @@ enum class SolutionStatus {
   singular,    // a matrix had no factor in double precision before lengths were exact
   cancelled,   // the caller stopped before lengths were exact
   stalled,     // exact lengths; another step could reduce f
-  converged,   // exact lengths; another step would reduce f by less than 1e-9 of f, or by less than rounding errors
+  converged,   // exact lengths; the predicted decrease of f is below 1e-9 of f, or below rounding errors
 };
 
 inline constexpr double kNoGradient = std::numeric_limits<double>::quiet_NaN();  // PieceReport::projected_gradient

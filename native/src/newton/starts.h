@@ -11,7 +11,7 @@
 namespace wirewarp {
 
 enum class Start {
-  unfolded,  // the unfolded chart, if it has no curvature (newton/unfold.h); usually the final shape
+  unfolded,  // the unfolded chart, if it is developable (newton/unfold.h); usually the final shape
   coarse,    // the shape of a coarser chart (newton/coarse_start.h), 1 to 3 factorizations from the minimum
   free,      // a free ARAP flattening; on most pieces, one step from there reaches exact lengths
   /// WireWarping: flattens the wires alone by the angles of Eq. (1) on the network of process_topology, then places the

@@ -13,12 +13,13 @@ namespace wirewarp {
 /// The position of a fine wire edge on a coarse one.
 struct CoarseWirePlace {
   int edge = -1;
-  /// Fractions of the coarse edge's length where the fine edge begins and ends, along its halfedge_handle(edge, 0).
+  /// Fractions of the coarse edge's length where the fine edge begins and ends, along the fine edge's
+  /// halfedge_handle(edge, 0).
   double from = 0, to = 0;
 };
 
 struct CoarseChart {
-  Chart chart;                               // without super-elastic wires, source faces and boundary chains
+  Chart chart;                               // without super-elastic wires and boundary chains
   HeldNetwork network;                       // lengths and surface angles from the runs
   std::vector<WireRun> runs;                 // per coarse wire edge, along its halfedge_handle(edge, 0)
   std::vector<CoarsePlace> places;           // per fine vertex

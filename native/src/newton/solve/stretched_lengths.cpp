@@ -13,8 +13,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kReportedDifference =
-    0.01;  // largest unreported difference between the sides of a seam, over their length
+// Largest difference between the sides of a seam, over their length, that can be eased in. Larger ones are reported.
+constexpr double kReportedDifference = 0.01;
 
 /// Returns the edges whose flat lengths depend on the stretch: edges of the outline and of fixed or elastic wires,
 /// without an ease.

@@ -25,7 +25,8 @@ bool have_same_pattern(const SparseMatrix& a, const SparseMatrix& b) {
 }  // namespace
 
 /// The entries of A that belong to L, and the transposed entries that belong to U. An entry belongs to L if its row is
-/// eliminated after its column.
+/// eliminated after its column. Both are stored in the pattern of A's lower triangle, so row and column may be
+/// exchanged.
 struct MultifrontalLu::Triangles {
   Triangles(const Matrix& a, const Positions2& positions)
       : lower(a.triangularView<Eigen::Lower>()),

@@ -7,8 +7,8 @@
 namespace wirewarp {
 namespace {
 
-/// Relative change of the spread that decides between equal axes: far above rounding errors, far below differences
-/// between unequal axes.
+/// Share of the spread's trace that is added to it, to decide between equal axes: far above rounding errors, and below
+/// the effect of the mesh on unequal axes.
 constexpr double kDecides = 1e-7;
 
 }  // namespace

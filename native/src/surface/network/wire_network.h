@@ -49,8 +49,8 @@ struct WirePatch {
     int node;  // node at the start of the half-edge
     WireHalfEdge half_edge;
   };
-  std::vector<std::vector<Step>>
-      loops;  // counter-clockwise; one for a disk, more if separate wires or holes are inside
+  /// Counter-clockwise; one for a disk, more if separate wires or holes are inside.
+  std::vector<std::vector<Step>> loops;
 };
 
 struct WireNetwork {
