@@ -243,6 +243,9 @@ def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
     assert all(label in draw_panels(addon) for label in labels)
     one_click = f"Flatten for {labels[0].partition(',')[0]}"
     assert one_click in draw_panels(addon)
+    bpy.context.scene.wirewarp.cloth = "WOVEN"
+    assert "Flatten for" not in draw_panels(addon)
+    bpy.context.scene.wirewarp.cloth = "NONE"
     bpy.context.scene.wirewarp.gives_along = 2.0  # left from another fabric
     assert MEND(what="FABRIC", cloth=offered[0].upper()) == {"FINISHED"}
     assert bpy.context.scene.wirewarp.cloth == offered[0].upper()

@@ -290,7 +290,7 @@ class MarkedRow:
 
 
 def has_marks(source, addon):
-    """Return whether the list of pieces has ticks or warnings."""
+    """Return for each entry of the list of pieces whether it has a tick or a warning."""
     addon.state.drawings.forget()
     row, listed = MarkedRow(), bpy.types.WIREWARP_UL_pieces
     for index, entry in enumerate(source.wirewarp_pieces):
@@ -316,4 +316,6 @@ def test_the_list_of_pieces_has_marks_only_while_the_verdict_is_about_them(addon
     flatten_fails("not numbers, or far")
     source.data.vertices[0].co = place
     source.data.update()
+    bpy.context.view_layer.update()
+    assert not addon.ui.settings.has_changed_since(source, addon.state.reports.pieces_report(source))
     assert has_marks(source, addon) == [False, False]  # the last run failed

@@ -24,7 +24,7 @@ class Fault:
     kind: str
     one: str
     many: str
-    verb: str  # text of the button
+    verb: str  # first word on the button: "Merge"
     done: str  # participle in the message: "merged"
     find: Callable[[bmesh.types.BMesh, float], Found]  # float: maximum distance of elements that count as one
     repair: Callable[[bmesh.types.BMesh, float, Found], object]

@@ -10,6 +10,7 @@ import numpy as np
 from mathutils import Quaternion, Vector
 
 LEGEND_WIDTH = 180  # width of the legend with the usual names of lines and its margin, in pixels at interface scale 1
+MOST_COVERED = 0.8  # largest share of the width that is left free for the legend; a wider one hides part of the place
 MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
 ONE_SIDE = 0.3  # shortest mean normal of a surface with one visible side; a ring around a body has nearly zero
 SEEN = 0.3  # smallest cosine between that normal and the direction to the eye of a visible surface
@@ -118,7 +119,7 @@ def _look_at(context: bpy.types.Context, area: bpy.types.Area, points: np.ndarra
         across=view.window_matrix[0][0],
         upward=view.window_matrix[1][1],
         is_perspective=is_perspective,
-        covered=_covered(context, area) / region.width,
+        covered=min(_covered(context, area) / region.width, MOST_COVERED),
     )
     middle, distance = fit(points, projection)
     view.view_location = middle

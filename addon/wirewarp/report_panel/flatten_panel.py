@@ -158,7 +158,7 @@ def _draw_state(
     if step and not is_looked_at:
         _draw_step(context, layout, step)
     kinds = {line.kind for line in verdict.lines}
-    if Kind.NEEDS_STRETCH in kinds:  # no fabric was chosen
+    if Kind.NEEDS_STRETCH in kinds and context.scene.wirewarp.cloth == "NONE":  # a chosen fabric is not replaced
         _draw_fabric(layout, report)
     if kinds & FABRIC_HELPS:
         layout.menu(VIEW3D_MT_wirewarp_fabrics.__name__, icon=ICON)

@@ -24,7 +24,7 @@ def edge_length_variation(
     """Return the variation of the flat edges, (e,) float32.
 
     flat (e,2): the edges as vectors; places (e,2): the piece of each edge, and its edge on the model. Edges of outlines
-    and wires have the library's value. Other edges are compared including the negative ease of the fabric.
+    and wires have the library's value. Other edges are compared including the built-in stretch of the fabric.
     """
     worn = (choices.cloth.worn_across, choices.cloth.worn_along) if choices.cloth else (0.0, 0.0)
     spatial = _model_lengths(result, arrays, choices)[places[:, 1]]

@@ -19,8 +19,8 @@ Pairs = list[tuple[int, int]]  # vertices
 def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: MeshArrays) -> list[Issue]:
     """Return the issues. The issue of each mirrored piece proposes fixes for both pieces.
 
-    If the meshes of the pieces are mirror images, the fixes are the first proposal and its mirror image. Otherwise
-    each piece has its own proposal.
+    If the meshes of the pieces are mirror images, the fixes are the first proposal and its mirror image. Otherwise they
+    are the proposals of both issues.
     """
     found = list(issues)
     fixable = [index for index, issue in enumerate(issues) if issue.proposed_seams or issue.proposed_tolerances]

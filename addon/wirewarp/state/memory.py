@@ -28,7 +28,7 @@ class ObjectState:
     drawings: dict[str, Any] = field(default_factory=dict)  # drawings by kind; see state.drawings
     parsed: Any = None  # the stored report as text and parsed; see state.reports
     failure: Any = None  # the report of a run that wrote nothing; see state.reports
-    failed_after: str | None = None  # the report stored before that run; None if there was none
+    failed_after: str = ""  # the report stored before that run; "" if there was none
     suggestions: Any = None  # see state.suggestions
     solved: Any = None  # the wirewarp.Cache of its solved pieces; see flatten.read
     solved_by_map: Any = None  # the Cache for the trial of its UV seams

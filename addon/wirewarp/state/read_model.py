@@ -49,7 +49,7 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
 
 
 def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[str]:
-    """Return whether modifiers or shape keys make the object differ from its base mesh, as words. In Object Mode.
+    """Return "modifiers" and "shape keys" if these make the object differ from its base mesh. In Object Mode.
 
     Only the evaluated shape counts: an armature at rest changes nothing, nor does a modifier of normals.
     """

@@ -2,8 +2,8 @@
 """Stores two reports of each object: of the run that made its flat pieces, and of a later run that wrote nothing.
 
 A run that wrote pieces stores its report on the object, so that the file keeps it. A run that wrote nothing does not
-change the file: its report stays in memory until the next run or file. A report that anything else changed is not
-shown, because it may be wrong or unsafe to read.
+change the file: its report stays in memory until the next such run or file, and is the last report while the stored
+one is unchanged. A report that anything else changed is not shown, because it may be wrong or unsafe to read.
 """
 
 import json
@@ -30,10 +30,10 @@ def store(source: bpy.types.Object, report: ObjectReport) -> None:
 
 
 def remember(source: bpy.types.Object, report: ObjectReport) -> None:
-    """Keeps the report of a run that wrote nothing for this object, until another run stores its own."""
+    """Keeps the report of a run that wrote nothing for this object. It is hidden while a later report is stored."""
     note(source)
     state = state_of(source)
-    state.failure, state.failed_after = report, source.get(REPORT)
+    state.failure, state.failed_after = report, stored_text(source, REPORT)
     state.drawings.pop(HAS_CHANGED, None)
 
 
@@ -71,7 +71,7 @@ def _failure(source: bpy.types.Object) -> ObjectReport | None:
     Before Blender 4.1, counts detect a later object at its address.
     """
     state = state_of(source)
-    failure = state.failure if state.failed_after == source.get(REPORT) else None
+    failure = state.failure if state.failed_after == stored_text(source, REPORT) else None
     if failure and not hasattr(source, "session_uid") and failure.counts != element_counts(source.data):
         return None
     return failure

@@ -14,7 +14,7 @@ from ..core import Level
 from .window_run import Task, shown_progress
 
 WIDE = 330  # pixels at interface scale 1; a new sidebar is half as wide
-BESIDE_TEXT = 90  # pixels of these that icon, margins and tabs take
+BESIDE_TEXT = 90  # pixels of the sidebar's width that icon, margins and tabs take
 FONT = 0  # Blender's number of the interface font
 SIZE, THICKNESS = 64, 0.08  # size of a mark in pixels; half the width of its strokes, as a share of the size
 Stroke = list[tuple[float, float]]  # y up

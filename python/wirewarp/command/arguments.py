@@ -239,7 +239,10 @@ def _running_options() -> argparse.ArgumentParser:
         "--time-limit", type=_seconds, default=3600.0, metavar="S", help="maximum seconds per model (3600)"
     )
     options.add_argument(
-        "--memory-limit", type=_memory, metavar="4GB", help="maximum memory per model (memory of the machine over jobs)"
+        "--memory-limit",
+        type=_memory,
+        metavar="4GB",
+        help="maximum memory per model (memory of the machine divided by the jobs)",
     )
     return options
 

@@ -21,7 +21,7 @@ struct CutPlaces {
 /// opened, and charts are slit or cut in two; parts without a flat shape are cut again. All candidates are flattened
 /// without fixed lengths; then lies_flat() judges the best few for each chart. Returns the successful cut with the
 /// least cost of length and distortion, or the best cut if all fail. The result is empty if the search is stopped, or
-/// if there is no edge to cut, for example because all are forbidden.
+/// if no edge can be cut, for example because all are forbidden.
 CutMask open_chart(const Chart& chart, const std::function<bool(const Chart& part)>& lies_flat, const StopToken& stop,
                    CutPlaces places = {});
 

@@ -52,7 +52,8 @@ void ChartsProgress::finish(std::size_t chart) {
     const std::lock_guard lock(mutex_);
     advance(chart, 1);
   }
-  if (std::this_thread::get_id() == caller_) report();  // because charts from the cache and failed charts may take no steps
+  if (std::this_thread::get_id() == caller_)
+    report();  // because charts from the cache and failed charts may take no steps
 }
 
 bool ChartsProgress::report() {

@@ -13,7 +13,7 @@ from .room import Room
 from .text_place import text_width
 
 HEIGHTS = (4.5, 3.5, 2.5)  # heights of the letters in millimeters; if none fits, the name is placed beside the piece
-BESIDE = 0.75  # distance from a line to the middle of its letters, as a share of their height
+BESIDE = 0.75  # millimeters from a line to the letters of its name
 ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # places as shares of its length, the best first
 ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their middles
 

@@ -96,7 +96,7 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 def _places(
     group: SeamGroup, seams: Sequence[Sequence[SewnSide]], wire_ends: Mapping[int, np.ndarray], spacing: float
 ) -> dict[int, list[float]]:
-    """Return for each seam the sewn lengths from its start to its notches. A ring has a notch at its start."""
+    """Return for each seam the sewn lengths from its start to its notches. If all are rings, one is at the start."""
     sewn = {seam: SewnLengths.of(seams[seam]) for seam in group.turned if seams[seam]}
     if not sewn:  # pieces without a layout
         return {}
@@ -112,7 +112,7 @@ def _places(
     for place in sorted(ends):
         if APART < place < length - APART and (not taken or place > taken[-1] + APART):
             taken.append(place)
-    is_ring = _is_ring(seams[next(iter(sewn))])
+    is_ring = all(_is_ring(seams[seam]) for seam in sewn)  # a notch at the start must fit all seams of the group
     begin = [0.0] if spacing and is_ring else []
     between = symmetric_places if group.is_symmetric else places_along
     places = np.array(sorted([*begin, *taken, *between(length, taken, spacing)]))
