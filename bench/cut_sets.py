@@ -65,10 +65,15 @@ def num_bends(vertices: np.ndarray, edges: np.ndarray) -> int:
     return count
 
 
+def scale_of(mesh: Mesh) -> float:
+    """Return millimeters per unit of the mesh."""
+    return HEIGHT / float(np.ptp(mesh[0], axis=0).max())
+
+
 def best_set(mesh: Mesh) -> tuple[wirewarp.DartProposal, float]:
     """Return the set, and the seconds of processor time that the search took."""
     begin = time.process_time()
-    sets = wirewarp.propose_seams(*mesh)
+    sets = wirewarp.propose_seams(*mesh, narrowest=2 * ALLOWANCE / scale_of(mesh))
     seconds = time.process_time() - begin
     soft = [each for each in sets if each.strain <= SOFT]
     return min(soft, key=lambda each: each.num_pieces) if soft else min(sets, key=lambda each: each.strain), seconds
@@ -79,7 +84,7 @@ def row(name: str, mesh: Mesh, best: wirewarp.DartProposal, seconds: float) -> l
     points = vertices[faces]
     area = np.linalg.norm(np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]), axis=1).sum() / 2
     pieces = wirewarp.flatten(vertices, faces, seams=best.edges).pieces
-    scale = HEIGHT / float(np.ptp(vertices, axis=0).max())
+    scale = scale_of(mesh)
     width = min(map(piece_width, pieces)) * scale
     images = mirror_images(vertices)
     return [

@@ -20,7 +20,6 @@
 namespace wirewarp::bindings {
 namespace {
 
-using Propose = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutOptions&, const Progress&);
 using Plan = std::vector<DartProposal> (*)(const FlattenInput&, const Options&, const CutTarget&, const Progress&);
 
 constexpr const char* kDartsDoc =
@@ -61,6 +60,11 @@ seams is cut. The first set brings every part to the accepted strain (None for 0
 mirror images can do so. Each later set is shorter and leaves more strain. Sets are symmetric if the piece is, and may
 cross wires. For a set, edges has one line after the other, energy is that of all parts, strain that of the worst part,
 and longest limits the whole set; energy_before and strain_before are infinite.
+
+narrowest: least width of the flat pieces of a cut set, scene units; 0 for any width. Pieces are not joined to one that
+    is narrower than this, unless one of them is as narrow. Use twice the allowance and a little more: see
+    pattern.piece_width() and pattern.has_room().
+
 Raises "no_proposal" if no_seam or longest allow no set.)";
 
 constexpr const char* kStartDartsDoc =
@@ -115,7 +119,13 @@ If the job is canceled, its result has the seams that remain by then.)";
 
 CutOptions read_cut_options(std::optional<int> piece, int count, std::optional<double> strain,
                             std::optional<double> longest, const py::object& no_seam) {
-  return {piece, count, strain, longest.value_or(CutOptions().longest), read_edges(no_seam, "no_seam")};
+  CutOptions cut_options;
+  cut_options.piece = piece;
+  cut_options.count = count;
+  cut_options.strain = strain;
+  cut_options.longest = longest.value_or(cut_options.longest);
+  cut_options.no_seam = read_edges(no_seam, "no_seam");
+  return cut_options;
 }
 
 CutTarget read_cut_target(double strain, int most, std::optional<double> longest, std::optional<double> total_length,
@@ -182,23 +192,24 @@ std::unique_ptr<Job> start_darts(const py::object& vertices, const py::object& f
       work_that(search_of(propose_darts, vertices, faces, seams, wires, options, eases, cut_options)));
 }
 
-template <Propose propose>
-std::vector<DartProposal> run(const py::object& vertices, const py::object& faces, const py::object& seams,
-                              const py::object& wires, const py::object& options, const py::object& eases,
-                              std::optional<int> piece, int count, std::optional<double> strain,
-                              std::optional<double> longest, const py::object& no_seam, const py::object& progress) {
-  const CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
-  return find_now(search_of(propose, vertices, faces, seams, wires, options, eases, cut_options), progress);
+std::vector<DartProposal> run_seams(const py::object& vertices, const py::object& faces, const py::object& seams,
+                                    const py::object& wires, const py::object& options, const py::object& eases,
+                                    std::optional<int> piece, int count, std::optional<double> strain,
+                                    std::optional<double> longest, const py::object& no_seam, double narrowest,
+                                    const py::object& progress) {
+  CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
+  cut_options.narrowest = narrowest;
+  return find_now(search_of(propose_seams, vertices, faces, seams, wires, options, eases, cut_options), progress);
 }
 
-template <Propose propose>
-std::unique_ptr<Job> start(const py::object& vertices, const py::object& faces, const py::object& seams,
-                           const py::object& wires, const py::object& options, const py::object& eases,
-                           std::optional<int> piece, int count, std::optional<double> strain,
-                           std::optional<double> longest, const py::object& no_seam) {
-  const CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
+std::unique_ptr<Job> start_seams(const py::object& vertices, const py::object& faces, const py::object& seams,
+                                 const py::object& wires, const py::object& options, const py::object& eases,
+                                 std::optional<int> piece, int count, std::optional<double> strain,
+                                 std::optional<double> longest, const py::object& no_seam, double narrowest) {
+  CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
+  cut_options.narrowest = narrowest;
   return std::make_unique<Job>(
-      work_that(search_of(propose, vertices, faces, seams, wires, options, eases, cut_options)));
+      work_that(search_of(propose_seams, vertices, faces, seams, wires, options, eases, cut_options)));
 }
 
 std::vector<DartProposal> run_plan(const py::object& vertices, const py::object& faces, const py::object& seams,
@@ -296,13 +307,14 @@ void bind_propose(py::module_& module) {
       .field("was_stopped", &SeamProposal::was_stopped)
       .picklable();
   const py::arg_v progress = py::arg("progress") = py::none(), smooth = py::arg("smooth") = false,
-                  no_crossing = py::arg("no_crossing") = py::none();
+                  no_crossing = py::arg("no_crossing") = py::none(),
+                  narrowest = py::arg("narrowest") = CutOptions().narrowest;
   define_proposals(module, "propose_darts", &run_darts, kDartsDoc, smooth, no_crossing, progress);
-  define_proposals(module, "propose_seams", &run<propose_seams>, kSeamsDoc, progress);
+  define_proposals(module, "propose_seams", &run_seams, kSeamsDoc, narrowest, progress);
   define_plan(module, "plan_cuts", &run_plan, kPlanDoc, progress);
   define_simplify(module, "simplify_seams", &run_simplify, kSimplifyDoc, progress);
   define_proposals(module, "start_darts", &start_darts, kStartDartsDoc, smooth, no_crossing);
-  define_proposals(module, "start_seams", &start<propose_seams>, kStartSeamsDoc);
+  define_proposals(module, "start_seams", &start_seams, kStartSeamsDoc, narrowest);
   define_plan(module, "start_plan", &start_plan, kStartPlanDoc);
   define_simplify(module, "start_simplify", &start_simplify, kStartSimplifyDoc);
 }

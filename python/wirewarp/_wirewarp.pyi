@@ -428,6 +428,7 @@ def propose_seams(
     strain: float | None = None,
     longest: float | None = None,
     no_seam: npt.ArrayLike | None = None,
+    narrowest: float = 0.0,
     progress: Callable[[str, float], bool | None] | None = None,
 ) -> list[DartProposal]: ...
 def plan_cuts(
@@ -477,6 +478,7 @@ def start_seams(
     strain: float | None = None,
     longest: float | None = None,
     no_seam: npt.ArrayLike | None = None,
+    narrowest: float = 0.0,
 ) -> Job[list[DartProposal]]: ...
 def start_plan(
     vertices: npt.ArrayLike,

@@ -109,6 +109,12 @@ def test_the_reason_for_removing_no_seam_is_reported(dome, tmp_path, columns, st
     assert (line["verdict"], line["codes"], line["problems"]) == ("nothing to propose", ["no_proposal"], [problem])
 
 
+def test_widths_are_only_for_cut_sets(dome):
+    for words in (("--cut", "dart"), ("--cut", "seam", "--together", "2")):
+        lines, said = commands.propose(dome, *words, "--narrowest", "12mm", code=2)
+        assert lines == [] and "--narrowest is for cut sets" in said
+
+
 @pytest.mark.parametrize("words", [(), ("--seams", "uv", "--together", "2"), ("--seams", "uv", "--no-seam", "a.json")])
 def test_fewer_needs_seams_and_makes_no_cuts(dome, words):
     lines, said = commands.propose(dome, "--cut", "fewer", *words, code=2)

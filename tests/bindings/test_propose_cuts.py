@@ -6,8 +6,10 @@ import pickle
 
 import numpy as np
 import pytest
+import trimesh
 from surfaces import chain_edges, column_chain, spherical_patch, tetrahedron
 from wirewarp import Cloth, ErrorCode, FlattenError, Options, Wire, flatten, plan_cuts, propose_darts, propose_seams
+from wirewarp.pattern import has_room
 from wirewarp.report.make import make_report
 
 DOME = spherical_patch(8, 8)
@@ -39,6 +41,19 @@ def test_strain_is_the_figure_of_the_report_and_decreases(wire, options):
             assert proposal.strain_before == pytest.approx(before, abs=1e-6)
             assert proposal.strain == pytest.approx(needed(proposal.edges), abs=1e-6)
             assert min(proposal.strain, proposal.strain_with_twin or np.inf) < before
+
+
+def test_cut_sets_have_pieces_that_are_wide_enough():
+    ball = trimesh.creation.icosphere(subdivisions=2)
+    vertices, faces = ball.vertices * (1 + 0.3 * ball.vertices[:, :1]), ball.faces
+
+    def num_narrow(narrowest):
+        sets = propose_seams(vertices, faces, strain=0.1, narrowest=narrowest)
+        pieces = [piece for each in sets for piece in flatten(vertices, faces, seams=each.edges).pieces]
+        return sum(not has_room(piece, 0.2) for piece in pieces)
+
+    assert num_narrow(0.0) > 0
+    assert num_narrow(0.4) == 0
 
 
 def test_a_closed_model_gets_cut_sets():
@@ -84,6 +99,8 @@ def test_progress_is_reported_and_can_cancel():
         (propose_darts, {"strain": -1.0}, "strain is -1"),
         (propose_darts, {"longest": 0.0}, "longest is 0"),
         (propose_darts, {"piece": 1}, "piece is 1"),
+        (propose_seams, {"narrowest": -1.0}, "narrowest is -1: it must be a finite number of 0 or more"),
+        (propose_seams, {"narrowest": np.inf}, "it must be a finite number of 0 or more"),
         (propose_seams, {"no_seam": [[0, 9999]]}, "with the pair 0, 9999: it must contain edges of the mesh only"),
         (
             propose_darts,

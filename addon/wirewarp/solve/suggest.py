@@ -18,6 +18,7 @@ from .cut_faces import Pairs, Segments, segments_of
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import Steps
 
+ROOM = 2.4  # allowances that a piece must be wide: both sides, and a fifth more to turn it right side out
 WORTH_PIECES = 0.95  # share of the stretch; smaller gains are not felt in fabric, and more pieces take longer to sew
 PAINTED = f' Seams are also not allowed where "{NO_SEAM}" is painted.'
 
@@ -102,7 +103,8 @@ def suggest_cuts(
         forbidden = np.concatenate([_forbidden_edges(arrays, no_seam), _forbidden_diagonals(across, arrays, no_seam)])
         arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": options.piece}
         around = arrays.edges[painted_at_edges(arrays, no_seam) > 0]
-        proposals = yield from result_of(_start(library, options, arguments | {"no_seam": forbidden}, around))
+        job = _start(library, options, arguments | {"no_seam": forbidden}, around, arrays.default_allowance)
+        proposals = yield from result_of(job)
         if options.target is not None:
             return _steps_of(proposals, arrays, options.piece)
         return _with_mirror_images(proposals, arrays)
@@ -114,15 +116,22 @@ def suggest_cuts(
 
 
 def _start(
-    library: ModuleType, options: SearchOptions, arguments: dict[str, Any], around_painted: np.ndarray
+    library: ModuleType,
+    options: SearchOptions,
+    arguments: dict[str, Any],
+    around_painted: np.ndarray,
+    allowance: float,
 ) -> "Job[list[DartProposal]]":
-    """Start the search. around_painted: edges (k,2) that smooth lines would cross to enter painted faces."""
+    """Start the search.
+
+    around_painted: edges (k,2) that smooth lines would cross to enter painted faces; allowance: in Blender units.
+    """
     target, is_dart = options.target, options.kind == "DARTS"
     if target is not None:
         limits = {"strain": target.strain, "most": target.most, "total_length": target.length}
         return library.start_plan(**arguments, **limits, kind="dart" if is_dart else "seam", twins=True)
     if not is_dart:
-        return library.start_seams(**arguments)
+        return library.start_seams(**arguments, narrowest=ROOM * allowance)
     return library.start_darts(**arguments, smooth=options.is_smooth, no_crossing=around_painted)
 
 

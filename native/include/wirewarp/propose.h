@@ -42,7 +42,8 @@ struct CutOptions {
   std::optional<double> strain;  // accepted strain: pieces with no more (DartProposal::strain) are ignored; >= 0;
                                  // none: 0.005, for cut sets 0.05
   double longest = std::numeric_limits<double>::infinity();  // length of a cut or set, on the surface, scene units; > 0
-  VertexPairs no_seam = VertexPairs(0, 2);                   // (k, 2) edges along which no cut may run
+  double narrowest = 0;  // least width of the flat pieces of a cut set, scene units; >= 0; 0: any width
+  VertexPairs no_seam = VertexPairs(0, 2);      // (k, 2) edges along which no cut may run
   bool is_smooth = false;                       // darts may be smooth lines across triangles, too; not for seams
   VertexPairs no_crossing = VertexPairs(0, 2);  // (k, 2) edges that no smooth dart may cross or touch
 };
@@ -70,6 +71,10 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// their mirror images can do so. Each later set is shorter and leaves more strain. Sets are symmetric if the piece is.
 /// They may cross wires, but follow neither edges of no_seam nor their mirror images. Sets that leave a strain of 1 or
 /// more are not returned.
+///
+/// The width of a flat piece is the diameter of the largest disk that can move through it, where parts below a tenth of
+/// its area do not count. Pieces are not joined to one that is narrower than `narrowest`, unless one of them is as
+/// narrow. Pieces that are narrow from the beginning stay if they cannot be joined to others.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 

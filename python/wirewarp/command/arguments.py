@@ -101,6 +101,8 @@ def parsed(words: Sequence[str]) -> Arguments:
             propose.error("--together chooses pieces and cuts itself: use it without --piece and --count")
         if given.kind == "fewer":
             _check_fewer(propose, given)
+        elif given.narrowest and (given.kind == "dart" or given.together):
+            propose.error("--narrowest is for cut sets: use it with --cut seam and without --together")
         material = _made(MaterialRequest, given)
         cuts = [_made(CutRequest, given, model=model, material=material) for model in given.models]
         return Arguments(cuts, given.jobs, _limits(given))
@@ -168,6 +170,7 @@ def _cut_options() -> argparse.ArgumentParser:
         "--count", type=_count, metavar="N", help="number of proposals, with mirror images counted once (5)"
     )
     options.add_argument("--longest", type=_length, help="maximum length of a cut on the model: 150mm (any)")
+    options.add_argument("--narrowest", type=_length, help="least width of the pieces of a cut set: 12mm (any)")
     options.add_argument(
         "--strain",
         type=_share,
@@ -286,7 +289,7 @@ def _made(kind: type[T], given: argparse.Namespace, **others: object) -> T:
 def _check_fewer(parser: argparse.ArgumentParser, given: argparse.Namespace) -> None:
     if not given.seams:
         parser.error("--cut fewer leaves out some of the seams of --seams: give --seams")
-    for option in ("together", "piece", "count", "longest", "no_seam"):
+    for option in ("together", "piece", "count", "longest", "narrowest", "no_seam"):
         if getattr(given, option):
             parser.error(f"--cut fewer makes no cuts: use it without --{option.replace('_', '-')}")
 

@@ -44,6 +44,8 @@ def propose_for(request: CutRequest) -> Line:
     else:
         propose = propose_darts if request.kind == "dart" else propose_seams
         piece = None if request.piece is None else request.piece - 1
+        if request.narrowest is not None:
+            wanted["narrowest"] = request.narrowest / per_unit
         if request.count is not None:
             wanted["count"] = request.count
         cuts = propose(**mesh, **wanted, piece=piece)

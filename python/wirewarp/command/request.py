@@ -63,6 +63,7 @@ class CutRequest(ModelRequest):
     count: int | None  # None: the library's number
     strain: float | None  # None: the library's value
     longest: float | None
+    narrowest: float | None  # None: any
     together: int | None  # largest number of cuts made together; None: each by itself
 
 

@@ -3,6 +3,7 @@
 #include "cuts/propose/best_cuts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -167,6 +168,8 @@ void check_cut_options(const CutOptions& cut_options, const FlattenInput& input,
   if (cut_options.strain && !(*cut_options.strain >= 0))
     throw wrong_option("strain", shortest(*cut_options.strain), "be 0 or more");
   if (!(cut_options.longest > 0)) throw wrong_option("longest", shortest(cut_options.longest), "be above 0");
+  if (!(cut_options.narrowest >= 0 && std::isfinite(cut_options.narrowest)))
+    throw wrong_option("narrowest", shortest(cut_options.narrowest), "be a finite number of 0 or more");
   if (cut_options.piece && (*cut_options.piece < 0 || *cut_options.piece >= static_cast<int>(num_pieces))) {
     throw wrong_option("piece", std::to_string(*cut_options.piece),
                        "be from 0 to " + std::to_string(num_pieces - 1) + ", as the mesh has " +

@@ -14,6 +14,7 @@
 #include "cuts/propose/canonical_order.h"
 #include "cuts/propose/coarse_evaluation.h"
 #include "cuts/propose/cut_chains.h"
+#include "cuts/propose/flat_width.h"
 #include "cuts/propose/merge_sections.h"
 #include "cuts/propose/mirror_image.h"
 #include "cuts/propose/piece_search.h"
@@ -201,6 +202,20 @@ std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
   return cuts;
 }
 
+/// Whether a flat piece is as wide as it must be.
+bool CutSetSearch::has_room(const FlatPiece& piece) const {
+  const double narrowest = cut_options_.narrowest;
+  return narrowest == 0 || flat_width(piece.chart.mesh, piece.uv, narrowest) >= narrowest;
+}
+
+/// Whether a set makes a narrow piece of a part that is as wide as it must be.
+bool CutSetSearch::makes_narrow(const CutSet& more, const FlatPiece& part) const {
+  return has_room(part) && std::any_of(more.pieces.begin(), more.pieces.end(), [&](const auto& piece) {
+           return is_part_of(piece->chart, part.chart) && !has_room(*piece);
+         });
+}
+
+/// Prefers cuts that leave every piece as wide as it must be.
 std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& set) const {
   const auto has_less = [](const PieceFigures& a, const PieceFigures& b) { return a.strain < b.strain; };
   const auto worst = static_cast<std::size_t>(std::max_element(set.figures.begin(), set.figures.end(), has_less) -
@@ -215,6 +230,7 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
   };
   std::stable_sort(candidates.begin(), candidates.end(), is_better);
   std::vector<CutMask> tried;
+  std::optional<CutSet> narrow;
   for (const Candidate& candidate : candidates) {
     if (tried.size() == kMostTrials) break;
     CutMask cut = set.cut;
@@ -225,9 +241,11 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
     CutSet more = evaluate(set.pieces, cut);
     // Compares energies, because the strain may rise: the parts have more outline of fixed length than the whole.
     const double before = set.figures[worst].energy;
-    if (more.lies_flat && figures_of(more.pieces, part).energy <= (1 - kWorthSewing) * before) return more;
+    if (!more.lies_flat || figures_of(more.pieces, part).energy > (1 - kWorthSewing) * before) continue;
+    if (!makes_narrow(more, *set.pieces[set.parts[worst]])) return more;
+    if (!narrow) narrow = std::move(more);
   }
-  return std::nullopt;
+  return narrow;
 }
 
 /// Selects the sets to propose. sets: the shortest first. Drops sets that are hardly better than a shorter one, sets
@@ -262,7 +280,7 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
 
 /// Adds sets with fewer sections than the last one: with the same allowed strain, and with higher and higher ones.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
-  SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_);
+  SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_, cut_options_.narrowest);
   const std::vector<double> allowed = allowed_strains(std::max(target_, sets.back().proposal.strain), target_);
   const auto count = static_cast<double>(allowed.size());
   for (std::size_t i = 0; i < allowed.size(); ++i) {

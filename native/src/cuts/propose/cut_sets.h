@@ -49,6 +49,8 @@ class CutSetSearch {
   CutSet with_figures(CutMask cut, FlatPieces pieces) const;
   CutSet evaluate(const FlatPieces& before, const CutMask& cut) const;
   void report_strain(double first, double now);
+  bool has_room(const FlatPiece& piece) const;
+  bool makes_narrow(const CutSet& more, const FlatPiece& part) const;
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
   void add_merged(std::vector<CutSet>& sets);
   std::vector<DartProposal> best_of(const std::vector<CutSet>& sets) const;

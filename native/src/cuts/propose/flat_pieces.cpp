@@ -28,6 +28,7 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
   }
   if (!flat.error) {
     flat.strain = needed.of(piece);
+    flat.uv = piece.vertices;
     flat.face_strain = needed.of_faces(piece);
     const bool is_large = flat.chart.mesh.n_faces() >= options.large_chart;  // its coarse start has half of the limit
     const bool may_turn = options.cloth && options.orientation == Orientation::best;  // the limit ends the comparison

@@ -24,6 +24,7 @@ struct FlatPiece {
   double area = 0;                // in 3D, scene units squared
   double strain = 0;              // DartProposal::strain
   Eigen::VectorXd face_strain{};  // the same for each face of the chart
+  Positions2 uv{};                // the flat shape, one row per vertex of the chart
   bool is_final = false;          // whether a higher limit of factorizations leads to the same shape
 };
 

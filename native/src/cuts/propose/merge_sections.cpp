@@ -13,6 +13,7 @@
 #include "base/in_threads.h"
 #include "cuts/feasibility/ranks.h"
 #include "cuts/propose/cut_chains.h"
+#include "cuts/propose/flat_width.h"
 #include "energy/free_boundary_arap.h"
 #include "energy/shape_error.h"
 #include "surface/charts/folded_faces.h"
@@ -141,13 +142,14 @@ std::vector<HalfEdgeChain> sorted_by_length(const HalfEdgeMesh& mesh, std::vecto
 }  // namespace
 
 SectionMerger::SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored,
-                             const ExactEvaluation& exact)
+                             const ExactEvaluation& exact, double narrowest)
     : state_(std::move(state)),
       chart_(chart),
       mirrored_(mirrored),
       has_other_measure_(exact.options().cloth.has_value() || has_eases(exact.surface().given())),
       exact_(exact),
-      quick_(exact.surface(), without_long_runs(exact.options()), exact.stop()) {}
+      quick_(exact.surface(), without_long_runs(exact.options()), exact.stop()),
+      narrowest_(narrowest) {}
 
 void SectionMerger::run(double most_strain, const std::function<void(double)>& report) {
   most_strain_ = most_strain;
@@ -174,7 +176,7 @@ bool SectionMerger::open_one(bool is_half) {
       const CutMask& mask = candidates[first + i];
       const FlatPieces pieces = beside(mask);
       const double allowed = allowed_beside(pieces);
-      if (is_allowed(tried[i].strain, allowed) && !tried[i].is_final) tried[i] = without(mask, exact_);
+      if (is_allowed(tried[i].strain, allowed) && !tried[i].is_final) tried[i] = without(mask, allowed, exact_);
       if (is_allowed(tried[i].strain, allowed)) {
         state_ = std::move(tried[i].after);
         return true;
@@ -241,7 +243,17 @@ double SectionMerger::least_strain_without(const CutMask& mask, double allowed) 
   return needed;
 }
 
-SectionMerger::Trial SectionMerger::without(const CutMask& mask, const ExactEvaluation& exact) const {
+/// Whether a piece is narrower than it must be, and than each of the old ones that it consists of.
+bool SectionMerger::is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const {
+  if (narrowest_ == 0) return false;
+  const double width = flat_width(piece.chart.mesh, piece.uv, narrowest_);
+  return width < narrowest_ && std::none_of(old.begin(), old.end(), [&](const auto& part) {
+           return wirewarp::is_part_of(part->chart, piece.chart) &&
+                  (part->error || flat_width(part->chart.mesh, part->uv, narrowest_) <= width);
+         });
+}
+
+SectionMerger::Trial SectionMerger::without(const CutMask& mask, double allowed, const ExactEvaluation& exact) const {
   Trial trial{0, {state_.cut, exact.with_cut(state_.pieces, {}, edges_of(mask))}, true};
   CutState& after = trial.after;
   const FlatPieces joined = beside(mask);
@@ -252,13 +264,18 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, const ExactEval
     if (piece->error && !is_part_of(piece->chart, joined) && had_error(piece->chart)) continue;
     trial.strain = std::max(trial.strain, piece->error ? kNoFlatShape : piece->strain);
   }
+  if (!is_allowed(trial.strain, allowed)) return trial;
+  const bool is_narrow = std::any_of(after.pieces.begin(), after.pieces.end(), [&](const auto& piece) {
+    return is_part_of(piece->chart, joined) && is_too_narrow(*piece, joined);
+  });
+  if (is_narrow) trial.strain = kNoFlatShape;
   return trial;
 }
 
 /// Flattens the new pieces only if their free maps need no more than the allowed strain.
 SectionMerger::Trial SectionMerger::try_without(const CutMask& mask) const {
   const double allowed = allowed_beside(beside(mask)), least = least_strain_without(mask, allowed);
-  return is_allowed(least, allowed) ? without(mask, quick_) : Trial{least, {}, false};
+  return is_allowed(least, allowed) ? without(mask, allowed, quick_) : Trial{least, {}, false};
 }
 
 }  // namespace wirewarp

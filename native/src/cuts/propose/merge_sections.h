@@ -24,8 +24,10 @@ struct CutState {
 /// the allowed strain or that of one of the old pieces. Other pieces that had no flat shape before are ignored.
 class SectionMerger {
  public:
-  /// chart, mirrored and exact are kept by reference. state: a cut of the chart, and the pieces with it.
-  SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact);
+  /// chart, mirrored and exact are kept by reference. state: a cut of the chart, and the pieces with it. narrowest: the
+  /// least width of a new piece, unless one of the old pieces is as narrow; scene units.
+  SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact,
+                double narrowest = 0);
 
   /// Continues from the state. report: called with the share of candidates that were tried. Throws Stopped; then the
   /// state is the last accepted one.
@@ -53,8 +55,9 @@ class SectionMerger {
   FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(mask)); }
   double allowed_beside(const FlatPieces& pieces) const;
   bool had_error(const Chart& chart) const;
+  bool is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const;
   double least_strain_without(const CutMask& mask, double allowed) const;
-  Trial without(const CutMask& mask, const ExactEvaluation& exact) const;
+  Trial without(const CutMask& mask, double allowed, const ExactEvaluation& exact) const;
   Trial try_without(const CutMask& mask) const;
 
   CutState state_;
@@ -63,6 +66,7 @@ class SectionMerger {
   const bool has_other_measure_;  // strain is measured in threads or beyond eases, so free maps cannot estimate it
   const ExactEvaluation& exact_;
   const ExactEvaluation quick_;  // limited to fewer factorizations
+  const double narrowest_;
   double most_strain_ = 0;
   std::function<void(double)> report_;
   std::map<CutMask, Rejected> rejected_;
