@@ -187,8 +187,9 @@ bool SectionMerger::open_one(bool is_half) {
   return false;
 }
 
-/// Returns symmetric candidates. Drops those that were rejected before with the same pieces beside them.
-std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) const {
+/// Returns symmetric candidates. Those beside narrow pieces come first, because they can be joined only as long as
+/// their neighbors have little strain. Drops those that were rejected before with the same pieces beside them.
+std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
   std::vector<HalfEdgeChain> sections;
   for (HalfEdgeChain& whole : sections_of(chart_.mesh, state_.cut)) {
     if (are_halves) {
@@ -208,6 +209,11 @@ std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) const {
     if (std::find(candidates.begin(), candidates.end(), mask) == candidates.end())
       candidates.push_back(std::move(mask));
   }
+  if (narrowest_ == 0) return candidates;
+  std::stable_partition(candidates.begin(), candidates.end(), [&](const CutMask& mask) {
+    const FlatPieces pieces = beside(mask);
+    return std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) { return is_narrow(piece); });
+  });
   return candidates;
 }
 
@@ -241,6 +247,12 @@ double SectionMerger::least_strain_without(const CutMask& mask, double allowed) 
     if (!is_allowed(needed, allowed)) break;
   }
   return needed;
+}
+
+bool SectionMerger::is_narrow(const std::shared_ptr<const FlatPiece>& piece) {
+  const auto [found, is_new] = is_narrow_.try_emplace(piece, false);
+  if (is_new) found->second = piece->error || flat_width(piece->chart.mesh, piece->uv, narrowest_) < narrowest_;
+  return found->second;
 }
 
 /// Whether a piece is narrower than it must be, and than each of the old ones that it consists of.

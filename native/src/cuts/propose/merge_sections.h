@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <vector>
 
 #include "cuts/feasibility/cut_mask.h"
@@ -50,11 +51,12 @@ class SectionMerger {
   };
 
   bool open_one(bool is_half);
-  std::vector<CutMask> list_candidates(bool are_halves) const;
+  std::vector<CutMask> list_candidates(bool are_halves);
   std::vector<VertexPair> edges_of(const CutMask& mask) const;
   FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(mask)); }
   double allowed_beside(const FlatPieces& pieces) const;
   bool had_error(const Chart& chart) const;
+  bool is_narrow(const std::shared_ptr<const FlatPiece>& piece);
   bool is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const;
   double least_strain_without(const CutMask& mask, double allowed) const;
   Trial without(const CutMask& mask, double allowed, const ExactEvaluation& exact) const;
@@ -70,6 +72,7 @@ class SectionMerger {
   double most_strain_ = 0;
   std::function<void(double)> report_;
   std::map<CutMask, Rejected> rejected_;
+  std::map<std::shared_ptr<const FlatPiece>, bool> is_narrow_;  // pieces that were measured
 };
 
 }  // namespace wirewarp
