@@ -25,7 +25,7 @@ from tables import table
 
 TOLERANCE = 0.03  # of elastic seams, each edge for itself, which is the largest freedom that ±3% can give
 TIGHTER = (BOUND, 4.08, 4.065, 4.05, 4.035, 4.02)  # bounds of OptCuts whose cuts are tried for the price
-BOUNDS = (BOUND, 4.05, 4.02, 4.005)
+BOUNDS = (BOUND, 4.05, 4.02)
 
 
 @dataclass(frozen=True)
