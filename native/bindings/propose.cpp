@@ -64,6 +64,11 @@ and longest limits the whole set; energy_before and strain_before are infinite.
 narrowest: least width of the flat pieces of a cut set, scene units; 0 for any width. Pieces are not joined to one that
     is narrower than this, unless one of them is as narrow. Use twice the allowance and a little more: see
     pattern.piece_width() and pattern.has_room().
+smooth: True for sets of smooth lines, which turn by less than 30 degrees at each vertex between their ends. Lines keep
+    some bends, or their edges, where the strain would more than double or lines would meet. A set keeps all its edges
+    if half of its bends would remain. Smooth sets have paths and no edges, as in propose_darts(). Seams across one
+    piece always follow edges.
+no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross.
 
 Raises "no_proposal" if no_seam or longest allow no set.)";
 
@@ -118,13 +123,16 @@ constexpr const char* kStartSimplifyDoc =
 If the job is canceled, its result has the seams that remain by then.)";
 
 CutOptions read_cut_options(std::optional<int> piece, int count, std::optional<double> strain,
-                            std::optional<double> longest, const py::object& no_seam) {
+                            std::optional<double> longest, const py::object& no_seam, bool smooth,
+                            const py::object& no_crossing) {
   CutOptions cut_options;
   cut_options.piece = piece;
   cut_options.count = count;
   cut_options.strain = strain;
   cut_options.longest = longest.value_or(cut_options.longest);
   cut_options.no_seam = read_edges(no_seam, "no_seam");
+  cut_options.is_smooth = smooth;
+  cut_options.no_crossing = read_edges(no_crossing, "no_crossing");
   return cut_options;
 }
 
@@ -174,9 +182,7 @@ std::vector<DartProposal> run_darts(const py::object& vertices, const py::object
                                     std::optional<int> piece, int count, std::optional<double> strain,
                                     std::optional<double> longest, const py::object& no_seam, bool smooth,
                                     const py::object& no_crossing, const py::object& progress) {
-  CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
-  cut_options.is_smooth = smooth;
-  cut_options.no_crossing = read_edges(no_crossing, "no_crossing");
+  const CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam, smooth, no_crossing);
   return find_now(search_of(propose_darts, vertices, faces, seams, wires, options, eases, cut_options), progress);
 }
 
@@ -185,9 +191,7 @@ std::unique_ptr<Job> start_darts(const py::object& vertices, const py::object& f
                                  std::optional<int> piece, int count, std::optional<double> strain,
                                  std::optional<double> longest, const py::object& no_seam, bool smooth,
                                  const py::object& no_crossing) {
-  CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
-  cut_options.is_smooth = smooth;
-  cut_options.no_crossing = read_edges(no_crossing, "no_crossing");
+  const CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam, smooth, no_crossing);
   return std::make_unique<Job>(
       work_that(search_of(propose_darts, vertices, faces, seams, wires, options, eases, cut_options)));
 }
@@ -195,9 +199,10 @@ std::unique_ptr<Job> start_darts(const py::object& vertices, const py::object& f
 std::vector<DartProposal> run_seams(const py::object& vertices, const py::object& faces, const py::object& seams,
                                     const py::object& wires, const py::object& options, const py::object& eases,
                                     std::optional<int> piece, int count, std::optional<double> strain,
-                                    std::optional<double> longest, const py::object& no_seam, double narrowest,
+                                    std::optional<double> longest, const py::object& no_seam, bool smooth,
+                                    const py::object& no_crossing, double narrowest,
                                     const py::object& progress) {
-  CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
+  CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam, smooth, no_crossing);
   cut_options.narrowest = narrowest;
   return find_now(search_of(propose_seams, vertices, faces, seams, wires, options, eases, cut_options), progress);
 }
@@ -205,8 +210,9 @@ std::vector<DartProposal> run_seams(const py::object& vertices, const py::object
 std::unique_ptr<Job> start_seams(const py::object& vertices, const py::object& faces, const py::object& seams,
                                  const py::object& wires, const py::object& options, const py::object& eases,
                                  std::optional<int> piece, int count, std::optional<double> strain,
-                                 std::optional<double> longest, const py::object& no_seam, double narrowest) {
-  CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam);
+                                 std::optional<double> longest, const py::object& no_seam, bool smooth,
+                                 const py::object& no_crossing, double narrowest) {
+  CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam, smooth, no_crossing);
   cut_options.narrowest = narrowest;
   return std::make_unique<Job>(
       work_that(search_of(propose_seams, vertices, faces, seams, wires, options, eases, cut_options)));
@@ -310,11 +316,11 @@ void bind_propose(py::module_& module) {
                   no_crossing = py::arg("no_crossing") = py::none(),
                   narrowest = py::arg("narrowest") = CutOptions().narrowest;
   define_proposals(module, "propose_darts", &run_darts, kDartsDoc, smooth, no_crossing, progress);
-  define_proposals(module, "propose_seams", &run_seams, kSeamsDoc, narrowest, progress);
+  define_proposals(module, "propose_seams", &run_seams, kSeamsDoc, smooth, no_crossing, narrowest, progress);
   define_plan(module, "plan_cuts", &run_plan, kPlanDoc, progress);
   define_simplify(module, "simplify_seams", &run_simplify, kSimplifyDoc, progress);
   define_proposals(module, "start_darts", &start_darts, kStartDartsDoc, smooth, no_crossing);
-  define_proposals(module, "start_seams", &start_seams, kStartSeamsDoc, narrowest);
+  define_proposals(module, "start_seams", &start_seams, kStartSeamsDoc, smooth, no_crossing, narrowest);
   define_plan(module, "start_plan", &start_plan, kStartPlanDoc);
   define_simplify(module, "start_simplify", &start_simplify, kStartSimplifyDoc);
 }

@@ -428,6 +428,8 @@ def propose_seams(
     strain: float | None = None,
     longest: float | None = None,
     no_seam: npt.ArrayLike | None = None,
+    smooth: bool = False,
+    no_crossing: npt.ArrayLike | None = None,
     narrowest: float = 0.0,
     progress: Callable[[str, float], bool | None] | None = None,
 ) -> list[DartProposal]: ...
@@ -478,6 +480,8 @@ def start_seams(
     strain: float | None = None,
     longest: float | None = None,
     no_seam: npt.ArrayLike | None = None,
+    smooth: bool = False,
+    no_crossing: npt.ArrayLike | None = None,
     narrowest: float = 0.0,
 ) -> Job[list[DartProposal]]: ...
 def start_plan(

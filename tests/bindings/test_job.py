@@ -74,7 +74,7 @@ def test_arguments_of_a_wrong_type_are_raised_at_once():
     [
         (wirewarp.start_darts, wirewarp.propose_darts, {"count": 2, "longest": 1.5}),
         (wirewarp.start_darts, wirewarp.propose_darts, {"count": 1, "smooth": True}),
-        (wirewarp.start_seams, wirewarp.propose_seams, {"count": 2, "longest": 1.5}),
+        (wirewarp.start_seams, wirewarp.propose_seams, {"count": 2, "longest": 1.5, "smooth": True}),
         (wirewarp.start_plan, wirewarp.plan_cuts, {"kind": "dart", "strain": 0.0, "most": 2, "twins": True}),
     ],
 )

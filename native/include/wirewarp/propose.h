@@ -44,8 +44,8 @@ struct CutOptions {
   double longest = std::numeric_limits<double>::infinity();  // length of a cut or set, on the surface, scene units; > 0
   double narrowest = 0;  // least width of the flat pieces of a cut set, scene units; >= 0; 0: any width
   VertexPairs no_seam = VertexPairs(0, 2);      // (k, 2) edges along which no cut may run
-  bool is_smooth = false;                       // darts may be smooth lines across triangles, too; not for seams
-  VertexPairs no_crossing = VertexPairs(0, 2);  // (k, 2) edges that no smooth dart may cross or touch
+  bool is_smooth = false;                       // darts and cut sets may be smooth lines across triangles
+  VertexPairs no_crossing = VertexPairs(0, 2);  // (k, 2) edges that no smooth line may cross, and no dart may touch
 };
 
 /// Returns darts that lower the energy and the strain of a piece by at least 2%, to a strain below 1. They are sorted
@@ -75,6 +75,12 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// The width of a flat piece is the diameter of the largest disk that can move through it, where parts below a tenth of
 /// its area do not count. Pieces are not joined to one that is narrower than `narrowest`, unless one of them is as
 /// narrow. Pieces that are narrow from the beginning stay if they cannot be joined to others.
+///
+/// With is_smooth, the lines of a cut set are smoothed until they turn by less than 30 degrees at each vertex between
+/// their ends, and junctions move with them. Smooth lines cross no wire and no edge of no_seam or no_crossing: what
+/// touches one of them stays there. Lines keep some of their bends, or their edges, where the strain would more than
+/// double or lines would meet. A set keeps all its edges if half of its bends would remain. Seams across one piece
+/// always follow edges.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 

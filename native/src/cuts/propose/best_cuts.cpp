@@ -14,6 +14,7 @@
 #include "cuts/propose/cut_sets.h"
 #include "cuts/propose/piece_search.h"
 #include "cuts/propose/smooth_darts.h"
+#include "cuts/propose/smooth_sets.h"
 #include "surface/mesh/edge_table.h"
 #include "surface/mesh/geometry.h"
 
@@ -203,7 +204,10 @@ std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, cons
   progress.enter(0, 1);
   if (!piece) return search_pieces(pieces, kind, cut_options, exact);
   std::vector<DartProposal> sets = CutSetSearch(pieces, *piece, cut_options, exact, progress).search();
-  for (DartProposal& set : sets) set.piece = static_cast<int>(*piece);
+  for (DartProposal& set : sets) {
+    if (cut_options.is_smooth) set = smooth_set(set, pieces, *piece, cut_options, exact);
+    set.piece = static_cast<int>(*piece);
+  }
   return sets;
 }
 

@@ -139,18 +139,22 @@ std::vector<SurfacePath> paths_along(const Triangles& faces, const std::vector<V
 LineEvaluation::LineEvaluation(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact)
     : pieces_(pieces), piece_(piece), exact_(exact) {}
 
+LineEvaluation::PiecesAlong LineEvaluation::cut_along(const CutMesh& cut) const {
+  const FlattenInput input = with_mesh_of(exact_.surface().given(), cut);
+  const SurfaceToCut surface(input, exact_.options());
+  const ExactEvaluation exact(surface, exact_.options(), exact_.stop());
+  FlatPieces before = pieces_;
+  before[piece_] = std::make_shared<FlatPiece>(on_cut_mesh(*pieces_[piece_], surface.middle(), cut, exact_.stop()));
+  return {before, exact.with_cut(before, cut.edges)};
+}
+
 std::optional<LineFigures> LineEvaluation::figures_along(const std::vector<SurfacePath>& lines) const {
   const FlattenInput& given = exact_.surface().given();
   const CutMesh cut = cut_mesh(given.vertices, given.faces, lines);
   const std::vector<int> tips = tips_of(cut);
   if (tips.size() != lines.size()) return std::nullopt;
-  const FlattenInput input = with_mesh_of(given, cut);
-  const SurfaceToCut surface(input, exact_.options());
-  const ExactEvaluation exact(surface, exact_.options(), exact_.stop());
-  FlatPieces before = pieces_;
-  before[piece_] = std::make_shared<FlatPiece>(on_cut_mesh(*pieces_[piece_], surface.middle(), cut, exact_.stop()));
+  const auto [before, after] = cut_along(cut);
   const Chart& chart = before[piece_]->chart;
-  const FlatPieces after = exact.with_cut(before, cut.edges);
   LineFigures result{figures_of(after, chart), 0, {}};
   if (result.figures.error || spoils_others(before, after, chart)) return std::nullopt;
   const double radius = kAroundTip * std::sqrt(result.figures.area);

@@ -8,6 +8,7 @@
 
 #include "cuts/propose/flat_pieces.h"
 #include "warp/topology/surface_path.h"
+#include "wirewarp/cut_mesh.h"
 #include "wirewarp/surface_path.h"
 
 namespace wirewarp {
@@ -28,6 +29,14 @@ class LineEvaluation {
  public:
   /// piece: index of the piece that lines cut. All references are kept.
   LineEvaluation(const FlatPieces& pieces, std::size_t piece, const ExactEvaluation& exact);
+
+  /// All pieces on a cut mesh.
+  struct PiecesAlong {
+    FlatPieces before, after;  // without and with the cut
+  };
+
+  /// Returns the pieces that a cut makes, on the mesh of cut_mesh(). Throws Stopped.
+  PiecesAlong cut_along(const CutMesh& cut) const;
 
   /// Returns the figures with cuts along lines from outlines to tips inside; none if the lines meet, if a part has no
   /// flat shape then, or if other pieces are spoiled. Lines divide no edge on a wire or outline. May be called in any

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/relax_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// Positions of the moved points on an edge. None is at a vertex, where several edges of a line would meet.
+constexpr double kShares[] = {0.25, 0.75};
+
+/// Share of the sum of the vectors to both neighbors by which a point moves. With 1/2, a zigzag would not fade.
+constexpr double kStep = 1.0 / 3;
+
+/// Neighbors on a line are never farther apart than this many edges of it, unless something is in the way.
+constexpr double kReach = 4;
+
+/// A line that crosses an edge within this share of its length from a vertex leads through the vertex. It is twice
+/// what cut_mesh() moves, so that cutting does not bend the line again.
+constexpr double kSnap = 0.1;
+
+/// A line is not relaxed if it becomes shorter than this share of the edges at its ends, because cut_mesh() could not
+/// cut it.
+constexpr double kShortest = 0.25;
+
+std::vector<FaceHandle> faces_beside(const HalfEdgeMesh& mesh, VertexHandle v) {
+  std::vector<FaceHandle> faces;
+  for (const FaceHandle f : mesh.vf_range(v)) faces.push_back(f);
+  return faces;
+}
+
+std::vector<FaceHandle> faces_beside(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
+  return point.vertex.is_valid() ? faces_beside(mesh, point.vertex) : std::vector<FaceHandle>{point.face};
+}
+
+std::vector<FaceHandle> faces_beside(const HalfEdgeMesh& mesh, const PathPoint& point) {
+  if (point.is_vertex()) return faces_beside(mesh, point.vertex);
+  return {mesh.face_handle(point.half_edge), mesh.face_handle(mesh.opposite_halfedge_handle(point.half_edge))};
+}
+
+double longest_edge_at(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
+  double longest = 0;
+  for (const FaceHandle f : faces_beside(mesh, point)) {
+    for (const HalfedgeHandle h : mesh.fh_range(f)) longest = std::max(longest, edge_length(mesh, h));
+  }
+  return longest;
+}
+
+/// Whether each point of a line has a face in common with the next one.
+bool is_connected(const HalfEdgeMesh& mesh, const RelaxedLine& line) {
+  std::vector<std::vector<FaceHandle>> faces;
+  if (!line.is_closed) faces.push_back(faces_beside(mesh, line.start));
+  for (const PathPoint& point : line.between) faces.push_back(faces_beside(mesh, point));
+  if (!line.is_closed) faces.push_back(faces_beside(mesh, line.end));
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    const auto is_here = [&](FaceHandle f) {
+      return f.is_valid() && std::find(faces[i].begin(), faces[i].end(), f) != faces[i].end();
+    };
+    if (std::none_of(faces[i - 1].begin(), faces[i - 1].end(), is_here)) return false;
+  }
+  return true;
+}
+
+/// Returns the length of a line that is not closed.
+double length_of_line(const HalfEdgeMesh& mesh, const RelaxedLine& line) {
+  HalfEdgeMesh::Point last = position(mesh, line.start);
+  double length = 0;
+  for (const PathPoint& point : line.between) {
+    const HalfEdgeMesh::Point place = position(mesh, point);
+    length += (place - last).norm();
+    last = place;
+  }
+  return length + (position(mesh, line.end) - last).norm();
+}
+
+VertexHandle near_vertex(const HalfEdgeMesh& mesh, const PathPoint& point) {
+  if (point.is_vertex()) return point.vertex;
+  if (point.t < kSnap) return mesh.from_vertex_handle(point.half_edge);
+  return point.t > 1 - kSnap ? mesh.to_vertex_handle(point.half_edge) : VertexHandle();
+}
+
+bool is_on_edge_at(const HalfEdgeMesh& mesh, const PathPoint& point, VertexHandle v) {
+  return !point.is_vertex() &&
+         (mesh.from_vertex_handle(point.half_edge) == v || mesh.to_vertex_handle(point.half_edge) == v);
+}
+
+bool are_on_one_edge(const HalfEdgeMesh& mesh, const PathPoint& a, const PathPoint& b) {
+  return !a.is_vertex() && !b.is_vertex() && mesh.edge_handle(a.half_edge) == mesh.edge_handle(b.half_edge);
+}
+
+/// Adds a point, and removes what a line does in vain: crossing an edge and coming back, or crossing an edge at whose
+/// end it passes.
+void append(const HalfEdgeMesh& mesh, const PathPoint& point, MeshPath& path) {
+  const VertexHandle v = near_vertex(mesh, point);
+  if (!v.is_valid()) {
+    if (!path.empty() && are_on_one_edge(mesh, path.back(), point)) {
+      path.pop_back();
+    } else if (path.empty() || !path.back().is_vertex() || !is_on_edge_at(mesh, point, path.back().vertex)) {
+      path.push_back(point);
+    }
+    return;
+  }
+  while (!path.empty() && is_on_edge_at(mesh, path.back(), v)) path.pop_back();
+  if (!path.empty() && path.back().vertex == v) return;
+  if (path.size() > 1 && path.back().is_vertex() && path[path.size() - 2].vertex == v) {
+    path.pop_back();
+    return;
+  }
+  path.push_back(PathPoint::at_vertex(v));
+}
+
+}  // namespace
+
+LineNetwork::LineNetwork(const HalfEdgeMesh& mesh, const std::vector<HalfEdgeChain>& chains,
+                         const std::vector<char>& barriers)
+    : mesh_(mesh), chains_(chains), barriers_(barriers), walk_(mesh, barriers) {
+  double length = 0;
+  std::size_t count = 0;
+  std::vector<int> point_at(mesh.n_vertices(), -1), num_ends(mesh.n_vertices(), 0);
+  for (const HalfEdgeChain& chain : chains) {
+    ++num_ends[mesh.from_vertex_handle(chain.front()).idx()];
+    ++num_ends[mesh.to_vertex_handle(chain.back()).idx()];
+  }
+  for (const HalfEdgeChain& chain : chains) {
+    length += length_of(mesh, chain);
+    count += chain.size();
+    const VertexHandle start = mesh.from_vertex_handle(chain.front());
+    const bool is_ring = start == mesh.to_vertex_handle(chain.back()) && num_ends[start.idx()] == 2;
+    add_line(chain, is_ring && !touches_barrier(start), point_at);
+  }
+  edge_length_ = length / static_cast<double>(count);
+  for (Point& point : points_) {
+    if (point.start.vertex.is_valid() && point.lines.size() < 2) point.is_fixed = true;
+  }
+}
+
+bool LineNetwork::touches_barrier(VertexHandle v) const {
+  return mesh_.is_boundary(v) ||
+         std::any_of(mesh_.cve_begin(v), mesh_.cve_end(v), [&](EdgeHandle e) { return barriers_[e.idx()] != 0; });
+}
+
+/// point_at: point of each vertex, or -1.
+void LineNetwork::add_line(const HalfEdgeChain& chain, bool is_ring, std::vector<int>& point_at) {
+  const std::size_t line = lines_.size();
+  std::vector<std::size_t>& points = lines_.emplace_back();
+  const auto add_vertex = [&](VertexHandle v) {
+    int& known = point_at[v.idx()];
+    if (known < 0) {
+      known = static_cast<int>(points_.size());
+      points_.push_back({SurfacePoint::at_vertex(v), {}, touches_barrier(v)});
+    }
+    points.push_back(static_cast<std::size_t>(known));
+    points_[points.back()].lines.push_back(line);
+  };
+  if (!is_ring) add_vertex(mesh_.from_vertex_handle(chain.front()));
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const VertexHandle to = mesh_.to_vertex_handle(chain[i]);
+    if (barriers_[mesh_.edge_handle(chain[i]).idx()] == 0) {
+      for (const double share : kShares) {
+        points.push_back(points_.size());
+        points_.push_back({point_on_edge(mesh_, chain[i], share), {line}, false});
+      }
+    }
+    if (i + 1 == chain.size() ? !is_ring : touches_barrier(to)) add_vertex(to);
+  }
+  if (is_ring) points.push_back(points.front());
+}
+
+int LineNetwork::steps_for(double distance) const {
+  const double apart = edge_length_ / 2, each = 2 * kStep * apart * apart;  // variance of a step
+  return static_cast<int>(std::ceil(distance * distance / each));
+}
+
+std::optional<StraightLine> LineNetwork::between(const SurfacePoint& a, const SurfacePoint& b) const {
+  if (!a.vertex.is_valid()) return walk_.line(a, b, kReach * edge_length_);
+  if (!b.vertex.is_valid()) {
+    std::optional<StraightLine> line = walk_.line(b, a, kReach * edge_length_);
+    if (!line) return line;
+    std::swap(line->leaving, line->returning);
+    std::reverse(line->between.begin(), line->between.end());
+    for (PathPoint& point : line->between) {
+      if (!point.is_vertex()) point = PathPoint::on_edge(mesh_.opposite_halfedge_handle(point.half_edge), 1 - point.t);
+    }
+    return line;
+  }
+  return StraightLine{};  // both are fixed ends of an edge
+}
+
+std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int>& steps) const {
+  std::vector<SurfacePoint> places;
+  std::vector<int> most;
+  for (const Point& point : points_) {
+    places.push_back(point.start);
+    int least = point.is_fixed ? 0 : steps[point.lines.front()];
+    for (const std::size_t line : point.lines) least = std::min(least, steps[line]);
+    most.push_back(least);
+  }
+  std::vector<char> has_failed(lines_.size(), 0);
+  const int count = steps.empty() ? 0 : *std::max_element(steps.begin(), steps.end());
+  for (int step = 0; step < count; ++step) {
+    std::vector<Planar> sums(points_.size(), Planar(0));
+    std::vector<double> nearest(points_.size(), 0);
+    for (std::size_t l = 0; l < lines_.size(); ++l) {
+      if (step >= steps[l] || has_failed[l] != 0) continue;
+      for (std::size_t i = 1; i < lines_[l].size(); ++i) {
+        const std::size_t a = lines_[l][i - 1], b = lines_[l][i];
+        const std::optional<StraightLine> line = between(places[a], places[b]);
+        if (!line) {
+          has_failed[l] = 1;
+          break;
+        }
+        const double length = std::abs(line->leaving);
+        for (const auto& [point, vector] : {std::pair(a, line->leaving), std::pair(b, line->returning)}) {
+          const bool is_junction = points_[point].lines.size() > 1;
+          sums[point] += is_junction && length > 0 ? vector / length : vector;
+          nearest[point] = nearest[point] == 0 ? length : std::min(nearest[point], length);
+        }
+      }
+    }
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+      const std::vector<std::size_t>& lines = points_[p].lines;
+      if (step >= most[p] ||
+          std::any_of(lines.begin(), lines.end(), [&](std::size_t line) { return has_failed[line] != 0; }))
+        continue;
+      places[p] = walk_.step(places[p], kStep * sums[p] * (lines.size() > 1 ? nearest[p] : 1.0));
+    }
+  }
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    if (points_[p].lines.size() > 1) places[p] = snapped(places[p]);
+  }
+  std::vector<std::optional<RelaxedLine>> relaxed(lines_.size());
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    if (steps[l] > 0 && has_failed[l] == 0) relaxed[l] = along(l, places);
+  }
+  return relaxed;
+}
+
+/// Moves a point to a vertex or an edge nearby.
+SurfacePoint LineNetwork::snapped(const SurfacePoint& point) const {
+  if (point.vertex.is_valid()) return point;
+  const HalfedgeHandle first = mesh_.halfedge_handle(point.face);
+  const double length = edge_length(mesh_, first);
+  const Planar apex = apex_over(mesh_, first);
+  const double third = point.place.imag() / apex.imag();
+  const double second = (point.place.real() - third * apex.real()) / length;
+  const double shares[] = {1 - second - third, second, third};
+  const HalfedgeHandle sides[] = {first, mesh_.next_halfedge_handle(first), mesh_.prev_halfedge_handle(first)};
+  for (int k = 0; k < 3; ++k) {
+    if (shares[k] > 1 - 2 * kSnap) return SurfacePoint::at_vertex(mesh_.from_vertex_handle(sides[k]));
+  }
+  for (int k = 0; k < 3; ++k) {
+    const double next = shares[(k + 1) % 3], last = shares[(k + 2) % 3];
+    if (shares[k] < kSnap) return point_on_edge(mesh_, sides[(k + 1) % 3], last / (next + last));
+  }
+  return point;
+}
+
+std::optional<RelaxedLine> LineNetwork::along(std::size_t line, const std::vector<SurfacePoint>& places) const {
+  const std::vector<std::size_t>& points = lines_[line];
+  RelaxedLine relaxed{places[points.front()], places[points.back()], {}, false};
+  relaxed.is_closed = points.front() == points.back() && !points_[points.front()].start.vertex.is_valid();
+  MeshPath& path = relaxed.between;
+  if (relaxed.start.vertex.is_valid()) path.push_back(PathPoint::at_vertex(relaxed.start.vertex));
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const SurfacePoint& to = places[points[i]];
+    const std::optional<StraightLine> way = between(places[points[i - 1]], to);
+    if (!way) return std::nullopt;
+    for (const PathPoint& point : way->between) append(mesh_, point, path);
+    if (to.vertex.is_valid()) append(mesh_, PathPoint::at_vertex(to.vertex), path);
+  }
+  if (!relaxed.is_closed) {
+    const double longest = std::max(longest_edge_at(mesh_, relaxed.start), longest_edge_at(mesh_, relaxed.end));
+    if (length_of_line(mesh_, relaxed) < kShortest * longest || !is_connected(mesh_, relaxed)) return std::nullopt;
+    return relaxed;
+  }
+  while (path.size() > 2) {  // joins the end to the beginning by the same rules
+    MeshPath joined = path;
+    append(mesh_, path.front(), joined);
+    if (joined.size() == path.size() + 1) break;
+    if (path.front().is_vertex()) {
+      joined.pop_back();
+      path = std::move(joined);
+    } else {
+      if (joined.size() < path.size()) path.pop_back();
+      path.erase(path.begin());
+    }
+  }
+  if (path.size() < 3) return std::nullopt;
+  path.push_back(path.front());
+  if (!is_connected(mesh_, relaxed)) return std::nullopt;
+  return relaxed;
+}
+
+}  // namespace wirewarp

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Makes lines along edges smooth: they shorten like elastic threads on the surface, for a limited time.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "surface/charts/chart.h"
+#include "warp/topology/straight_walk.h"
+
+namespace wirewarp {
+
+/// A line between two points, or a closed one.
+struct RelaxedLine {
+  SurfacePoint start, end;  // not used if the line is closed
+  MeshPath between;         // vertices, and points where it crosses edges; for a closed line, also the first one
+  bool is_closed = false;
+};
+
+/// Lines that meet at their ends. They cross no barrier, and what touches one is fixed. So are ends where no other line
+/// continues; junctions move.
+class LineNetwork {
+ public:
+  /// chains: lines along edges that meet only at their ends. barriers: one flag per edge. All references are kept.
+  LineNetwork(const HalfEdgeMesh& mesh, const std::vector<HalfEdgeChain>& chains, const std::vector<char>& barriers);
+
+  /// Moves the points of each line a number of times; a junction moves as often as the line that moves least. Returns
+  /// nothing for a line that does not move, or that came too close to a barrier.
+  std::vector<std::optional<RelaxedLine>> relax(const std::vector<int>& steps) const;
+
+  /// Returns the mean length of the chains' edges, scene units.
+  double mean_edge() const { return edge_length_; }
+
+  /// Returns how often points must move to smooth lines over about this distance.
+  int steps_for(double distance) const;
+
+ private:
+  struct Point {
+    SurfacePoint start;
+    std::vector<std::size_t> lines;  // that pass it or end there
+    bool is_fixed = false;
+  };
+
+  void add_line(const HalfEdgeChain& chain, bool is_ring, std::vector<int>& point_at);
+  bool touches_barrier(VertexHandle v) const;
+  std::optional<StraightLine> between(const SurfacePoint& a, const SurfacePoint& b) const;
+  SurfacePoint snapped(const SurfacePoint& point) const;
+  std::optional<RelaxedLine> along(std::size_t line, const std::vector<SurfacePoint>& places) const;
+
+  const HalfEdgeMesh& mesh_;
+  const std::vector<HalfEdgeChain>& chains_;
+  const std::vector<char>& barriers_;
+  const StraightWalk walk_;
+  double edge_length_;  // mean of the chains, scene units
+  std::vector<Point> points_;
+  std::vector<std::vector<std::size_t>> lines_;  // points of each line; the first one again at the end of a closed one
+};
+
+}  // namespace wirewarp

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cuts/propose/smooth_sets.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/planar.h"
+#include "cuts/feasibility/mirrored_cuts.h"
+#include "cuts/propose/canonical_order.h"
+#include "cuts/propose/cut_chains.h"
+#include "cuts/propose/line_evaluation.h"
+#include "cuts/propose/mirror_image.h"
+#include "cuts/propose/relax_lines.h"
+#include "surface/mesh/geometry.h"
+
+namespace wirewarp {
+namespace {
+
+/// The longest distance over which lines are smoothed: in edges of the lines, and over the root of the area. It is
+/// halved for each lower level. Zigzags of an edge need one edge or two; the rest is for lines with larger bends.
+constexpr double kEdges = 4, kOfSize = 0.04;
+constexpr int kLevels = 4;
+
+/// Lines are smoothed until they turn by less at each vertex (radians). 30 degrees catch the eye on the flat piece.
+constexpr double kSmooth = kPi / 6;
+
+/// A smooth set may leave more strain than the set along edges by this factor, and more energy by its square. Zigzags
+/// are longer than smooth lines, which helps a dome to lie flat, and lead through more of the vertices, where a coarse
+/// mesh has all its curvature.
+constexpr double kMostGrowth = 2;
+
+/// A smooth set may have at most this share of the bends of the set along edges, otherwise the strain is not worth it.
+constexpr double kMostBends = 0.5;
+
+/// Figures below are rounding.
+constexpr double kFlatFigure = 1e-6;
+
+/// Returns V - E of the lines and their number of ends, which show whether they meet elsewhere than before.
+std::array<int, 2> count_ends(const std::vector<VertexPair>& edges) {
+  std::map<int, int> count;
+  for (const VertexPair& edge : edges) {
+    for (const int v : edge) ++count[v];
+  }
+  int num_ends = 0;
+  for (const auto& each : count) num_ends += each.second == 1 ? 1 : 0;
+  return {static_cast<int>(count.size()) - static_cast<int>(edges.size()), num_ends};
+}
+
+/// Returns the angle by which a line turns at a vertex between two others, with all angles there scaled to a total of
+/// 2 pi; 0 on an outline. faces: those at the vertex.
+double turn_at(const CutMesh& mesh, int v, const std::vector<int>& faces, int from, int to) {
+  double left = 0, total = 0;
+  bool has_passed = false;
+  int at = from;
+  for (std::size_t count = 0; count < faces.size(); ++count) {
+    has_passed = has_passed || at == to;
+    const auto next = std::find_if(faces.begin(), faces.end(), [&](int f) {
+      for (int k = 0; k < 3; ++k) {
+        if (mesh.faces(f, k) == v && mesh.faces(f, (k + 1) % 3) == at) return true;
+      }
+      return false;
+    });
+    if (next == faces.end()) return 0;
+    int k = 0;
+    while (mesh.faces(*next, k) != v) ++k;
+    const int last = mesh.faces(*next, (k + 2) % 3);
+    const Eigen::RowVector3d a = mesh.vertices.row(at) - mesh.vertices.row(v);
+    const Eigen::RowVector3d b = mesh.vertices.row(last) - mesh.vertices.row(v);
+    const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+    if (!has_passed) left += angle;
+    total += angle;
+    at = last;
+  }
+  return at == from ? std::abs(kPi - left * 2 * kPi / total) : 0;
+}
+
+/// Returns at how many vertices each line of a cut turns sharply.
+std::vector<int> count_bends(const CutMesh& cut, std::size_t num_lines) {
+  struct Passed {
+    std::vector<int> neighbors, faces;
+    int line = -1;
+  };
+  std::map<int, Passed> passed;
+  for (std::size_t i = 0; i < cut.edges.size(); ++i) {
+    const auto& [a, b] = cut.edges[i];
+    passed[a].neighbors.push_back(b);
+    passed[b].neighbors.push_back(a);
+    passed[a].line = passed[b].line = cut.sources.edge_paths[i];
+  }
+  for (int f = 0; f < static_cast<int>(cut.faces.rows()); ++f) {
+    for (const int v : cut.faces.row(f)) {
+      const auto found = passed.find(v);
+      if (found != passed.end()) found->second.faces.push_back(f);
+    }
+  }
+  std::vector<int> bends(num_lines, 0);
+  for (const auto& [v, at] : passed) {
+    if (at.neighbors.size() != 2) continue;
+    if (turn_at(cut, v, at.faces, at.neighbors[0], at.neighbors[1]) > kSmooth)
+      ++bends[static_cast<std::size_t>(at.line)];
+  }
+  return bends;
+}
+
+int num_bends(const CutMesh& cut, std::size_t num_lines) {
+  const std::vector<int> bends = count_bends(cut, num_lines);
+  return std::accumulate(bends.begin(), bends.end(), 0);
+}
+
+bool is_any(const std::vector<char>& chosen) {
+  return std::any_of(chosen.begin(), chosen.end(), [](char each) { return each != 0; });
+}
+
+class SmoothSet {
+ public:
+  SmoothSet(const DartProposal& set, const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
+            const ExactEvaluation& exact)
+      : set_(set),
+        given_(exact.surface().given()),
+        chart_(in_canonical_order(pieces[piece]->chart, exact.stop())),
+        piece_(piece),
+        exact_(exact),
+        evaluation_(pieces, piece, exact),
+        barriers_(barriers(cut_options)),
+        chains_(sections_of(chart_.mesh, PartMap(chart_).mask_of(set.edges))),
+        network_(chart_.mesh, chains_, barriers_),
+        levels_(chains_.size(), 0),
+        highest_(chains_.size(), kLevels) {
+    num_bends_before_ = num_bends(cut_mesh(given_.vertices, given_.faces, lines()), chains_.size());
+    for (const HalfEdgeChain& chain : chains_) {
+      ends_.push_back(
+          {chart_.mesh.from_vertex_handle(chain.front()).idx(), chart_.mesh.to_vertex_handle(chain.back()).idx()});
+    }
+  }
+
+  DartProposal find() {
+    while (true) {
+      const std::vector<SurfacePath> paths = smooth_enough();
+      const CutMesh cut = cut_mesh(given_.vertices, given_.faces, paths);
+      if (num_bends(cut, levels_.size()) > kMostBends * num_bends_before_) return set_;
+      if (std::all_of(levels_.begin(), levels_.end(), [](int level) { return level == 0; })) return set_;
+      if (std::optional<DartProposal> smooth = evaluate(paths, cut)) return *smooth;
+    }
+  }
+
+ private:
+  CutMask barriers(const CutOptions& cut_options) const;
+  std::vector<SurfacePath> lines();
+  SurfacePath on_input(const RelaxedLine& line) const;
+  std::vector<SurfacePath> smooth_enough();
+  std::optional<DartProposal> evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut);
+  void lower(std::vector<char> chosen);
+  std::vector<char> beside_failures(const CutMesh& cut, const FlatPieces& after, const Chart& chart) const;
+  std::vector<char> that_touch(const CutMesh& cut) const;
+
+  const DartProposal& set_;
+  const FlattenInput& given_;
+  const Chart chart_;
+  const std::size_t piece_;
+  const ExactEvaluation& exact_;
+  const LineEvaluation evaluation_;
+  const CutMask barriers_;
+  const std::vector<HalfEdgeChain> chains_;
+  const LineNetwork network_;
+  std::vector<std::array<int, 2>> ends_;  // vertices at the ends of each chain
+  int num_bends_before_ = 0;              // along edges
+  std::vector<int> levels_;               // of each chain: how smooth it is; 0: along its edges
+  std::vector<int> highest_;              // the highest levels that may be tried
+};
+
+/// Returns the edges that lines must not cross: wires, and edges that cuts must avoid, with their mirror images.
+CutMask SmoothSet::barriers(const CutOptions& cut_options) const {
+  const PartMap map(chart_);
+  CutMask mask = map.mask_of(as_list(cut_options.no_crossing));
+  unite(mask, map.mask_of(as_list(cut_options.no_seam)));
+  for (const Wire& wire : given_.wires) {
+    std::vector<VertexPair> edges;
+    for (std::size_t i = 1; i < wire.vertices.size(); ++i) edges.push_back({wire.vertices[i - 1], wire.vertices[i]});
+    unite(mask, map.mask_of(edges));
+  }
+  return MirroredCuts(chart_, mirror_image(chart_, exact_.stop())).with_image(mask);
+}
+
+/// Lowers the levels of some lines for good. If these follow their edges already, lowers those that meet them, and so
+/// on, because lines move their neighbors.
+void SmoothSet::lower(std::vector<char> chosen) {
+  while (true) {
+    bool is_lower = false;
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+      if (chosen[i] == 0 || levels_[i] == 0) continue;
+      highest_[i] = --levels_[i];
+      is_lower = true;
+    }
+    if (is_lower) return;
+    const std::vector<char> before = chosen;
+    std::set<int> ends;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (chosen[i] != 0) ends.insert({ends_[i][0], ends_[i][1]});
+    }
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (ends.count(ends_[i][0]) + ends.count(ends_[i][1]) != 0) chosen[i] = 1;
+    }
+    if (chosen == before) chosen.assign(chosen.size(), 1);
+  }
+}
+
+SurfacePath SmoothSet::on_input(const RelaxedLine& line) const {
+  SurfacePath path = wirewarp::on_input(given_, chart_, line.between);
+  const auto add_point = [&](const SurfacePoint& point, bool is_first) {
+    const HalfEdgeMesh& mesh = chart_.mesh;
+    const HalfedgeHandle first = mesh.halfedge_handle(point.face);
+    const Planar apex = apex_over(mesh, first);
+    const double third = std::max(point.place.imag() / apex.imag(), 0.0);
+    const double second = std::max((point.place.real() - third * apex.real()) / edge_length(mesh, first), 0.0);
+    const double shares[] = {std::max(1 - second - third, 0.0), second, third};
+    const double sum = shares[0] + second + third;
+    const int face = chart_.source_face[point.face.idx()];
+    Eigen::RowVector3d coordinates(0, 0, 0);
+    HalfedgeHandle h = first;
+    for (const double share : shares) {
+      for (int k = 0; k < 3; ++k) {
+        if (given_.faces(face, k) == chart_.source_vertex[mesh.from_vertex_handle(h).idx()])
+          coordinates[k] = share / sum;
+      }
+      h = mesh.next_halfedge_handle(h);
+    }
+    const Eigen::Index count = path.coordinates.rows();
+    Positions3 more(count + 1, 3);
+    if (is_first) {
+      more << coordinates, path.coordinates;
+    } else {
+      more << path.coordinates, coordinates;
+    }
+    path.coordinates = std::move(more);
+    path.faces.insert(is_first ? path.faces.begin() : path.faces.end(), face);
+  };
+  if (line.is_closed) return path;
+  if (!line.start.vertex.is_valid()) add_point(line.start, true);
+  if (!line.end.vertex.is_valid()) add_point(line.end, false);
+  return path;
+}
+
+/// Returns the lines at their levels. Lowers the levels of lines that cannot be made.
+std::vector<SurfacePath> SmoothSet::lines() {
+  const double most = std::max(kEdges * network_.mean_edge(), kOfSize * std::sqrt(surface_area(chart_.mesh)));
+  while (true) {
+    std::vector<int> steps;
+    for (const int level : levels_)
+      steps.push_back(level == 0 ? 0 : network_.steps_for(most * std::pow(0.5, kLevels - level)));
+    const std::vector<std::optional<RelaxedLine>> relaxed = network_.relax(steps);
+    std::vector<char> failed(levels_.size(), 0);
+    std::vector<SurfacePath> lines;
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+      failed[i] = levels_[i] > 0 && !relaxed[i];
+      if (relaxed[i]) {
+        lines.push_back(on_input(*relaxed[i]));
+        continue;
+      }
+      MeshPath along{PathPoint::at_vertex(chart_.mesh.from_vertex_handle(chains_[i].front()))};
+      for (const HalfedgeHandle h : chains_[i]) along.push_back(PathPoint::at_vertex(chart_.mesh.to_vertex_handle(h)));
+      lines.push_back(wirewarp::on_input(given_, chart_, along));
+    }
+    if (!is_any(failed)) return lines;
+    lower(failed);
+  }
+}
+
+/// Raises the levels of lines that turn sharply. Lowers those of lines that meet elsewhere than along their edges.
+std::vector<SurfacePath> SmoothSet::smooth_enough() {
+  while (true) {
+    exact_.stop().check();
+    std::vector<SurfacePath> paths = lines();
+    const CutMesh cut = cut_mesh(given_.vertices, given_.faces, paths);
+    if (count_ends(cut.edges) != count_ends(set_.edges)) {
+      lower(that_touch(cut));
+      continue;
+    }
+    const std::vector<int> bends = count_bends(cut, levels_.size());
+    bool is_higher = false;
+    for (std::size_t i = 0; i < levels_.size(); ++i) {
+      if (bends[i] == 0 || levels_[i] == highest_[i]) continue;
+      ++levels_[i];
+      is_higher = true;
+    }
+    if (!is_higher) return paths;
+  }
+}
+
+/// Returns the lines that meet another one elsewhere than at an end of both, or that have no edges of their own.
+std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
+  const std::vector<int>& line_of = cut.sources.edge_paths;
+  std::map<int, std::map<int, int>>
+      met;  // per vertex and line: number of edges that do not begin or end the line there
+  for (std::size_t i = 0; i < cut.edges.size(); ++i) {
+    const bool is_first = i == 0 || line_of[i - 1] != line_of[i];
+    const bool is_last = i + 1 == cut.edges.size() || line_of[i + 1] != line_of[i];
+    met[cut.edges[i][0]][line_of[i]] += is_first ? 0 : 1;
+    met[cut.edges[i][1]][line_of[i]] += is_last ? 0 : 1;
+  }
+  std::vector<char> touch(levels_.size(), 0);
+  for (const auto& [v, lines] : met) {
+    const bool is_passed = std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.second > 0; });
+    if (lines.size() < 2 || !is_passed) continue;
+    for (const auto& line : lines) touch[static_cast<std::size_t>(line.first)] = 1;
+  }
+  for (std::size_t i = 0; i < touch.size(); ++i) {
+    if (std::find(line_of.begin(), line_of.end(), static_cast<int>(i)) == line_of.end()) touch[i] = 1;
+  }
+  return touch;
+}
+
+/// Returns the lines around parts of a chart that have no flat shape or need too much strain; all lines if the whole
+/// needs too much energy.
+std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPieces& after, const Chart& chart) const {
+  const double most_energy = kMostGrowth * kMostGrowth * set_.energy + kFlatFigure;
+  const bool is_too_much = figures_of(after, chart).energy > most_energy;
+  std::set<VertexPair> outline;
+  for (const std::shared_ptr<const FlatPiece>& piece : after) {
+    if (!is_part_of(piece->chart, chart)) continue;
+    if (!piece->error && piece->strain <= kMostGrowth * set_.strain + kFlatFigure && !is_too_much) continue;
+    for (const EdgeHandle e : piece->chart.mesh.edges()) {
+      if (piece->chart.mesh.is_boundary(e))
+        outline.insert(source_edge(piece->chart, piece->chart.mesh.halfedge_handle(e, 0)));
+    }
+  }
+  std::vector<char> beside(levels_.size(), 0);
+  for (std::size_t i = 0; i < cut.edges.size(); ++i) {
+    const auto [low, high] = std::minmax(cut.edges[i][0], cut.edges[i][1]);
+    if (outline.count({low, high}) != 0) beside[static_cast<std::size_t>(cut.sources.edge_paths[i])] = 1;
+  }
+  return beside;
+}
+
+/// Returns the set along these lines. Lowers some levels and returns nothing if it is not good enough.
+std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut) {
+  const auto [before, after] = evaluation_.cut_along(cut);
+  const Chart& chart = before[piece_]->chart;
+  const PieceFigures figures = figures_of(after, chart);
+  const std::vector<char> failures = beside_failures(cut, after, chart);
+  if (is_any(failures) || figures.num_pieces != set_.num_pieces || spoils_others(before, after, chart)) {
+    lower(failures);
+    return std::nullopt;
+  }
+  DartProposal smooth = set_;
+  smooth.paths = paths;
+  smooth.edges.clear();
+  if (cut.vertices.rows() == given_.vertices.rows()) smooth.edges = cut.edges;
+  smooth.length = 0;
+  for (const auto& [a, b] : cut.edges) smooth.length += (cut.vertices.row(a) - cut.vertices.row(b)).norm();
+  smooth.energy = figures.energy;
+  smooth.strain = figures.strain;
+  return smooth;
+}
+
+}  // namespace
+
+DartProposal smooth_set(const DartProposal& set, const FlatPieces& pieces, std::size_t piece,
+                        const CutOptions& cut_options, const ExactEvaluation& exact) {
+  return SmoothSet(set, pieces, piece, cut_options, exact).find();
+}
+
+}  // namespace wirewarp

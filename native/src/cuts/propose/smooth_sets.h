@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cuts/propose/flat_pieces.h"
+#include "wirewarp/propose.h"
+
+namespace wirewarp {
+
+/// Returns a cut set whose seams and darts are smooth lines across triangles, as smooth as the strain of its parts
+/// allows. Lines keep their edges where nothing smoother is allowed. set: a set of this piece along edges. Throws
+/// Stopped.
+DartProposal smooth_set(const DartProposal& set, const FlatPieces& pieces, std::size_t piece,
+                        const CutOptions& cut_options, const ExactEvaluation& exact);
+
+}  // namespace wirewarp

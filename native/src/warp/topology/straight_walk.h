@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Points on a mesh, straight steps from them, and straight lines between them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "warp/topology/surface_path.h"
+
+namespace wirewarp {
+
+/// A vertex, or a point in a face or on its border.
+struct SurfacePoint {
+  VertexHandle vertex;  // valid if the point is a vertex
+  FaceHandle face;      // otherwise the face
+  Planar place;         // in the plane of the face's first half-edge: see apex_over()
+
+  static SurfacePoint at_vertex(VertexHandle v) { return {v, FaceHandle(), Planar(0)}; }
+  static SurfacePoint in_face(FaceHandle f, Planar place) { return {VertexHandle(), f, place}; }
+};
+
+/// The straight line to another point, which consists of two such lines if a vertex is in the way.
+struct StraightLine {
+  Planar leaving;    // vector to the end, in the plane of the start
+  Planar returning;  // vector to the start, in the plane of the end
+  MeshPath between;  // crossed edges, and the vertex in the way
+};
+
+/// The plane of a vertex has its first half-edge along the real axis, and all its angles scaled to a total of 2 pi.
+class StraightWalk {
+ public:
+  /// barriers: edges that are not crossed, one flag per edge. References are kept.
+  StraightWalk(const HalfEdgeMesh& mesh, const std::vector<char>& barriers) : mesh_(mesh), barriers_(barriers) {}
+
+  /// Returns the point where a straight step ends; the start if it meets a barrier or the outline.
+  SurfacePoint step(const SurfacePoint& from, Planar vector) const;
+
+  /// Returns the line from a point in a face; none if it is longer than `longest` or has to cross a barrier.
+  std::optional<StraightLine> line(const SurfacePoint& from, const SurfacePoint& to, double longest) const;
+
+ private:
+  const HalfEdgeMesh& mesh_;
+  const std::vector<char>& barriers_;
+};
+
+HalfEdgeMesh::Point position(const HalfEdgeMesh& mesh, const SurfacePoint& point);
+
+/// Returns the point at a share of an edge.
+SurfacePoint point_on_edge(const HalfEdgeMesh& mesh, HalfedgeHandle h, double share);
+
+}  // namespace wirewarp

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cut sets whose seams are smooth lines across triangles, and the walk on the surface that makes them.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "base/planar.h"
+#include "cuts/propose/cut_progress.h"
+#include "cuts/propose/smooth_sets.h"
+#include "disguise.h"
+#include "most_strain.h"
+#include "surface/charts/cut_into_charts.h"
+#include "surface/mesh/geometry.h"
+#include "test_meshes.h"
+#include "warp/topology/straight_walk.h"
+#include "wirewarp/cut_mesh.h"
+
+namespace wirewarp::test_smooth_sets {
+namespace {
+
+/// A closed surface from pole to pole: an egg with a nose.
+FlattenInput egg(int around, int rings) {
+  FlattenInput input;
+  const int top = 1 + around * (rings - 1);
+  input.vertices.resize(top + 1, 3);
+  const auto place = [](double angle, double down) -> Eigen::RowVector3d {
+    const Eigen::RowVector3d p(std::sin(down) * std::cos(angle), std::sin(down) * std::sin(angle), -std::cos(down));
+    const double nose = 1 + 0.2 * std::exp(-4 * (p - Eigen::RowVector3d(1, 0, 0.3)).squaredNorm());
+    return nose * Eigen::RowVector3d(p[0], 0.8 * p[1], 1.3 * p[2]);
+  };
+  input.vertices.row(0) = place(0, 0);
+  input.vertices.row(top) = place(0, kPi);
+  std::vector<Eigen::RowVector3i> faces;
+  const auto at = [&](int i, int j) { return 1 + (j - 1) * around + i % around; };
+  for (int i = 0; i < around; ++i) {
+    for (int j = 1; j < rings; ++j) input.vertices.row(at(i, j)) = place(2 * kPi * i / around, kPi * j / rings);
+    faces.emplace_back(0, at(i + 1, 1), at(i, 1));
+    faces.emplace_back(top, at(i, rings - 1), at(i + 1, rings - 1));
+    for (int j = 1; j + 1 < rings; ++j) {
+      const bool rises = (i + j) % 2 == 0;
+      faces.emplace_back(at(i, j), at(i + 1, j), rises ? at(i + 1, j + 1) : at(i, j + 1));
+      faces.emplace_back(rises ? at(i, j) : at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    }
+  }
+  input.faces.resize(static_cast<Eigen::Index>(faces.size()), 3);
+  for (std::size_t f = 0; f < faces.size(); ++f) input.faces.row(static_cast<Eigen::Index>(f)) = faces[f];
+  return input;
+}
+
+constexpr int kAround = 24, kRings = 18;
+
+int vertex(int i, int j) { return 1 + (j - 1) * kAround + (i + kAround) % kAround; }
+
+/// A jagged ring around the egg: up and down by a ring at each edge.
+std::vector<VertexPair> jagged_ring(int j) {
+  std::vector<VertexPair> edges;
+  for (int i = 0; i < kAround; ++i) edges.push_back({vertex(i, j + i % 2), vertex(i + 1, j + (i + 1) % 2)});
+  return edges;
+}
+
+FlattenInput with_paths(FlattenInput input, const std::vector<SurfacePath>& paths) {
+  const CutMesh cut = cut_mesh(input.vertices, input.faces, paths);
+  input.vertices = cut.vertices;
+  input.faces = cut.faces;
+  return test::with_seams(std::move(input), cut.edges);
+}
+
+/// Smooths a set of edges that leaves this strain.
+DartProposal smoothed(const FlattenInput& input, const std::vector<VertexPair>& edges, double strain = 1,
+                      const CutOptions& cut_options = {}) {
+  const Progress no_progress;
+  CutProgress progress(no_progress);
+  const Options options;
+  const SurfaceToCut surface(input, options);
+  const ExactEvaluation exact(surface, options, progress.token());
+  const FlatPieces pieces = exact.uncut();
+  DartProposal set;
+  set.edges = edges;
+  set.num_pieces = figures_of(exact.with_cut(pieces, edges)).num_pieces;
+  set.strain = strain;
+  set.energy = strain;
+  return smooth_set(set, pieces, 0, cut_options, exact);
+}
+
+/// Returns the largest turn in space where a line of this mesh passes a vertex, radians.
+double sharpest_bend(const FlattenInput& input) {
+  std::map<int, std::vector<int>> beside;
+  for (const auto& ends : input.seams.rowwise()) {
+    beside[ends[0]].push_back(ends[1]);
+    beside[ends[1]].push_back(ends[0]);
+  }
+  double sharpest = 0;
+  for (const auto& [v, others] : beside) {
+    if (others.size() != 2) continue;
+    const Eigen::RowVector3d before = input.vertices.row(v) - input.vertices.row(others[0]);
+    const Eigen::RowVector3d after = input.vertices.row(others[1]) - input.vertices.row(v);
+    sharpest = std::max(sharpest, std::atan2(before.cross(after).norm(), before.dot(after)));
+  }
+  return sharpest;
+}
+
+TEST(SmoothSets, ReplaceAJaggedRingByASmoothOne) {
+  const FlattenInput input = egg(kAround, kRings);
+  const std::vector<VertexPair> ring = jagged_ring(8);
+  const DartProposal set = smoothed(input, ring);
+  ASSERT_EQ(set.paths.size(), 1U);
+  EXPECT_TRUE(set.edges.empty());
+  EXPECT_EQ(set.num_pieces, 2);
+  const FlattenInput cut = with_paths(input, set.paths);
+  EXPECT_GT(sharpest_bend(test::with_seams(input, ring)), 60 * kPi / 180);
+  EXPECT_LT(sharpest_bend(cut), 45 * kPi / 180);  // 30 degrees on the surface, and the curvature of the egg itself
+  double length = 0;
+  for (const auto& ends : cut.seams.rowwise()) length += (cut.vertices.row(ends[0]) - cut.vertices.row(ends[1])).norm();
+  EXPECT_NEAR(set.length, length, 1e-9);
+}
+
+TEST(SmoothSets, ClaimTheFiguresOfARun) {
+  const FlattenInput input = egg(kAround, kRings);
+  const DartProposal set = smoothed(input, jagged_ring(8));
+  ASSERT_FALSE(set.paths.empty());
+  const FlattenInput cut = with_paths(input, set.paths);
+  const FlattenResult result = flatten(cut);
+  EXPECT_EQ(static_cast<int>(result.pieces.size()), set.num_pieces);
+  EXPECT_NEAR(test::most_strain(cut, result), set.strain, 1e-9);
+}
+
+TEST(SmoothSets, DoNotDependOnHowTheModelIsGiven) {
+  const FlattenInput input = egg(kAround, kRings);
+  ASSERT_NE(input.vertices.rows() % 7, 0);
+  const std::vector<VertexPair> ring = jagged_ring(8);
+  const DartProposal set = smoothed(input, ring);
+  const DartProposal other = smoothed(test::disguised(input), test::disguised(input, ring));
+  ASSERT_FALSE(set.paths.empty());
+  EXPECT_NEAR(other.strain, set.strain, 1e-6);
+  EXPECT_NEAR(other.length, set.length, 1e-6 * set.length);
+}
+
+TEST(SmoothSets, KeepEdgesIfTheStrainIsTooHigh) {
+  const std::vector<VertexPair> ring = jagged_ring(8);
+  const DartProposal set = smoothed(egg(kAround, kRings), ring, 0.01);
+  EXPECT_EQ(set.edges, ring);
+  EXPECT_TRUE(set.paths.empty());
+}
+
+TEST(SmoothSets, DoNotCrossWires) {
+  FlattenInput input = egg(kAround, kRings);
+  std::vector<int> wire;
+  for (int j = 7; j < 10; ++j) wire.push_back(vertex(0, j));
+  test::add_wire(input, wire);
+  const DartProposal set = smoothed(input, jagged_ring(8), 5);
+  ASSERT_FALSE(set.paths.empty());
+  const CutMesh cut = cut_mesh(input.vertices, input.faces, set.paths);
+  for (const std::vector<int>& divided : cut.sources.divided_edges) {
+    for (std::size_t i = 1; i < wire.size(); ++i)
+      EXPECT_NE(std::set<int>({divided.front(), divided.back()}), std::set<int>({wire[i - 1], wire[i]}));
+  }
+}
+
+TEST(SmoothSets, DoNotTouchTheTipOfADart) {
+  const FlattenInput input = egg(kAround, kRings);
+  std::vector<VertexPair> edges;
+  for (int i = 4; i < kAround; ++i) edges.push_back({vertex(i, 8), vertex(i + 1, 8)});
+  for (int j = 8; j < 12; ++j) edges.push_back({vertex(0, j), vertex(0, j + 1)});
+  for (int i = 0; i < 4; ++i) edges.push_back({vertex(i, 12), vertex(i + 1, 12)});
+  for (int j = 12; j > 8; --j) edges.push_back({vertex(4, j), vertex(4, j - 1)});
+  for (int j = 8; j < 11; ++j) edges.push_back({vertex(2, j), vertex(2, j + 1)});  // under the arch
+  const DartProposal set = smoothed(input, edges);
+  const std::vector<VertexPair> cut =
+      set.paths.empty() ? set.edges : cut_mesh(input.vertices, input.faces, set.paths).edges;
+  std::map<int, int> count;
+  for (const VertexPair& edge : cut) {
+    for (const int v : edge) ++count[v];
+  }
+  EXPECT_EQ(std::count_if(count.begin(), count.end(), [](const auto& each) { return each.second > 2; }), 0);
+  EXPECT_EQ(std::count_if(count.begin(), count.end(), [](const auto& each) { return each.second == 1; }), 2);
+}
+
+TEST(SmoothSets, KeepTheCreasesOfABox) {
+  const FlattenInput box = test::mesh_of(
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}, {{0, 2, 1},
+                                                                                                 {0, 3, 2},
+                                                                                                 {4, 5, 6},
+                                                                                                 {4, 6, 7},
+                                                                                                 {0, 1, 5},
+                                                                                                 {0, 5, 4},
+                                                                                                 {1, 2, 6},
+                                                                                                 {1, 6, 5},
+                                                                                                 {2, 3, 7},
+                                                                                                 {2, 7, 6},
+                                                                                                 {3, 0, 4},
+                                                                                                 {3, 4, 7}});
+  const std::vector<VertexPair> lid{{4, 5}, {5, 6}, {6, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  EXPECT_EQ(smoothed(box, lid, 0).edges, lid);
+}
+
+TEST(ProposeSeams, ReturnsSmoothSets) {
+  const FlattenInput input = egg(kAround, kRings);
+  CutOptions cut_options;
+  cut_options.strain = 0.1;
+  cut_options.is_smooth = true;
+  for (const DartProposal& set : propose_seams(input, {}, cut_options)) {
+    const FlattenInput cut = with_paths(input, set.paths);
+    const FlattenResult result = flatten(cut);
+    EXPECT_EQ(static_cast<int>(result.pieces.size()), set.num_pieces);
+    EXPECT_NEAR(test::most_strain(cut, result), set.strain, 1e-9);
+  }
+}
+
+Chart chart_of(const FlattenInput& input) {
+  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
+  return cut_into_charts(input, edges, {}).charts.front();
+}
+
+TEST(StraightWalk, GoesBackAlongTheLineToTheEndOfAStep) {
+  const Chart chart = chart_of(egg(kAround, kRings));
+  const CutMask no_barriers(chart.mesh.n_edges(), 0);
+  const StraightWalk walk(chart.mesh, no_barriers);
+  const SurfacePoint start = point_on_edge(chart.mesh, chart.mesh.halfedge_handle(chart.mesh.face_handle(100)), 0.3);
+  for (int k = 0; k < 12; ++k) {
+    const Planar step = std::polar(0.4, 2 * kPi * k / 12);
+    const auto line = walk.line(start, walk.step(start, step), 1);
+    ASSERT_TRUE(line.has_value());
+    EXPECT_NEAR(std::abs(line->leaving), std::abs(line->returning), 1e-9);
+    EXPECT_LE(std::abs(line->leaving), 0.4 + 1e-9);
+  }
+}
+
+TEST(StraightWalk, PassesAVertexThatHidesTheEnd) {
+  // Around the middle vertex of this sheet are more than 360 degrees, so opposite points do not see each other.
+  const FlattenInput sheet = test::make_grid(2, 2, [](double s, double t) {
+    const double x = 2 * s - 1, y = 2 * t - 1;
+    return Eigen::Vector3d(x, y, 3 * (x * x - y * y));
+  });
+  const Chart chart = chart_of(sheet);
+  const CutMask no_barriers(chart.mesh.n_edges(), 0);
+  const StraightWalk walk(chart.mesh, no_barriers);
+  const VertexHandle middle(4);
+  std::vector<HalfedgeHandle> around;
+  for (const HalfedgeHandle h : chart.mesh.voh_range(middle)) around.push_back(h);
+  const SurfacePoint from = point_on_edge(chart.mesh, around[0], 0.2);
+  const SurfacePoint to = point_on_edge(chart.mesh, around[around.size() / 2], 0.2);
+  const auto line = walk.line(from, to, 10);
+  ASSERT_TRUE(line.has_value());
+  EXPECT_TRUE(std::any_of(line->between.begin(), line->between.end(),
+                          [&](const PathPoint& point) { return point.vertex == middle; }));
+}
+
+TEST(StraightWalk, StaysWhereABarrierIsInTheWay) {
+  const Chart chart = chart_of(egg(kAround, kRings));
+  const CutMask barriers(chart.mesh.n_edges(), 1);
+  const StraightWalk walk(chart.mesh, barriers);
+  const SurfacePoint start = SurfacePoint::in_face(chart.mesh.face_handle(100), Planar(0.01, 0.01));
+  const SurfacePoint end = walk.step(start, Planar(1, 0));
+  EXPECT_EQ(end.face, start.face);
+  EXPECT_EQ(end.place, start.place);
+}
+
+}  // namespace
+}  // namespace wirewarp::test_smooth_sets
