@@ -54,7 +54,7 @@ constexpr const char* kSeamsDoc =
 Arguments, figures and errors are those of propose_darts().
 
 Cut sets: a piece may have no flat shape because it lacks seams: it is closed (a ball), has handles, or its outline is
-too short (a tube). A flat shape with a strain of 1 or more counts as none if no wire is in it. Then each proposal is a
+too short (a tube). A flat shape with a strain of 1 or more and without wires inside does not count. Then each proposal is a
 set of seams and darts with which all parts have a flat shape. If no piece is requested, the largest one that lacks
 seams is cut. The first set brings every part to the accepted strain (None for 0.05) if at most forty cuts and their
 mirror images can do so. Each later set is shorter and leaves more strain. Sets are symmetric if the piece is, and may
@@ -66,8 +66,8 @@ narrowest: least width of the flat pieces of a cut set, scene units; 0 for any w
     pattern.piece_width() and pattern.has_room().
 smooth: True for sets of smooth lines, which turn by less than 30 degrees at each vertex between their ends. Lines keep
     some bends, or their edges, where the strain would more than double or lines would meet. A set keeps all its edges
-    if half of its bends would remain. Smooth sets have paths and no edges, as in propose_darts(). Seams across one
-    piece always follow edges.
+    if half of its bends would remain. Smooth sets have paths and no edges, as in propose_darts(). The sets keep their
+    order, and narrowest applies to the sets along edges. Seams across one piece always follow edges.
 no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross.
 
 Raises "no_proposal" if no_seam or longest allow no set.)";
@@ -101,9 +101,9 @@ constexpr const char* kStartPlanDoc =
 constexpr const char* kSimplifyDoc =
     R"(Leaves out seams that a model can do without: fewer and larger pieces with little more stretch.
 
-Sections of seams, or parts of them, are left out one after the other, the longest first. Each is left out only if
-flatten() finds a flat shape for what the pieces beside it become, with no more than the given strain, or than the worst
-of these pieces has with the given seams. Mirrored sections of a symmetric part between seams that remain are left out
+Sections of seams, or parts of them, are left out one after the other, the longest first. Without a section, the pieces
+beside it are joined. The section is left out only if flatten() finds a flat shape of the joined piece with at most the
+given strain, or at most the strain of the worst of these pieces with the given seams. Mirrored sections of a symmetric part between seams that remain are left out
 together.
 
 seams: those of a user or of any unwrapping tool, as flatten() takes them.

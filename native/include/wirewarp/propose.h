@@ -79,8 +79,8 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// With is_smooth, the lines of a cut set are smoothed until they turn by less than 30 degrees at each vertex between
 /// their ends, and junctions move with them. Smooth lines cross no wire and no edge of no_seam or no_crossing: what
 /// touches one of them stays there. Lines keep some of their bends, or their edges, where the strain would more than
-/// double or lines would meet. A set keeps all its edges if half of its bends would remain. Seams across one piece
-/// always follow edges.
+/// double or lines would meet. A set keeps all its edges if half of its bends would remain. The sets keep their order,
+/// and `narrowest` applies to the sets along edges. Seams across one piece always follow edges.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 

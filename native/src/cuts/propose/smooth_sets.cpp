@@ -37,6 +37,9 @@ constexpr double kSmooth = kPi / 6;
 /// mesh has all its curvature.
 constexpr double kMostGrowth = 2;
 
+/// No set is proposed that leaves this strain; see propose_seams().
+constexpr double kTooMuchStrain = 1;
+
 /// A smooth set may have at most this share of the bends of the set along edges, otherwise the strain is not worth it.
 constexpr double kMostBends = 0.5;
 
@@ -297,8 +300,8 @@ std::vector<SurfacePath> SmoothSet::smooth_enough() {
 /// Returns the lines that meet another one elsewhere than at an end of both, or that have no edges of their own.
 std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
   const std::vector<int>& line_of = cut.sources.edge_paths;
-  std::map<int, std::map<int, int>>
-      met;  // per vertex and line: number of edges that do not begin or end the line there
+  // Per vertex and line: the number of edges that do not begin or end the line there.
+  std::map<int, std::map<int, int>> met;
   for (std::size_t i = 0; i < cut.edges.size(); ++i) {
     const bool is_first = i == 0 || line_of[i - 1] != line_of[i];
     const bool is_last = i + 1 == cut.edges.size() || line_of[i + 1] != line_of[i];
@@ -321,11 +324,13 @@ std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
 /// needs too much energy.
 std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPieces& after, const Chart& chart) const {
   const double most_energy = kMostGrowth * kMostGrowth * set_.energy + kFlatFigure;
+  const double most_strain = kMostGrowth * set_.strain + kFlatFigure;
   const bool is_too_much = figures_of(after, chart).energy > most_energy;
   std::set<VertexPair> outline;
   for (const std::shared_ptr<const FlatPiece>& piece : after) {
     if (!is_part_of(piece->chart, chart)) continue;
-    if (!piece->error && piece->strain <= kMostGrowth * set_.strain + kFlatFigure && !is_too_much) continue;
+    const bool is_flat = !piece->error && piece->strain <= most_strain && piece->strain < kTooMuchStrain;
+    if (is_flat && !is_too_much) continue;
     for (const EdgeHandle e : piece->chart.mesh.edges()) {
       if (piece->chart.mesh.is_boundary(e))
         outline.insert(source_edge(piece->chart, piece->chart.mesh.halfedge_handle(e, 0)));
@@ -364,7 +369,8 @@ std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& 
 
 DartProposal smooth_set(const DartProposal& set, const FlatPieces& pieces, std::size_t piece,
                         const CutOptions& cut_options, const ExactEvaluation& exact) {
-  return SmoothSet(set, pieces, piece, cut_options, exact).find();
+  DartProposal smooth = SmoothSet(set, pieces, piece, cut_options, exact).find();
+  return smooth.length <= cut_options.longest ? smooth : set;
 }
 
 }  // namespace wirewarp
