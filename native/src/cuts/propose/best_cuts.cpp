@@ -21,11 +21,11 @@
 namespace wirewarp {
 namespace {
 
-/// A piece counts as larger only if its area exceeds the other one by this factor, so that rounding in rotated input
-/// does not decide.
+/// A piece counts as larger only if its area exceeds the other area by this factor, so that rounding errors in rotated
+/// input do not decide.
 constexpr double kClearlyLarger = 1 + 1e-9;
 
-/// How much a cut lowers the largest strain of all pieces, then how much it lowers the strain of its own piece.
+/// The decrease of the largest strain of all pieces by a cut, then the decrease of the strain of its own piece.
 using Gain = std::pair<double, double>;
 
 /// Returns the cuts with the largest gains, with DartProposal::twin as an index into this list. A mirrored pair counts
@@ -52,7 +52,7 @@ std::vector<DartProposal> best_of(const std::vector<DartProposal>& proposals, co
 /// Returns the strain of a piece, or -1 if it has an error.
 double strain_of(const FlatPiece& piece) { return piece.error ? -1 : piece.strain; }
 
-/// Returns the gain if a piece is left with this strain.
+/// Returns the gain of a cut that leaves this strain in its piece.
 Gain gain_of(const FlatPieces& pieces, int piece, double left) {
   double others = 0;
   for (std::size_t c = 0; c < pieces.size(); ++c) {
@@ -68,11 +68,11 @@ bool is_second_of_pair(const std::vector<DartProposal>& proposals, std::size_t i
 
 double strain_left(const DartProposal& dart) { return dart.strain_with_twin.value_or(dart.strain); }
 
-/// A dart along edges has elbows, which are hard to sew. To be listed, it must leave less strain by this share; a
-/// smaller gain is not felt in fabric (0.5% of stretch for a piece that needs 10%).
+/// A dart along edges has elbows, which are hard to sew. It is listed only if it leaves less strain by this share. A
+/// smaller gain is not noticeable in fabric (0.5% of stretch for a piece that needs 10%).
 constexpr double kWorthElbows = 0.05;
 
-/// Smooth darts, and the best one along edges if it leaves clearly less strain than all of them.
+/// Returns smooth darts, and the best dart along edges if it leaves clearly less strain than all smooth darts.
 std::vector<DartProposal> with_best_along_edges(std::vector<DartProposal> smooth,
                                                 const std::vector<DartProposal>& along_edges) {
   const auto leaves_less = [](const DartProposal& a, const DartProposal& b) { return strain_left(a) < strain_left(b); };
@@ -103,8 +103,8 @@ std::vector<DartProposal> search_piece(const FlatPieces& pieces, int piece, CutK
   return darts;
 }
 
-/// Searches the pieces, starting with the most strained, until the remaining pieces cannot gain more than the cuts
-/// found.
+/// Searches the pieces, the most strained first, until the remaining pieces cannot gain more than the cuts found so
+/// far.
 std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, const CutOptions& cut_options,
                                         const ExactEvaluation& exact) {
   std::vector<int> order(pieces.size());

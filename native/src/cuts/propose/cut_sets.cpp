@@ -23,15 +23,15 @@
 namespace wirewarp {
 namespace {
 
-/// The most strain that woven fabric takes. By default, pieces with at most this strain are not cut again.
+/// The largest strain that woven fabric allows. By default, pieces with at most this strain are not cut again.
 constexpr double kTargetStrain = 0.05;
 
 /// Largest number of cuts (with their mirror images) after the opening: two for each of the twenty parts of a plush
 /// animal.
 constexpr std::size_t kMostCuts = 40;
 
-/// Number of places whose best cuts of each kind are candidates, and largest number of candidates that are evaluated
-/// exactly in a round. On a koala, the first candidate was good enough in each of forty rounds.
+/// Number of places whose best cuts of each kind are candidates, and largest number of exact evaluations in a round. On
+/// a koala, the first candidate was good enough in each of forty rounds.
 constexpr int kPlaces = 2;
 constexpr std::size_t kMostTrials = 5;
 
@@ -39,24 +39,24 @@ constexpr std::size_t kMostTrials = 5;
 /// more than this share to be listed.
 constexpr double kWorthSewing = 0.02;
 
-/// Lower strains count as this one, because their ratios are meaningless.
+/// Lower strains count as this strain, because their ratios are meaningless.
 constexpr double kFlat = 1e-4;
 
 /// Progress once the piece is open, and once it is cut finely enough, as measured on a cow and a penguin.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
-/// Sets are merged for the target, then for strains in this ratio: from 5% for woven fabric to 10%, and to 20%. At
-/// most this many, which matters for low targets.
+/// Sets are merged for the target, then for strains in this ratio: 5% for woven fabric, then 10% and 20%. The number of
+/// merged sets is limited, which matters for low targets.
 constexpr double kStrainStep = 2;
 constexpr std::size_t kMergedSets = 3;
 
-/// The most strain of plush. Sets are merged up to about this strain, or to twice a larger target: those for more
-/// strain, which only stretchy knits take, are the slowest to find.
+/// The largest strain of plush. Sets are merged up to about this strain, or to twice a larger target. Sets for more
+/// strain, which only stretchy knits allow, are the slowest to find.
 constexpr double kSoftStrain = 0.2;
 
-/// Cuts that remove at least this share of the energy come before those that remove more for their length, because many
-/// small darts are slow to sew and to find. Between 0 and 0.5, the sets of a ball, a head and a penguin differ little
-/// in strain. With 0.5, they are found in two thirds of the time of 0, but are a tenth longer.
+/// Cuts that remove at least this share of the energy come before cuts that remove more for their length, because many
+/// small darts are slow to sew and to find. With 0 to 0.5, the sets of a ball, a head and a penguin differ little in
+/// strain. With 0.5, the search takes two thirds of the time of 0, but the sets are 10% longer.
 constexpr double kLargeGain = 0.25;
 
 FlattenError no_set(const Chart& chart, ErrorArguments arguments) {
@@ -73,7 +73,8 @@ FlattenError too_long(const Chart& chart, double length, double longest) {
   return no_set(chart, {{"reason", "too_long"}, {"length", length}, {"limit", longest}});
 }
 
-/// Returns the allowed strains of merged sets. The last one is the nearest to the most that is useful, as a ratio.
+/// Returns the allowed strains of merged sets. The last strain is the one whose ratio to the largest useful strain is
+/// nearest to 1.
 std::vector<double> allowed_strains(double least, double target) {
   const double most = std::max(kSoftStrain, kStrainStep * target);
   std::vector<double> allowed{least};
@@ -168,8 +169,8 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   }
 }
 
-/// Adds bisections of one part, which help where no single line does. If a part folds in the coarse evaluation, its
-/// energy without a cut is unknown: then the shortest bisections come first, and exact evaluations measure their gain.
+/// Adds bisections of one part, which help if no single line helps. If a part folds in the coarse evaluation, its
+/// energy without a cut is unknown. Then the shortest bisections come first, and exact evaluations measure their gain.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[set.parts[part]]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
@@ -239,7 +240,7 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
     if (is_known || length_of_cut(chart_.mesh, cut) > cut_options_.longest) continue;
     tried.push_back(cut);
     CutSet more = evaluate(set.pieces, cut);
-    // Compares energies, because the strain may rise: the parts have more outline of fixed length than the whole.
+    // Compares energies, because the strain may rise: the parts have more outline with fixed lengths than the whole.
     const double before = set.figures[worst].energy;
     if (!more.lies_flat || figures_of(more.pieces, part).energy > (1 - kWorthSewing) * before) continue;
     if (!makes_narrow(more, *set.pieces[set.parts[worst]])) return more;
@@ -248,9 +249,9 @@ std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& se
   return narrow;
 }
 
-/// Selects the sets to propose. sets: the shortest first. Drops sets that are hardly better than a shorter one, sets
-/// with more pieces than a less strained one, and sets longer than one that meets the target. The longest comes first.
-/// If there are too many, keeps sets whose strains have about equal ratios from one to the next.
+/// Selects the sets to propose, the longest first. sets: the shortest first. Drops sets that are hardly better than a
+/// shorter set, sets with more pieces than a less strained set, and sets longer than a set that meets the target. If
+/// there are too many, keeps sets with about equal ratios of consecutive strains.
 std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets) const {
   std::vector<DartProposal> best;
   for (const CutSet& set : sets) {
@@ -278,7 +279,7 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
   return chosen;
 }
 
-/// Adds sets with fewer sections than the last one: with the same allowed strain, and with higher and higher ones.
+/// Adds sets with fewer sections than the last set: first for the same allowed strain, then for higher strains.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_, cut_options_.narrowest);
   const std::vector<double> allowed = allowed_strains(std::max(target_, sets.back().proposal.strain), target_);

@@ -14,10 +14,10 @@
 
 namespace wirewarp {
 
-/// Searches for sets of cuts of one piece that has no flat shape, or one that needs too much strain. First it finds a
-/// cut that makes all of the piece flat, then it cuts the part with most strain, one cut after the other. Candidates
-/// are lines and bisections; of those that remove much of the distortion, it takes the one that removes most for its
-/// length.
+/// Searches for sets of cuts of one piece whose flat shape is missing or needs too much strain. First it finds a cut
+/// that makes the whole piece flat. Then it cuts the part with the most strain, one cut after the other. Candidates are
+/// lines and bisections. Among the candidates that remove much of the distortion, it takes the one that removes most
+/// for its length.
 class CutSetSearch {
  public:
   /// piece: one of the pieces. All references are kept.

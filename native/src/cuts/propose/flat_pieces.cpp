@@ -136,7 +136,7 @@ ExactEvaluation::ExactEvaluation(const SurfaceToCut& surface, const InternalOpti
   options_.with_proposals = false;
 }
 
-/// Adds all pieces that elastic seams couple with the chosen ones.
+/// Adds all pieces that elastic seams couple with the chosen pieces.
 ExactEvaluation::Selection ExactEvaluation::coupled(const FlatPieces& pieces, Selection chosen) const {
   std::set<std::pair<int, int>> shared;  // wire and part
   for (bool has_grown = true; has_grown;) {
@@ -157,7 +157,7 @@ ExactEvaluation::Selection ExactEvaluation::coupled(const FlatPieces& pieces, Se
   return chosen;
 }
 
-/// Adds all pieces that share an edge of their outline with the chosen ones, and all pieces coupled with these.
+/// Adds all pieces that share an edge of their outline with the chosen pieces, and all pieces coupled with these.
 ExactEvaluation::Selection ExactEvaluation::with_neighbors(const FlatPieces& pieces, const Selection& chosen) const {
   std::set<VertexPair> outline;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -226,7 +226,7 @@ FlatPieces ExactEvaluation::with_cut(const FlatPieces& before, const std::vector
   Selection changed = changed_pieces(before, edges, opened), solved = changed;
   if (is_stretched(options_)) {
     changed = with_neighbors(before, changed);
-    solved = with_neighbors(before, changed);  // includes the pieces that the lengths of changed ones depend on
+    solved = with_neighbors(before, changed);  // includes all pieces on which the lengths of changed pieces depend
   }
   FlatPieces after;
   for (std::size_t i = 0; i < before.size(); ++i) {

@@ -40,21 +40,22 @@ struct PieceFigures {
   std::optional<FlattenError> error;  // error of any part
 };
 
-/// Returns the figures of all pieces. If one has no flat shape, energy and strain are infinite.
+/// Returns the figures of all pieces together. If a piece has no flat shape, energy and strain are infinite.
 PieceFigures figures_of(const FlatPieces& pieces);
 
 /// Returns the figures of the pieces that consist of faces of a chart.
 PieceFigures figures_of(const FlatPieces& pieces, const Chart& chart);
 
-/// Whether a cut of a chart leaves another piece without a flat shape, or with more strain than any piece had before.
-/// This can happen because elastic seams and stretched fabric couple the lengths of neighbors. before, after: all
-/// pieces of the input.
+/// Returns whether a cut of a chart leaves another piece without a flat shape, or with more strain than any piece had
+/// before. This is possible because elastic seams and stretched fabric couple the lengths of neighbors. before, after:
+/// all pieces of the input.
 bool spoils_others(const FlatPieces& before, const FlatPieces& after, const Chart& chart);
 
 /// Returns the largest strain of the pieces with a flat shape; 0 if there are none.
 double most_strain(const FlatPieces& pieces);
 
-/// Whether a chart consists of faces of another one. The sources of both are in the input, in increasing order.
+/// Returns whether a chart consists of faces of another chart. The sources of both are in the input, in increasing
+/// order.
 bool is_part_of(const Chart& part, const Chart& chart);
 
 /// Returns the pieces with one of these edges on their outline.
@@ -69,8 +70,8 @@ class ExactEvaluation {
   FlatPieces uncut() const;
 
   /// Returns the pieces with more seams along `edges`, and without the seams `opened`. Flattens only the pieces that
-  /// these run through or along, those coupled with them by elastic seams and, if the fabric is stretched, their
-  /// neighbors, which share the lengths of seams. May be called in any thread. Throws Stopped.
+  /// these edges run through or along, the pieces that elastic seams couple with them and, if the fabric is stretched,
+  /// the neighbors, which share the lengths of seams. May be called in any thread. Throws Stopped.
   FlatPieces with_cut(const FlatPieces& before, const std::vector<VertexPair>& edges,
                       const std::vector<VertexPair>& opened = {}) const;
 

@@ -17,7 +17,7 @@ namespace {
 /// shows.
 constexpr double kAroundTip = 0.03;
 
-/// Returns the mean strain of the area around a tip; none if the piece does not have this vertex.
+/// Returns the mean strain of the area around a tip; nullopt if the piece does not have this vertex.
 std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double radius) {
   const HalfEdgeMesh& mesh = piece.chart.mesh;
   const std::vector<int>& sources = piece.chart.source_vertex;
@@ -40,7 +40,7 @@ std::optional<double> mean_strain_around(const FlatPiece& piece, int tip, double
   return strained / area;
 }
 
-/// Returns the last vertices of the paths; none if paths meet.
+/// Returns the last vertices of the paths; nullopt if paths meet.
 std::vector<int> tips_of(const CutMesh& cut) {
   std::map<int, int> count;
   for (const VertexPair& edge : cut.edges) {
@@ -63,7 +63,7 @@ FlattenInput with_mesh_of(const FlattenInput& input, const CutMesh& cut) {
   return {cut.vertices, cut.faces, input.seams, input.wires, input.eases};
 }
 
-/// Returns the piece on the cut mesh before its cut. Use it only to cut it: its figures are those of the original mesh.
+/// Returns the piece on the cut mesh without its cut. Only for cutting it: its figures are those of the original mesh.
 FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const CutMesh& cut, const StopToken& stop) {
   const std::vector<int>& faces_before = piece.chart.source_face;
   std::vector<int> faces;

@@ -38,9 +38,9 @@ class LineEvaluation {
   /// Returns the pieces that a cut makes, on the mesh of cut_mesh(). Throws Stopped.
   PiecesAlong cut_along(const CutMesh& cut) const;
 
-  /// Returns the figures with cuts along lines from outlines to tips inside; none if the lines meet, if a part has no
-  /// flat shape then, or if other pieces are spoiled. Lines divide no edge on a wire or outline. May be called in any
-  /// thread. Throws Stopped.
+  /// Returns the figures with cuts along lines from outlines to tips inside; nullopt if the lines meet, if a part has
+  /// no flat shape, or if the cuts spoil other pieces. Lines must not divide an edge on a wire or outline. May be
+  /// called in any thread. Throws Stopped.
   std::optional<LineFigures> figures_along(const std::vector<SurfacePath>& lines) const;
 
  private:

@@ -29,12 +29,12 @@ namespace {
 constexpr double kSameLength = 1e-9;
 
 /// With a limit of 20 factorizations, no section can be removed from the finest set of a penguin; with 40, a third of
-/// its length can.
+/// the set's length can be removed.
 constexpr int kMergeFactorizations = 40;
 
-/// A free map, which has no fixed lengths, needs about the least strain. For 90 accepted unions on a cow and a penguin,
-/// it was at most 1.09 times the allowed strain, and at most 2.1% of the area was folded. These limits save three
-/// quarters of the time for all unions.
+/// A free map, which has no fixed lengths, has about the least strain. For 90 accepted unions on a cow and a penguin,
+/// its strain was at most 1.09 times the allowed strain, and at most 2.1% of its area was folded. These limits save
+/// three quarters of the time for all unions.
 constexpr double kMostFreeStrain = 1.1;
 constexpr double kMostFolded = 0.025;
 
@@ -43,7 +43,7 @@ constexpr double kFlatStrain = 1e-6;
 
 constexpr double kNoFlatShape = std::numeric_limits<double>::infinity();
 
-/// Pieces must have a flat shape even with an infinite limit.
+/// Even with an infinite limit, pieces must have a flat shape.
 bool is_allowed(double strain, double limit) { return strain < kNoFlatShape && strain <= limit; }
 
 /// Estimates the least strain of a chart: that of its free map, divided by kMostFreeStrain; infinite if too much of the
@@ -84,8 +84,8 @@ InternalOptions without_long_runs(InternalOptions options) {
   return options;
 }
 
-/// A section has a corner if it turns by more. Sections along the edges of a box have corners where three of its sides
-/// meet; jagged sections of regular triangles turn by 60 degrees.
+/// A section has a corner where it turns by more. Sections along the edges of a box have corners at the box's corners;
+/// jagged sections of regular triangles turn by 60 degrees.
 constexpr double kCornerCosine = 0.45;
 
 /// Returns the index where the second half of a section starts.
@@ -112,7 +112,7 @@ std::size_t sharpest_corner_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& se
   return corner;
 }
 
-/// Returns both halves of a section, and the parts before and behind its sharpest corner; nothing for a single edge.
+/// Returns both halves of a section, and the parts before and after its sharpest corner; empty for a single edge.
 std::vector<HalfEdgeChain> halves_of(const HalfEdgeMesh& mesh, const HalfEdgeChain& section) {
   const std::size_t middle = middle_of(mesh, section), corner = sharpest_corner_of(mesh, section);
   std::vector<HalfEdgeChain> halves;
@@ -157,8 +157,9 @@ void SectionMerger::run(double most_strain, const std::function<void(double)>& r
   while (open_one(false) || open_one(true)) continue;
 }
 
-/// Removes one more section, or half of one; returns false if none can be removed. Evaluates several at a time. The
-/// first that is allowed is removed if its shapes are final, or if it is still allowed after more factorizations.
+/// Removes one more section or part of a section. Returns false if no section can be removed. Evaluates several
+/// candidates at a time. The first allowed candidate is removed if its shapes are final, or if it is still allowed
+/// after more factorizations.
 bool SectionMerger::open_one(bool is_half) {
   const std::vector<CutMask> candidates = list_candidates(is_half);
   const std::size_t at_once = num_cores();
@@ -230,13 +231,14 @@ double SectionMerger::allowed_beside(const FlatPieces& pieces) const {
   return std::max({kFlatStrain, most_strain_, most_strain(pieces)});
 }
 
-/// Whether the piece of the state that contains this chart has no flat shape.
+/// Returns whether the piece of the state that contains this chart has no flat shape.
 bool SectionMerger::had_error(const Chart& chart) const {
   return std::any_of(state_.pieces.begin(), state_.pieces.end(),
                      [&](const auto& piece) { return piece->error && is_part_of(chart, piece->chart); });
 }
 
-/// Estimates the least strain from free maps; stops at the first piece that needs more than is allowed.
+/// Estimates the least strain of the pieces from free maps. Stops at the first piece that needs more than the allowed
+/// strain.
 double SectionMerger::least_strain_without(const CutMask& mask, double allowed) const {
   double needed = 0;
   const FlatPieces joined = beside(mask);

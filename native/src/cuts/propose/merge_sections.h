@@ -19,10 +19,11 @@ struct CutState {
   FlatPieces pieces;
 };
 
-/// Removes sections of seams from a cut, the longest first, until no more can be removed. If no whole section can go,
-/// it tries halves, and the parts before and behind the sharpest corner. A section and its mirror image are removed
-/// together, after an exact evaluation of the pieces beside them: the new pieces must have a flat shape, and at most
-/// the allowed strain or that of one of the old pieces. Other pieces that had no flat shape before are ignored.
+/// Removes sections of seams from a cut, the longest first, until no more can be removed. If no whole section can be
+/// removed, it tries halves, and the parts before and after the sharpest corner. A section and its mirror image are
+/// removed together, after an exact evaluation of the pieces beside them. The new pieces must have a flat shape with at
+/// most the allowed strain or the strain of one of the old pieces. Other pieces that had no flat shape before are
+/// ignored.
 class SectionMerger {
  public:
   /// chart, mirrored and exact are kept by reference. state: a cut of the chart, and the pieces with it. narrowest: the

@@ -17,8 +17,8 @@
 namespace wirewarp {
 namespace {
 
-/// The coarse copy may rank almost equal cuts wrongly. So the cuts of more places than requested are evaluated exactly,
-/// and further cuts up to this share of all cuts that were tried on the copy.
+/// The coarse copy may rank almost equal cuts wrongly. Therefore cuts at more places than requested are evaluated
+/// exactly, and further cuts up to this share of all cuts that were tried on the copy.
 constexpr int kMorePlaces = 3;
 constexpr double kShareEvaluated = 0.05;
 
@@ -28,8 +28,8 @@ constexpr double kLeastGain = 0.02;
 /// By default, pieces with at most this strain are not cut, because it does not show in any fabric.
 constexpr double kMayStay = 0.005;
 
-/// A path on the fine mesh may be longer than on the coarse one by this factor: along two sides of a rectangle with a
-/// forbidden diagonal, and a little more. If it is longer still, wires block it.
+/// A path on the fine mesh may be longer than on the coarse copy by this factor, for example along two sides of a
+/// rectangle whose diagonal is forbidden. If it is longer, wires block it.
 constexpr double kDetour = 1.5;
 
 /// The first points and the coarse copy of a search.
@@ -38,10 +38,10 @@ struct Grid {
   double faces;  // requested for the coarse copy
 };
 
-/// Points inside are about a fifth of the piece's width apart; those on the outline of a short piece, about a width.
-/// With half the faces, the copy ranks the best cuts in another order than the piece: on a hat, the best dart was only
-/// the eleventh. In a set, each cut is one of many and the next one corrects it, so about half of the points and faces
-/// give equally good sets in a quarter of the time.
+/// Points inside are about a fifth of the piece's width apart. Points on the outline of a short piece are about a width
+/// apart. With half the faces, the copy ranks the best cuts in another order than the piece: on a hat, the best dart
+/// had only rank eleven. In a set, each cut is one of many, and the next cut corrects it, so about half of the points
+/// and faces lead to equally good sets in a quarter of the time.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
 FlattenError no_proposal(const Chart& chart, ErrorArguments arguments) {
@@ -75,7 +75,7 @@ std::vector<char> vertices_on_wires(const Chart& chart) {
   return is_on_wire;
 }
 
-/// Forbids edges that may have no seam, vertices on wires, and vertices with no other edges.
+/// Forbids edges that may have no seam, vertices on wires, and vertices at which all edges are forbidden.
 Forbidden find_forbidden(const Chart& chart, const VertexPairs& no_seam) {
   Forbidden forbidden{vertices_on_wires(chart), PartMap(chart).mask_of(as_list(no_seam))};
   std::vector<char> has_way(chart.mesh.n_vertices(), 0);
@@ -90,7 +90,8 @@ Forbidden find_forbidden(const Chart& chart, const VertexPairs& no_seam) {
   return forbidden;
 }
 
-/// Transfers what is forbidden to the coarse copy. Coarse edges are forbidden only if they are edges of the chart.
+/// Transfers forbidden vertices and edges to the coarse copy. Coarse edges are forbidden only if they are edges of the
+/// chart.
 Forbidden on_copy(const CoarseCopy& copy, const HalfEdgeMesh& mesh, const Forbidden& forbidden) {
   const HalfEdgeMesh& coarse = copy.chart.mesh;
   Forbidden result{std::vector<char>(coarse.n_vertices(), 0), std::vector<char>(coarse.n_edges(), 0)};
@@ -112,7 +113,8 @@ bool have_same_edges(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const Hal
   return of_a == of_b;
 }
 
-/// Returns the chain along a cut. If there is no smooth one, starts at the nearest vertex of the outline that has one.
+/// Returns the smooth chain along a cut. If there is no such chain, starts at the nearest vertex of the outline that
+/// has one.
 HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& paths, CutEnds cut) {
   HalfEdgeChain chain = chain_of(paths, cut);
   if (!chain.empty()) return chain;
@@ -126,7 +128,8 @@ HalfEdgeChain nearest_chain(const HalfEdgeMesh& mesh, const SmoothPathFinder& pa
   return nearest.is_valid() ? chain_of(paths, {nearest, cut.end}) : HalfEdgeChain{};
 }
 
-/// Two darts with a common vertex form a seam, which cuts the piece differently than each alone.
+/// Returns whether two darts have a common vertex. They would form a seam, which cuts the piece differently than each
+/// dart alone.
 bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const HalfEdgeChain& b) {
   const auto vertices_of = [&](const HalfEdgeChain& chain) {
     std::set<VertexHandle> vertices{mesh.from_vertex_handle(chain.front())};
@@ -224,8 +227,8 @@ std::vector<HalfEdgeChain> PieceSearch::without_mirror_images(const std::vector<
   return kept;
 }
 
-/// Returns the figures of each chain; none if the chain is empty, if a part has no flat shape then, or if other pieces
-/// are spoiled.
+/// Returns the figures of each chain; nullopt if the chain is empty, if a part has no flat shape, or if the cut spoils
+/// other pieces.
 std::vector<std::optional<PieceFigures>> PieceSearch::evaluate(const std::vector<HalfEdgeChain>& chains) const {
   std::vector<std::optional<PieceFigures>> found(chains.size());
   run_in_threads(
@@ -247,7 +250,7 @@ bool PieceSearch::is_worth_sewing(const PieceFigures& after) const {
   return has_less_energy && after.strain <= (1 - kLeastGain) * before_.strain && after.strain < kMostStrain;
 }
 
-/// Returns the chains that help alone or with their mirror images, the best first, none beside another.
+/// Returns the chains that help alone or with their mirror images, the best first. No chain is beside another.
 std::vector<PieceSearch::Helpful> PieceSearch::find_helpful(const std::vector<HalfEdgeChain>& chains) const {
   const std::vector<std::optional<PieceFigures>> alone = evaluate(chains);
   std::vector<HalfEdgeChain> images(chains.size()), pairs(chains.size());

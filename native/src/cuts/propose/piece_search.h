@@ -11,16 +11,16 @@
 
 namespace wirewarp {
 
-/// How much a search evaluates exactly.
+/// The number of exact evaluations in a search.
 enum class Effort {
   thorough,  // also cuts that the coarse copy may rank wrongly, and mirror images
   quick,     // only the best cuts, because each is one of many in a set
 };
 
-/// Returns the error of a piece with this strain that no cut helps.
+/// Returns the error of a piece with this strain if no cut helps.
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
 
-/// Searches one piece: ranks candidates on a coarse copy, and evaluates the best of them exactly.
+/// Searches one piece: ranks candidates on a coarse copy, and evaluates the best candidates exactly.
 class PieceSearch {
  public:
   /// piece: index of the piece. All references are kept.
@@ -43,16 +43,16 @@ class PieceSearch {
   /// Returns the mirror image of a chain; empty if it is the chain itself, or would cut a wire or a forbidden edge.
   HalfEdgeChain image_of(const HalfEdgeChain& chain) const;
 
-  /// Returns the mirror image of a path along or beside a chain that has one; empty if the edges that it crosses have
-  /// none.
+  /// Returns the mirror image of a path along or beside a chain that has a mirror image; empty if the edges that the
+  /// path crosses have no mirror images.
   MeshPath image_of(const MeshPath& path) const { return mirrored(chart_, image_, path); }
 
-  /// Whether both ends of the chains are near each other.
+  /// Returns whether both ends of two chains are near each other.
   bool is_beside(const HalfEdgeChain& a, const HalfEdgeChain& b) const {
     return are_beside(chart_.mesh, size_, ends_of(a), ends_of(b));
   }
 
-  /// Whether a cut with these figures gains enough.
+  /// Returns whether a cut with these figures gains enough.
   bool is_worth_sewing(const PieceFigures& after) const;
 
   /// In canonical order.

@@ -18,20 +18,20 @@
 namespace wirewarp {
 namespace {
 
-/// No dart may have an elbow that turns by more (radians). A geodesic has elbows only where it touches a wire or the
-/// outline. One of 30 degrees catches the eye on the flat piece.
+/// Largest turn of an elbow in a dart, radians. A geodesic has elbows only where it touches a wire or the outline. An
+/// elbow of 30 degrees is conspicuous on the flat piece.
 constexpr double kElbow = kPi / 12;
 
-/// A line that is longer than the straight one by less than this share has no visible bend: with 2%, its middle is a
+/// A line that is longer than the straight line by less than this share has no visible bend: with 2%, its middle is a
 /// tenth of its length aside. A bent line is harder to sew, so it must lower the strain by this share more.
 constexpr double kBend = 0.02, kGainOfBends = 0.05;
 
 /// The first and last distance by which the ends of a line are moved, over the root of the area: half of the distance
-/// between the points tried on the coarse copy, and the smallest change that one sees.
+/// between the points on the coarse copy, and the smallest visible change.
 constexpr double kFirstMove = 0.1, kLastMove = 0.05;
 
-/// Number of lines whose ends are moved: the best, and two more that may overtake it. With two lines, the best pair of
-/// a gathered skirt leaves 5.4% instead of 4.2%.
+/// Number of lines whose ends are moved: the best line, and two more that may become better. With two lines, the best
+/// pair of a gathered skirt leaves a strain of 5.4% instead of 4.2%.
 constexpr std::size_t kMoved = 3;
 
 /// A move that lowers the strain by less than this share is not followed by another.
@@ -41,7 +41,7 @@ constexpr double kLeastMove = 0.01;
 /// fabric takes.
 constexpr double kAnyFabric = 0.03;
 
-/// How a line follows a chain with the same ends.
+/// The course of a line along a chain with the same ends.
 enum class Course { straight, bent };
 
 struct SmoothLine {
@@ -54,7 +54,7 @@ struct SmoothDart {
   SmoothLine line;
   Course course;
   std::optional<SmoothLine> image;  // its mirror image, if both can be cut
-  LineFigures found;                // with the image; alone if it has none, or if a tip puckers with it
+  LineFigures found;                // with the image, or alone if there is no image or if a tip puckers with it
   bool are_both = false;
 
   double strain() const { return found.figures.strain; }
@@ -115,8 +115,8 @@ class SmoothDartSearch {
   std::map<WayKey, std::optional<SmoothDart>> evaluated_;
 };
 
-/// Returns a smooth line with the ends of a chain; none if it has an elbow, touches a wire or the outline, is too long,
-/// or is bent but does not differ from the straight one.
+/// Returns a smooth line with the ends of a chain; nullopt if it has an elbow, touches a wire or the outline, is too
+/// long, or is a bent line that does not differ from the straight line.
 std::optional<SmoothLine> SmoothDartSearch::line_along(const Way& way) const {
   const HalfEdgeMesh& mesh = chart_.mesh;
   std::vector<VertexHandle> vertices{mesh.from_vertex_handle(way.chain.front())};
@@ -131,7 +131,7 @@ std::optional<SmoothLine> SmoothDartSearch::line_along(const Way& way) const {
   return smooth;
 }
 
-/// Whether a path touches a wire, a forbidden edge or the outline after its start.
+/// Returns whether a path touches a wire, a forbidden edge or the outline after its start.
 bool SmoothDartSearch::touches_lines(const MeshPath& path) const {
   return std::any_of(path.begin() + 1, path.end(), [&](const PathPoint& point) {
     return point.is_vertex() ? lines_.has(point.vertex) : lines_.has(chart_.mesh.edge_handle(point.half_edge));
@@ -148,7 +148,7 @@ std::optional<SmoothLine> SmoothDartSearch::image_of(const SmoothLine& line) con
   return image;
 }
 
-/// Evaluates a dart with its mirror image, unless both would meet, and so cut the piece differently than each alone.
+/// Evaluates a dart with its mirror image, unless both would meet and cut the piece differently than each dart alone.
 std::optional<SmoothDart> SmoothDartSearch::dart_along(const Way& way) const {
   std::optional<SmoothLine> line = line_along(way);
   if (!line) return {};
@@ -197,7 +197,7 @@ std::vector<SmoothDart> SmoothDartSearch::evaluate(const std::vector<Way>& ways)
   return found;
 }
 
-/// Returns straight darts, and bent ones that gain clearly more than the straight ones.
+/// Returns straight darts, and bent darts that gain clearly more than the straight darts.
 std::vector<SmoothDart> SmoothDartSearch::best_courses(const std::vector<HalfEdgeChain>& chains) {
   std::vector<Way> ways;
   for (const HalfEdgeChain& chain : chains) {
@@ -252,7 +252,7 @@ std::vector<SmoothDartSearch::Way> SmoothDartSearch::moved(const SmoothDart& dar
   return ways;
 }
 
-/// Moves to the best neighbor as long as it is clearly better, with shorter and shorter steps.
+/// Moves to the best neighbor as long as that is clearly better, with shorter and shorter steps.
 SmoothDart SmoothDartSearch::move_ends(SmoothDart dart) {
   for (double step = kFirstMove; step >= kLastMove;) {
     std::vector<SmoothDart> neighbors = evaluate(moved(dart, step));
@@ -273,7 +273,7 @@ bool SmoothDartSearch::puckers(const LineFigures& found) const {
   return found.tip_strain > std::max(search_.before().strain, kAnyFabric);
 }
 
-/// Ranks darts with puckering tips last, so that they do not displace good ones.
+/// Ranks darts with puckering tips last, so that they do not displace good darts.
 bool SmoothDartSearch::is_better(const SmoothDart& a, const SmoothDart& b) const {
   return std::pair(puckers(a.found), a.strain()) < std::pair(puckers(b.found), b.strain());
 }
@@ -337,7 +337,7 @@ void SmoothDartSearch::propose(const std::vector<SmoothDart>& darts, std::vector
   }
 }
 
-/// The best first, none beside a better one or its mirror image.
+/// Returns darts, the best first. No dart is beside a better dart or its mirror image.
 std::vector<SmoothDart> SmoothDartSearch::without_neighbors(std::vector<SmoothDart> darts) const {
   std::stable_sort(darts.begin(), darts.end(),
                    [&](const SmoothDart& a, const SmoothDart& b) { return is_better(a, b); });
