@@ -200,8 +200,7 @@ std::vector<DartProposal> run_seams(const py::object& vertices, const py::object
                                     const py::object& wires, const py::object& options, const py::object& eases,
                                     std::optional<int> piece, int count, std::optional<double> strain,
                                     std::optional<double> longest, const py::object& no_seam, bool smooth,
-                                    const py::object& no_crossing, double narrowest,
-                                    const py::object& progress) {
+                                    const py::object& no_crossing, double narrowest, const py::object& progress) {
   CutOptions cut_options = read_cut_options(piece, count, strain, longest, no_seam, smooth, no_crossing);
   cut_options.narrowest = narrowest;
   return find_now(search_of(propose_seams, vertices, faces, seams, wires, options, eases, cut_options), progress);

@@ -13,8 +13,8 @@ namespace wirewarp {
 /// Throws invalid_option if an option is out of range.
 void check_cut_options(const CutOptions& cut_options, const FlattenInput& input, std::size_t num_pieces);
 
-/// Returns whether the piece lacks seams: it is closed, has handles, its outline cannot enclose it, or its flat shape
-/// needs a strain of 1 or more, and neither faults of the mesh nor wires are the reason.
+/// Returns whether the piece lacks seams: it is closed, has handles, its outline cannot enclose it, it is flipped or
+/// overlaps itself, or, without wires inside, its lengths are infeasible or its flat shape needs a strain of 1 or more.
 bool lacks_seams(const FlatPiece& piece);
 
 /// Returns what propose_darts() and propose_seams() propose for these pieces. Throws their errors, and Stopped.
