@@ -8,6 +8,7 @@ from comparison import Comparison
 from tables import STAGES, select, stage_exponents, table
 
 SIZES = (10_000, 100_000, 1_000_000)
+REACHED = "reached"
 
 
 def nearest(comparisons: Sequence[Comparison], triangles: int) -> Comparison | None:
@@ -21,7 +22,7 @@ def ratio(comparisons: Sequence[Comparison], ours: str, theirs: str, triangles: 
 
 
 def row(what: str, bound: float, found: float | None, unit: str = "") -> tuple[str, ...]:
-    verdict = "not measured" if found is None else "reached" if found <= bound else "**not reached**"
+    verdict = "not measured" if found is None else REACHED if found <= bound else "**not reached**"
     return what, f"≤ {bound:g}{unit}", "" if found is None else f"{found:.3g}{unit}", verdict
 
 
@@ -92,5 +93,6 @@ def of_the_gradient(benchmarks: list[dict]) -> list[tuple[str, ...]]:
 
 
 def target_table(comparisons: Sequence[Comparison], hard: Sequence[Comparison], benchmarks: list[dict]) -> list[str]:
+    """Return the table of all targets. The targets that were not reached come first."""
     rows = [*ratios(comparisons), *of_hard_sheets(hard), *of_the_core(benchmarks), *of_the_gradient(benchmarks)]
-    return table(["target", "asked", "found", "verdict"], rows)
+    return table(["target", "asked", "found", "verdict"], sorted(rows, key=lambda each: each[-1] == REACHED))

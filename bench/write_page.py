@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes a page and its pictures from measurements; docs/benchmarks.md is the page of the longest run:
 
-PYTHONPATH=results python bench/write_page.py NATIVE_JSON BLENDER_JSON PEERS_JSON PAGE [--real-meshes JSON]
+PYTHONPATH=results python bench/write_page.py NATIVE_JSON BLENDER_JSON PEERS_JSON RATIOS_MD PAGE [--real-meshes JSON]
 """
 
 import argparse
@@ -70,6 +70,19 @@ def hard_section(hard: list[Comparison]) -> list[str]:
         "also as multiples of libigl's ARAP on the same mesh.",
         "",
         *peer_tables.hard_table(hard),
+        "",
+    ]
+
+
+def ratios_section(ratios: str) -> list[str]:
+    return [
+        "## Runs that cost more",
+        "",
+        "Runs of the core with many wires, a fabric, elastic seams or a cache, compared with plain runs on the same "
+        "sheet in the same process. The table has medians of processor seconds, and their ratio. The last row is the "
+        "time until a net without a solution is refused. Written by `wirewarp_cost_ratios`.",
+        "",
+        *ratios.splitlines(),
         "",
     ]
 
@@ -152,7 +165,9 @@ def real_section(counts: dict | None) -> list[str]:
     ]
 
 
-def document(benchmarks: list[dict], in_blender: dict, peers: dict[str, list[Comparison]], real: dict | None) -> str:
+def document(
+    benchmarks: list[dict], in_blender: dict, peers: dict[str, list[Comparison]], ratios: str, real: dict | None
+) -> str:
     sheets, (seams,) = peers["sheets"], peers["seams"]
     lines = [
         "# Benchmarks",
@@ -172,6 +187,7 @@ def document(benchmarks: list[dict], in_blender: dict, peers: dict[str, list[Com
         "",
         *peers_section(sheets),
         *hard_section(peers["hard"]),
+        *ratios_section(ratios),
         *seams_section(seams),
         *real_section(real),
         *blender_section(in_blender),
@@ -186,6 +202,7 @@ def main() -> None:
     parser.add_argument("native_json", type=Path, help="what wirewarp_bench --benchmark_out=FILE wrote")
     parser.add_argument("blender_json", type=Path, help="what flatten_in_blender.py wrote")
     parser.add_argument("peers_json", type=Path, help="what compare_peers.py wrote")
+    parser.add_argument("ratios_md", type=Path, help="what wirewarp_cost_ratios printed")
     parser.add_argument("page", type=Path, help="to write; its pictures go into the folder beside it of its name")
     parser.add_argument("--real-meshes", type=Path, help="what real_meshes.py wrote")
     arguments = parser.parse_args()
@@ -194,7 +211,8 @@ def main() -> None:
     in_blender = json.loads(arguments.blender_json.read_text())
     peers = load(arguments.peers_json)
     real = json.loads(arguments.real_meshes.read_text()) if arguments.real_meshes else None
-    page = document(benchmarks, in_blender, peers, real)  # before the pictures change the result of commit()
+    ratios = arguments.ratios_md.read_text()
+    page = document(benchmarks, in_blender, peers, ratios, real)  # before the pictures change the result of commit()
     use_style()
     pictures = arguments.page.with_suffix("")
     pictures.mkdir(parents=True, exist_ok=True)

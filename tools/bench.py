@@ -5,7 +5,7 @@ import os
 from pathlib import Path
 
 from tools.blender import BLENDER_APT, BPY_APT, NUMPY, bpy_python, run_with_addon
-from tools.environment import BUILD, DEBIAN_VERSION, ROOT, require_apt, run, say
+from tools.environment import BUILD, DEBIAN_VERSION, ROOT, output_of, require_apt, run, say
 from tools.native import CORE_APT, build_native
 from tools.package import venv_with_core
 
@@ -21,6 +21,12 @@ def measure_the_core(is_full: bool) -> Path:
     output = FOLDER / "native.json"
     options = [] if is_full else [NOT_THE_LARGEST]
     run([FOLDER / "wirewarp_bench", f"--benchmark_out={output}", "--benchmark_out_format=json", *options])
+    return output
+
+
+def measure_ratios() -> Path:
+    output = FOLDER / "ratios.md"
+    output.write_text(output_of([FOLDER / "wirewarp_cost_ratios"]))
     return output
 
 
@@ -53,7 +59,7 @@ def run_bench(is_full: bool) -> None:
     require_apt(*APT)
     build_native("bench")
     python = venv_with_core("bench", DEBIAN_VERSION, *PACKAGES)
-    measured = [measure_the_core(is_full), measure_in_blender(), measure_peers(python, is_full)]
+    measured = [measure_the_core(is_full), measure_in_blender(), measure_peers(python, is_full), measure_ratios()]
     real = measure_real_meshes(python)
     page = ROOT / "docs" / "benchmarks.md" if is_full else FOLDER / "benchmarks.md"
     run([python, "bench/write_page.py", *measured, page, *real], **SHARED)
