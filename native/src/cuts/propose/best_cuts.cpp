@@ -205,7 +205,10 @@ std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, cons
   if (!piece) return search_pieces(pieces, kind, cut_options, exact);
   std::vector<DartProposal> sets = CutSetSearch(pieces, *piece, cut_options, exact, progress).search();
   for (DartProposal& set : sets) {
-    if (cut_options.is_smooth) set = smooth_set(set, pieces, *piece, cut_options, exact);
+    if (cut_options.is_smooth) {
+      DartProposal smooth = smooth_set(set, pieces, *piece, cut_options, exact);
+      if (smooth.strain < kMostStrain && smooth.length <= cut_options.longest) set = std::move(smooth);
+    }
     set.piece = static_cast<int>(*piece);
   }
   return sets;

@@ -117,7 +117,7 @@ void append(const HalfEdgeMesh& mesh, const PathPoint& point, MeshPath& path) {
 
 LineNetwork::LineNetwork(const HalfEdgeMesh& mesh, const std::vector<HalfEdgeChain>& chains,
                          const std::vector<char>& barriers)
-    : mesh_(mesh), chains_(chains), barriers_(barriers), walk_(mesh, barriers) {
+    : mesh_(mesh), barriers_(barriers), walk_(mesh, barriers) {
   double length = 0;
   std::size_t count = 0;
   std::vector<int> point_at(mesh.n_vertices(), -1), num_ends(mesh.n_vertices(), 0);

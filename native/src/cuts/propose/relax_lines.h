@@ -21,7 +21,8 @@ struct RelaxedLine {
 /// continues; junctions move.
 class LineNetwork {
  public:
-  /// chains: lines along edges that meet only at their ends. barriers: one flag per edge. All references are kept.
+  /// chains: lines along edges that meet only at their ends. barriers: one flag per edge. The mesh and
+  /// the barriers must outlive the network.
   LineNetwork(const HalfEdgeMesh& mesh, const std::vector<HalfEdgeChain>& chains, const std::vector<char>& barriers);
 
   /// Moves the points of each line a number of times; a junction moves as often as the line that moves least. Returns
@@ -48,7 +49,6 @@ class LineNetwork {
   std::optional<RelaxedLine> along(std::size_t line, const std::vector<SurfacePoint>& places) const;
 
   const HalfEdgeMesh& mesh_;
-  const std::vector<HalfEdgeChain>& chains_;
   const std::vector<char>& barriers_;
   const StraightWalk walk_;
   double edge_length_;  // mean of the chains, scene units

@@ -37,9 +37,6 @@ constexpr double kSmooth = kPi / 6;
 /// mesh has all its curvature.
 constexpr double kMostGrowth = 2;
 
-/// No set is proposed that leaves this strain; see propose_seams().
-constexpr double kTooMuchStrain = 1;
-
 /// A smooth set may have at most this share of the bends of the set along edges, otherwise the strain is not worth it.
 constexpr double kMostBends = 0.5;
 
@@ -329,8 +326,7 @@ std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPiece
   std::set<VertexPair> outline;
   for (const std::shared_ptr<const FlatPiece>& piece : after) {
     if (!is_part_of(piece->chart, chart)) continue;
-    const bool is_flat = !piece->error && piece->strain <= most_strain && piece->strain < kTooMuchStrain;
-    if (is_flat && !is_too_much) continue;
+    if (!piece->error && piece->strain <= most_strain && !is_too_much) continue;
     for (const EdgeHandle e : piece->chart.mesh.edges()) {
       if (piece->chart.mesh.is_boundary(e))
         outline.insert(source_edge(piece->chart, piece->chart.mesh.halfedge_handle(e, 0)));
@@ -369,8 +365,7 @@ std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& 
 
 DartProposal smooth_set(const DartProposal& set, const FlatPieces& pieces, std::size_t piece,
                         const CutOptions& cut_options, const ExactEvaluation& exact) {
-  DartProposal smooth = SmoothSet(set, pieces, piece, cut_options, exact).find();
-  return smooth.length <= cut_options.longest ? smooth : set;
+  return SmoothSet(set, pieces, piece, cut_options, exact).find();
 }
 
 }  // namespace wirewarp
