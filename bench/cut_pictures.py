@@ -3,8 +3,8 @@
 
 PYTHONPATH=results:blend_samples python bench/cut_pictures.py FOLDER [NAME...]
 
-The set is the one of cut_sets.py. A picture has the model from the front and from the back, and the pieces at the scale
-of the model. Pieces without room for their allowances are darker.
+The set is the one of cut_sets.py, with smooth seams. A picture has the model from the front and from the back, and the
+pieces at the scale of the model. Pieces without room for their allowances are darker.
 """
 
 import sys
@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import wirewarp
 from arrange import arrange
-from cut_sets import ALLOWANCE, HEAD, HEIGHT, best_set, row
+from cut_sets import ALLOWANCE, HEAD, Cut, best_cut, row, scale_of
 from matplotlib.collections import LineCollection, PolyCollection
 from mesh_files import Mesh
 from model_view import draw_model, frame
@@ -30,17 +30,16 @@ SIZE = (7.2, 2.4)  # inches
 TOO_NARROW = "#e3b9a0"
 
 
-def draw(path: Path, mesh: Mesh, seams: np.ndarray) -> None:
-    vertices, faces = mesh
-    flat = wirewarp.flatten(vertices, faces, seams=seams)
-    shape = Shape(path.stem, vertices, [tuple(face) for face in faces.tolist()], seams)
+def draw(path: Path, mesh: Mesh, cut: Cut) -> None:
+    vertices, faces = cut.mesh
+    flat = wirewarp.flatten(vertices, faces, seams=cut.seams)
+    shape = Shape(path.stem, vertices, [tuple(face) for face in faces.tolist()], cut.seams)
     figure, panels = plt.subplots(1, 3, figsize=SIZE, width_ratios=(1, 1, 1.6), layout="constrained")
     for axes, view in zip(panels, VIEWS, strict=False):
         draw_model(axes, shape, *view)
     arrangement = arrange(vertices, [flat], aspect=1.6)
-    smallest = ALLOWANCE * float(np.ptp(vertices, axis=0).max()) / HEIGHT
     for piece, uv in zip(flat.pieces, arrangement.positions(0), strict=True):
-        color = CLOTH if has_room(piece, smallest) else TOO_NARROW
+        color = CLOTH if has_room(piece, ALLOWANCE / scale_of(mesh)) else TOO_NARROW
         panels[2].add_collection(PolyCollection(uv[piece.faces], facecolors=color, edgecolors=color, linewidths=0.3))
         panels[2].add_collection(LineCollection(uv[outline_sides(piece)], colors=INK, linewidths=0.8, capstyle="round"))
     frame(panels[2], np.zeros(2), arrangement.size)
@@ -60,10 +59,10 @@ def main() -> None:
     rows = []
     for name, mesh in toys().items():
         if not names or name in names:
-            best, seconds = best_set(mesh)
-            rows.append(row(name, mesh, best, seconds))
+            cut = best_cut(mesh, smooth=True)
+            rows.append(row(name, mesh, cut))
             print(" ".join(rows[-1]), flush=True)
-            draw(folder / f"{name}.png", mesh, best.edges)
+            draw(folder / f"{name}.png", mesh, cut)
     print("\n".join(table(HEAD, rows)))
 
 

@@ -10,6 +10,7 @@ it turns sharply.
 
 import sys
 import time
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -70,34 +71,47 @@ def scale_of(mesh: Mesh) -> float:
     return HEIGHT / float(np.ptp(mesh[0], axis=0).max())
 
 
-def best_set(mesh: Mesh) -> tuple[wirewarp.DartProposal, float]:
-    """Return the set, and the seconds of processor time that the search took."""
+@dataclass(frozen=True)
+class Cut:
+    """A model that is cut along a set of seams."""
+
+    proposal: wirewarp.DartProposal
+    seconds: float  # of processor time for the search
+    mesh: Mesh  # with new vertices where smooth seams cross triangles
+    seams: np.ndarray  # (k, 2) edges of that mesh
+
+
+def best_cut(mesh: Mesh, smooth: bool = False) -> Cut:
     begin = time.process_time()
-    sets = wirewarp.propose_seams(*mesh, narrowest=2 * ALLOWANCE / scale_of(mesh))
+    sets = wirewarp.propose_seams(*mesh, narrowest=2 * ALLOWANCE / scale_of(mesh), smooth=smooth)
     seconds = time.process_time() - begin
     soft = [each for each in sets if each.strain <= SOFT]
-    return min(soft, key=lambda each: each.num_pieces) if soft else min(sets, key=lambda each: each.strain), seconds
+    best = min(soft, key=lambda each: each.num_pieces) if soft else min(sets, key=lambda each: each.strain)
+    if len(best.edges):
+        return Cut(best, seconds, mesh, best.edges)
+    vertices, faces, seams, _ = wirewarp.cut_mesh(*mesh, best.paths)
+    return Cut(best, seconds, (vertices, faces), seams)
 
 
-def row(name: str, mesh: Mesh, best: wirewarp.DartProposal, seconds: float) -> list[str]:
-    vertices, faces = mesh
-    points = vertices[faces]
+def row(name: str, mesh: Mesh, cut: Cut) -> list[str]:
+    points = mesh[0][mesh[1]]
     area = np.linalg.norm(np.cross(points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]), axis=1).sum() / 2
-    pieces = wirewarp.flatten(vertices, faces, seams=best.edges).pieces
+    vertices, faces = cut.mesh
+    pieces = wirewarp.flatten(vertices, faces, seams=cut.seams).pieces
     scale = scale_of(mesh)
     width = min(map(piece_width, pieces)) * scale
     images = mirror_images(vertices)
     return [
         name,
-        f"{len(faces):,}",
-        str(best.num_pieces),
+        f"{len(mesh[1]):,}",
+        str(cut.proposal.num_pieces),
         str(sum(has_room(piece, ALLOWANCE / scale) for piece in pieces)),
-        f"{100 * best.strain:.1f}%",
-        f"{best.length / np.sqrt(area):.2f}",
+        f"{100 * cut.proposal.strain:.1f}%",
+        f"{cut.proposal.length / np.sqrt(area):.2f}",
         f"{width:.1f}",
-        str(num_bends(vertices, best.edges)),
-        "–" if images is None else "yes" if is_symmetric(best.edges, images) else "no",
-        f"{seconds:.0f}",
+        str(num_bends(vertices, cut.seams)),
+        "–" if images is None else "yes" if is_symmetric(cut.seams, images) else "no",
+        f"{cut.seconds:.0f}",
     ]
 
 
@@ -105,7 +119,7 @@ def main() -> None:
     rows = []
     for path in map(Path, sys.argv[1:]):
         mesh = read_obj(path)
-        rows.append(row(path.stem, mesh, *best_set(mesh)))
+        rows.append(row(path.stem, mesh, best_cut(mesh)))
         print(" ".join(rows[-1]), flush=True)
     print("\n".join(table(HEAD, rows)))
 
