@@ -17,6 +17,7 @@
 #include "cuts/propose/mirror_image.h"
 #include "surface/charts/cut_into_charts.h"
 #include "surface/mesh/edge_table.h"
+#include "wirewarp/propose.h"
 
 namespace wirewarp {
 namespace {
