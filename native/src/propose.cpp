@@ -8,19 +8,16 @@ namespace {
 std::vector<DartProposal> propose_cuts(const FlattenInput& input, const Options& options, CutKind kind,
                                        const CutOptions& cut_options, const Progress& progress) {
   CutProgress cut_progress(progress);
-  const SurfaceToCut to_cut(input, options);
-  try {
-    const ExactEvaluation exact(to_cut, options, cut_progress.token());
+  std::vector<DartProposal> proposals;
+  search_cuts(input, options, cut_progress.token(), [&](const ExactEvaluation& exact) {
     const FlatPieces pieces = exact.uncut();
     check_cut_options(cut_options, input, pieces.size());
-    std::vector<DartProposal> proposals = best_cuts(pieces, kind, cut_options, exact, cut_progress);
-    for (DartProposal& proposal : proposals) {
-      if (proposal.paths.empty()) proposal.paths = paths_along(input.faces, proposal.edges);
-    }
-    return proposals;
-  } catch (const Stopped&) {
-    throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
+    proposals = best_cuts(pieces, kind, cut_options, exact, cut_progress);
+  });
+  for (DartProposal& proposal : proposals) {
+    if (proposal.paths.empty()) proposal.paths = paths_along(input.faces, proposal.edges);
   }
+  return proposals;
 }
 
 }  // namespace

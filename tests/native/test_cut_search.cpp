@@ -7,10 +7,12 @@
 #include <cmath>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "base/planar.h"
 #include "base/work_meter.h"
 #include "cuts/propose/canonical_order.h"
+#include "cuts/propose/cut_sets.h"
 #include "cuts/propose/mirror_image.h"
 #include "cuts/propose/smooth_paths.h"
 #include "disguise.h"
@@ -104,6 +106,15 @@ FlattenInput regular_polygon(int corners) {
     input.faces.row(i) << i, (i + 1) % corners, corners;
   }
   return input;
+}
+
+TEST(CutSetSearch, AllowsStrainsUpToThatOfPlushOrTwiceTheTarget) {
+  using Strains = std::vector<double>;
+  EXPECT_EQ(allowed_strains(0.05, 0.05), (Strains{0.05, 0.1, 0.2}));  // 0.2: the strain of plush
+  EXPECT_EQ(allowed_strains(0.15, 0.05), Strains{0.15});              // 0.2 / 0.15 < 0.3 / 0.2
+  EXPECT_EQ(allowed_strains(0.13, 0.05), (Strains{0.13, 0.26}));      // 0.2 / 0.13 > 0.26 / 0.2
+  EXPECT_EQ(allowed_strains(0.2, 0.2), (Strains{0.2, 0.4}));          // 0.4: twice the target
+  EXPECT_EQ(allowed_strains(0.01, 0.01), (Strains{0.01, 0.02, 0.04}));
 }
 
 TEST(CanonicalOrder, TakesWorkProportionalToARegularOutlineAndCanBeStopped) {

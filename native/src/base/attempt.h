@@ -21,4 +21,15 @@ std::invoke_result_t<Solve> attempt(const Solve& solve) {
   }
 }
 
+/// Returns whether the caller stopped the work.
+template <typename Work>
+bool was_stopped(const Work& work) {
+  try {
+    work();
+  } catch (const Stopped&) {
+    return true;
+  }
+  return false;
+}
+
 }  // namespace wirewarp

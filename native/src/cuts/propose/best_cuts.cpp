@@ -121,7 +121,7 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
     int num_better = 0;
     for (std::size_t i = 0; i < gains.size(); ++i) num_better += gains[i] >= most && !is_second_of_pair(proposals, i);
     if (pieces[c]->error || num_better >= cut_options.count) break;
-    try {
+    std::optional<FlattenError> refusal = refusal_of([&] {
       const int first = static_cast<int>(proposals.size());
       for (DartProposal& proposal : search_piece(pieces, c, kind, cut_options, exact)) {
         proposal.piece = c;
@@ -129,10 +129,8 @@ std::vector<DartProposal> search_pieces(const FlatPieces& pieces, CutKind kind, 
         gains.push_back(gain_of(pieces, c, strain_left(proposal)));
         proposals.push_back(std::move(proposal));
       }
-    } catch (const FlattenError& error) {
-      if (error.code != ErrorCode::no_proposal) throw;
-      if (!first_refusal) first_refusal = error;
-    }
+    });
+    if (!first_refusal) first_refusal = std::move(refusal);
   }
   if (!proposals.empty()) return best_of(proposals, gains, cut_options.count);
   if (!first_refusal) throw std::logic_error("A flat piece was searched: it has proposals or a reason for none.");

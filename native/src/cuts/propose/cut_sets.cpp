@@ -59,22 +59,18 @@ constexpr double kSoftStrain = 0.2;
 /// strain. With 0.5, the search takes two thirds of the time of 0, but the sets are 10% longer.
 constexpr double kLargeGain = 0.25;
 
-FlattenError no_set(const Chart& chart, ErrorArguments arguments) {
-  return FlattenError(ErrorCode::no_proposal, std::move(arguments), {{}, {}, chart.source_face});
-}
-
 FlattenError none_found(const Chart& chart, const CutOptions& cut_options) {
-  return no_set(chart, {{"reason", "no_set"}, {"is_restricted", cut_options.no_seam.rows() > 0}});
+  return no_proposal(chart, {{"reason", "no_set"}, {"is_restricted", cut_options.no_seam.rows() > 0}});
 }
 
-FlattenError too_strained(const Chart& chart) { return no_set(chart, {{"reason", "too_strained"}}); }
+FlattenError too_strained(const Chart& chart) { return no_proposal(chart, {{"reason", "too_strained"}}); }
 
 FlattenError too_long(const Chart& chart, double length, double longest) {
-  return no_set(chart, {{"reason", "too_long"}, {"length", length}, {"limit", longest}});
+  return no_proposal(chart, {{"reason", "too_long"}, {"length", length}, {"limit", longest}});
 }
 
-/// Returns the allowed strains of merged sets. The last strain is the one whose ratio to the largest useful strain is
-/// nearest to 1.
+}  // namespace
+
 std::vector<double> allowed_strains(double least, double target) {
   const double most = std::max(kSoftStrain, kStrainStep * target);
   std::vector<double> allowed{least};
@@ -82,8 +78,6 @@ std::vector<double> allowed_strains(double least, double target) {
     allowed.push_back(allowed.back() * kStrainStep);
   return allowed;
 }
-
-}  // namespace
 
 CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
                            const ExactEvaluation& exact, CutProgress& progress)
@@ -157,15 +151,13 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   cut_options.longest = cut_options_.longest - set.proposal.length;
   cut_options.no_seam = as_pairs(edges_of(forbidden_));
   for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
-    try {
+    refusal_of([&] {
       PieceSearch search(set.pieces, set.parts[part], kind, Effort::quick, cut_options, exact_);
       for (const DartProposal& cut : search.search()) {
         const double gain = 1 - cut.energy / cut.energy_before;
         found.push_back({mirrored_.with_image(map_.mask_of(cut.edges)), gain, gain / cut.length});
       }
-    } catch (const FlattenError& error) {
-      if (error.code != ErrorCode::no_proposal) throw;
-    }
+    });
   }
 }
 

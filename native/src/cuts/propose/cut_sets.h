@@ -14,6 +14,10 @@
 
 namespace wirewarp {
 
+/// Returns the allowed strains of up to three merged sets, each twice the strain before. The last strain is the one
+/// whose ratio to the largest useful strain is nearest to 1, if three sets are enough. least: the first strain.
+std::vector<double> allowed_strains(double least, double target);
+
 /// Searches for sets of cuts of one piece whose flat shape is missing or needs too much strain. First it finds a cut
 /// that makes the whole piece flat. Then it cuts the part with the most strain, one cut after the other. Candidates are
 /// lines and bisections. Among the candidates that remove much of the distortion, it takes the one that removes most

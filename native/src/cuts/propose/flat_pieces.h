@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/attempt.h"
 #include "base/internal_options.h"
 #include "base/stop_token.h"
 #include "cuts/feasibility/part_map.h"
@@ -103,5 +104,14 @@ class ExactEvaluation {
   InternalOptions options_;
   StopToken stop_;
 };
+
+/// Runs a search for cuts with the evaluation of an input. Throws the errors of flatten(), and cancelled if the caller
+/// stops.
+template <typename Search>
+void search_cuts(const FlattenInput& input, const Options& options, const StopToken& stop, const Search& search) {
+  const SurfaceToCut surface(input, options);
+  if (was_stopped([&] { search(ExactEvaluation(surface, options, stop)); }))
+    throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
+}
 
 }  // namespace wirewarp

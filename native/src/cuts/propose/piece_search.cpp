@@ -44,10 +44,6 @@ struct Grid {
 /// and faces lead to equally good sets in a quarter of the time.
 Grid grid_of(Effort effort) { return effort == Effort::thorough ? Grid{{24, 14}, 800} : Grid{{12, 8}, 400}; }
 
-FlattenError no_proposal(const Chart& chart, ErrorArguments arguments) {
-  return FlattenError(ErrorCode::no_proposal, std::move(arguments), {{}, {}, chart.source_face});
-}
-
 FlattenError flat_enough(const Chart& chart, double strain, double may_stay) {
   return no_proposal(chart, {{"reason", "strain"}, {"strain", strain}, {"limit", may_stay}});
 }
@@ -141,6 +137,10 @@ bool have_common_vertex(const HalfEdgeMesh& mesh, const HalfEdgeChain& a, const 
 }
 
 }  // namespace
+
+FlattenError no_proposal(const Chart& chart, ErrorArguments arguments) {
+  return FlattenError(ErrorCode::no_proposal, std::move(arguments), {{}, {}, chart.source_face});
+}
 
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain) {
   std::set<int> wires;  // wires with fixed or elastic lengths

@@ -17,6 +17,21 @@ enum class Effort {
   quick,     // only the best cuts, because each is one of many in a set
 };
 
+/// Returns the error no_proposal of a piece.
+FlattenError no_proposal(const Chart& chart, ErrorArguments arguments);
+
+/// Returns the error no_proposal of a search; nullopt if the search has proposals. Other errors are thrown.
+template <typename Search>
+std::optional<FlattenError> refusal_of(const Search& search) {
+  try {
+    search();
+  } catch (const FlattenError& error) {
+    if (error.code != ErrorCode::no_proposal) throw;
+    return error;
+  }
+  return std::nullopt;
+}
+
 /// Returns the error of a piece with this strain if no cut helps.
 FlattenError none_helps(const Chart& chart, CutKind kind, double strain);
 

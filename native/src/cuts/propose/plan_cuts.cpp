@@ -17,6 +17,16 @@
 namespace wirewarp {
 namespace {
 
+/// Returns the options of a search for cuts up to a length.
+CutOptions options_within(const CutTarget& target, double longest) {
+  CutOptions cut_options;
+  cut_options.piece = target.piece;
+  cut_options.strain = target.strain;
+  cut_options.longest = longest;
+  cut_options.no_seam = target.no_seam;
+  return cut_options;
+}
+
 class PlanOfCuts {
  public:
   PlanOfCuts(const FlatPieces& pieces, CutKind kind, const CutTarget& target, const ExactEvaluation& exact,
@@ -71,24 +81,18 @@ class PlanOfCuts {
 
   /// Returns the proposals for the first piece that a cut helps; empty if no cut helps and the plan already has cuts.
   std::vector<DartProposal> propose_next() const {
-    CutOptions cut_options;
-    cut_options.piece = target_.piece;
-    cut_options.strain = target_.strain;
-    cut_options.longest = std::min(target_.longest, length_left());
-    cut_options.no_seam = target_.no_seam;
+    CutOptions cut_options = options_within(target_, std::min(target_.longest, length_left()));
     const std::vector<int> order = pieces_in_order();
     if (order.empty() && cuts_.empty()) return best_cuts(pieces_, kind_, cut_options, exact_, progress_);  // throws
     std::optional<FlattenError> first_refusal;
     for (const int piece : order) {
       cut_options.piece = piece;
-      try {
-        std::vector<DartProposal> proposals = best_cuts(pieces_, kind_, cut_options, exact_, progress_);
-        if (helps(best_of_round(proposals), proposals)) return proposals;
-        throw none_helps(pieces_[piece]->chart, kind_, pieces_[piece]->strain);
-      } catch (const FlattenError& error) {
-        if (error.code != ErrorCode::no_proposal) throw;
-        if (!first_refusal) first_refusal = error;
-      }
+      std::vector<DartProposal> proposals;
+      std::optional<FlattenError> refusal =
+          refusal_of([&] { proposals = best_cuts(pieces_, kind_, cut_options, exact_, progress_); });
+      if (!refusal && helps(best_of_round(proposals), proposals)) return proposals;
+      if (!refusal) refusal = none_helps(pieces_[piece]->chart, kind_, pieces_[piece]->strain);
+      if (!first_refusal) first_refusal = std::move(refusal);
     }
     if (cuts_.empty()) throw *first_refusal;
     return {};
@@ -163,22 +167,14 @@ std::vector<DartProposal> plan(const FlattenInput& input, const Options& options
     throw wrong_option("total_length", shortest(target.total_length), "be above 0");
   }
   CutProgress cut_progress(progress, target.most);
-  const SurfaceToCut to_cut(input, options);
-  try {
-    const ExactEvaluation exact(to_cut, options, cut_progress.token());
+  std::vector<DartProposal> cuts;
+  search_cuts(input, options, cut_progress.token(), [&](const ExactEvaluation& exact) {
     const FlatPieces pieces = exact.uncut();
-    CutOptions cut_options;
-    cut_options.piece = target.piece;
-    cut_options.strain = target.strain;
-    cut_options.longest = target.longest;
-    cut_options.no_seam = target.no_seam;
-    check_cut_options(cut_options, input, pieces.size());
-    std::vector<DartProposal> cuts = PlanOfCuts(pieces, kind, target, exact, cut_progress).make();
-    for (DartProposal& cut : cuts) cut.paths = paths_along(input.faces, cut.edges);
-    return cuts;
-  } catch (const Stopped&) {
-    throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
-  }
+    check_cut_options(options_within(target, target.longest), input, pieces.size());
+    cuts = PlanOfCuts(pieces, kind, target, exact, cut_progress).make();
+  });
+  for (DartProposal& cut : cuts) cut.paths = paths_along(input.faces, cut.edges);
+  return cuts;
 }
 
 }  // namespace

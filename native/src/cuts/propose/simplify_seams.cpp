@@ -49,8 +49,8 @@ struct Part {
 
 class SeamSimplifier {
  public:
-  SeamSimplifier(const SurfaceToCut& surface, double strain, const ExactEvaluation& exact, CutProgress& progress)
-      : input_(surface.middle()),
+  SeamSimplifier(double strain, const ExactEvaluation& exact, CutProgress& progress)
+      : input_(exact.surface().middle()),
         edges_(input_.faces, static_cast<int>(input_.vertices.rows())),
         strain_(strain),
         exact_(exact),
@@ -67,11 +67,7 @@ class SeamSimplifier {
     proposal.num_pieces_before = before.num_pieces;
     proposal.energy_before = before.energy;
     proposal.strain_before = before.strain;
-    try {
-      merge();
-    } catch (const Stopped&) {
-      proposal.was_stopped = true;
-    }
+    proposal.was_stopped = was_stopped([&] { merge(); });
     const PieceFigures after = figures_of(pieces_);
     proposal.num_pieces = after.num_pieces;
     proposal.energy = after.energy;
@@ -134,19 +130,12 @@ class SeamSimplifier {
   void merge(Part& part, const std::function<void(double)>& report) {
     const std::vector<VertexPair> before = part.edges();
     SectionMerger merger({part.cut, pieces_}, part.chart, part.mirrored, exact_);
-    const auto take_over = [&] {
-      part.cut = merger.state().cut;
-      pieces_ = merger.state().pieces;
-      for (const VertexPair& ends : before) opened_.insert(sorted(ends));
-      for (const VertexPair& ends : part.edges()) opened_.erase(sorted(ends));
-    };
-    try {
-      merger.run(strain_, report);
-    } catch (const Stopped&) {
-      take_over();
-      throw;
-    }
-    take_over();
+    const bool stopped = was_stopped([&] { merger.run(strain_, report); });
+    part.cut = merger.state().cut;
+    pieces_ = merger.state().pieces;
+    for (const VertexPair& ends : before) opened_.insert(sorted(ends));
+    for (const VertexPair& ends : part.edges()) opened_.erase(sorted(ends));
+    if (stopped) throw Stopped();
   }
 
   const FlattenInput& input_;
@@ -166,15 +155,11 @@ SeamProposal simplify_seams(const FlattenInput& input, const Options& options, d
                             const Progress& progress) {
   if (!(strain >= 0)) throw wrong_option("strain", shortest(strain), "be 0 or more");
   CutProgress cut_progress(progress);
-  const SurfaceToCut to_cut(input, options);
-  try {
-    const ExactEvaluation exact(to_cut, options, cut_progress.token());
-    SeamProposal proposal = SeamSimplifier(to_cut, strain, exact, cut_progress).find();
-    proposal.paths = paths_along(input.faces, proposal.edges);
-    return proposal;
-  } catch (const Stopped&) {
-    throw FlattenError(ErrorCode::cancelled, ErrorArguments{});
-  }
+  SeamProposal proposal;
+  search_cuts(input, options, cut_progress.token(),
+              [&](const ExactEvaluation& exact) { proposal = SeamSimplifier(strain, exact, cut_progress).find(); });
+  proposal.paths = paths_along(input.faces, proposal.edges);
+  return proposal;
 }
 
 }  // namespace wirewarp
