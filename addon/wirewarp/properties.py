@@ -14,11 +14,10 @@ from bpy.props import (
     StringProperty,
 )
 
-from .blender.fields import number
 from .blender.views import redraw_views
 from .core import Cloth, pattern
 from .state.memory import note_change
-from .state.settings import FlattenSettings, TargetSettings
+from .state.settings import FlattenSettings, TargetSettings, number
 
 
 def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> None:

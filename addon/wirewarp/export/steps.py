@@ -12,7 +12,6 @@ import numpy as np
 from bpy.props import BoolProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
-from ..blender.fields import number
 from ..blender.files import (
     OPTIONS,
     check_ending,
@@ -29,6 +28,7 @@ from ..issues import ObjectError, object_error
 from ..solve.steps import CanceledError
 from ..state.owners import earlier_sentence, has_flat_object, is_earlier, model_or_self
 from ..state.reports import pieces_report
+from ..state.settings import number
 from ..ui import window_run
 from ..ui.editing import OnMesh
 from ..ui.layout import draw_sentence

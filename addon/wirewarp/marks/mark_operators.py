@@ -8,7 +8,6 @@ import bmesh
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ..blender.fields import in_percent, number
 from ..blender.mesh import selected_edges
 from ..blender.objects import meters_per_blender_unit
 from ..blender.selection import hold_whole_file, in_object_mode
@@ -16,6 +15,7 @@ from ..core import counted, quoted
 from ..issues import object_error
 from ..state.allowances import NONE, check_allowances, mark_edges, mark_sides, scale_lengths
 from ..state.owners import check_not_edited, model_of
+from ..state.settings import in_percent, number
 from ..ui.editing import OnModel, change_edited, reporting_refusals
 from .mark import plan_clear, plan_wires, seams_from_uv, selected_sides
 

@@ -7,7 +7,6 @@ import bpy
 import numpy as np
 from bpy.props import IntProperty, StringProperty
 
-from ..blender.fields import in_percent, number
 from ..blender.mesh import current_mesh, edge_vertices, read_selected_edges
 from ..blender.objects import check_local, length_text
 from ..blender.selection import WORKING_MODES, hold_whole_file, in_object_mode, select_elements
@@ -18,6 +17,7 @@ from ..state.drawings import kept_drawing
 from ..state.identities import WireSummary, editable_name, find_wires, listed_wires
 from ..state.memory import stamp
 from ..state.owners import model_of
+from ..state.settings import in_percent, number
 from ..ui.editing import OnMesh, OnModel, reporting_refusals
 from ..ui.layout import SidebarPanel, draw_sentence, is_wide
 from .ease import change_grain, change_wire, wire_at

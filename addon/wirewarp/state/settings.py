@@ -8,10 +8,27 @@ from typing import Any
 
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty
 
-from ..blender.fields import number
 from ..core import Cloth
 from ..solve.flatten import ClothChoice, FlattenChoices
 from ..solve.suggest import Target
+
+
+def number(name: str, description: str, values: tuple[float, ...], **others: Any) -> Any:  # noqa: ANN401
+    """Return a number with one decimal. values: minimum, default, end of the slider, and maximum if any."""
+    known = dict(zip(("min", "default", "soft_max", "max"), values, strict=False))
+    return FloatProperty(**{"name": name, "description": description, "precision": 1} | known | others)
+
+
+def in_percent(field: str) -> dict[str, Any]:
+    """Return arguments of a property that shows another field, a fraction, in percent."""
+    return {
+        "subtype": "PERCENTAGE",
+        "precision": 2,
+        "get": lambda operator: 100 * getattr(operator, field),
+        "set": lambda operator, percent: setattr(operator, field, percent / 100),
+        "options": {"SKIP_SAVE"},
+    }
+
 
 METHODS = [
     (

@@ -16,8 +16,8 @@ from ..flatten.models import Model
 from ..flatten.read import active_target, check_sources, find_source, is_current, read_models
 from ..issues import ObjectError, changed_error, object_error
 from ..properties import reset_unknown
-from ..solve.fewer_seams import fewer_seams, limits_up_to
 from ..solve.flatten import FlattenChoices, known_stretch, used_choices
+from ..solve.seam_sets import fewer_seams, limits_up_to, with_widths
 from ..solve.steps import CanceledError, Steps
 from ..solve.suggest import (
     Cut,
@@ -30,7 +30,6 @@ from ..solve.suggest import (
     step_text,
     suggest_cuts,
 )
-from ..solve.widths import with_widths
 from ..state.changes import has_changed
 from ..state.memory import read_anew
 from ..state.owners import model_or_self

@@ -12,6 +12,7 @@ from itertools import pairwise
 import bmesh
 import bpy
 import numpy as np
+from numpy.typing import ArrayLike
 
 from .. import core
 from ..blender.mesh import edge_vertices, faces_at_edges, read_seams, read_selected_edges
@@ -22,10 +23,10 @@ from ..issues import ObjectError, object_error
 from ..marks.ease import clear_seams, edges_with_marks, mark_seams
 from ..names import MARKS
 from ..solve.arrays import MeshArrays
-from ..solve.chains import split_into_chains
+from ..solve.chains import edge_keys, split_into_chains
 from ..solve.cut_faces import Division, Pairs, divide
 from ..solve.flatten import issue_of_error
-from ..solve.smooth_lines import smooth_line
+from ..solve.suggest import NoSeam, painted_at_edges
 from ..state.marked_mesh import marked_mesh
 from ..state.owners import check_not_edited
 from ..state.read_model import apply_modifiers, object_to_arrays
@@ -163,7 +164,7 @@ def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
             clear_seams(mesh, list(pairwise(path)))  # before the line cuts some of these edges in two
             arrays = object_to_arrays(source, marked_mesh(source), None)
             kept = [pair for other in paths[index + 1 :] for pair in pairwise(other)]
-            line = smooth_line(core.library(), arrays, path, kept, read_no_seam(source))
+            line = _smooth_line(arrays, path, kept, read_no_seam(source))
             cut = cut_lines(mesh, _divided(arrays, [line]))
             mark_seams(mesh, cut)
             seams += cut
@@ -175,6 +176,39 @@ def _check_ends(source: bpy.types.Object, path: list[int]) -> None:
     if again:
         sentence = f'A line of "{source.name}" meets itself at vertex {again[0]}: smooth it in parts with two ends.'
         raise ObjectError(Issue("line_meets_itself", sentence, vertices=again))
+
+
+def _smooth_line(arrays: MeshArrays, path: list[int], kept: Pairs, no_seam: NoSeam) -> SurfacePath:
+    """Return a smooth line beside a path of vertices inside a piece, with the same ends and crossings of kept edges.
+
+    It enters only painted faces that the path enters. Edges of the path must not be seams. Raises ObjectError.
+    """
+    library = core.library()
+    painted = (painted_at_edges(arrays, no_seam) > 0) | no_seam.vertices[arrays.edges].all(axis=1)
+    painted &= ~np.isin(_keys(arrays.edges, arrays), _keys(list(pairwise(path)), arrays))
+    seams = np.concatenate([arrays.seams, np.array(kept, dtype=np.int32).reshape(-1, 2), arrays.edges[painted]])
+    try:
+        wires = [library.Wire(wire.chain.vertices, wire.chain.tolerance) for wire in arrays.wires]
+        ends, t = library.straighten_path(arrays.vertices, arrays.triangles, path, seams=seams, wires=wires)
+    except library.FlattenError as error:
+        raise ObjectError(issue_of_error(error, arrays)) from error
+    return _on_triangles(ends, t, arrays)
+
+
+def _on_triangles(ends: np.ndarray, t: np.ndarray, arrays: MeshArrays) -> SurfacePath:
+    """Return points at ends[:, 0] + t (ends[:, 1] - ends[:, 0]) as points in triangles."""
+    near = np.flatnonzero(np.isin(arrays.triangles, ends).any(axis=1))
+    faces, coordinates = [], []
+    for (first, second), share in zip(ends.tolist(), t.tolist(), strict=True):
+        triangles = arrays.triangles[near]
+        row = np.flatnonzero((triangles == first).any(axis=1) & (triangles == second).any(axis=1))[0]
+        faces.append(int(near[row]))
+        coordinates.append((1 - share) * (triangles[row] == first) + share * (triangles[row] == second))
+    return core.library().SurfacePath(faces, coordinates)
+
+
+def _keys(pairs: ArrayLike, arrays: MeshArrays) -> np.ndarray:
+    return edge_keys(pairs, len(arrays.vertices))
 
 
 class MESH_OT_wirewarp_smooth_seam(OnModel, bpy.types.Operator):
