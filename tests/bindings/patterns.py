@@ -78,7 +78,7 @@ def extent(pixels: np.ndarray, scale: float = SCALE) -> tuple[float, float]:
     return (columns[-1] - columns[0] + 1) / scale, (rows[-1] - rows[0] + 1) / scale
 
 
-def proof_words(pattern: Pattern, path: Path, paper="a4") -> str:
+def proof_words(pattern: Pattern, path: Path, paper="a0") -> str:
     """Return the words on the pages after the pattern, with single spaces."""
     pattern.write(path, paper=paper, proof=True)
     pages = list(pypdfium2.PdfDocument(path))

@@ -34,16 +34,6 @@ def test_no_seams(seams):
     assert len(wirewarp.flatten(VERTICES, FACES, seams=seams).pieces) == 1
 
 
-def refused(code, **arguments):
-    """Return the FlattenError of flatten() or, with corner_uv, of measure()."""
-    arguments = {"vertices": VERTICES, "faces": FACES} | arguments
-    run = wirewarp.measure if "corner_uv" in arguments else wirewarp.flatten
-    with pytest.raises(wirewarp.FlattenError) as caught:
-        run(**arguments)
-    assert caught.value.code is code
-    return caught.value
-
-
 # Keyed by code: an argument of flatten() or measure(), a bad value, and words of the error.
 REFUSED = {
     wirewarp.ErrorCode.invalid_shape: [

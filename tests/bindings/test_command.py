@@ -200,14 +200,6 @@ def test_a_refused_model_keeps_its_earlier_files(model, tmp_path):
     assert run(*words, "--resume")[0][0]["skipped"]
 
 
-@pytest.mark.parametrize("words", [("--marker", "2cm"), ("--marker", "6m"), ("--page", "120mm")])
-def test_a_refused_model_leaves_no_new_file(model, tmp_path, words):
-    """The width of the roll or of the paper is out of range."""
-    refused = (model, "--out", tmp_path / "out", "--format", "svg,pdf", "--seconds", 0, *words)
-    run(*refused, "--picture", code=2)
-    assert list((tmp_path / "out").iterdir()) == []
-
-
 def contents(folder):
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
@@ -269,13 +261,6 @@ def test_a_report_names_no_files_in_other_folders(model, tmp_path):
     assert model.exists()
 
 
-def test_finished_models_are_recognized_from_any_folder(model, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    run(model, "--out", "out")
-    monkeypatch.chdir(tmp_path / "out")
-    assert run(model, "--out", ".", "--resume")[0][0]["skipped"]
-
-
 def test_any_name_can_be_printed_on_any_console(model, tmp_path):
     named = model.rename(tmp_path / "Ärmel.obj")
     command = [sys.executable, "-m", "wirewarp", "flatten", named, "--out", tmp_path, "--format", "svg"]
@@ -302,16 +287,6 @@ def test_a_file_that_differs_when_read_again_is_refused_and_the_batch_continues(
     assert list((tmp_path / "out").iterdir()) == []
 
 
-def test_several_models_run_at_a_time_and_the_worst_decides_the_exit_code(model, tmp_path):
-    (tmp_path / "empty.ply").write_text("")
-    trimesh.creation.icosphere(2, 0.1).export(tmp_path / "ball.ply")
-    words = (model, tmp_path / "ball.ply", tmp_path / "empty.ply", "--out", tmp_path / "out", "--jobs", 2)
-    lines, _ = run(*words, code=2)
-    assert [line["verdict"] for line in lines] == ["ready to cut", "not ready to cut", "refused"]
-    assert run(*words[:2], *words[3:], code=1)
-    assert "closed" in lines[1]["problems"][0] and not (tmp_path / "out" / "ball.pdf").exists()
-
-
 @pytest.mark.parametrize(
     ("name", "content", "words", "said"),
     [
@@ -331,8 +306,8 @@ def test_several_models_run_at_a_time_and_the_worst_decides_the_exit_code(model,
         ("a.obj", FOLDED, ("--wires", "wire.json"), "Wire 1 of"),
         ("a.obj", FOLDED, ("--wires", "ease.json"), "Ease 1 of \"ease.json\" has 'tolerance': give ease, side"),
         ("a.obj", FOLDED, ("--orientation", "best"), "another one without a cloth"),
-        ("a.obj", FOLDED, ("--marker", "1in", "--imperial"), "too large for a roll of 1 in"),
-        ("a.obj", FOLDED, ("--page", "120mm", "--format", "pdf"), "too large for a roll of 120 mm"),
+        ("a.obj", FOLDED, ("--marker", "1in", "--imperial", "--picture"), "too large for a roll of 1 in"),
+        ("a.obj", FOLDED, ("--page", "120mm", "--format", "svg,pdf"), "too large for a roll of 120 mm"),
     ],
 )
 def test_bad_input_gives_one_sentence(tmp_path, monkeypatch, name, content, words, said):
@@ -344,6 +319,7 @@ def test_bad_input_gives_one_sentence(tmp_path, monkeypatch, name, content, word
     ((line,), errors) = run(name, "--out", "out", *words, code=2)
     (problem,) = line["problems"]
     assert line["verdict"] == "refused" and said in problem and errors == ""
+    assert list((tmp_path / "out").glob("*")) == []
 
 
 @pytest.mark.parametrize(

@@ -34,13 +34,6 @@ def test_wires_are_rigid_elastic_or_free_beside_each_other(method):
         assert part.length_2d == pytest.approx((1 + part.variation) * part.length_3d, rel=1e-9)
 
 
-@pytest.mark.parametrize("tolerance", [0.05, math.inf])
-def test_the_rigid_method_uses_no_tolerance(tolerance):
-    kept = flatten(tolerance, tolerance, method="wirewarping")
-    assert kept.vertices == pytest.approx(flatten(0.0, 0.0, method="wirewarp++").vertices, abs=1e-9)
-    assert [(part.tolerance, part.variation) for part in kept.wires] == [(tolerance, 0)] * 2
-
-
 @pytest.mark.parametrize("method", ["wirewarp++", "refined"])
 def test_each_part_of_a_wire_has_its_own_length(method):
     """The patch is divided off the middle, so the two parts of the parallel differ in length and in curvature."""
@@ -52,27 +45,3 @@ def test_each_part_of_a_wire_has_its_own_length(method):
     (whole,) = result.wires
     assert whole.length_2d == pytest.approx(short.length_2d + long.length_2d, rel=1e-12)
     assert whole.variation == pytest.approx(whole.length_2d / whole.length_3d - 1, rel=1e-9)
-
-
-def test_the_work_is_counted():
-    rigid, elastic = (flatten(0.0, tolerance, method="wirewarp++").report for tolerance in (0.0, 0.05))
-    assert rigid.outer_iterations == rigid.gradient_evaluations == 0
-    assert elastic.gradient_evaluations > elastic.outer_iterations > 0
-    refined = flatten(0.05, 0.05).report
-    assert refined.outer_iterations > 0  # near the end, several steps use one factor
-    assert 0 < refined.factorizations <= 8
-    assert refined.inner_solves == refined.gradient_evaluations == 0
-    assert rigid.termination == elastic.termination == refined.termination == "converged"
-
-
-def test_a_run_can_be_cancelled_while_lengths_are_chosen():
-    calls = []
-
-    def progress(stage: str, _fraction: float) -> bool:
-        calls.append(stage)
-        return calls.count("lengths") < 4
-
-    wires, options = [wirewarp.Wire(PARALLEL, 0.05)], wirewarp.Options(method="wirewarp++")
-    (piece,) = wirewarp.flatten(*PATCH, wires=wires, options=options, progress=progress).pieces
-    assert piece.error.code is wirewarp.ErrorCode.cancelled
-    assert calls.count("lengths") == 4

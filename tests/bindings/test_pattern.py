@@ -26,11 +26,11 @@ def test_the_cutting_line_is_at_the_width_from_every_stitching_line(name):
             places = shapely.line_interpolate_point(side, np.linspace(0, side.length, 30))
             assert np.all(shapely.distance(places[shapely.distance(places, corners) > 30], edge) > line.width - 0.01)
         places = shapely.line_interpolate_point(edge, np.linspace(0, edge.length, 100))
-        for place in places[shapely.distance(places, corners) > 40]:
-            nearest = min(sides, key=place.distance)
-            foot = nearest.interpolate(nearest.project(place))
-            if foot.distance(shapely.MultiPoint(nearest.coords)) > 1e-6:
-                assert foot.distance(place) == pytest.approx(10, abs=0.01)
+        places = places[shapely.distance(places, corners) > 40]
+        nearest = np.array(sides)[shapely.distance(places[:, None], sides).argmin(axis=1)]
+        feet = shapely.line_interpolate_point(nearest, shapely.line_locate_point(nearest, places))
+        on_edges = shapely.distance(feet, [shapely.MultiPoint(side.coords) for side in nearest]) > 1e-6
+        assert shapely.distance(feet, places)[on_edges] == pytest.approx(10, abs=0.01)
 
 
 @pytest.mark.parametrize("name", ["Fitted top", "Carnival mask", "Toy"])

@@ -244,7 +244,7 @@ def test_a_wrong_file_replaces_nothing(tmp_path, monkeypatch, ending):
 @pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
 def test_a_stop_leaves_the_old_file(tmp_path, monkeypatch, ending):
     monkeypatch.setattr("wirewarp.pattern.progress.OFTEN", 0.0)
-    path, pattern = tmp_path / f"hat.{ending}", sample("Hat")
+    path, pattern = tmp_path / f"strip.{ending}", Pattern.from_result(rectangle(150, 300))
     asked: list[tuple[str, float]] = []
     pattern.write(path, progress=lambda *reported: asked.append(reported))
     assert asked[-1][0] == "reading again" and all(0 <= fraction < 1 for _, fraction in asked)

@@ -10,7 +10,7 @@ from wirewarp.pattern import has_room, narrowest_width, piece_width, pieces_alon
 NEAR = 1e-3  # tolerance of the search, as a share of the width
 
 
-def circle(radius, center=(0.0, 0.0), first=0.0, last=2 * np.pi, count=256):
+def circle(radius, center=(0.0, 0.0), first=0.0, last=2 * np.pi, count=128):
     angles = np.linspace(first, last, count, endpoint=last - first < 2 * np.pi)
     return np.array(center) + radius * np.column_stack([np.cos(angles), np.sin(angles)])
 

@@ -31,11 +31,11 @@ def test_the_proof_states_how_far_copies_are_off(tmp_path):
 
 
 def test_a_long_proof_has_several_pages_and_long_names_are_cut_off(tmp_path):
-    result = grid(range(0, 820, 20), [0, 100], seams=[(x, x + 41) for x in range(1, 40)])
-    pattern = Pattern.from_result(result, piece_names=["A very long name of a piece " * 4] * 40)
+    result = grid(range(0, 340, 20), [0, 100], seams=[(x, x + 17) for x in range(1, 16)])
+    pattern = Pattern.from_result(result, piece_names=["A very long name of a piece " * 4] * 16)
     pattern.write(tmp_path / "strips.pdf", proof=True)
     pages = pattern.page_sizes("a4", proof=True)[len(pattern.page_sizes("a4")) :]
-    assert len(pages) == -(-(3 + 40 + 3 + 1 + 1 + 3 * 39 + 2 + 39) // 55)
+    assert len(pages) == -(-(3 + 16 + 3 + 1 + 1 + 3 * 15 + 2 + 15) // 55)
     document = pypdfium2.PdfDocument(tmp_path / "strips.pdf")
     assert "..." in document[len(document) - 1].get_textpage().get_text_range()
 

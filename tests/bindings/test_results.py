@@ -16,26 +16,6 @@ def chain_length(points: np.ndarray) -> float:
     return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
 
 
-def corner_of(result: wirewarp.FlattenResult, faces: np.ndarray) -> np.ndarray:
-    """Return the flat position of each vertex whose corners agree."""
-    flat = np.full((faces.max() + 1, 2), np.nan)
-    flat[faces] = result.corner_uv
-    return flat
-
-
-def test_a_half_cylinder_unrolls_into_a_rectangle():
-    vertices, faces = half_cylinder(columns=16, rows=4)
-    result = wirewarp.flatten(vertices, faces)
-    (piece,) = result.pieces
-    assert piece.error is None
-    assert piece.metrics.face_aspect_ratio == pytest.approx(np.ones(len(faces)), abs=1e-9)
-    assert piece.metrics.arap_energy == pytest.approx(0, abs=1e-12)
-    width, height = 16 * 2 * math.sin(math.pi / 32), 2  # 16 chords of pi / 16 on the unit circle
-    assert piece.metrics.area_2d == pytest.approx(width * height)
-    flat = corner_of(result, faces)
-    assert np.linalg.norm(flat[16] - flat[0]) == pytest.approx(width, rel=1e-9)
-
-
 def test_both_sides_of_a_seam_and_a_wire_keep_their_length_on_a_sphere():
     vertices, faces = spherical_patch(columns=8, rows=8)
     seam = column_chain(8, 8, 4)

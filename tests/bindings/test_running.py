@@ -5,7 +5,6 @@ import signal
 import sys
 import threading
 import time
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -106,20 +105,3 @@ def test_other_threads_run_meanwhile(no_forced_switches, measuring):
     stop.set()
     thread.join()
     assert after > before
-
-
-def test_two_threads_flatten_as_each_would_alone():
-    meshes = [half_cylinder(20, 20), spherical_patch(20, 20)] * 2
-    alone = [wirewarp.flatten(*mesh).corner_uv for mesh in meshes]
-    reported = [[] for _ in meshes]
-
-    def run(index):
-        return wirewarp.flatten(
-            *meshes[index], progress=lambda stage, fraction: reported[index].append(stage)
-        ).corner_uv
-
-    with ThreadPoolExecutor(len(meshes)) as pool:
-        together = list(pool.map(run, range(len(meshes))))
-    for one, other in zip(alone, together, strict=True):
-        assert np.array_equal(one, other)
-    assert all(reported)
