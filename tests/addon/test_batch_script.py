@@ -3,9 +3,12 @@
 
 import json
 import os
+import runpy
 import subprocess
 import sys
 from pathlib import Path
+from threading import Event
+from types import SimpleNamespace
 
 import bmesh
 import bpy
@@ -38,16 +41,31 @@ def run_script(addon, tmp_path, formats, stdin):
     return folder, done.returncode
 
 
-def answer_of(addon, tmp_path, formats=("svg",)):
-    is_alive, until_closed = os.pipe()
-    folder, code = run_script(addon, tmp_path, formats, is_alive)
-    os.close(is_alive)
-    os.close(until_closed)
-    assert code == 0
+def checked_answer(folder):
     answer = json.loads((folder / ".answer.json").read_text())
     (folder / ".answer.json").unlink()
     assert sorted(file.name for file in folder.iterdir()) == sorted(answer.get("files", []))
     return answer
+
+
+@pytest.fixture
+def answer_of(tmp_path, monkeypatch):
+    """Return a function that runs the script on the open file in this Blender, and returns its answer."""
+
+    def end(code):
+        raise SystemExit(code)
+
+    def run(*formats):
+        job = {"folder": str(tmp_path), "stem": "bag", "formats": formats, "answer": ".answer.json"}
+        monkeypatch.setattr(sys, "argv", [str(SCRIPT), json.dumps(job)])
+        monkeypatch.setattr(sys, "stdin", SimpleNamespace(read=Event().wait))  # stays open, like that of the caller
+        monkeypatch.setattr(os, "_exit", end)
+        with pytest.raises(SystemExit) as ended:
+            runpy.run_path(str(SCRIPT))
+        assert ended.value.code == 0
+        return checked_answer(tmp_path)
+
+    return run
 
 
 def test_blender_ends_with_the_process_that_started_it(addon, tmp_path):
@@ -62,28 +80,32 @@ def test_marked_models_are_flattened_by_the_settings_in_the_file(addon, tmp_path
     grid("Without marks", bump)
     bpy.context.scene.wirewarp.fairness = 0.3
     bpy.context.scene.wirewarp.allowance = 15.0
-    answer = answer_of(addon, tmp_path, ("svg", "pdf"))
+    is_alive, until_closed = os.pipe()
+    folder, code = run_script(addon, tmp_path, ["svg", "pdf"], is_alive)
+    os.close(is_alive)
+    os.close(until_closed)
+    answer = checked_answer(folder)
     (report,) = answer["report"]["objects"]
-    assert (answer["refusal"], report["object"], report["ok"]) == ("", "Bag", True)
+    assert (code, answer["refusal"], report["object"], report["ok"]) == (0, "", "Bag", True)
     assert report["options"]["fairness"] == pytest.approx(0.3)
     assert answer["files"] == ["bag.svg", "bag.pdf"]
 
 
-def test_several_models_have_files_of_their_own(addon, tmp_path):
+def test_several_models_have_files_of_their_own(answer_of):
     for name in ("Left/right", "Strap"):
         mark(grid(name, bump), on_line(1, 0.0))
-    answer = answer_of(addon, tmp_path)
+    answer = answer_of("svg")
     assert answer["files"] == ["bag-Left_right.svg", "bag-Strap.svg"]
 
 
-def test_models_whose_patterns_would_be_one_file_are_refused(addon, tmp_path):
+def test_models_whose_patterns_would_be_one_file_are_refused(answer_of):
     for name in ("Left/right", "left_right"):
         mark(grid(name, bump), on_line(1, 0.0))
-    refusal = answer_of(addon, tmp_path)["refusal"]
+    refusal = answer_of("svg")["refusal"]
     assert refusal == 'The patterns of "Left/right" and "left_right" would be one file: rename one of them.'
 
 
-def test_warnings_of_the_export_are_in_the_answer(addon, tmp_path):
+def test_warnings_of_the_export_are_in_the_answer(answer_of):
     sheet = grid("Bag", bump)
     mark(sheet, on_line(1, 0.0))
     mesh = bmesh.new()
@@ -92,23 +114,23 @@ def test_warnings_of_the_export_are_in_the_answer(addon, tmp_path):
     bmesh.ops.delete(mesh, geom=[mesh.faces[9]], context="FACES_ONLY")  # a hole of 250 mm
     mesh.to_mesh(sheet.data)
     bpy.context.scene.wirewarp.allowance = 200.0
-    answer = answer_of(addon, tmp_path, ("svg", "pdf"))
+    answer = answer_of("svg", "pdf")
     (warning,) = answer["warnings"]  # once for both
     assert warning.endswith("the allowance fills 1 of 1 holes; they are not cut.")
 
 
-def test_failed_pieces_are_in_the_report_and_nothing_is_exported(addon, tmp_path):
+def test_failed_pieces_are_in_the_report_and_nothing_is_exported(answer_of):
     bpy.ops.mesh.primitive_uv_sphere_add()
     ball = bpy.context.object
     seams = np.zeros(len(ball.data.edges), dtype=bool)
     seams[0] = True
     ball.data.edges.foreach_set("use_seam", seams)
-    answer = answer_of(addon, tmp_path)
+    answer = answer_of("svg")
     (report,) = answer["report"]["objects"]
     assert (report["ok"], answer["files"]) == (False, [])
     assert report["issues"][0]["sentence"]
 
 
-def test_a_file_without_marks_is_refused_in_a_sentence(addon, tmp_path):
+def test_a_file_without_marks_is_refused_in_a_sentence(answer_of):
     grid("Bag", bump)
-    assert answer_of(addon, tmp_path)["refusal"].startswith("No visible mesh of the file has a seam or a wire")
+    assert answer_of("svg")["refusal"].startswith("No visible mesh of the file has a seam or a wire")

@@ -6,7 +6,6 @@ Each case spoils one thing for its readers; the six with the most readers meet e
 
 import json
 import math
-import xml.etree.ElementTree as ElementTree
 from types import SimpleNamespace
 
 import bpy
@@ -215,14 +214,3 @@ def test_a_choice_of_another_version_becomes_the_default(addon):
     operator = SimpleNamespace(properties=SimpleNamespace(is_property_set=lambda _: False))
     addon.properties.take_settings(operator, settings)
     assert (operator.method, operator.spacing, settings.method) == ("REFINED", 2.0, "REFINED")
-
-
-def test_a_pattern_with_names_that_are_not_text(model, tmp_path):
-    for entry, name in zip(model.wirewarp_pieces, ["\x01 Front", "\ufffe", "Back"], strict=True):
-        entry.name = name
-    path = tmp_path / "pattern.svg"
-    select_only(model)
-    assert answer("object.wirewarp_export_svg", filepath=str(path), failed_pieces=True) == "{'FINISHED'}"
-    titles = [element.text for element in ElementTree.parse(path).iter() if element.tag.endswith("title")]
-    assert "\ufffd Front" in titles
-    assert "\ufffd" in titles

@@ -69,7 +69,7 @@ def test_presets_for_cutters(tmp_path):
 @pytest.mark.parametrize("ending", [suffix[1:] for suffix in FORMATS])
 def test_names_in_any_script(tmp_path, no_fonts, ending):
     """A name cut off as UTF-16 may end in half a surrogate pair, which becomes a question mark or is left out."""
-    names = ["Ärmel", "袖", "كم", "Рукав", 'a"b\\c(d', "\x00\ud800<&>"]
+    names = ["Ärmel", "袖", "كم", "Рукав", 'a"b\\c(d', "\x00\ud800\ufffe<&>"]
     texts = {"title": "型紙 №1\ud83d", "material": "\ude00", "date": "\ud83d"}
     path = tmp_path / f"ball.{ending}"
     written = Pattern.from_result(flattened("Ball of six gores"), piece_names=names, **texts).write(path)
@@ -81,7 +81,7 @@ def test_names_in_any_script(tmp_path, no_fonts, ending):
     if ending == "svg":
         root = ElementTree.parse(path).getroot()
         labels = [group.get("{http://www.inkscape.org/namespaces/inkscape}label") for group in root]
-        assert labels[1:6] == names[:5]
+        assert labels[1:7] == [*names[:5], 3 * "\ufffd" + "<&>"]  # the replacement character
 
 
 def test_without_texts_there_are_no_leader_lines(tmp_path):
