@@ -10,11 +10,11 @@ import numpy as np
 from mesh_files import Mesh
 from shapes import toy
 
-Field = Callable[[np.ndarray], np.ndarray]  # distance to the surface of points (..., 3), about
+Field = Callable[[np.ndarray], np.ndarray]  # approximate distance of points (..., 3) to the surface
 
 COARSE, FINE = 19, 27  # number of cells along each side; odd, so that vertices are on the mirror plane
 SMOOTH = ("ball", "egg", "cube", "heart")  # models for which the coarse cells are enough
-HALF = 170.0  # mm, of a side of all cells
+HALF = 170.0  # mm, half of the side of the cube that the cells fill
 ROUNDS = 10  # of smoothing
 SAME = 1e-6  # of a cell: lengths of diagonals that differ less are equal
 SLOPE_STEP = 1e-4  # of a cell, for differences

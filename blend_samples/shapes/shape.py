@@ -137,7 +137,7 @@ class ShapeBuilder:
         self._wires.append(Wire([int(v) for v in chain], name, tolerance))
 
     def add_ease(self, chain: np.ndarray, ratio: float) -> None:
-        """Make one side of a chain of vertices longer: the side of the faces on its left from outside."""
+        """Make the left side of a chain of vertices longer, as seen from outside along the chain."""
         self._eases.append(Ease(np.column_stack([chain[:-1], chain[1:]]), ratio))
 
     def add_group(self, vertices: np.ndarray, name: str) -> None:

@@ -179,7 +179,7 @@ def place():
 
 
 def call(command, settings, before):
-    """Call a command. If it is refused or does nothing, all stored data and the user's place must not change.
+    """Call a command. If it is refused or does nothing, neither stored data nor object, mode and selection may change.
 
     A run of Flatten may fail in part; its results are not checked here.
     """

@@ -34,7 +34,7 @@ def test_everybody_distinguishes_the_lines(addon, vision):
         if "grain" in first + second or {"page", "ease"} & {first, second}:
             continue  # distinguished by its arrow, or by its name in the corner
         distance = np.linalg.norm(lab(a.color, vision) - lab(b.color, vision))
-        assert distance > 30, (first, second)  # 2.3 is just noticeable side by side
+        assert distance > 30, (first, second)  # colors side by side differ noticeably from 2.3 on
 
 
 def test_kinds_of_wires_are_distinguished_without_color(addon):

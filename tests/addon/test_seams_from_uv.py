@@ -68,7 +68,7 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
     bpy.ops.object.mode_set(mode="OBJECT")
     assert seam_edges(target.data) == edges_on(target.data, CUT)
     target.data.uv_layers["Map"].name = "Lightmap"
-    target.data.uv_layers.new(name="Islands", do_init=False).active_render = True  # one of several own maps
+    target.data.uv_layers.new(name="Islands", do_init=False).active_render = True  # one of the user's own maps
     target.data.uv_layers.active = target.data.uv_layers["WireWarp"]
     select_edges(target)
     bpy.ops.mesh.wirewarp_seams_from_uv_islands()

@@ -164,7 +164,7 @@ struct Chains {
 
 TEST(MultifrontalCholesky, PollsTheTokenRegularly) {
   const Chains chains;
-  const int tiles = Chains::block / kTile;  // tiles of pivots, and as many tiles of rows below
+  const int tiles = Chains::block / kTile;  // of pivots in a front; the rows below have as many
   const double m = tiles;
   const double work_of_a_chain = (Chains::length - 1) * (m * m * m / 6 + m * m * m / 2 + m * m * m / 2);
   for (const bool in_threads : {false, true}) {

@@ -16,7 +16,7 @@ def blender_environment(folder: Path) -> dict[str, str]:
     parts = {"BLENDER_USER_SCRIPTS": "scripts", "BLENDER_USER_CONFIG": "config", "WIREWARP_PICTURES": "pictures"}
     for part in parts.values():
         (folder / part).mkdir()
-    # The processor draws all pixels. With one sample for each, the tours take a quarter of the time.
+    # The processor draws all pixels. One sample for each pixel takes a quarter of the time of eight.
     return dict(os.environ) | {"WIREWARP_VIEWPORT_AA": "OFF"} | {n: str(folder / part) for n, part in parts.items()}
 
 

@@ -39,7 +39,7 @@ def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
 
 def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     suggest = addon.solve.suggest
-    figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2), (8, 0.097)  # the last two: more pieces for nothing or little
+    figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2), (8, 0.097)  # the last two have more pieces for no or little gain
     sets = [suggest.Cut([], [], [], None, 0, [1.0], strain, math.inf, pieces) for pieces, strain in figures]
     narrow = [replace(each, is_narrow=True) if each.num_pieces == 5 else each for each in sets]
     assert [each.num_pieces for each in suggest.from_few_pieces(narrow, 0.5)] == [3, 5, 6, 8, 9]

@@ -162,7 +162,7 @@ def write_corners(mesh: bpy.types.Mesh, vertices: np.ndarray, edges: np.ndarray)
 def write_faces(mesh: bpy.types.Mesh, starts: np.ndarray, sizes: np.ndarray) -> None:
     """(f,) int32"""
     mesh.polygons.foreach_set("loop_start", starts.view(np.uint32))
-    if not HAS_ATTRIBUTES:  # later versions know the sizes from the starts
+    if not HAS_ATTRIBUTES:  # later versions of Blender derive the sizes from the starts
         mesh.polygons.foreach_set("loop_total", sizes.view(np.uint32))
 
 

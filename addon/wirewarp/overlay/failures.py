@@ -107,7 +107,7 @@ NO_LINES = np.zeros((0, 3), dtype=np.float32)
 
 
 def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
-    """Return the failures with the ends (2k,3) of the cut, which is drawn like a fix."""
+    """Return the failures with the lines of the suggested cut, given by their ends (2k,3)."""
     if not len(ends):
         return failed
     failed = failed or Failures({}, NO_LINES)

@@ -40,7 +40,7 @@ def _hex(text: str) -> tuple[float, float, float]:
 
 
 THIN = 1.0  # pixels
-RIM, RIM_ALPHA = 1.5, 0.6  # how many pixels wider than the line the rim is
+RIM, RIM_ALPHA = 1.5, 0.6  # pixels by which a rim is wider than its line; opacity of the rim
 # In drawing order: a wire is visible on a seam or a failed area.
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
@@ -266,9 +266,7 @@ def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, ro
 
 SHARE = 0.25  # length of an arrow, as a share of the eased line
 LONGEST = 0.12  # greatest length of an arrow, as a share of the object's size
-BEYOND = (
-    2.2  # distance from the edge to the middle of the text in lengths of the arrow, so that the text does not hide it
-)
+BEYOND = 2.2  # distance from the edge to the middle of the text, in lengths of the arrow: the arrow stays visible
 
 
 @dataclass(frozen=True)

@@ -165,7 +165,7 @@ def _rays(
     context: bpy.types.Context, target: bpy.types.Object
 ) -> Callable[[Sequence[float], Sequence[float], float], bool]:
     """Return a test of whether a ray from a point in a direction meets the surface within a distance."""
-    if target.mode == "EDIT":  # the evaluated surface is that before Edit Mode
+    if target.mode == "EDIT":  # the evaluated surface is still that from before Edit Mode
         tree = kept(target.data, "faces to hide names", _edited_faces)
         return lambda begin, along, most: tree.ray_cast(Vector(begin), Vector(along), most)[0] is not None
     surface = target.evaluated_get(context.view_layer.depsgraph)

@@ -58,7 +58,7 @@ class Cut:
     lengths: list[float]  # length of each line on the model, or the total of a cut set; Blender units
     strain: float  # strain that 99% of the piece, or of its worst part, stays below after the cut
     strain_before: float  # infinite for a cut set
-    num_pieces: int  # pieces after the first line; after all lines of a cut set, or without the cleared seams
+    num_pieces: int  # of pieces after the first line, after all lines of a cut set, or without the cleared seams
     cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
     width: float | None = None  # narrowest width of the pieces of a set, Blender units; None until it is measured
     is_narrow: bool = False  # whether two allowances of a piece have no room beside each other

@@ -18,7 +18,7 @@ from ..solve.report import ObjectReport, failure_report
 from .identities import piece_names, present_names, seam_names
 from .memory import all_states, note, state_of
 
-HAS_CHANGED = "has changed"  # the kept answer for the panel: an answer about an earlier report must not be shown
+HAS_CHANGED = "has changed"  # key of an answer that the panel keeps until another report is stored
 
 
 def store(source: bpy.types.Object, report: ObjectReport) -> None:

@@ -82,8 +82,8 @@ void ClothLaw::add_locking(const Invariants& of, Expansion& by) const {
   const double sine = std::abs(of.g) / (of.p * of.q), excess = sine - *locking_sine_;
   if (!(excess > 0)) return;
   const double sign = std::copysign(1.0, of.g), pq = of.p * of.q;
-  const Eigen::Vector4d slope(-sine / of.p, -sine / of.q, sign / pq, 0);  // of s
-  Eigen::Matrix4d bend;                                                   // of s
+  const Eigen::Vector4d slope(-sine / of.p, -sine / of.q, sign / pq, 0);  // gradient of s
+  Eigen::Matrix4d bend;                                                   // Hessian of s
   bend << 2 * sine / (of.p * of.p), sine / pq, -sign / (of.p * pq), 0,    //
       sine / pq, 2 * sine / (of.q * of.q), -sign / (of.q * pq), 0,        //
       -sign / (of.p * pq), -sign / (of.q * pq), 0, 0,                     //

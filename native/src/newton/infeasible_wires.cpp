@@ -25,7 +25,7 @@ constexpr double kUneven = 5e-3;  // a smaller strain_rms can vanish if other wi
 constexpr double kFineStep = 1e-3, kStep = 5e-3;
 constexpr double kLargest = 0.5;  // a wire that needs more is freed
 constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
-constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); includes those of a coarser and of a sewn chart
+constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); coarse and sewn charts count, too
 constexpr double kMostTrials = 30;          // number of trials with fewer wires, and of trials with lower tolerances
 constexpr std::size_t kFewWires = 8;  // up to 8 wires get individual tolerances; more wires share one, which is faster
                                       // to find and to type

@@ -108,7 +108,7 @@ def _regions(piece: Piece, strain: PieceStrain, places: Places) -> list[Region]:
 
 
 def _worst_part(strain: np.ndarray, areas: np.ndarray) -> float:
-    """Return the strain above which the triangles make up the largest share that a place may have."""
+    """Return the strain that only the most strained triangles exceed, whose share of the area is LARGEST_SHARE."""
     order = np.argsort(-strain)
     inside = np.searchsorted(np.cumsum(areas[order]), LARGEST_SHARE * areas.sum())
     return float(strain[order[min(inside, len(order) - 1)]])

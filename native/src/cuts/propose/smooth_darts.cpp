@@ -26,8 +26,8 @@ constexpr double kElbow = kPi / 12;
 /// tenth of its length aside. A bent line is harder to sew, so it must lower the strain by this share more.
 constexpr double kBend = 0.02, kGainOfBends = 0.05;
 
-/// The first and last distance by which the ends of a line are moved, over the root of the area: half of the distance
-/// between the points on the coarse copy, and the smallest visible change.
+/// The ends of a line are moved by these distances first and last, in units of the root of the piece's area. The first
+/// is half of the distance between points on the coarse copy, the last is the smallest visible change.
 constexpr double kFirstMove = 0.1, kLastMove = 0.05;
 
 /// Number of lines whose ends are moved: the best line, and two more that may become better. With two lines, the best

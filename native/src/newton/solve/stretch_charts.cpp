@@ -69,7 +69,7 @@ class StretchedGroup {
     return injectivity_of(group_[k].chart, solver_.before(k).uv) == Injectivity::global;
   }
 
-  /// Minimizes from the shape before the stage without overlaps on the way.
+  /// Minimizes without overlaps on the way, from the shape before the stage.
   std::optional<Solution> refine_without_overlap(std::size_t k, const Chart& fixed, Budget& budget) const {
     if (!was_good(k)) return std::nullopt;
     const SolvedChart& before = solver_.before(k);

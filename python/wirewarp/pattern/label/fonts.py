@@ -125,7 +125,7 @@ def _files() -> list[Path]:
 def _in(folder: Path) -> Iterator[Path]:
     for path in folder.rglob("*"):
         is_font = path.suffix.lower() in SUFFIXES and not any(word in path.name.lower() for word in NO_TEXT)
-        if is_font and path.is_file():  # not a broken link
+        if is_font and path.is_file():  # is_file() is false for a broken link
             yield path
 
 

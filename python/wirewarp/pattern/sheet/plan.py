@@ -150,7 +150,7 @@ def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
 
 
 def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
-    """Plan the fabric with its edges, on pages as wide as the roll of paper. The pages of a long one overlap."""
+    """Plan the fabric with its edges, on pages as wide as the roll of paper; several pages overlap."""
     page_width(marker, width, pattern.units)
     length = marker.length if marker.sheet_length is None else marker.sheet_length
     most = LONGEST - 2 * MARGIN - SIZE[1]
