@@ -146,7 +146,10 @@ def test_a_copy_keeps_the_grain():
     (copies,), (pair,) = drawn(bias, bias, pairs=True), drawn(bias, other_bias, pairs=True)
     assert (copies.quantity, pair.quantity) == ((2, 0), (1, 1))
     assert len(drawn(up, across, pairs=True)) == len(drawn(up, bias, pairs=True)) == 2
-    assert [piece.on_fold for piece in drawn(across, bias, on_fold=True)] == [True, False]
+    folded, whole = drawn(across, bias, on_fold=True)
+    assert (folded.on_fold, whole.on_fold) == (True, False)
+    (grain,) = folded.of_role("grain")  # across the fold, inside the half
+    assert np.ptp(grain.points[:, 1]) == pytest.approx(0) and cut_polygon(folded).contains(line_string(grain))
 
 
 @pytest.mark.parametrize("name", ["Fitted top", "Ball of six gores", "Cushion", "Jeans", "Toy"])
