@@ -27,6 +27,13 @@ def empty_scene() -> None:
 
 
 @pytest.fixture
+def at_once(addon, monkeypatch):
+    """Build changed drawings at once, however long that takes."""
+    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0.0)
+    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
+
+
+@pytest.fixture
 def model():
     """Return two good pieces with a wire that ends inside one, and a closed piece that fails."""
     target = grid("Bump", bump, size=4)

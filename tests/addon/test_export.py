@@ -14,6 +14,7 @@ from drawing import Drawing, steps
 from everything import export_dialog
 from mathutils import Matrix
 from surfaces import bump, edge_lengths, edge_vertices, flat_of, grid, mark_seam, on_line, read, select_only
+from two_sided import two_pieces
 
 pytestmark = pytest.mark.api
 
@@ -24,10 +25,8 @@ ROUNDED = 5e-4  # millimeters: the file has four decimals, Blender's coordinates
 @pytest.fixture
 def source():
     """Return two pieces; a Blender unit is 100 mm."""
-    units = bpy.context.scene.unit_settings
-    units.scale_length, units.length_unit = 0.1, "MILLIMETERS"
-    target = grid("Bump", bump)
-    mark_seam(target, SEAM)
+    bpy.context.scene.unit_settings.length_unit = "MILLIMETERS"
+    target = two_pieces()
     bpy.ops.object.wirewarp_flatten()
     return target
 

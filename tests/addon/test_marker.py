@@ -7,20 +7,17 @@ import bpy
 import numpy as np
 import pytest
 from drawing import Drawing
-from surfaces import bump, flat_of, grid, mark_seam, on_line, read
+from surfaces import flat_of, read
+from two_sided import two_pieces
 from view_context import view_context
 
 CLOTH = {"arrangement": "MARKER", "cloth_width": 400.0, "gap": 4.0, "grain": "BOTH_WAYS"}
 
 
 @pytest.fixture
-def source(addon, monkeypatch):
+def source(at_once):
     """Return two pieces of about 230 x 115 mm; a Blender unit is 100 mm. Drawings are updated at once."""
-    for pause in ("IDLE_SHARE", "SOON", "REST"):
-        monkeypatch.setattr(addon.state.drawings, pause, 0.0)
-    bpy.context.scene.unit_settings.scale_length = 0.1
-    target = grid("Bump", bump)
-    mark_seam(target, on_line(0, 0.0))
+    target = two_pieces()
     bpy.ops.object.wirewarp_flatten()
     return target
 

@@ -25,13 +25,6 @@ def source():
     return target
 
 
-@pytest.fixture
-def at_once(addon, monkeypatch):
-    """Build changed drawings at once, however long that takes."""
-    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)
-    monkeypatch.setattr(addon.state.drawings, "FELT", float("inf"))
-
-
 def drawn(addon):
     """Return the drawings by target."""
     bpy.context.view_layer.update()

@@ -9,18 +9,15 @@ import bpy
 import numpy as np
 import pytest
 from everything import AnyLayout, sidebar
-from surfaces import bump, flat_of, flat_places, grid, mark_seam, on_line, select_edges, select_only
+from surfaces import flat_of, flat_places, grid, mark_seam, on_line, select_edges, select_only
+from two_sided import two_pieces
 from view_context import view_context
 
 
 @pytest.fixture
-def source(addon, monkeypatch):
+def source(at_once):
     """Return two pieces of about 230 x 115 mm; a Blender unit is 100 mm. Drawings are updated at once."""
-    for pause in ("IDLE_SHARE", "SOON", "REST"):
-        monkeypatch.setattr(addon.state.drawings, pause, 0.0)
-    bpy.context.scene.unit_settings.scale_length = 0.1
-    target = grid("Bump", bump)
-    mark_seam(target, on_line(0, 0.0))
+    target = two_pieces()
     bpy.ops.object.wirewarp_flatten(spacing=50.0)
     bpy.context.scene.wirewarp.show_pages = True
     return target
@@ -65,10 +62,8 @@ def test_the_preview_has_as_many_pages_as_the_file(addon, source, tmp_path, pape
 
 
 @pytest.mark.parametrize("arrangement", ["IN_ROWS", "AS_LAID_OUT"])
-def test_copies_are_drawn_once_in_file_and_preview(addon, monkeypatch, tmp_path, arrangement):
+def test_copies_are_drawn_once_in_file_and_preview(addon, at_once, tmp_path, arrangement):
     """A flat square of 200 mm is divided in the middle; only half of one piece is drawn."""
-    for pause in ("IDLE_SHARE", "SOON", "REST"):
-        monkeypatch.setattr(addon.state.drawings, pause, 0.0)
     bpy.context.scene.unit_settings.scale_length = 0.1
     source = grid("Flat", lambda x, y: (x, y, 0.0))
     mark_seam(source, on_line(0, 0.0))

@@ -101,14 +101,12 @@ def test_the_list_belongs_to_the_chosen_piece_and_is_cleared_when_the_model_chan
         SUGGEST["DARTS"](piece=1)
 
 
-def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, monkeypatch):
+def test_the_chosen_cut_is_drawn_on_model_and_pieces(addon, at_once):
     source = grid("Bump", bump, size=6)
     bpy.ops.object.wirewarp_flatten()
     bpy.context.scene.wirewarp.dart_lines = "EDGES"
     SUGGEST["DARTS"]()
     first, second, *_ = found(addon, source).cuts
-    monkeypatch.setattr(addon.state.drawings, "IDLE_SHARE", 0)  # otherwise, quick changes are seen late
-    monkeypatch.setattr(addon.state.drawings, "FELT", math.inf)
 
     def drawn():
         lines = {each.target: each.failures for each in addon.overlay.shown.drawings(view_context())}
