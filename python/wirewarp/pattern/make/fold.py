@@ -61,7 +61,7 @@ def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.
                 parts.append([])
     if line.closed and len(parts) > 1 and height[0] >= 0:  # the line began in the middle of a part
         parts[0] = parts.pop() + parts[0][1:]
-    kept = [np.array(part) for part in parts if len(part) > 1]
+    kept = [np.array(part) for part in parts if part]
     return [(part, False) for part in kept if ((part - origin) @ outward).max() > ON_FOLD]
 
 
@@ -75,29 +75,27 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
         raise problem(f'"{piece.name}" has {len(folds)} folds, and only a piece with one can be opened.')
     start, end = folds[0].points[0], folds[0].points[-1]
     along = (end - start) / np.linalg.norm(end - start)
-    outward = np.array([along[1], -along[0]])
+    normal = np.array([along[1], -along[0]])
     (cut,) = piece.of_role("cut")
-    if (cut.points.mean(axis=0) - start) @ outward < 0:
-        outward = -outward
     # Mirror in the y axis, turn, and move so that the fold keeps its place.
-    turn = Motion(np.zeros(2), float(np.degrees(2 * np.arctan2(outward[1], outward[0]))), mirrored=True)
+    turn = Motion(np.zeros(2), float(np.degrees(2 * np.arctan2(normal[1], normal[0]))), mirrored=True)
     image = Motion(start - turn.points(start), turn.angle, mirrored=True)
     half = cut.points
     if cut.closed:
-        crooked = float(np.abs((folds[0].points - start) @ outward).max())
-        half = _without_fold(cut.points, np.abs((cut.points - start) @ outward) <= crooked + ON_FOLD)
+        crooked = float(np.abs((folds[0].points - start) @ normal).max())
+        half = _without_fold(cut.points, np.abs((cut.points - start) @ normal) <= crooked + ON_FOLD)
     whole = np.concatenate([half, image.points(half)[-2:0:-1]])
     lines = [replace(cut, points=whole, closed=True)]
     for line in piece.lines:
         if line.role == "grain":
             lines.append(line)
         elif line.role not in ("cut", "fold"):
-            is_on_fold = np.abs((line.points - start) @ outward).max() <= ON_FOLD
+            is_on_fold = np.abs((line.points - start) @ normal).max() <= ON_FOLD
             # Reverse, because names are to the left of a line, where the piece is.
             lines += [line] if is_on_fold else [line, replace(line, points=image.points(line.points)[::-1])]
     points = []
     for point in piece.points:
-        is_on_fold = abs((point.at - start) @ outward) <= ON_FOLD
+        is_on_fold = abs((point.at - start) @ normal) <= ON_FOLD
         points += [point] if is_on_fold else [point, point.placed(image)]
     return replace(piece, lines=lines, points=points, on_fold=False)
 
