@@ -47,7 +47,7 @@ def model():
 
 @pytest.fixture
 def everything_answers(model, addon, tmp_path, capfd):
-    """Return a check of all answers with each object active, in both modes.
+    """Return a check of all answers with each object active, in both modes, or in modes that take turns.
 
     The check spoils the file anew for each object and mode, and models keep their shape.
 
@@ -58,10 +58,11 @@ def everything_answers(model, addon, tmp_path, capfd):
         present = [bpy.data.objects[name] for name in ("Bump", "Other") if name in bpy.data.objects]
         return [read(each.data.vertices, "co", np.float32, 3) for each in present if each.type == "MESH"]
 
-    def check(spoil, commands=COMMANDS):
+    def check(spoil, commands=COMMANDS, in_turn=None):
         spoil()
         names = [each.name for each in bpy.context.scene.objects]
-        for name, mode in itertools.product(names, ("OBJECT", "EDIT")):
+        both = itertools.product(names, ("OBJECT", "EDIT"))
+        for name, mode in zip(names, itertools.cycle(in_turn), strict=False) if in_turn else both:
             spoil()
             bpy.context.view_layer.update()
             before = shapes()
