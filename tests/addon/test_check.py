@@ -68,7 +68,7 @@ def test_a_fault_is_shown_and_all_repairs_leave_a_model_that_flattens(addon, kin
 
 
 def block(size, missing=()):
-    """Return a block of cells along each axis, without the missing ones, with walls between them."""
+    """Return a block of size[k] cells along axis k and the walls between them. missing: cells to omit."""
     edit, faces, vertices = bmesh.new(), set(), {}
     for cell in set(itertools.product(range(size[0]), range(size[1]), range(size[2]))) - set(missing):
         for axis, end in itertools.product(range(3), (0, 1)):

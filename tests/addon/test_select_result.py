@@ -156,7 +156,7 @@ def test_the_most_strained_place_is_selected(source, addon, what):
 
 
 def test_one_of_several_issues_is_selected(model):
-    select_only(flat_of(model))  # which have no cube
+    select_only(flat_of(model))  # these flat pieces have no cube
     bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
     assert len(selected(model, "polygons")) == 6
     model["wirewarp_report"] = "{}"  # as from another version

@@ -8,7 +8,8 @@ namespace {
 
 double& entry(Tile& tile, int row, int column) { return tile.entries[kTile * column + row]; }
 
-/// Returns how many rows from row i on, 4, 2 or 1, are rows of one tile and map to consecutive rows of one tile.
+/// Returns the number of rows (4, 2 or 1) to process together from row i on: they are in one tile, and map to
+/// consecutive rows of one tile.
 int rows_alike(const int* target, int i, int num_rows) {
   for (const int run : {4, 2}) {
     if (i % run == 0 && i + run <= num_rows && target[i] % run == 0 && target[i + run - 1] == target[i] + run - 1) {

@@ -137,7 +137,7 @@ class Dissection {
   const Graph& graph_;
   const Positions2& positions_;
   VertexSeparator cover_;
-  std::vector<Side> side_;  // of each vertex of the set that is being split
+  std::vector<Side> side_;  // per vertex of the set that is being split: its side
   std::vector<std::pair<double, int>> keys_;
   DissectionTree tree_;
 };

@@ -20,8 +20,8 @@ bool touches(const HalfEdgeMesh& mesh, const PathPoint& point, VertexHandle v) {
   return mesh.from_vertex_handle(point.half_edge) == v || mesh.to_vertex_handle(point.half_edge) == v;
 }
 
-/// Appends a vertex. Removes the crossings of its edges just before it and, if the path passed the vertex already, the
-/// loop in between.
+/// Appends a vertex to the path. Before that, removes crossings of the vertex's edges from the end of the path. If the
+/// path passed the vertex already, removes the loop since then.
 void pass_vertex(const HalfEdgeMesh& mesh, VertexHandle v, MeshPath& path) {
   const auto is_v = [&](const PathPoint& point) { return point.vertex == v; };
   path.erase(std::find_if(path.begin(), path.end(), is_v), path.end());

@@ -40,7 +40,7 @@ class Preset:
     stroke: float | None = None  # millimeters, of all lines; None: each line's own width
     has_texts: bool = True
     has_dashes: bool = True
-    in_pixels: bool = False  # 96 per inch, without a viewBox, which some programs ignore
+    in_pixels: bool = False  # lengths in pixels, 96 per inch, without a viewBox: some programs ignore a viewBox
 
 
 PRESETS = {
