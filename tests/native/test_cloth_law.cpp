@@ -164,17 +164,17 @@ TEST(ShearSmoothing, AFoldCostsTheSquareOfItsAngle) {
   uv(1, 0) += slope * height;  // the corner (1, 0)
   const double delta = 0.005, l_over_d = 3;
   const double expected = 0.5 * delta * delta * l_over_d * slope * slope;
-  EXPECT_NEAR(ShearSmoothing(chart).value(uv), expected, 1e-14 * expected);
+  EXPECT_NEAR(shear_smoothing_of(chart).value(uv), expected, 1e-14 * expected);
 }
 
 TEST(ShearSmoothing, AnUnfoldedPieceCostsNothing) {
   const Chart chart = test::chart_of(test::cylinder_patch(7, 5, 1, 2, 1.5));
-  EXPECT_LT(ShearSmoothing(chart).value(unfold(chart).value()), 1e-28);
+  EXPECT_LT(shear_smoothing_of(chart).value(unfold(chart).value()), 1e-28);
 }
 
 TEST(ShearSmoothing, GradientAndHessianAreThoseOfAQuadraticFunction) {
   const Chart chart = test::chart_of(test::saddle(4, 0.4));
-  const ShearSmoothing smoothing(chart);
+  const ShearSmoothing smoothing = shear_smoothing_of(chart);
   Positions2 uv = test::planar_positions(chart);
   for (int v = 0; v < uv.rows(); ++v) uv.row(v) += 0.1 * Eigen::RowVector2d(std::sin(7 * v), std::cos(5 * v));
   Positions2 gradient = Positions2::Zero(uv.rows(), 2);

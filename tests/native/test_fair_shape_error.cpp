@@ -193,8 +193,9 @@ TEST(FairShapeError, AMirrorImageHasOnlyFlippedTriangles) {
   EXPECT_EQ(objective.count_flips(uv * Eigen::Vector2d(-1, 1).asDiagonal()), 12);
   // Without distortion f is 0, and for the mirror image only the barrier at det J = -1 and E = 4 A remain.
   EXPECT_NEAR(objective.value(uv), 0, 1e-25);
-  EXPECT_NEAR(Bending(chart, build_held_network(chart), 0.1, std::vector<double>(chart.mesh.n_vertices(), 6)).value(uv),
-              0, 1e-25);
+  EXPECT_NEAR(
+      bending_of(chart, build_held_network(chart), 0.1, std::vector<double>(chart.mesh.n_vertices(), 6)).value(uv), 0,
+      1e-25);
 }
 
 /// A square sheared into a rhombus by β: lengths along rows and columns are exact, and every angle between a row and a
@@ -215,7 +216,8 @@ TEST_P(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
   const int of_square = 4, between_lines = 4 * 2 + 4;  // corners of wires with the outline, and at the crossing
   const double lengths = of_square * n + between_lines * std::min<double>(n, 8 / fairness);  // sum of 1/ℓ
   const double expected = 0.5 * lengths * std::pow(fairness, 3) * (2 - 2 * std::cos(beta));
-  const Bending bending(chart, build_held_network(chart), fairness, std::vector<double>(chart.mesh.n_vertices(), 1));
+  const Bending bending =
+      bending_of(chart, build_held_network(chart), fairness, std::vector<double>(chart.mesh.n_vertices(), 1));
   EXPECT_NEAR(bending.value(uv), expected, 1e-13);
   const double moved = bending.value(uv.rowwise() + Eigen::RowVector2d(1e6, -2e6));
   EXPECT_NEAR(moved, expected, 1e-7) << "only differences of positions matter";
@@ -241,7 +243,7 @@ class BendingOfAFold : public testing::Test {
     const Eigen::RowVector2d middle = uv.row(row_of(vertex(2, 2)));
     uv.row(row_of(vertex(1, 2))) = middle + Eigen::RowVector2d(-std::cos(gamma), -std::sin(gamma)) / n;
     uv.row(row_of(vertex(3, 2))) = middle + Eigen::RowVector2d(std::cos(gamma), -std::sin(gamma)) / n;
-    return Bending(chart, build_held_network(chart), fairness, std::vector<double>(chart.mesh.n_vertices(), 1))
+    return bending_of(chart, build_held_network(chart), fairness, std::vector<double>(chart.mesh.n_vertices(), 1))
         .value(uv);
   }
   static double squared(double angle) { return 2 - 2 * std::cos(angle); }

@@ -23,41 +23,16 @@
 
 #include <vector>
 
-#include "energy/vertex_matrix.h"
+#include "energy/quadratic_form.h"
 #include "surface/network/wire_network.h"
 
 namespace wirewarp {
 
-class Bending {
- public:
-  /// network: the edges with fixed length. There is no node where a wire ends inside the chart. area_at: per vertex,
-  /// the 3D area of its connected surface.
-  Bending(const Chart& chart, const WireNetwork& network, double fairness, const std::vector<double>& area_at);
+/// F with the terms a → b → c, vertices in the order b, a, c.
+using Bending = QuadraticForm<Eigen::Matrix2d, 3>;
 
-  /// Returns F; add_gradient() also adds ∂F/∂u to the gradient. uv, gradient: one row per chart vertex.
-  double value(const Positions2& uv) const;
-  double add_gradient(const Positions2& uv, Positions2& gradient) const;
-
-  /// Returns F of an isometric layout if all coordinates have errors of about `error`.
-  double value_of_rounding(double error) const;
-
-  /// Appends the pairs of vertices that the Hessian couples.
-  void list_pairs(std::vector<VertexPair>& pairs) const;
-
-  /// Adds the Hessian, constant and positive semidefinite.
-  void add_hessian(VertexMatrix& hessian) const;
-
- private:
-  /// r = to_a u_a + to_b u_b + to_c u_c. F is computed from r, not from the Hessian, because short edges make entries
-  /// of the Hessian 1e8 times as large as F.
-  struct Node {
-    int a, b, c;
-    double weight;
-    Eigen::Matrix2d to_a, to_b, to_c;
-
-    Eigen::Vector2d residual(const Positions2& uv) const;
-  };
-  std::vector<Node> nodes_;
-};
+/// network: the edges with fixed length. There is no term where a wire ends inside the chart. area_at: per vertex, the
+/// 3D area of its connected surface.
+Bending bending_of(const Chart& chart, const WireNetwork& network, double fairness, const std::vector<double>& area_at);
 
 }  // namespace wirewarp

@@ -54,8 +54,10 @@ Eigen::Matrix2d conjugate_product(const HatGradients& g, int i, int j) {
 
 FairShapeError::FairShapeError(const Chart& chart, const HeldNetwork& network, double fairness, const Cloth* cloth,
                                Injectivity injectivity, const Positions2& layout)
-    : shape_error_(chart), bending_(chart, network, fairness, area_at_vertices(chart.mesh)), injectivity_(injectivity) {
-  if (cloth) cloth_.emplace(ClothTerms{ClothLaw(*cloth), ShearSmoothing(chart)});
+    : shape_error_(chart),
+      bending_(bending_of(chart, network, fairness, area_at_vertices(chart.mesh))),
+      injectivity_(injectivity) {
+  if (cloth) cloth_.emplace(ClothTerms{ClothLaw(*cloth), shear_smoothing_of(chart)});
   if (injectivity == Injectivity::global) outline_barrier_.emplace(chart, layout);
 }
 

@@ -2,6 +2,8 @@
 #include "energy/shear_smoothing.h"
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "surface/mesh/connected_parts.h"
 #include "surface/mesh/geometry.h"
@@ -31,7 +33,8 @@ struct Side {
 
 }  // namespace
 
-ShearSmoothing::ShearSmoothing(const Chart& chart) {
+ShearSmoothing shear_smoothing_of(const Chart& chart) {
+  std::vector<ShearSmoothing::Term> terms;
   const HalfEdgeMesh& mesh = chart.mesh;
   const std::vector<double> area_at = area_at_vertices(mesh);
   for (const EdgeHandle e : mesh.edges()) {
@@ -43,61 +46,11 @@ ShearSmoothing::ShearSmoothing(const Chart& chart) {
     const double sum = 1 / left.height + 1 / right.height;
     const double square = kWidth * kWidth * area_at[left.vertex];
     const double at_end = left.share / left.height + right_share / right.height;
-    edges_.push_back({{mesh.from_vertex_handle(h).idx(), mesh.to_vertex_handle(h).idx(), left.vertex, right.vertex},
-                      {sum - at_end, at_end, -1 / left.height, -1 / right.height},
-                      square * length / distance});
+    terms.push_back({{mesh.from_vertex_handle(h).idx(), mesh.to_vertex_handle(h).idx(), left.vertex, right.vertex},
+                     {sum - at_end, at_end, -1 / left.height, -1 / right.height},
+                     square * length / distance});
   }
-}
-
-Eigen::RowVector2d ShearSmoothing::Edge::jump(const Positions2& uv) const {
-  // Computes differences first, because positions may be far larger than edges. The shares sum to zero.
-  Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
-  for (std::size_t k = 1; k < 4; ++k) sum += shares[k] * (uv.row(vertices[k]) - uv.row(vertices[0]));
-  return sum;
-}
-
-double ShearSmoothing::value(const Positions2& uv) const {
-  double sum = 0;
-  for (const Edge& edge : edges_) sum += edge.weight * edge.jump(uv).squaredNorm();
-  return sum / 2;
-}
-
-double ShearSmoothing::add_gradient(const Positions2& uv, Positions2& gradient) const {
-  double sum = 0;
-  for (const Edge& edge : edges_) {
-    const Eigen::RowVector2d jump = edge.jump(uv);
-    for (std::size_t k = 0; k < 4; ++k) gradient.row(edge.vertices[k]) += edge.weight * edge.shares[k] * jump;
-    sum += edge.weight * jump.squaredNorm();
-  }
-  return sum / 2;
-}
-
-double ShearSmoothing::value_of_rounding(double error) const {
-  double sum = 0;
-  for (const Edge& edge : edges_) {
-    for (const double share : edge.shares) sum += edge.weight * share * share;
-  }
-  return error * error * sum;
-}
-
-void ShearSmoothing::list_pairs(std::vector<VertexPair>& pairs) const {
-  for (const Edge& edge : edges_) {
-    pairs.push_back({edge.vertices[2], edge.vertices[3]});
-  }
-}
-
-void ShearSmoothing::add_hessian(VertexMatrix& hessian) const {
-  const Eigen::Matrix2d identity = Eigen::Matrix2d::Identity();
-  for (const Edge& edge : edges_) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < 4; ++j) {
-        const int row = edge.vertices[i], column = edge.vertices[j];
-        const Eigen::Matrix2d block = edge.weight * edge.shares[i] * edge.shares[j] * identity;
-        if (row > column) hessian.add(hessian.block(row, column), block);
-        if (row == column) hessian.add_diagonal(row, block);
-      }
-    }
-  }
+  return ShearSmoothing(std::move(terms));
 }
 
 }  // namespace wirewarp

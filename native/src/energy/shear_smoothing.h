@@ -12,41 +12,15 @@
 // where the chart is unfolded.
 #pragma once
 
-#include <array>
-#include <vector>
-
-#include "energy/vertex_matrix.h"
+#include "energy/quadratic_form.h"
 #include "surface/charts/chart.h"
 
 namespace wirewarp {
 
-class ShearSmoothing {
- public:
-  explicit ShearSmoothing(const Chart& chart);
+/// Z with a term for each inner edge. The jump is Σ T_k u_k over the ends of the edge and the two vertices opposite to
+/// it.
+using ShearSmoothing = QuadraticForm<double, 4>;
 
-  /// Returns Z; add_gradient() also adds ∂Z/∂u to the gradient. uv, gradient: one row per chart vertex.
-  double value(const Positions2& uv) const;
-  double add_gradient(const Positions2& uv, Positions2& gradient) const;
-
-  /// Returns Z of an isometric layout if all coordinates have errors of about `error`.
-  double value_of_rounding(double error) const;
-
-  /// Appends the pairs of vertices that the Hessian couples.
-  void list_pairs(std::vector<VertexPair>& pairs) const;
-
-  /// Adds the Hessian, constant and positive semidefinite.
-  void add_hessian(VertexMatrix& hessian) const;
-
- private:
-  /// The jump is Σ share_k u_k over the ends of the edge and the two vertices opposite to it.
-  struct Edge {
-    std::array<int, 4> vertices;
-    std::array<double, 4> shares;
-    double weight;
-
-    Eigen::RowVector2d jump(const Positions2& uv) const;
-  };
-  std::vector<Edge> edges_;
-};
+ShearSmoothing shear_smoothing_of(const Chart& chart);
 
 }  // namespace wirewarp
