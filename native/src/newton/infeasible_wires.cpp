@@ -232,14 +232,6 @@ class ToleranceSearch {
   double trials_ = 0;
 };
 
-/// Returns the shape that changes lengths at the least cost, or nullopt if a factorization fails.
-std::optional<RelaxedShape> relax(Problem& problem, const StopToken& stop) {
-  Budget budget(kMaxRelaxFactorizations);
-  auto relaxed = attempt([&] { return std::optional(relax_lengths(problem, problem.free_map(stop), {budget, stop})); });
-  stop.check();
-  return relaxed;
-}
-
 /// Returns whether even the shape with the least cost changes lengths, so that a longer search would not help.
 bool shows_conflict(const RelaxedShape& relaxed) {
   const bool are_wires_violated =
@@ -253,6 +245,7 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
   if (all.empty()) return {};
   InternalOptions brief = options;
   brief.max_factorizations = kMaxFreeFactorizations;
+  brief.cloth.reset();  // only a start is needed
   const Solution free = refine_chart(with_tolerances(chart, all), brief, stop);
   stop.check();
   if (!free.is_exact()) return {};
@@ -293,8 +286,12 @@ std::vector<ProposedTolerance> propose_tolerances(const Chart& chart, const Inte
 }  // namespace
 
 LengthDiagnosis diagnose_lengths(Problem& problem, const InternalOptions& options, const StopToken& stop) {
-  const std::optional<RelaxedShape> relaxed = relax(problem, stop);
-  if (!relaxed) return {};
+  Budget budget(kMaxRelaxFactorizations);
+  const auto relaxed = attempt([&] {
+    return std::optional(relax_lengths(problem, problem.free_map(stop), {budget, stop}));
+  });
+  stop.check();
+  if (!relaxed) return {};  // a factorization failed
   return {propose_tolerances(problem.chart(), options, *relaxed, stop), shows_conflict(*relaxed)};
 }
 

@@ -32,11 +32,6 @@ class MultiplierMethod {
   Shape start() const { return {now_.uv, {}, multipliers_}; }
 
  private:
-  struct Step {
-    Positions2 d;
-    Eigen::VectorXd variation;  // Δh
-    double slope;               // of Φ along the step
-  };
   enum class Outcome { near_minimum, on_the_way, stuck };
 
   void linearize_near(const Positions2& uv);
@@ -105,7 +100,7 @@ bool MultiplierMethod::factorize(const Eigen::VectorXd& multipliers) {
 
 /// Returns the Newton step of Φ. With d eliminated, a quadratic program in Δh remains: its Hessian is the stiffness of
 /// the springs ρ and the surface, its gradient is −Tᵀ (λ + ρ (c + J d)) with the d for Δh = 0.
-std::optional<MultiplierMethod::Step> MultiplierMethod::newton_step() {
+std::optional<Step> MultiplierMethod::newton_step() {
   const Eigen::VectorXd stiffness = stiffness_ * unit_;
   const Eigen::VectorXd forces = multipliers_ + stiffness.cwiseProduct(residual(now_));
   system_->set_stiffness(stiffness);
@@ -130,7 +125,7 @@ MultiplierMethod::Outcome MultiplierMethod::take_step() {
   if (!step) return Outcome::stuck;
   const double before = value(now_), longest = objective_->longest_step(now_.uv, step->d);
   for (double t = longest < 1 ? kInside * longest : 1; t > kShortestStep; t /= 2) {
-    Iterate trial{now_.uv + t * step->d, now_.variation + t * step->variation};
+    Iterate trial = step->from(now_, t);
     if (!(value(trial) <= before + kSufficientDecrease * t * step->slope)) continue;
     now_ = std::move(trial);
     return t >= 0.5 && -step->slope < kEnough * std::abs(before) ? Outcome::near_minimum : Outcome::on_the_way;

@@ -27,6 +27,18 @@ struct Iterate {
   double value = 0;           // f
 };
 
+/// A change of a layout that decreases a function.
+struct Step {
+  Positions2 d;
+  Eigen::VectorXd variation;  // Δh
+  double slope = 0;           // of the function along the step
+
+  /// Returns the layout after a share of the step, without its f.
+  Iterate from(const Iterate& begin, double share = 1) const {
+    return {begin.uv + share * d, begin.variation + share * variation, 0};
+  }
+};
+
 /// The state that the steps of minimize() change: the current shape, and the linear system of its last factorization.
 struct NewtonState {
   /// The problem must outlive the state.

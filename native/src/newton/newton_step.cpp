@@ -10,11 +10,9 @@
 namespace wirewarp {
 namespace {
 
-struct NewtonStep {
-  Positions2 d;
-  Eigen::VectorXd variation;    // Δh
+/// A step that decreases f + λᵀc.
+struct NewtonStep : Step {
   Eigen::VectorXd multipliers;  // λ at the end of the step
-  double slope;                 // of f + λᵀc along the step
 };
 
 /// Solves min g·d + ½ d·H d with J d - T Δh = -c and h + Δh in its bounds. With d eliminated, a dense quadratic program
@@ -30,14 +28,9 @@ NewtonStep newton_step(const NewtonState& state) {
   Eigen::VectorXd variation = state.system->choose_variation_change(
       lengths.transpose() * state.multipliers + reduced.pull, state.now.variation);
   const NewtonSystem::Solution solution = state.system->solve_on_wires(reduced, variation);
-  NewtonStep step{state.system->finish(solution.d), std::move(variation), state.multipliers + solution.multipliers, 0};
+  NewtonStep step{{state.system->finish(solution.d), std::move(variation)}, state.multipliers + solution.multipliers};
   step.slope = force.cwiseProduct(step.d).sum() - state.multipliers.dot(lengths * step.variation);
   return step;
-}
-
-/// Returns the end of a step, before the retraction to exact lengths.
-Iterate end_of(const NewtonStep& step, const Iterate& begin) {
-  return {begin.uv + step.d, begin.variation + step.variation, 0};
 }
 
 bool factorize_for_exact_lengths(NewtonState& state, bool is_near_minimum) {
@@ -50,7 +43,7 @@ bool factorize_for_exact_lengths(NewtonState& state, bool is_near_minimum) {
 }
 
 void move_along(const NewtonStep& step, NewtonState& state) {
-  state.now = end_of(step, state.now);
+  state.now = step.from(state.now);
   state.multipliers = step.multipliers;
   ++state.iterations;
 }
@@ -112,7 +105,7 @@ StepOutcome take_newton_step(NewtonState& state) {
   if (!state.factorize(kExactHessian)) return StepOutcome::rejected;
   const NewtonStep step = newton_step(state);
   const bool is_last = std::abs(step.slope) < state.worthwhile_decrease();
-  Iterate trial = end_of(step, state.now);
+  Iterate trial = step.from(state.now);  // before the retraction to exact lengths
   const double enough = state.now.value + kSufficientDecrease * step.slope;
   const bool goes_down = state.evaluate(trial) && trial.value <= enough;
   if (goes_down) {

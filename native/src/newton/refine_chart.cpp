@@ -7,6 +7,7 @@
 #include "newton/injective_shape.h"
 #include "newton/minimize.h"
 #include "newton/open_slits.h"
+#include "newton/refine_cloth.h"
 #include "newton/starts.h"
 #include "newton/unfold.h"
 
@@ -66,6 +67,7 @@ Solution refine_chart(Problem& problem, const InternalOptions& options, const Co
     found = try_starts(problem, stage, problem.chart().mesh.n_faces() >= options.large_chart, control);
   }
   if (options.makes_injective) make_injective(problem, stage, control, found);
+  if (options.cloth && found.is_exact()) refine_cloth(problem, options, control.in("shape"), found);
   return found;
 }
 

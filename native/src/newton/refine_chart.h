@@ -13,9 +13,10 @@ namespace wirewarp {
 
 /// Finds the least distorted shape of a chart. The slits of a chart are sewn at first (newton/open_slits.h). If the
 /// shape is flipped or overlaps itself, and if the options say so, searches for an injective shape instead
-/// (newton/injective_shape.h). If no start leads to exact lengths, returns the last shape that was tried. Its status is
-/// cancelled if the caller stopped, infeasible if any start was infeasible, and singular otherwise. The token is polled
-/// in the stages "start" and "shape".
+/// (newton/injective_shape.h). If there is a fabric, minimizes its energy next (newton/refine_cloth.h). If no start
+/// leads to exact lengths, returns the last shape that was tried. Its status is cancelled if the caller stopped,
+/// infeasible if any start was infeasible, and singular otherwise. The token is polled in the stages "start" and
+/// "shape".
 Solution refine_chart(Problem& problem, const InternalOptions& options, const Control& control);
 
 /// The same for a chart, with a budget of options.max_factorizations.

@@ -179,12 +179,4 @@ void refine_cloth(Problem& problem, const InternalOptions& options, const Contro
   }
 }
 
-std::optional<Solution> refine_injective(const Chart& chart, const InternalOptions& options, const Control& control) {
-  Problem problem(chart, options.fairness);
-  Solution refined = refine_chart(problem, options, control);
-  if (!refined.is_exact() || injectivity_of(chart, refined.shape.uv) != Injectivity::global) return std::nullopt;
-  if (options.cloth) refine_cloth(problem, options, control.in("shape"), refined);
-  return refined;
-}
-
 }  // namespace wirewarp

@@ -8,9 +8,10 @@
 // Orientation::best, Newton steps by the angle from the best of 36 directions make this derivative vanish.
 #pragma once
 
-#include <optional>
-
-#include "newton/refine_chart.h"
+#include "base/internal_options.h"
+#include "newton/control.h"
+#include "newton/problem.h"
+#include "newton/solution.h"
 #include "wirewarp/options.h"
 
 namespace wirewarp {
@@ -24,14 +25,10 @@ inline GrainRow hold_direction(const VertexPair& pair, const Positions2& uv) {
 /// Returns a constraint that keeps the chart from rotating.
 GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& options);
 
-/// Turns an exact solution of refine_chart() upright, with x along the weft, and refines it for options.cloth unless it
+/// Turns an exact solution without a fabric upright, with x along the weft, and refines it for options.cloth unless it
 /// is flipped. The last multiplier belongs to the constraint on the direction. Keeps the current shape if the caller
 /// stops, if the budget is spent, or if the piece would overlap itself. newton/solve/stretch_charts.h applies the
 /// fabric's stretch.
 void refine_cloth(Problem& problem, const InternalOptions& options, const Control& control, Solution& solution);
-
-/// Solves a chart from scratch, for the fabric if there is one. Returns an injective shape, or nullopt if none is
-/// found.
-std::optional<Solution> refine_injective(const Chart& chart, const InternalOptions& options, const Control& control);
 
 }  // namespace wirewarp

@@ -93,8 +93,8 @@ Solution minimize_near(Problem& problem, const Stage& stage, const Shape& start,
 
 }  // namespace
 
-CoupledSolution refine_coupled(const std::vector<CoupledChart>& charts, double fairness, const Stage& stage,
-                               const Control& control) {
+std::vector<Solution> refine_coupled(const std::vector<CoupledChart>& charts, double fairness, const Stage& stage,
+                                     const Control& control) {
   std::vector<const Chart*> members;
   std::vector<Problem> problems;
   for (const CoupledChart& one : charts) {
@@ -108,11 +108,11 @@ CoupledSolution refine_coupled(const std::vector<CoupledChart>& charts, double f
   if (lengths) of_group.lengths = &*lengths;
   const Shape start = combine_starts(combined, charts, problem, problems, lengths ? lengths->grains.size() : 0);
   const Solution whole = minimize_near(problem, of_group, start, charts.size() == 1, control);
-  CoupledSolution coupled;
-  of_group.injectivity = Injectivity::none;
-  if (charts.size() > 1) coupled.projected_gradient = projected_gradient(problem, of_group, whole.shape);
   Solution figures = whole;
   figures.shape = {};
+  of_group.injectivity = Injectivity::none;
+  if (charts.size() > 1) figures.projected_gradient = projected_gradient(problem, of_group, whole.shape);
+  std::vector<Solution> solutions;
   for (std::size_t c = 0; c < charts.size(); ++c) {
     Solution one = figures;
     const auto num_parts = static_cast<Eigen::Index>(charts[c].chart.wire_parts.size());
@@ -120,9 +120,9 @@ CoupledSolution refine_coupled(const std::vector<CoupledChart>& charts, double f
                  whole.shape.variation.segment(combined.first_part[c], num_parts),
                  {}};
     one.objective = problems[c].objective({stage.cloth}).value(one.shape.uv) / problems[c].area();
-    coupled.charts.push_back(std::move(one));
+    solutions.push_back(std::move(one));
   }
-  return coupled;
+  return solutions;
 }
 
 }  // namespace wirewarp

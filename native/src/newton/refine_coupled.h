@@ -25,14 +25,9 @@ struct CoupledChart {
   Shape start;
 };
 
-struct CoupledSolution {
-  std::vector<Solution> charts;             // without multipliers; each counts the factorizations of the whole group
-  double projected_gradient = kNoGradient;  // of the group; kNoGradient for a single chart
-};
-
-/// Minimizes from the starts. stage: without lengths, which are in the charts. Either all solutions are exact, or no
-/// solution is.
-CoupledSolution refine_coupled(const std::vector<CoupledChart>& charts, double fairness, const Stage& stage,
-                               const Control& control);
+/// Minimizes from the starts. stage: without lengths, which are in the charts. Returns a solution without multipliers
+/// for each chart, with the factorizations of the whole group. Either all solutions are exact, or no solution is.
+std::vector<Solution> refine_coupled(const std::vector<CoupledChart>& charts, double fairness, const Stage& stage,
+                                     const Control& control);
 
 }  // namespace wirewarp

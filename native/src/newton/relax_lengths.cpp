@@ -44,11 +44,6 @@ class RelaxedLengths {
     double length = 0;  // L
     int part;           // -1: boundary
   };
-  struct Step {
-    Positions2 d;
-    Eigen::VectorXd variation;  // Δh
-    double slope;
-  };
 
   void make_groups(const HeldNetwork& network);
   Eigen::VectorXd residual(const Iterate& iterate) const;
@@ -141,7 +136,7 @@ double RelaxedLengths::value(const Iterate& iterate, double smoothing) const {
 
 /// Returns the step to the minimum of the linearized problem, which consists of f and springs. The current weights
 /// define the stiffness of the springs: ρ for edges, κ for variations. With d eliminated, a dense system in Δh remains.
-RelaxedLengths::Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
+Step RelaxedLengths::step(double smoothing, const StopToken& stop) {
   Positions2 gradient;
   objective_.value_and_gradient(now_.uv, gradient);
   const Eigen::VectorXd missing = residual(now_);
@@ -193,7 +188,7 @@ bool RelaxedLengths::minimize(double smoothing, const Control& control) {
     Iterate trial;
     double reached = 0;
     for (; t > kShortestRelaxStep; t /= 2) {
-      trial = {now_.uv + t * full.d, now_.variation + t * full.variation};
+      trial = full.from(now_, t);
       reached = value(trial, smoothing);
       if (reached <= now + kSufficientDecrease * t * full.slope) break;
     }

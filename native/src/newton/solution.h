@@ -25,8 +25,6 @@ enum class SolutionStatus {
   converged,   // exact lengths; the predicted decrease of f is below 1e-9 of f, or below rounding errors
 };
 
-inline constexpr double kNoGradient = std::numeric_limits<double>::quiet_NaN();  // PieceReport::projected_gradient
-
 /// The result of a solver.
 struct Solution {
   Shape shape;
@@ -37,6 +35,7 @@ struct Solution {
   double length_error = 0;  // LengthConstraints::largest_error
   int iterations = 0;       // Newton iterations from this start
   int factorizations = 0;   // in these iterations; a Budget counts the factorizations of all starts
+  double projected_gradient = std::numeric_limits<double>::quiet_NaN();  // of a coupled group; NaN for a single chart
 
   /// Whether the shape is flat and can be cut.
   bool is_exact() const { return status >= SolutionStatus::stalled; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "newton/solve/free_elastic_seams.h"
 
-#include "newton/refine_cloth.h"
+#include "newton/refine_chart.h"
 #include "newton/solve/piece_report.h"
 #include "surface/charts/elastic_seams.h"
 
@@ -23,7 +23,8 @@ void solve_from_scratch(const GroupMember& member, const Run& run, const StopTok
 void free_elastic_seams(const std::vector<GroupMember>& group, const Run& run, const StopToken& stop) {
   const StopToken in_shape = stop.in("shape");
   GroupSolver solver(group, run, in_shape, false, [&](std::size_t, const Chart& fixed, Budget& budget) {
-    return refine_injective(fixed, run.options, {budget, in_shape});
+    Problem problem(fixed, run.options.fairness);
+    return refine_chart(problem, run.options, {budget, in_shape});
   });
   const GroupSolver::Outcome common = solver.solve_together();
   for (std::size_t k = 0; k < group.size(); ++k) {

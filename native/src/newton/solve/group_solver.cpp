@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/progress_report.h"
+#include "newton/injective_shape.h"
 #include "newton/refine_coupled.h"
 #include "newton/solve/piece_report.h"
 #include "surface/charts/elastic_seams.h"
@@ -77,18 +78,17 @@ bool GroupSolver::take_common_shapes(const std::vector<Part>& parts, Budget& bud
   }
   const Stage stage = run_.options.cloth ? Stage{&*run_.options.cloth, nullptr, Injectivity::local} : Stage{};
   const StageTimer timer(solved(parts.front()).report.seconds, "shape");
-  CoupledSolution found = refine_coupled(charts, run_.options.fairness, stage, {budget, stop_});
-  const bool is_exact = found.charts.front().is_exact();
+  std::vector<Solution> found = refine_coupled(charts, run_.options.fairness, stage, {budget, stop_});
+  const bool is_exact = found.front().is_exact();
   for (std::size_t i = 0; i < parts.size(); ++i) {
     SolvedChart& one = solved(parts[i]);
     if (!is_exact) {
       one.report.factorizations += budget.spent();
       continue;
     }
-    report_next_refinement(found.charts[i], stop_.is_stopped(), one.report);
-    one.report.projected_gradient = found.projected_gradient;
-    one.variation = variations_of(parts[i].chart, found.charts[i].shape.variation);
-    one.uv = std::move(found.charts[i].shape.uv);
+    report_next_refinement(found[i], stop_.is_stopped(), one.report);
+    one.variation = variations_of(parts[i].chart, found[i].shape.variation);
+    one.uv = std::move(found[i].shape.uv);
   }
   return is_exact;
 }
@@ -99,14 +99,13 @@ bool GroupSolver::replace_folded(const Part& part, Budget& budget) {
   if (stop_.is_stopped()) return false;
   SolvedChart& one = solved(part);
   const Chart fixed = with_fixed_seams(part.chart, one.variation);
-  std::optional<Solution> refined = refine_injective_(part.member, fixed, budget);
+  Solution refined = refine_injective_(part.member, fixed, budget);
   one.report.factorizations += budget.spent();
-  if (!refined) return false;
+  if (!refined.is_exact() || injectivity_of(fixed, refined.shape.uv) != Injectivity::global) return false;
   one.report.warnings.clear();
-  report_refinement(*refined, one.report.factorizations, stop_.is_stopped(), one.report);
-  one.report.projected_gradient = kNoGradient;
-  one.variation = variations_of(fixed, refined->shape.variation);
-  one.uv = std::move(refined->shape.uv);
+  report_refinement(refined, one.report.factorizations, stop_.is_stopped(), one.report);
+  one.variation = variations_of(fixed, refined.shape.variation);
+  one.uv = std::move(refined.shape.uv);
   return true;
 }
 

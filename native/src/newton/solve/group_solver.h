@@ -8,7 +8,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "energy/target_lengths.h"
@@ -29,9 +28,8 @@ struct GroupMember {
 class GroupSolver {
  public:
   /// Searches for an injective shape of a chart that is flipped or overlaps itself, with its elastic seams fixed at the
-  /// common lengths. Returns nullopt if none is found.
-  using RefineInjective =
-      std::function<std::optional<Solution>(std::size_t member, const Chart& fixed, Budget& budget)>;
+  /// common lengths.
+  using RefineInjective = std::function<Solution(std::size_t member, const Chart& fixed, Budget& budget)>;
 
   struct Outcome {
     bool is_solved = false;            // if false, the shapes from before the stage are kept

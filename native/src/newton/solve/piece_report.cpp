@@ -23,6 +23,7 @@ namespace {
 void report_shape(const Solution& solution, bool was_stopped, PieceReport& report) {
   report.constraint_residual = solution.length_error;
   report.objective = solution.objective;
+  report.projected_gradient = solution.projected_gradient;
   if (!was_stopped && !solution.is_converged()) {
     report.warnings.push_back("The shape stopped short of the least distortion.");
   }

@@ -9,7 +9,7 @@
 #include "base/progress_report.h"
 #include "newton/infeasible_wires.h"
 #include "newton/lies_flat.h"
-#include "newton/refine_cloth.h"
+#include "newton/refine_chart.h"
 #include "newton/solve/chart_errors.h"
 #include "newton/solve/piece_report.h"
 #include "surface/charts/elastic_seams.h"
@@ -92,7 +92,6 @@ std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& r
   Problem problem(chart, run.options.fairness);
   Solution refined = refine_chart(problem, run.options, {budget, stop});
   if (refined.status == SolutionStatus::cancelled) throw Stopped();
-  if (run.options.cloth && refined.is_exact()) refine_cloth(problem, run.options, {budget, stop.in("shape")}, refined);
   report_refinement(refined, budget.spent(), stop.is_stopped(), solved.report);
   if (!refined.is_exact()) return explain_infeasible(problem, run, refined.status, budget, stop.in("shape"));
   solved.variation = variations_of(chart, refined.shape.variation);

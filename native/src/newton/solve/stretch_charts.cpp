@@ -60,7 +60,7 @@ class StretchedGroup {
                   Budget& budget) const {
     TargetLengths lengths = group_[k].lengths;
     lengths.grains = {hold_upright(fixed, start, run_.options)};
-    return refine_coupled({{fixed, &lengths, {start}}}, run_.options.fairness, stage, {budget, stop_}).charts.front();
+    return refine_coupled({{fixed, &lengths, {start}}}, run_.options.fairness, stage, {budget, stop_}).front();
   }
 
   Stage stage_of_cloth(Injectivity injectivity) const { return {&*run_.options.cloth, nullptr, injectivity}; }
@@ -70,11 +70,10 @@ class StretchedGroup {
   }
 
   /// Minimizes without overlaps on the way, from the shape before the stage.
-  std::optional<Solution> refine_without_overlap(std::size_t k, const Chart& fixed, Budget& budget) const {
-    if (!was_good(k)) return std::nullopt;
+  Solution refine_without_overlap(std::size_t k, const Chart& fixed, Budget& budget) const {
+    if (!was_good(k)) return {};
     const SolvedChart& before = solver_.before(k);
     Solution refined = refine(stage_of_cloth(Injectivity::global), k, fixed, before.uv, budget);
-    if (!refined.is_exact() || injectivity_of(fixed, refined.shape.uv) != Injectivity::global) return std::nullopt;
     refined.start = before.report.start.c_str();
     refined.iterations += before.report.outer_iterations;
     return refined;
@@ -133,7 +132,6 @@ class StretchedGroup {
       return false;
     }
     report_next_refinement(found, stop_.is_stopped(), one.report);
-    one.report.projected_gradient = kNoGradient;
     one.variation = variations_of(fixed, found.shape.variation);
     one.uv = std::move(found.shape.uv);
     finish(k, has_folds(fixed, one.uv));
