@@ -241,7 +241,8 @@ def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
     assert offered and others and {*offered, *others} == set(limits)
     labels = [addon.state.settings.fabric_label(name) for name in [*offered, *others]]
     assert all(label in draw_panels(addon) for label in labels)
-    one_click = f"Flatten for {labels[0].partition(',')[0]}"
+    everyday = addon.report_panel.flatten_panel.EVERYDAY
+    one_click = f"Flatten for {addon.core.Cloth.about(next(name for name in offered if name in everyday))['label']}"
     assert one_click in draw_panels(addon)
     bpy.context.scene.wirewarp.cloth = "WOVEN"
     assert "Flatten for" not in draw_panels(addon)
@@ -254,6 +255,22 @@ def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=0.1, gives_along=0.1)
     assert not addon.core.verdict(addon.state.reports.last_report(source)).is_ready
     assert "Flatten for" not in draw_panels(addon)  # a fabric that was chosen is not replaced by a guess
+
+
+@pytest.mark.parametrize(("needed", "label"), [(0.06, "Fleece"), (0.11, "Jersey"), (0.6, "Swim Knit"), (0.9, "")])
+def test_one_click_names_no_special_material(addon, needed, label):
+    """At 6%, leather stretches just far enough, but fleece is what people sew."""
+    drawn = []
+    row = SimpleNamespace(operator=lambda _name, text, icon: drawn.append(text) or SimpleNamespace())
+    report = SimpleNamespace(pieces=[SimpleNamespace(threads=None, needed=needed)])
+    addon.report_panel.flatten_panel._draw_fabric(SimpleNamespace(row=lambda: row), report)
+    assert drawn == ([f"Flatten for {label}"] if label else [])
+
+
+def test_a_special_material_alone_never_stretches_far_enough(addon):
+    preset, names = addon.core.Cloth.preset, set(addon.core.Cloth.presets())
+    assert names >= addon.report_panel.flatten_panel.EVERYDAY
+    assert all(preset(name).limits[side] <= preset("swim").limits[side] for name in names for side in (0, 1))
 
 
 def test_a_fabric_is_offered_if_it_stretches_far_enough_in_each_direction(addon):

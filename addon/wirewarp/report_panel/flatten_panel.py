@@ -37,6 +37,7 @@ from .next_step import (
 ICON = "MATCLOTH"
 FAR_ENOUGH = "These stretch far enough for the present pieces"
 TO_TRY = "Other fabrics: each changes the pieces, so flatten to see"
+EVERYDAY = {"woven", "denim", "fleece", "jersey", "swim"}  # sold for clothes; swim knit stretches the most of all
 
 
 def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str], list[str]]:
@@ -176,14 +177,18 @@ def _draw_state(
 
 
 def _draw_fabric(layout: bpy.types.UILayout, report: ObjectReport) -> None:
-    """Draw the button for the fabric that stretches least of those that stretch far enough, if there is one."""
+    """Draw the button for the everyday fabric that is just enough, if there is one.
+
+    Leather, foam and other special materials are in the menu below it.
+    """
     can, _ = fabrics_to_choose(report)
-    if not can:
+    name = next((name for name in can if name in EVERYDAY), "")
+    if not name:
         return
     row = layout.row()
     row.scale_y = 1.2
-    button = row.operator("object.wirewarp_mend", text=f"Flatten for {Cloth.about(can[0])['label']}", icon=ICON)
-    button.what, button.cloth = "FABRIC", can[0].upper()
+    button = row.operator("object.wirewarp_mend", text=f"Flatten for {Cloth.about(name)['label']}", icon=ICON)
+    button.what, button.cloth = "FABRIC", name.upper()
 
 
 def _may_use_uv_seams(source: bpy.types.Object) -> bool:
