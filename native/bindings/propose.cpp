@@ -65,10 +65,13 @@ narrowest: least width of the flat pieces of a cut set, scene units; 0 for any w
     is narrower than this, unless one of them is as narrow. Use twice the allowance and a little more: see
     pattern.piece_width() and pattern.has_room().
 smooth: True for sets of smooth lines, which turn by less than 30 degrees at each vertex between their ends. Lines keep
-    some bends, or their edges, where the strain would more than double or lines would meet. A set keeps all its edges
-    if half of its bends would remain. Smooth sets have paths and no edges, as in propose_darts(). The sets keep their
-    order, and narrowest applies to the sets along edges. Seams across one piece always follow edges.
-no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross.
+    some bends, or their edges, if lines would meet, if more pieces would be narrower than narrowest, or if the strain
+    would more than double. The strain also stays within the accepted one, or within the least of its doubles that the
+    set along edges keeps: 0.05, 0.1, 0.2, and so on. A set keeps all its edges if half of its bends would remain. Smooth
+    sets have paths and no edges, as in propose_darts(). The sets keep the order that they have along edges, so a smooth
+    set may leave less strain than an earlier one. Seams across one piece always follow edges.
+no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth lines do not cross wires and edges of
+    no_seam either.
 
 Raises "no_proposal" if no_seam or longest allow no set.)";
 

@@ -10,8 +10,10 @@
 
 #include "base/planar.h"
 #include "cuts/propose/cut_progress.h"
+#include "cuts/propose/flat_width.h"
 #include "cuts/propose/smooth_sets.h"
 #include "disguise.h"
+#include "error_of.h"
 #include "most_strain.h"
 #include "surface/charts/cut_into_charts.h"
 #include "surface/mesh/geometry.h"
@@ -71,7 +73,7 @@ FlattenInput with_paths(FlattenInput input, const std::vector<SurfacePath>& path
 
 /// Smooths a set of edges that leaves this strain.
 DartProposal smoothed(const FlattenInput& input, const std::vector<VertexPair>& edges, double strain = 1,
-                      const CutOptions& cut_options = {}) {
+                      const CutOptions& cut_options = {}, double most_strain = 10) {
   const Progress no_progress;
   CutProgress progress(no_progress);
   const Options options;
@@ -83,7 +85,7 @@ DartProposal smoothed(const FlattenInput& input, const std::vector<VertexPair>& 
   set.num_pieces = figures_of(exact.with_cut(pieces, edges)).num_pieces;
   set.strain = strain;
   set.energy = strain;
-  return smooth_set(set, pieces, 0, cut_options, exact);
+  return smooth_set(set, most_strain, pieces, 0, cut_options, exact);
 }
 
 /// Returns the largest turn in space where a line of this mesh passes a vertex, radians.
@@ -146,6 +148,68 @@ TEST(SmoothSets, KeepEdgesIfTheStrainIsTooHigh) {
   EXPECT_TRUE(set.paths.empty());
 }
 
+/// Returns jagged lines from the ring to the upper pole, mirrored by the plane y = 0, and the jagged ring.
+std::vector<VertexPair> symmetric_set() {
+  std::vector<VertexPair> edges = jagged_ring(8);
+  for (const int side : {1, -1}) {
+    std::vector<int> line;
+    for (int j = 8; j < kRings; ++j) line.push_back(vertex(side * (6 + (j > 10 ? j % 2 : 0)), j));
+    line.push_back(1 + kAround * (kRings - 1));
+    for (std::size_t i = 1; i < line.size(); ++i) edges.push_back({line[i - 1], line[i]});
+  }
+  return edges;
+}
+
+double distance_to_nearest(const Positions3& points, const Eigen::RowVector3d& place) {
+  return (points.rowwise() - place).rowwise().norm().minCoeff();
+}
+
+TEST(SmoothSets, StaySymmetricWithinTheStrainAllowed) {
+  const FlattenInput input = egg(kAround, kRings);
+  const std::vector<VertexPair> edges = symmetric_set();
+  const double free = smoothed(input, edges).strain;
+  const FlattenInput along_edges = test::with_seams(input, edges);
+  const double least = test::most_strain(along_edges, flatten(along_edges));
+  for (const double share : {0.9, 1.0}) {
+    const double most_strain = least + share * (free - least);
+    const DartProposal set = smoothed(input, edges, 1, {}, most_strain);
+    ASSERT_FALSE(set.paths.empty()) << share;
+    EXPECT_LE(set.strain, most_strain + 1e-6);
+    const FlattenInput cut = with_paths(input, set.paths);
+    EXPECT_EQ(static_cast<int>(flatten(cut).pieces.size()), 3);
+    for (const Eigen::RowVector3d& place : cut.vertices.rowwise())
+      EXPECT_LT(distance_to_nearest(cut.vertices, place.cwiseProduct(Eigen::RowVector3d(1, -1, 1))), 1e-6);
+  }
+}
+
+double narrowest_piece(const FlattenInput& input) {
+  const Options options;
+  const SurfaceToCut surface(input, options);
+  const FlatPieces pieces = ExactEvaluation(surface, options, StopToken()).uncut();
+  double width = 1;
+  for (const auto& piece : pieces) width = std::min(width, flat_width(piece->chart.mesh, piece->uv, 1));
+  return width;
+}
+
+TEST(SmoothSets, KeepTheRoomOfPieces) {
+  const FlattenInput input = egg(kAround, kRings);
+  std::vector<VertexPair> edges;  // a ring with a tongue above it
+  for (int i = 0; i < kAround; ++i) edges.push_back({vertex(i, 8), vertex(i + 1, 8)});
+  for (int j = 8; j < 11; ++j) edges.push_back({vertex(0, j), vertex(0, j + 1)});
+  for (int i = 0; i < 4; ++i) edges.push_back({vertex(i, 11), vertex(i + 1, 11)});
+  for (int j = 11; j > 8; --j) edges.push_back({vertex(4, j), vertex(4, j - 1)});
+  const double before = narrowest_piece(test::with_seams(input, edges));
+  const DartProposal any_width = smoothed(input, edges);
+  ASSERT_FALSE(any_width.paths.empty());
+  const double after = narrowest_piece(with_paths(input, any_width.paths));
+  ASSERT_LT(after, 0.9 * before);
+  CutOptions cut_options;
+  cut_options.narrowest = (after + before) / 2;
+  const DartProposal wide = smoothed(input, edges, 1, cut_options);
+  const FlattenInput cut = wide.paths.empty() ? test::with_seams(input, edges) : with_paths(input, wide.paths);
+  EXPECT_GE(narrowest_piece(cut), cut_options.narrowest);
+}
+
 TEST(SmoothSets, DoNotCrossWires) {
   FlattenInput input = egg(kAround, kRings);
   std::vector<int> wire;
@@ -197,17 +261,35 @@ TEST(SmoothSets, KeepTheCreasesOfABox) {
   EXPECT_EQ(smoothed(box, lid, 0).edges, lid);
 }
 
-TEST(ProposeSeams, ReturnsSmoothSets) {
+TEST(ProposeSeams, ReturnsSmoothSetsAndCanBeCanceledWhileItSmooths) {
   const FlattenInput input = egg(kAround, kRings);
   CutOptions cut_options;
   cut_options.strain = 0.1;
   cut_options.is_smooth = true;
-  for (const DartProposal& set : propose_seams(input, {}, cut_options)) {
+  int num_smooth = 0;
+  std::vector<double> reached;
+  const auto report = [&](const std::string&, double share) {
+    reached.push_back(share);
+    return true;
+  };
+  for (const DartProposal& set : propose_seams(input, {}, cut_options, report)) {
+    num_smooth += set.edges.empty() ? 1 : 0;
     const FlattenInput cut = with_paths(input, set.paths);
     const FlattenResult result = flatten(cut);
     EXPECT_EQ(static_cast<int>(result.pieces.size()), set.num_pieces);
     EXPECT_NEAR(test::most_strain(cut, result), set.strain, 1e-9);
   }
+  EXPECT_GT(num_smooth, 0);
+  EXPECT_TRUE(std::is_sorted(reached.begin(), reached.end()));
+  const auto in_smoothing = std::upper_bound(reached.begin(), reached.end(), 0.7);
+  EXPECT_GT(std::set<double>(in_smoothing, reached.end()).size(), 10U);
+  double last = 0;
+  const auto stop = [&](const std::string&, double share) {
+    last = share;
+    return share < 0.75;
+  };
+  EXPECT_EQ(test::error_of([&] { propose_seams(input, {}, cut_options, stop); }).code, ErrorCode::cancelled);
+  EXPECT_LT(last, 0.85);
 }
 
 Chart chart_of(const FlattenInput& input) {

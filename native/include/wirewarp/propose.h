@@ -77,10 +77,13 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// narrow. Pieces that are narrow from the beginning stay if they cannot be joined to others.
 ///
 /// With is_smooth, the lines of a cut set are smoothed until they turn by less than 30 degrees at each vertex between
-/// their ends, and junctions move with them. Smooth lines cross no wire and no edge of no_seam or no_crossing: what
-/// touches one of them stays there. Lines keep some of their bends, or their edges, where the strain would more than
-/// double or lines would meet. A set keeps all its edges if half of its bends would remain. The sets keep their order,
-/// and `narrowest` applies to the sets along edges. Seams across one piece always follow edges.
+/// their ends, and junctions move with them. Smooth lines do not cross wires, or edges of no_seam and no_crossing.
+/// Vertices on these edges do not move. A smooth set leaves at most twice the strain of the set along edges. It also
+/// stays within the accepted strain, or within the least of its doubles that the set along edges keeps: 5%, 10%, 20%,
+/// and so on. No more pieces are narrower than `narrowest` than along edges. Lines keep some of their bends, or their
+/// edges, if these rules demand it or if lines would meet. A set keeps all its edges if half of its bends would remain.
+/// The sets keep the order that they have along edges, so a smooth set may leave less strain than an earlier one. Seams
+/// across one piece always follow edges.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 

@@ -25,6 +25,9 @@ namespace {
 /// input do not decide.
 constexpr double kClearlyLarger = 1 + 1e-9;
 
+/// Progress once the sets are found, before they are smoothed.
+constexpr double kSearched = 0.7;
+
 /// The decrease of the largest strain of all pieces by a cut, then the decrease of the strain of its own piece.
 using Gain = std::pair<double, double>;
 
@@ -201,14 +204,20 @@ std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, cons
   const std::optional<std::size_t> piece = kind == CutKind::seam ? without_shape(pieces, cut_options) : std::nullopt;
   progress.enter(0, 1);
   if (!piece) return search_pieces(pieces, kind, cut_options, exact);
+  const double searched = cut_options.is_smooth ? kSearched : 1;
+  progress.begin_part(0, searched);
   std::vector<DartProposal> sets = CutSetSearch(pieces, *piece, cut_options, exact, progress).search();
-  for (DartProposal& set : sets) {
+  const double share = (1 - searched) / static_cast<double>(sets.size());
+  for (std::size_t i = 0; i < sets.size(); ++i) {
     if (cut_options.is_smooth) {
-      DartProposal smooth = smooth_set(set, pieces, *piece, cut_options, exact);
-      if (smooth.strain < kMostStrain && smooth.length <= cut_options.longest) set = std::move(smooth);
+      progress.begin_part(searched + share * static_cast<double>(i), searched + share * static_cast<double>(i + 1));
+      const double most_strain = std::min(limit_of_set(sets[i], cut_options), kMostStrain);
+      DartProposal smooth = smooth_set(sets[i], most_strain, pieces, *piece, cut_options, exact);
+      if (smooth.strain < kMostStrain && smooth.length <= cut_options.longest) sets[i] = std::move(smooth);
     }
-    set.piece = static_cast<int>(*piece);
+    sets[i].piece = static_cast<int>(*piece);
   }
+  progress.begin_part(0, 1);
   return sets;
 }
 

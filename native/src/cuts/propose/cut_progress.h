@@ -31,13 +31,20 @@ class CutProgress {
   /// Sets the number of finished rounds.
   void finish_rounds(int count) {
     num_done_ = count;
+    begin_part(0, 1);
+  }
+
+  /// Begins a part of the round, between these shares of it.
+  void begin_part(double from, double to) {
+    part_from_ = from;
+    part_to_ = to;
     enter(0, 1);
   }
 
-  /// Makes the following progress run between these shares of the round. Reported progress never decreases.
+  /// Makes the following progress run between these shares of the part. Reported progress never decreases.
   void enter(double from, double to) {
-    from_ = from;
-    to_ = to;
+    from_ = part_from_ + (part_to_ - part_from_) * from;
+    to_ = part_from_ + (part_to_ - part_from_) * to;
     num_polled_ = 0;
   }
 
@@ -50,7 +57,8 @@ class CutProgress {
   const int rounds_;
   int num_done_ = 0;
   int num_polled_ = 0;
-  double from_ = 0, to_ = 1;
+  double part_from_ = 0, part_to_ = 1;  // shares of the round
+  double from_ = 0, to_ = 1;            // the same
   double reached_ = 0;
 };
 

@@ -14,7 +14,6 @@
 #include "cuts/propose/canonical_order.h"
 #include "cuts/propose/coarse_evaluation.h"
 #include "cuts/propose/cut_chains.h"
-#include "cuts/propose/flat_width.h"
 #include "cuts/propose/merge_sections.h"
 #include "cuts/propose/mirror_image.h"
 #include "cuts/propose/piece_search.h"
@@ -76,6 +75,12 @@ std::vector<double> allowed_strains(double least, double target) {
   std::vector<double> allowed{least};
   while (allowed.size() < kMergedSets && allowed.back() * std::sqrt(kStrainStep) < most)
     allowed.push_back(allowed.back() * kStrainStep);
+  return allowed;
+}
+
+double limit_of_set(const DartProposal& set, const CutOptions& cut_options) {
+  double allowed = std::max(cut_options.strain.value_or(kTargetStrain), kFlat);
+  while (allowed < set.strain) allowed *= kStrainStep;
   return allowed;
 }
 
@@ -193,12 +198,6 @@ std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
     }
   }
   return cuts;
-}
-
-/// Whether a flat piece is as wide as it must be.
-bool CutSetSearch::has_room(const FlatPiece& piece) const {
-  const double narrowest = cut_options_.narrowest;
-  return narrowest == 0 || flat_width(piece.chart.mesh, piece.uv, narrowest) >= narrowest;
 }
 
 /// Whether a set makes a narrow piece of a part that is as wide as it must be.

@@ -9,6 +9,7 @@
 #include "cuts/feasibility/part_map.h"
 #include "cuts/propose/cut_progress.h"
 #include "cuts/propose/flat_pieces.h"
+#include "cuts/propose/flat_width.h"
 #include "surface/charts/chart.h"
 #include "wirewarp/propose.h"
 
@@ -17,6 +18,10 @@ namespace wirewarp {
 /// Returns the allowed strains of up to three merged sets, each twice the strain before. The last strain is the one
 /// whose ratio to the largest useful strain is nearest to 1, if three sets are enough. least: the first strain.
 std::vector<double> allowed_strains(double least, double target);
+
+/// Returns the strain that the fabric of a set allows: the target, or the least of its doubles that the set keeps. With
+/// the default target, it is 5% for woven fabric, 10%, and 20% for plush.
+double limit_of_set(const DartProposal& set, const CutOptions& cut_options);
 
 /// Searches for sets of cuts of one piece whose flat shape is missing or needs too much strain. First it finds a cut
 /// that makes the whole piece flat. Then it cuts the part with the most strain, one cut after the other. Candidates are
@@ -53,7 +58,9 @@ class CutSetSearch {
   CutSet with_figures(CutMask cut, FlatPieces pieces) const;
   CutSet evaluate(const FlatPieces& before, const CutMask& cut) const;
   void report_strain(double first, double now);
-  bool has_room(const FlatPiece& piece) const;
+  bool has_room(const FlatPiece& piece) const {
+    return wirewarp::has_room(piece.chart.mesh, piece.uv, cut_options_.narrowest);
+  }
   bool makes_narrow(const CutSet& more, const FlatPiece& part) const;
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
   void add_merged(std::vector<CutSet>& sets);

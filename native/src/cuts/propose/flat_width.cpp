@@ -245,4 +245,8 @@ double flat_width(const HalfEdgeMesh& mesh, const Positions2& uv, double most) {
   return 2 * whole;
 }
 
+bool has_room(const HalfEdgeMesh& mesh, const Positions2& uv, double narrowest) {
+  return narrowest == 0 || flat_width(mesh, uv, narrowest) >= narrowest;
+}
+
 }  // namespace wirewarp

@@ -12,4 +12,7 @@ namespace wirewarp {
 /// uv: one row per vertex. The result does not depend on how the shape is turned or mirrored.
 double flat_width(const HalfEdgeMesh& mesh, const Positions2& uv, double most);
 
+/// Returns whether a flat shape is as wide as it must be. narrowest: 0 for any width.
+bool has_room(const HalfEdgeMesh& mesh, const Positions2& uv, double narrowest);
+
 }  // namespace wirewarp

@@ -190,7 +190,7 @@ std::optional<StraightLine> LineNetwork::between(const SurfacePoint& a, const Su
   return StraightLine{};  // both are fixed ends of an edge
 }
 
-std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int>& steps) const {
+std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int>& steps, const StopToken& stop) const {
   std::vector<SurfacePoint> places;
   std::vector<int> most;
   for (const Point& point : points_) {
@@ -202,6 +202,7 @@ std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int
   std::vector<char> has_failed(lines_.size(), 0);
   const int count = steps.empty() ? 0 : *std::max_element(steps.begin(), steps.end());
   for (int step = 0; step < count; ++step) {
+    stop.check();
     std::vector<Planar> sums(points_.size(), Planar(0));
     std::vector<double> nearest(points_.size(), 0);
     for (std::size_t l = 0; l < lines_.size(); ++l) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/stop_token.h"
 #include "surface/charts/chart.h"
 #include "warp/topology/straight_walk.h"
 
@@ -26,8 +27,8 @@ class LineNetwork {
   LineNetwork(const HalfEdgeMesh& mesh, const std::vector<HalfEdgeChain>& chains, const std::vector<char>& barriers);
 
   /// Moves the points of each line a number of times; a junction moves as often as the line that moves least. Returns
-  /// nothing for a line that does not move, or that came too close to a barrier.
-  std::vector<std::optional<RelaxedLine>> relax(const std::vector<int>& steps) const;
+  /// nothing for a line that does not move, or that came too close to a barrier. Throws Stopped.
+  std::vector<std::optional<RelaxedLine>> relax(const std::vector<int>& steps, const StopToken& stop) const;
 
   /// Returns the mean length of the chains' edges, scene units.
   double mean_edge() const { return edge_length_; }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cuts/propose/smooth_sets.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -16,6 +16,8 @@
 #include "cuts/feasibility/mirrored_cuts.h"
 #include "cuts/propose/canonical_order.h"
 #include "cuts/propose/cut_chains.h"
+#include "cuts/propose/flat_width.h"
+#include "cuts/propose/line_bends.h"
 #include "cuts/propose/line_evaluation.h"
 #include "cuts/propose/mirror_image.h"
 #include "cuts/propose/relax_lines.h"
@@ -29,18 +31,17 @@ namespace {
 constexpr double kEdges = 4, kOfSize = 0.04;
 constexpr int kLevels = 4;
 
-/// Lines are smoothed until they turn by less at each vertex (radians). 30 degrees catch the eye on the flat piece.
-constexpr double kSmooth = kPi / 6;
-
-/// A smooth set may leave more strain than the set along edges by this factor, and more energy by its square. Zigzags
-/// are longer than smooth lines, which helps a dome to lie flat, and lead through more of the vertices, where a coarse
-/// mesh has all its curvature.
-constexpr double kMostGrowth = 2;
+/// If a part has more strain than allowed by this factor, all lines around it are lowered at once, which saves trials.
+constexpr double kFarTooMuch = 1.1;
 
 /// A smooth set may have at most this share of the bends of the set along edges, otherwise the strain is not worth it.
 constexpr double kMostBends = 0.5;
 
-/// Figures below are rounding.
+/// A smooth set may leave more strain than the set along edges by this factor. Zigzags are longer than smooth lines,
+/// which helps a dome to lie flat, and lead through more of the vertices, where a coarse mesh has all its curvature.
+constexpr double kMostGrowth = 2;
+
+/// Strains below are rounding.
 constexpr double kFlatFigure = 1e-6;
 
 /// Returns V - E of the lines and their number of ends, which show whether they meet elsewhere than before.
@@ -54,87 +55,48 @@ std::array<int, 2> count_ends(const std::vector<VertexPair>& edges) {
   return {static_cast<int>(count.size()) - static_cast<int>(edges.size()), num_ends};
 }
 
-/// Returns the angle by which a line turns at a vertex between two others, with all angles there scaled to a total of
-/// 2 pi; 0 on an outline. faces: those at the vertex.
-double turn_at(const CutMesh& mesh, int v, const std::vector<int>& faces, int from, int to) {
-  double left = 0, total = 0;
-  bool has_passed = false;
-  int at = from;
-  for (std::size_t count = 0; count < faces.size(); ++count) {
-    has_passed = has_passed || at == to;
-    const auto next = std::find_if(faces.begin(), faces.end(), [&](int f) {
-      for (int k = 0; k < 3; ++k) {
-        if (mesh.faces(f, k) == v && mesh.faces(f, (k + 1) % 3) == at) return true;
-      }
-      return false;
-    });
-    if (next == faces.end()) return 0;
-    int k = 0;
-    while (mesh.faces(*next, k) != v) ++k;
-    const int last = mesh.faces(*next, (k + 2) % 3);
-    const Eigen::RowVector3d a = mesh.vertices.row(at) - mesh.vertices.row(v);
-    const Eigen::RowVector3d b = mesh.vertices.row(last) - mesh.vertices.row(v);
-    const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
-    if (!has_passed) left += angle;
-    total += angle;
-    at = last;
-  }
-  return at == from ? std::abs(kPi - left * 2 * kPi / total) : 0;
+template <typename Number>
+bool is_any(const std::vector<Number>& numbers) {
+  return std::any_of(numbers.begin(), numbers.end(), [](Number each) { return each != 0; });
 }
 
-/// Returns at how many vertices each line of a cut turns sharply.
-std::vector<int> count_bends(const CutMesh& cut, std::size_t num_lines) {
-  struct Passed {
-    std::vector<int> neighbors, faces;
-    int line = -1;
-  };
-  std::map<int, Passed> passed;
-  for (std::size_t i = 0; i < cut.edges.size(); ++i) {
-    const auto& [a, b] = cut.edges[i];
-    passed[a].neighbors.push_back(b);
-    passed[b].neighbors.push_back(a);
-    passed[a].line = passed[b].line = cut.sources.edge_paths[i];
+/// Returns the image of each line; of a line without an image, the line itself.
+std::vector<std::size_t> images_of(const Chart& chart, const std::vector<VertexHandle>& image,
+                                   const std::vector<HalfEdgeChain>& lines) {
+  std::vector<std::size_t> line_at(chart.mesh.n_edges(), lines.size()), images(lines.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const HalfedgeHandle h : lines[i]) line_at[static_cast<std::size_t>(h.idx() / 2)] = i;
   }
-  for (int f = 0; f < static_cast<int>(cut.faces.rows()); ++f) {
-    for (const int v : cut.faces.row(f)) {
-      const auto found = passed.find(v);
-      if (found != passed.end()) found->second.faces.push_back(f);
-    }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const HalfEdgeChain other = image.empty() ? HalfEdgeChain{} : mirrored(chart, image, lines[i]);
+    const std::size_t found = other.empty() ? lines.size() : line_at[static_cast<std::size_t>(other.front().idx() / 2)];
+    images[i] = found < lines.size() ? found : i;
   }
-  std::vector<int> bends(num_lines, 0);
-  for (const auto& [v, at] : passed) {
-    if (at.neighbors.size() != 2) continue;
-    if (turn_at(cut, v, at.faces, at.neighbors[0], at.neighbors[1]) > kSmooth)
-      ++bends[static_cast<std::size_t>(at.line)];
-  }
-  return bends;
-}
-
-int num_bends(const CutMesh& cut, std::size_t num_lines) {
-  const std::vector<int> bends = count_bends(cut, num_lines);
-  return std::accumulate(bends.begin(), bends.end(), 0);
-}
-
-bool is_any(const std::vector<char>& chosen) {
-  return std::any_of(chosen.begin(), chosen.end(), [](char each) { return each != 0; });
+  return images;
 }
 
 class SmoothSet {
  public:
-  SmoothSet(const DartProposal& set, const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options,
-            const ExactEvaluation& exact)
+  SmoothSet(const DartProposal& set, double most_strain, const FlatPieces& pieces, std::size_t piece,
+            const CutOptions& cut_options, const ExactEvaluation& exact)
       : set_(set),
+        most_strain_(std::min(most_strain, kMostGrowth * set.strain) + kFlatFigure),
         given_(exact.surface().given()),
         chart_(in_canonical_order(pieces[piece]->chart, exact.stop())),
+        image_(mirror_image(chart_, exact.stop())),
         piece_(piece),
+        cut_options_(cut_options),
         exact_(exact),
         evaluation_(pieces, piece, exact),
-        barriers_(barriers(cut_options)),
+        barriers_(barriers()),
         chains_(sections_of(chart_.mesh, PartMap(chart_).mask_of(set.edges))),
+        images_(images_of(chart_, image_, chains_)),
         network_(chart_.mesh, chains_, barriers_),
         levels_(chains_.size(), 0),
         highest_(chains_.size(), kLevels) {
-    num_bends_before_ = num_bends(cut_mesh(given_.vertices, given_.faces, lines()), chains_.size());
+    num_bends_before_ = num_bends(cut_mesh(given_.vertices, given_.faces, lines()));
+    for (const auto& part : exact.with_cut(pieces, set.edges))
+      num_narrow_before_ += is_part_of(part->chart, pieces[piece]->chart) && is_narrow(*part) ? 1 : 0;
     for (const HalfEdgeChain& chain : chains_) {
       ends_.push_back(
           {chart_.mesh.from_vertex_handle(chain.front()).idx(), chart_.mesh.to_vertex_handle(chain.back()).idx()});
@@ -145,54 +107,71 @@ class SmoothSet {
     while (true) {
       const std::vector<SurfacePath> paths = smooth_enough();
       const CutMesh cut = cut_mesh(given_.vertices, given_.faces, paths);
-      if (num_bends(cut, levels_.size()) > kMostBends * num_bends_before_) return set_;
-      if (std::all_of(levels_.begin(), levels_.end(), [](int level) { return level == 0; })) return set_;
+      if (!is_any(levels_) || num_bends(cut) > kMostBends * num_bends_before_) return set_;
       if (std::optional<DartProposal> smooth = evaluate(paths, cut)) return *smooth;
     }
   }
 
  private:
-  CutMask barriers(const CutOptions& cut_options) const;
+  CutMask barriers() const;
+  bool is_narrow(const FlatPiece& piece) const {
+    return !piece.error && !has_room(piece.chart.mesh, piece.uv, cut_options_.narrowest);
+  }
+  int num_bends(const CutMesh& cut) const;
   std::vector<SurfacePath> lines();
   SurfacePath on_input(const RelaxedLine& line) const;
   std::vector<SurfacePath> smooth_enough();
   std::optional<DartProposal> evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut);
   void lower(std::vector<char> chosen);
   std::vector<char> beside_failures(const CutMesh& cut, const FlatPieces& after, const Chart& chart) const;
+  std::vector<char> beside(const FlatPiece& part, const CutMesh& cut) const;
+  std::vector<char> most_strained(const FlatPiece& part, const CutMesh& cut, const std::vector<char>& lines) const;
   std::vector<char> that_touch(const CutMesh& cut) const;
 
   const DartProposal& set_;
+  const double most_strain_;
   const FlattenInput& given_;
   const Chart chart_;
+  const std::vector<VertexHandle> image_;  // mirror image of each vertex, or empty
   const std::size_t piece_;
+  const CutOptions& cut_options_;
   const ExactEvaluation& exact_;
   const LineEvaluation evaluation_;
   const CutMask barriers_;
   const std::vector<HalfEdgeChain> chains_;
+  const std::vector<std::size_t> images_;  // mirror image of each chain
   const LineNetwork network_;
-  std::vector<std::array<int, 2>> ends_;  // vertices at the ends of each chain
-  int num_bends_before_ = 0;              // along edges
-  std::vector<int> levels_;               // of each chain: how smooth it is; 0: along its edges
-  std::vector<int> highest_;              // the highest levels that may be tried
+  std::vector<std::array<int, 2>> ends_;              // vertices at the ends of each chain
+  int num_bends_before_ = 0, num_narrow_before_ = 0;  // along edges
+  std::vector<int> levels_;                           // of each chain: how smooth it is; 0: along its edges
+  std::vector<int> highest_;                          // the highest levels that may be tried
 };
 
 /// Returns the edges that lines must not cross: wires, and edges that cuts must avoid, with their mirror images.
-CutMask SmoothSet::barriers(const CutOptions& cut_options) const {
+CutMask SmoothSet::barriers() const {
   const PartMap map(chart_);
-  CutMask mask = map.mask_of(as_list(cut_options.no_crossing));
-  unite(mask, map.mask_of(as_list(cut_options.no_seam)));
+  CutMask mask = map.mask_of(as_list(cut_options_.no_crossing));
+  unite(mask, map.mask_of(as_list(cut_options_.no_seam)));
   for (const Wire& wire : given_.wires) {
     std::vector<VertexPair> edges;
     for (std::size_t i = 1; i < wire.vertices.size(); ++i) edges.push_back({wire.vertices[i - 1], wire.vertices[i]});
     unite(mask, map.mask_of(edges));
   }
-  return MirroredCuts(chart_, mirror_image(chart_, exact_.stop())).with_image(mask);
+  return MirroredCuts(chart_, image_).with_image(mask);
 }
 
-/// Lowers the levels of some lines for good. If these follow their edges already, lowers those that meet them, and so
-/// on, because lines move their neighbors.
+int SmoothSet::num_bends(const CutMesh& cut) const {
+  const std::vector<int> bends = count_bends(cut, levels_.size());
+  return std::accumulate(bends.begin(), bends.end(), 0);
+}
+
+/// Lowers the levels of some lines and of their mirror images for good. If these follow their edges already, lowers
+/// those that meet them, and so on, because lines move their neighbors.
 void SmoothSet::lower(std::vector<char> chosen) {
-  while (true) {
+  while (is_any(levels_)) {
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      if (chosen[i] != 0) chosen[images_[i]] = 1;
+    }
     bool is_lower = false;
     for (std::size_t i = 0; i < levels_.size(); ++i) {
       if (chosen[i] == 0 || levels_[i] == 0) continue;
@@ -255,7 +234,7 @@ std::vector<SurfacePath> SmoothSet::lines() {
     std::vector<int> steps;
     for (const int level : levels_)
       steps.push_back(level == 0 ? 0 : network_.steps_for(most * std::pow(0.5, kLevels - level)));
-    const std::vector<std::optional<RelaxedLine>> relaxed = network_.relax(steps);
+    const std::vector<std::optional<RelaxedLine>> relaxed = network_.relax(steps, exact_.stop());
     std::vector<char> failed(levels_.size(), 0);
     std::vector<SurfacePath> lines;
     for (std::size_t i = 0; i < levels_.size(); ++i) {
@@ -279,14 +258,14 @@ std::vector<SurfacePath> SmoothSet::smooth_enough() {
     exact_.stop().check();
     std::vector<SurfacePath> paths = lines();
     const CutMesh cut = cut_mesh(given_.vertices, given_.faces, paths);
-    if (count_ends(cut.edges) != count_ends(set_.edges)) {
+    if (is_any(levels_) && count_ends(cut.edges) != count_ends(set_.edges)) {
       lower(that_touch(cut));
       continue;
     }
     const std::vector<int> bends = count_bends(cut, levels_.size());
     bool is_higher = false;
     for (std::size_t i = 0; i < levels_.size(); ++i) {
-      if (bends[i] == 0 || levels_[i] == highest_[i]) continue;
+      if (bends[i] + bends[images_[i]] == 0 || levels_[i] == highest_[i]) continue;
       ++levels_[i];
       is_higher = true;
     }
@@ -317,27 +296,65 @@ std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
   return touch;
 }
 
-/// Returns the lines around parts of a chart that have no flat shape or need too much strain; all lines if the whole
-/// needs too much energy.
+/// Returns lines to lower, because they are around parts of a chart that have no flat shape, need too much strain, or
+/// have become too narrow.
 std::vector<char> SmoothSet::beside_failures(const CutMesh& cut, const FlatPieces& after, const Chart& chart) const {
-  const double most_energy = kMostGrowth * kMostGrowth * set_.energy + kFlatFigure;
-  const double most_strain = kMostGrowth * set_.strain + kFlatFigure;
-  const bool is_too_much = figures_of(after, chart).energy > most_energy;
-  std::set<VertexPair> outline;
-  for (const std::shared_ptr<const FlatPiece>& piece : after) {
-    if (!is_part_of(piece->chart, chart)) continue;
-    if (!piece->error && piece->strain <= most_strain && !is_too_much) continue;
-    for (const EdgeHandle e : piece->chart.mesh.edges()) {
-      if (piece->chart.mesh.is_boundary(e))
-        outline.insert(source_edge(piece->chart, piece->chart.mesh.halfedge_handle(e, 0)));
-    }
+  const auto is_own = [&](const auto& part) { return is_part_of(part->chart, chart); };
+  const auto is_own_and_narrow = [&](const auto& part) { return is_own(part) && is_narrow(*part); };
+  const bool are_narrow = std::count_if(after.begin(), after.end(), is_own_and_narrow) > num_narrow_before_;
+  std::vector<char> failures(levels_.size(), 0);
+  for (const std::shared_ptr<const FlatPiece>& part : after) {
+    const bool has_failed = part->error || part->strain > most_strain_ || (are_narrow && is_narrow(*part));
+    if (!is_own(part) || !has_failed) continue;
+    const std::vector<char> around = beside(*part, cut);
+    const bool is_near = !part->error && part->strain > most_strain_ && part->strain <= kFarTooMuch * most_strain_;
+    unite(failures, is_near ? most_strained(*part, cut, around) : around);
   }
-  std::vector<char> beside(levels_.size(), 0);
+  return failures;
+}
+
+/// Returns the lines on the outline of a part.
+std::vector<char> SmoothSet::beside(const FlatPiece& part, const CutMesh& cut) const {
+  std::set<VertexPair> outline;
+  for (const EdgeHandle e : part.chart.mesh.edges()) {
+    if (part.chart.mesh.is_boundary(e)) outline.insert(source_edge(part.chart, part.chart.mesh.halfedge_handle(e, 0)));
+  }
+  std::vector<char> lines(levels_.size(), 0);
   for (std::size_t i = 0; i < cut.edges.size(); ++i) {
     const auto [low, high] = std::minmax(cut.edges[i][0], cut.edges[i][1]);
-    if (outline.count({low, high}) != 0) beside[static_cast<std::size_t>(cut.sources.edge_paths[i])] = 1;
+    if (outline.count({low, high}) != 0) lines[static_cast<std::size_t>(cut.sources.edge_paths[i])] = 1;
   }
-  return beside;
+  return lines;
+}
+
+/// Returns the one of these lines that is nearest to most of the area with too much strain, among those that do not
+/// follow their edges; all lines if there is none.
+std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh& cut,
+                                           const std::vector<char>& lines) const {
+  std::vector<double> area(levels_.size(), 0);
+  const HalfEdgeMesh& mesh = part.chart.mesh;
+  for (const FaceHandle f : mesh.faces()) {
+    if (part.face_strain[f.idx()] <= most_strain_) continue;
+    const HalfEdgeMesh::Point middle = mesh.calc_face_centroid(f);
+    const Eigen::RowVector3d center(middle[0], middle[1], middle[2]);
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t nearest = levels_.size();
+    for (std::size_t i = 0; i < cut.edges.size(); ++i) {
+      const auto line = static_cast<std::size_t>(cut.sources.edge_paths[i]);
+      if (lines[line] == 0 || levels_[line] == 0) continue;
+      const auto& [a, b] = cut.edges[i];
+      const double distance = (center - (cut.vertices.row(a) + cut.vertices.row(b)) / 2).squaredNorm();
+      if (distance >= least) continue;
+      least = distance;
+      nearest = line;
+    }
+    if (nearest < area.size()) area[nearest] += face_area(mesh, f);
+  }
+  const auto most = std::max_element(area.begin(), area.end());
+  if (*most == 0) return lines;
+  std::vector<char> chosen(levels_.size(), 0);
+  chosen[static_cast<std::size_t>(most - area.begin())] = 1;
+  return chosen;
 }
 
 /// Returns the set along these lines. Lowers some levels and returns nothing if it is not good enough.
@@ -363,9 +380,9 @@ std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& 
 
 }  // namespace
 
-DartProposal smooth_set(const DartProposal& set, const FlatPieces& pieces, std::size_t piece,
+DartProposal smooth_set(const DartProposal& set, double most_strain, const FlatPieces& pieces, std::size_t piece,
                         const CutOptions& cut_options, const ExactEvaluation& exact) {
-  return SmoothSet(set, pieces, piece, cut_options, exact).find();
+  return SmoothSet(set, most_strain, pieces, piece, cut_options, exact).find();
 }
 
 }  // namespace wirewarp
