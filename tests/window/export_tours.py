@@ -7,9 +7,10 @@ from pathlib import Path
 
 import bpy
 import drive
+import numpy as np
 import wirewarp_addon
 from stage import flatten, marked_bump, window_run
-from surfaces import select_only
+from surfaces import make_object, read, select_only
 
 export = wirewarp_addon.export.export
 Stages = Generator[tuple[str, float], None, object]
@@ -126,3 +127,63 @@ def escape_leaves_the_file_as_it_was() -> drive.Tour:
     yield from press_export()
     yield lambda: browser() is None and not window_run.is_running()
     assert path.read_bytes().startswith(b"%PDF")
+
+
+def downloaded_garment() -> Path:
+    """Save a file with a garment like those of model libraries: without marks, with a UV map of its pieces."""
+    for other in list(bpy.data.objects):
+        bpy.data.objects.remove(other)
+    bpy.ops.object.wirewarp_open_sample(sample="FITTED_TOP")
+    sample = bpy.context.active_object
+    bpy.ops.object.wirewarp_flatten(cloth="JERSEY")
+    mesh = sample.data
+    vertices = [tuple(vertex.co) for vertex in mesh.vertices]
+    garment = make_object("Garment", vertices, [tuple(face.vertices) for face in mesh.polygons])
+    uv = read(mesh.uv_layers["WireWarp"].data, "uv", np.float32, 2)
+    garment.data.uv_layers.new(name="UVMap").data.foreach_set("uv", uv.ravel())
+    for other in list(bpy.data.objects):
+        if other != garment:
+            bpy.data.objects.remove(other)
+    for name in list(bpy.context.scene.wirewarp.keys()):
+        bpy.context.scene.wirewarp.property_unset(name)
+    select_only(garment)
+    path = Path(bpy.app.tempdir) / "garment.blend"
+    bpy.ops.wm.save_as_mainfile(filepath=str(path))
+    return path
+
+
+def four_clicks_lead_from_an_opened_garment_to_paper() -> drive.Tour:
+    """The garment has no marks, only a UV map, and no fabric was chosen. The sidebar shows WireWarp's tab."""
+    bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
+    bpy.ops.wm.open_mainfile(filepath=str(downloaded_garment()), load_ui=False)
+    yield from drive.ticks(25)
+    sent, send = [], drive.send
+
+    def recording(*event: object, **modifiers: bool) -> None:
+        sent.append(event[:2])
+        send(*event, **modifiers)
+
+    drive.replace(drive, "send", recording)
+    garment = bpy.data.objects["Garment"]
+    assert not any(edge.use_seam for edge in garment.data.edges)
+    yield from drive.click_button("bpy.ops.object.wirewarp_mend(what='UV_SEAMS'")
+    yield lambda: "Garment Flat" in bpy.data.objects and not window_run.is_running()
+    yield from drive.ticks(20)
+    yield from drive.click_button("bpy.ops.object.wirewarp_mend(cloth='JERSEY'")
+    yield lambda: bpy.context.scene.wirewarp.cloth == "JERSEY" and not window_run.is_running()
+    yield from drive.ticks(20)
+    report = wirewarp_addon.state.reports.last_report(garment)
+    assert len(report.pieces) == 4 and wirewarp_addon.core.verdict(report).is_ready
+    drive.screenshot("garment_ready")
+    yield from drive.click_button("bpy.ops.object.wirewarp_export(")
+    yield lambda: browser() is not None and browser().spaces.active.active_operator is not None
+    yield from drive.ticks(20)
+    path = Path(browser().spaces.active.active_operator.filepath)
+    assert not path.exists()
+    yield from press_export()
+    yield lambda: browser() is None and not window_run.is_running()
+    assert path.read_bytes().startswith(b"%PDF")
+    assert sent.count(("LEFTMOUSE", "PRESS")) == 4
+    ran = [each.bl_idname for each in drive.window_manager().operators]
+    assert ran == ["OBJECT_OT_wirewarp_mend"] * 2  # Blender does not list exports

@@ -56,6 +56,7 @@ TOURS = {
     "export_tours": [
         "the_dialog_says_the_size_and_follows_its_settings",
         "escape_leaves_the_file_as_it_was",
+        "four_clicks_lead_from_an_opened_garment_to_paper",
     ],
     "suggest_tours": [
         "a_suggestion_is_taken_and_undone_with_one_click_each",
