@@ -73,13 +73,18 @@ smooth: True for sets of smooth lines, which turn by less than 30 degrees at eac
 no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth lines do not cross wires and edges of
     no_seam either.
 
+If progress returns False, the cut sets found by then are returned, with their figures. Some may not be smooth yet.
+FlattenError "cancelled" is raised only before the first set.
+
 Raises "no_proposal" if no_seam or longest allow no set.)";
 
 constexpr const char* kStartDartsDoc =
     R"(Starts propose_darts() with these arguments and returns a Job at once, like start().)";
 
 constexpr const char* kStartSeamsDoc =
-    R"(Starts propose_seams() with these arguments and returns a Job at once, like start().)";
+    R"(Starts propose_seams() with these arguments and returns a Job at once, like start().
+
+After cancel(), result() returns the cut sets found by then.)";
 
 constexpr const char* kPlanDoc =
     R"(Returns cuts to make in this order until the strain is low enough. Each cuts the worst piece that a cut helps.

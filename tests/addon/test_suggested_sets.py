@@ -53,6 +53,19 @@ def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
     assert needed(addon, source) <= chosen.strain * 1.05
 
 
+def test_a_canceled_search_keeps_the_sets_found_by_then(addon):
+    run = addon.suggest.operators.begin_search(bpy.context, ball(), "SEAMS", None).steps
+    while next(run) < 0.8 * 0.5:  # the second half of the search begins: a first set exists
+        pass
+    shares = []
+    with pytest.raises(StopIteration) as end:
+        shares.append(run.throw(addon.solve.steps.CanceledError()))
+        while True:
+            shares.append(next(run))
+    assert end.value.value and all(cut.is_set and cut.width is not None for cut in end.value.value)
+    assert shares == sorted(shares)
+
+
 def test_sets_with_pieces_narrower_than_two_allowances_have_a_warning(addon):
     source = ball()
     SUGGEST["SEAMS"]()

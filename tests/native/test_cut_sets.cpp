@@ -385,15 +385,39 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
   EXPECT_EQ(num_merged(both_ends, 2), 2U);  // the bar is narrow, so it is joined to one square
 }
 
-TEST(CutSetSearch, CanBeCancelled) {
-  for (const int last : {5, 60}) {
-    int asked = 0;
-    const auto propose = [&] {
-      propose_seams(head(), {}, {}, [&](const std::string&, double) { return ++asked < last; });
+TEST(CutSetSearch, CanBeCancelledBeforeTheFirstSet) {
+  int asked = 0;
+  const auto propose = [&] { propose_seams(head(), {}, {}, [&](const std::string&, double) { return ++asked < 5; }); };
+  EXPECT_EQ(test::error_of(propose).code, ErrorCode::cancelled);
+  EXPECT_EQ(asked, 5);
+}
+
+TEST(CutSetSearch, ReturnsTheSetsFoundByThenIfStopped) {
+  const FlattenInput input = head();
+  for (const double share : {0.5, 0.9}) {
+    double last = 0;
+    const auto stop = [&](const std::string&, double reached) {
+      last = reached;
+      return reached < share;
     };
-    EXPECT_EQ(test::error_of(propose).code, ErrorCode::cancelled);
-    EXPECT_EQ(asked, last);
+    const std::vector<DartProposal> sets = propose_seams(input, {}, {}, stop);
+    EXPECT_LT(last, share + 0.1);
+    ASSERT_FALSE(sets.empty());
+    for (const DartProposal& set : sets) {
+      EXPECT_EQ(set.piece, 0);
+      const FlattenResult result = flatten(test::with_seams(input, set.edges));
+      EXPECT_EQ(static_cast<int>(result.pieces.size()), set.num_pieces);
+      EXPECT_NEAR(set.strain, test::most_strain(input, result), 1e-9);
+    }
   }
+}
+
+TEST(CutSetSearch, APlanIsCanceledWithItsSets) {
+  CutTarget target;
+  target.most = 1;
+  const auto stop = [](const std::string&, double reached) { return reached < 0.5; };
+  const auto plan = [&] { plan_seams(head(), {}, target, stop); };
+  EXPECT_EQ(test::error_of(plan).code, ErrorCode::cancelled);
 }
 
 }  // namespace

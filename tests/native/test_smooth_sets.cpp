@@ -288,8 +288,10 @@ TEST(ProposeSeams, ReturnsSmoothSetsAndCanBeCanceledWhileItSmooths) {
     last = share;
     return share < 0.75;
   };
-  EXPECT_EQ(test::error_of([&] { propose_seams(input, {}, cut_options, stop); }).code, ErrorCode::cancelled);
+  const std::vector<DartProposal> stopped = propose_seams(input, {}, cut_options, stop);
   EXPECT_LT(last, 0.85);
+  ASSERT_FALSE(stopped.empty());
+  EXPECT_FALSE(stopped.back().edges.empty());  // the last set was not smooth yet
 }
 
 Chart chart_of(const FlattenInput& input) {

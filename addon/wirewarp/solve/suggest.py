@@ -16,7 +16,7 @@ from .arrays import MeshArrays
 from .chains import edge_keys
 from .cut_faces import Pairs, Segments, segments_of
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
-from .steps import Steps
+from .steps import CanceledError, Steps
 
 ROOM = 2.4  # allowances that a piece must be wide: both sides, and a fifth more to turn it right side out
 WORTH_PIECES = 0.95  # share of the stretch; smaller gains are not felt in fabric, and more pieces take longer to sew
@@ -95,7 +95,7 @@ def suggest_cuts(
 ) -> Steps[list[Cut]]:
     """Return cuts, the best first, or the steps to a target. Cut sets are in no order.
 
-    Raises ObjectError, also if there is nothing to gain.
+    If canceled, the cut sets found so far are returned. Raises ObjectError, also if there is nothing to gain.
     """
     try:
         shared = library_arguments(library, arrays, choices)
@@ -104,7 +104,10 @@ def suggest_cuts(
         arguments = {"vertices": arrays.vertices, "faces": arrays.triangles, **shared, "piece": options.piece}
         around = arrays.edges[painted_at_edges(arrays, no_seam) > 0]
         job = _start(library, options, arguments | {"no_seam": forbidden}, around, arrays.default_allowance)
-        proposals = yield from result_of(job)
+        try:
+            proposals = yield from result_of(job)
+        except CanceledError:
+            proposals = yield from _found_by_then(library, job)
         if options.target is not None:
             return _steps_of(proposals, arrays, options.piece)
         return _with_mirror_images(proposals, arrays)
@@ -113,6 +116,16 @@ def suggest_cuts(
         if issue.code == "no_proposal" and (no_seam.faces.any() or no_seam.vertices.any()):
             issue = replace(issue, sentence=issue.sentence + PAINTED)
         raise ObjectError(issue) from error
+
+
+def _found_by_then(library: ModuleType, job: "Job[list[DartProposal]]") -> Steps[list[DartProposal]]:
+    """Return the cut sets that a canceled job has found. Raises CanceledError if there are none."""
+    while not job.is_done():
+        yield job.progress()[1]
+    try:
+        return job.result()
+    except library.FlattenError as error:
+        raise CanceledError from error
 
 
 def _start(

@@ -84,6 +84,9 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// edges, if these rules demand it or if lines would meet. A set keeps all its edges if half of its bends would remain.
 /// The sets keep the order that they have along edges, so a smooth set may leave less strain than an earlier one. Seams
 /// across one piece always follow edges.
+///
+/// If progress stops a search for cut sets, the sets found by then are returned, in the same order and with their
+/// figures. Some of them may not be smooth yet. Throws cancelled if no set was found by then.
 std::vector<DartProposal> propose_seams(const FlattenInput& input, const Options& options = {},
                                         const CutOptions& cut_options = {}, const Progress& progress = {});
 

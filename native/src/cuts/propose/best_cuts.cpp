@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/arguments.h"
+#include "base/attempt.h"
 #include "base/sentence.h"
 #include "cuts/propose/cut_sets.h"
 #include "cuts/propose/piece_search.h"
@@ -208,15 +209,16 @@ std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, cons
   progress.begin_part(0, searched);
   std::vector<DartProposal> sets = CutSetSearch(pieces, *piece, cut_options, exact, progress).search();
   const double share = (1 - searched) / static_cast<double>(sets.size());
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    if (cut_options.is_smooth) {
+  const auto smooth_all = [&] {
+    for (std::size_t i = 0; i < sets.size(); ++i) {
       progress.begin_part(searched + share * static_cast<double>(i), searched + share * static_cast<double>(i + 1));
       const double most_strain = std::min(limit_of_set(sets[i], cut_options), kMostStrain);
       DartProposal smooth = smooth_set(sets[i], most_strain, pieces, *piece, cut_options, exact);
       if (smooth.strain < kMostStrain && smooth.length <= cut_options.longest) sets[i] = std::move(smooth);
     }
-    sets[i].piece = static_cast<int>(*piece);
-  }
+  };
+  if (cut_options.is_smooth) was_stopped(smooth_all);  // the other sets then keep their edges
+  for (DartProposal& set : sets) set.piece = static_cast<int>(*piece);
   progress.begin_part(0, 1);
   return sets;
 }

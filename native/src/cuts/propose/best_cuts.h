@@ -17,7 +17,8 @@ void check_cut_options(const CutOptions& cut_options, const FlattenInput& input,
 /// overlaps itself, or, without wires inside, its lengths are infeasible or its flat shape needs a strain of 1 or more.
 bool lacks_seams(const FlatPiece& piece);
 
-/// Returns what propose_darts() and propose_seams() propose for these pieces. Throws their errors, and Stopped.
+/// Returns what propose_darts() and propose_seams() propose for these pieces. If a search for cut sets is stopped,
+/// returns the sets found by then. Throws their errors, and Stopped if nothing was found.
 std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, const CutOptions& cut_options,
                                     const ExactEvaluation& exact, CutProgress& progress);
 

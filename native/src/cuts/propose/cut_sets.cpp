@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/attempt.h"
 #include "base/in_threads.h"
 #include "cuts/feasibility/bisect.h"
 #include "cuts/feasibility/open_chart.h"
@@ -270,17 +271,31 @@ std::vector<DartProposal> CutSetSearch::best_of(const std::vector<CutSet>& sets)
   return chosen;
 }
 
-/// Adds sets with fewer sections than the last set: first for the same allowed strain, then for higher strains.
+/// Adds sets with one more cut each, until the last set meets the target. Throws Stopped; sets added by then remain.
+void CutSetSearch::add_more_cuts(std::vector<CutSet>& sets) {
+  while (sets.size() <= kMostCuts && sets.back().proposal.strain > target_) {
+    report_strain(sets.front().proposal.strain, sets.back().proposal.strain);
+    std::optional<CutSet> more = cut_once_more(sets.back());
+    if (!more) break;
+    sets.push_back(std::move(*more));
+  }
+}
+
+/// Adds sets with fewer sections than the last set: first for the same allowed strain, then for higher strains. Throws
+/// Stopped; sets added by then remain.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
   SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_, cut_options_.narrowest);
   const std::vector<double> allowed = allowed_strains(std::max(target_, sets.back().proposal.strain), target_);
   const auto count = static_cast<double>(allowed.size());
   for (std::size_t i = 0; i < allowed.size(); ++i) {
-    merger.run(allowed[i], [&](double share) {
-      const double reached = kCut + (1 - kCut) * (static_cast<double>(i) + share) / count;
-      progress_.enter(reached, reached);
+    const bool stopped = was_stopped([&] {
+      merger.run(allowed[i], [&](double share) {
+        const double reached = kCut + (1 - kCut) * (static_cast<double>(i) + share) / count;
+        progress_.enter(reached, reached);
+      });
     });
     sets.push_back(with_figures(merger.state().cut, merger.state().pieces));
+    if (stopped) throw Stopped();
   }
 }
 
@@ -299,15 +314,13 @@ std::vector<DartProposal> CutSetSearch::search() {
   const DartProposal& least = sets.front().proposal;
   if (!sets.front().lies_flat) throw none_found(input_chart_, cut_options_);
   if (least.length > cut_options_.longest) throw too_long(input_chart_, least.length, cut_options_.longest);
-  while (sets.size() <= kMostCuts && sets.back().proposal.strain > target_) {
-    report_strain(sets.front().proposal.strain, sets.back().proposal.strain);
-    std::optional<CutSet> more = cut_once_more(sets.back());
-    if (!more) break;
-    sets.push_back(std::move(*more));
-  }
-  add_merged(sets);
+  const bool stopped = was_stopped([&] {
+    add_more_cuts(sets);
+    add_merged(sets);
+  });
   const auto is_too_strained = [](const CutSet& set) { return set.proposal.strain >= kMostStrain; };
   sets.erase(std::remove_if(sets.begin(), sets.end(), is_too_strained), sets.end());
+  if (sets.empty() && stopped) throw Stopped();
   if (sets.empty()) throw too_strained(input_chart_);
   std::stable_sort(sets.begin(), sets.end(),
                    [](const CutSet& a, const CutSet& b) { return a.proposal.length < b.proposal.length; });

@@ -33,7 +33,8 @@ class CutSetSearch {
   CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
                CutProgress& progress);
 
-  /// Returns the sets, the longest first, without piece. Throws no_proposal.
+  /// Returns the sets, the longest first, without piece. If stopped, returns the sets found by then. Throws
+  /// no_proposal, and Stopped if no set was found.
   std::vector<DartProposal> search();
 
  private:
@@ -63,6 +64,7 @@ class CutSetSearch {
   }
   bool makes_narrow(const CutSet& more, const FlatPiece& part) const;
   std::optional<CutSet> cut_once_more(const CutSet& set) const;
+  void add_more_cuts(std::vector<CutSet>& sets);
   void add_merged(std::vector<CutSet>& sets);
   std::vector<DartProposal> best_of(const std::vector<CutSet>& sets) const;
   void add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;

@@ -79,17 +79,23 @@ class PlanOfCuts {
     return order;
   }
 
+  /// Throws Stopped, because a step of a plan must not depend on when the search was stopped.
+  std::vector<DartProposal> propose(const CutOptions& cut_options) const {
+    std::vector<DartProposal> proposals = best_cuts(pieces_, kind_, cut_options, exact_, progress_);
+    exact_.stop().check();
+    return proposals;
+  }
+
   /// Returns the proposals for the first piece that a cut helps; empty if no cut helps and the plan already has cuts.
   std::vector<DartProposal> propose_next() const {
     CutOptions cut_options = options_within(target_, std::min(target_.longest, length_left()));
     const std::vector<int> order = pieces_in_order();
-    if (order.empty() && cuts_.empty()) return best_cuts(pieces_, kind_, cut_options, exact_, progress_);  // throws
+    if (order.empty() && cuts_.empty()) return propose(cut_options);  // throws
     std::optional<FlattenError> first_refusal;
     for (const int piece : order) {
       cut_options.piece = piece;
       std::vector<DartProposal> proposals;
-      std::optional<FlattenError> refusal =
-          refusal_of([&] { proposals = best_cuts(pieces_, kind_, cut_options, exact_, progress_); });
+      std::optional<FlattenError> refusal = refusal_of([&] { proposals = propose(cut_options); });
       if (!refusal && helps(best_of_round(proposals), proposals)) return proposals;
       if (!refusal) refusal = none_helps(pieces_[piece]->chart, kind_, pieces_[piece]->strain);
       if (!first_refusal) first_refusal = std::move(refusal);
