@@ -109,13 +109,36 @@ def test_the_reason_for_removing_no_seam_is_reported(dome, tmp_path, columns, st
     assert (line["verdict"], line["codes"], line["problems"]) == ("nothing to propose", ["no_proposal"], [problem])
 
 
-def test_widths_are_only_for_cut_sets(dome):
+@pytest.mark.parametrize("width", ["0mm", "12mm"])
+def test_widths_are_only_for_cut_sets(dome, width):
     for words in (("--cut", "dart"), ("--cut", "seam", "--together", "2")):
-        lines, said = commands.propose(dome, *words, "--narrowest", "12mm", code=2)
+        lines, said = commands.propose(dome, *words, "--narrowest", width, code=2)
         assert lines == [] and "--narrowest is for cut sets" in said
 
 
-@pytest.mark.parametrize("words", [(), ("--seams", "uv", "--together", "2"), ("--seams", "uv", "--no-seam", "a.json")])
+def test_the_least_width_is_in_the_unit_of_the_option(tmp_path):
+    ball = trimesh.creation.icosphere(subdivisions=2)
+    vertices = 100 * ball.vertices * (1 + 0.3 * ball.vertices[:, :1])  # mm
+    trimesh.Trimesh(vertices, ball.faces, process=False).export(tmp_path / "ball.obj")
+    words = (tmp_path / "ball.obj", "--cut", "seam", "--strain", "10%", "--unit", "mm")
+    (line,) = propose(*words, "--narrowest", "4cm")
+    (any_width,) = propose(*words)
+    model = read_model(tmp_path / "ball.obj")
+    expected = propose_seams(model.vertices, model.faces, strain=0.1, narrowest=40.0)
+    assert [each["length_m"] for each in line["proposals"]] == pytest.approx([each.length / 1000 for each in expected])
+    assert line["proposals"] != any_width["proposals"]
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        (),
+        ("--seams", "uv", "--together", "2"),
+        ("--seams", "uv", "--no-seam", "a.json"),
+        ("--seams", "uv", "--longest", "0mm"),
+        ("--seams", "uv", "--narrowest", "0mm"),
+    ],
+)
 def test_fewer_needs_seams_and_makes_no_cuts(dome, words):
     lines, said = commands.propose(dome, "--cut", "fewer", *words, code=2)
     assert lines == [] and "--cut fewer" in said

@@ -101,7 +101,7 @@ def parsed(words: Sequence[str]) -> Arguments:
             propose.error("--together chooses pieces and cuts itself: use it without --piece and --count")
         if given.kind == "fewer":
             _check_fewer(propose, given)
-        elif given.narrowest and (given.kind == "dart" or given.together):
+        elif given.narrowest is not None and (given.kind == "dart" or given.together):
             propose.error("--narrowest is for cut sets: use it with --cut seam and without --together")
         material = _made(MaterialRequest, given)
         cuts = [_made(CutRequest, given, model=model, material=material) for model in given.models]
@@ -290,7 +290,7 @@ def _check_fewer(parser: argparse.ArgumentParser, given: argparse.Namespace) -> 
     if not given.seams:
         parser.error("--cut fewer leaves out some of the seams of --seams: give --seams")
     for option in ("together", "piece", "count", "longest", "narrowest", "no_seam"):
-        if getattr(given, option):
+        if getattr(given, option) not in (None, ""):
             parser.error(f"--cut fewer makes no cuts: use it without --{option.replace('_', '-')}")
 
 
