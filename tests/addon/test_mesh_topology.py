@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fast reading of a mesh gives the same data as Blender element by element."""
 
+from types import SimpleNamespace
+
 import bmesh
 import bpy
 import numpy as np
@@ -74,6 +76,32 @@ def test_in_edit_mode_the_mesh_is_as_it_is_edited(addon):
     assert seams.sum() == 8
     assert marks.are_wires.sum() == 16
     assert not target.data.attributes["wirewarp_wire"].data  # the reason for this function
+
+
+def test_a_run_in_edit_mode_copies_the_mesh_once_to_read_it_and_once_to_check_it(addon, monkeypatch):
+    target, settings = grid("Bump", round_bump), bpy.context.scene.wirewarp
+    select_edges(target, on_line(0, 0.0))
+    bpy.ops.mesh.mark_seam()
+    copied = []
+
+    def counting(mesh):
+        copied.append(mesh.name)
+        return bmesh.from_edit_mesh(mesh)
+
+    monkeypatch.setattr(addon.blender.mesh, "bmesh", SimpleNamespace(from_edit_mesh=counting))
+    reading = addon.flatten.read
+    models = reading.read_models(bpy.context, [target], settings)
+    assert models[0].issue is None and len(models[0].arrays.seam_edges) == 8
+    assert copied == [target.data.name]
+    reading.check_current(bpy.context, models, settings)
+    assert copied == [target.data.name] * 2
+    edit = bmesh.from_edit_mesh(target.data)
+    edit.verts.ensure_lookup_table()
+    edit.verts[0].co.z += 1
+    with pytest.raises(addon.issues.ObjectError, match="changed during the run"):
+        reading.check_current(bpy.context, models, settings)
+    with addon.blender.mesh.current_mesh(target) as mesh:  # the earlier copies are not in use any more
+        assert mesh.vertices[0].co.z == edit.verts[0].co.z
 
 
 def test_shape_keys_outlive_reading_in_edit_mode(addon):

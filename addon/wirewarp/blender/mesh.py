@@ -222,21 +222,29 @@ def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
     return {"vertices": len(mesh.vertices), "edges": len(mesh.edges), "faces": len(mesh.polygons)}
 
 
+_copies: dict[int, bpy.types.Mesh] = {}  # copies in use, by the addresses of their objects
+
+
 @contextmanager
 def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
     """Return the object's own present mesh for reading: in Edit Mode a copy, because the mesh has no attributes then.
 
+    Nested calls for one object share the copy of the outermost, so that several readers cost one copy.
     Shape keys are updated from it, as Blender does before each undo step.
     """
-    mesh = target.data
+    mesh, address = target.data, target.as_pointer()
     if not mesh.is_editmode:
         yield mesh
         return
+    if address in _copies:
+        yield _copies[address]
+        return
     try:
-        copy = target.to_mesh()
+        _copies[address] = copy = target.to_mesh()
         bmesh.from_edit_mesh(mesh).to_mesh(copy)
         yield copy
     finally:
+        _copies.pop(address, None)
         target.to_mesh_clear()
 
 

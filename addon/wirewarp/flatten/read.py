@@ -2,7 +2,7 @@
 """Reads objects into models that need no Blender, and checks whether they are still the same."""
 
 from collections.abc import Collection, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
 from dataclasses import replace
 from typing import Protocol
 
@@ -160,8 +160,16 @@ def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], set
     context.view_layer.update()
     depsgraph, units = context.evaluated_depsgraph_get(), length_text(context.scene)
     allowance = context.scene.wirewarp.allowance / (1000 * meters_per_blender_unit(context.scene))
-    edited = edited_meshes(context)
-    return [_read(source, depsgraph, units, allowance, settings, edited) for source in sources]
+    edited, models = edited_meshes(context), []
+    for source in sources:
+        with _one_copy(source, edited):
+            models.append(_read(source, depsgraph, units, allowance, settings, edited))
+    return models
+
+
+def _one_copy(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> AbstractContextManager:
+    """Return a context in which all readers of a mesh in Edit Mode share one copy, which is slow to make."""
+    return current_mesh(source) if source.data in edited else nullcontext()
 
 
 def find_source(model: Model) -> bpy.types.Object | None:
@@ -178,13 +186,17 @@ def is_current(model: Model) -> bool:
 def check_current(context: bpy.types.Context, models: list[Model], settings: RunSettings) -> None:
     """Raises ObjectError if an object has changed since it was read, or cannot be written any more."""
     context.view_layer.update()
-    changed = [model.facts.object for model in models if not is_current(model)]
-    if changed:
-        sentence = f"{quoted(changed)} changed during the run, so nothing was written. Flatten again."
-        raise object_error("changed", sentence)
-    for model in models:
-        if model.issue is None:
-            check_target(find_source(model), not settings.use_modifiers, edited_meshes(context))
+    edited = edited_meshes(context)
+    with ExitStack() as copies:
+        for source in filter(None, map(find_source, models)):
+            copies.enter_context(_one_copy(source, edited))
+        changed = [model.facts.object for model in models if not is_current(model)]
+        if changed:
+            sentence = f"{quoted(changed)} changed during the run, so nothing was written. Flatten again."
+            raise object_error("changed", sentence)
+        for model in models:
+            if model.issue is None:
+                check_target(find_source(model), not settings.use_modifiers, edited)
 
 
 def _read(
