@@ -13,6 +13,17 @@ def found(addon, source):
     return addon.state.suggestions.current_suggestions(source)
 
 
+def bent_ring():
+    """Return a closed model of quads, without symmetry, for which several smooth sets of seams are found."""
+    bpy.ops.mesh.primitive_torus_add(major_segments=20, minor_segments=8, major_radius=1, minor_radius=0.5)
+    source = bpy.context.object
+    x, y, z = read(source.data.vertices, "co", np.float32, 3).astype(float).T
+    places = np.column_stack([x, 0.8 * y, 1.4 * z]) * (1 + 0.2 * x + 0.1 * y)[:, None]
+    source.data.vertices.foreach_set("co", places.astype(np.float32).ravel())
+    source.data.update()
+    return source
+
+
 def pairs(edges):
     return {(min(edge), max(edge)) for edge in np.asarray(edges).tolist()}
 

@@ -8,6 +8,7 @@ import bpy
 import drive
 import wirewarp_addon
 from stage import contents, flatten, redo, remember, undo, window_run
+from suggesting import bent_ring
 from surfaces import bump, grid, mark_seam, on_line, read, select_edges
 
 current = wirewarp_addon.state.suggestions.current_suggestions
@@ -70,6 +71,30 @@ def a_smooth_dart_is_cut_and_undone_with_one_click_each() -> drive.Tour:
     yield lambda: contents(bpy.data.objects["Bump"]) == before
     yield from redo()
     yield lambda: contents(bpy.data.objects["Bump"]) == cut
+
+
+def a_smooth_set_is_cut_and_undone_with_one_click_each() -> drive.Tour:
+    source = bent_ring()
+    remember()
+    with drive.in_view():
+        bpy.ops.object.wirewarp_suggest_seams("INVOKE_DEFAULT", True)
+    yield lambda: not window_run.is_running()
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_suggestions)
+    found = current(source)
+    smooth = next(i for i, cut in enumerate(found.cuts) if not cut.edges)
+    wirewarp_addon.state.suggestions.choose(source, smooth)
+    yield from drive.ticks(10)
+    drive.screenshot("smooth_set_suggestion")
+    name, before, count = source.name, contents(source), len(source.data.vertices)
+    yield from drive.click_button(MARK)
+    yield lambda: len(source.data.vertices) > count and not window_run.is_running()
+    yield from drive.ticks(10)
+    drive.screenshot("smooth_set")
+    cut = contents(source)
+    yield from undo()
+    yield lambda: contents(bpy.data.objects[name]) == before
+    yield from redo()
+    yield lambda: contents(bpy.data.objects[name]) == cut
 
 
 def a_suggestion_is_taken_and_undone_with_one_click_each() -> drive.Tour:

@@ -61,6 +61,7 @@ TOURS = {
     "suggest_tours": [
         "a_suggestion_is_taken_and_undone_with_one_click_each",
         "a_smooth_dart_is_cut_and_undone_with_one_click_each",
+        "a_smooth_set_is_cut_and_undone_with_one_click_each",
         "cuts_up_to_a_target_are_taken_and_undone_with_one_click_each",
         "seams_are_simplified_and_undone_with_one_click_each",
         "escape_ends_the_search",

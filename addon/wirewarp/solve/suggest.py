@@ -81,7 +81,7 @@ class SearchOptions:
     kind: str  # DARTS or SEAMS; FEWER for seams to clear
     piece: int | None = None  # None for any
     target: Target | None = None
-    is_smooth: bool = False  # darts may be lines across faces, if there is no target
+    is_smooth: bool = False  # darts and sets of seams may be lines across faces, if there is no target
     names: dict[int, str] = field(default_factory=dict)  # names of pieces by their ids
 
     def piece_text(self, arrays: MeshArrays, triangles: np.ndarray) -> str:
@@ -143,9 +143,10 @@ def _start(
     if target is not None:
         limits = {"strain": target.strain, "most": target.most, "total_length": target.length}
         return library.start_plan(**arguments, **limits, kind="dart" if is_dart else "seam", twins=True)
+    lines = {"smooth": options.is_smooth, "no_crossing": around_painted}
     if not is_dart:
-        return library.start_seams(**arguments, narrowest=ROOM * allowance)
-    return library.start_darts(**arguments, smooth=options.is_smooth, no_crossing=around_painted)
+        return library.start_seams(**arguments, **lines, narrowest=ROOM * allowance)
+    return library.start_darts(**arguments, **lines)
 
 
 def diagonals(arrays: MeshArrays) -> np.ndarray:

@@ -307,15 +307,16 @@ class TargetSettings:
     """Settings of Suggest Darts and Suggest Seams."""
 
     dart_lines: EnumProperty(
-        name="Dart Lines",
-        description="Where suggested darts run. Seams, and darts up to a target, follow edges of the mesh",
+        name="Lines of Cuts",
+        description="Where suggested darts and sets of seams run. Seams across one piece, and cuts up to a target, "
+        "follow edges of the mesh",
         items=[
             (
                 "SMOOTH",
                 "Smooth",
-                "Straight or gently curved lines across faces. Marking a dart adds vertices and edges",
+                "Straight or gently curved lines across faces. Marking a cut adds vertices and edges",
             ),
-            ("EDGES", "Along Edges", "Along edges and diagonals of faces. Marking a dart adds no vertices"),
+            ("EDGES", "Along Edges", "Along edges and diagonals of faces. Marking a cut adds no vertices"),
         ],
         default="SMOOTH",
     )

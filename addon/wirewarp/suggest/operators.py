@@ -94,7 +94,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
         with evaluated_mesh(source, depsgraph) as mesh:
             no_seam = read_no_seam(source, mesh)
     target, used = target_of(settings), used_choices(choices, model.arrays)
-    is_smooth = settings.dart_lines == "SMOOTH" and kind == "DARTS" and target is None
+    is_smooth = settings.dart_lines == "SMOOTH" and target is None
     names = {each.piece_id: each.name for each in pieces if each.piece_id}
     options = SearchOptions(kind, piece, target, is_smooth, names)
     if kind == "FEWER":

@@ -37,10 +37,9 @@ def draw_suggest(
         return
     for kind in kinds:
         row.operator(f"object.wirewarp_suggest_{kind}").piece = piece
-    if "darts" in kinds:
-        row = layout.row(align=True)
-        row.enabled = not settings.suggest_together
-        row.prop(settings, "dart_lines", expand=True)
+    row = layout.row(align=True)
+    row.enabled = not settings.suggest_together
+    row.prop(settings, "dart_lines", expand=True)
     layout.prop(settings, "suggest_together")
     if settings.suggest_together:
         column = layout.column(align=True)
