@@ -3,18 +3,17 @@
 // on position, orientation and numbering.
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <memory>
 #include <ostream>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/planar.h"
-#include "cuts/propose/flat_width.h"
-#include "cuts/propose/merge_sections.h"
 #include "disguise.h"
 #include "error_of.h"
 #include "most_strain.h"
@@ -259,130 +258,6 @@ TEST(CutSetSearch, ReportsWhyThereAreNoSeams) {
   cut_options.no_seam = as_rows(undirected(all));
   EXPECT_NE(refusal(input, cut_options).find("no set of seams along edges that may have a seam was found"),
             std::string::npos);
-}
-
-CutState merge_sections(const CutState& state, const Chart& chart, const ExactEvaluation& exact, double most_strain,
-                        double narrowest = 0) {
-  const MirroredCuts mirrored(chart, {});
-  SectionMerger merger(state, chart, mirrored, exact, narrowest);
-  merger.run(most_strain, [](double) {});
-  return merger.state();
-}
-
-TEST(MergeSections, KeepsOneOfThreeSeamsOfATube) {
-  const int around = 16, rows = 8;
-  const double height = 4;
-  const FlattenInput tube = test::cylinder_tube(around, rows, 1, height);
-  std::vector<VertexPair> cut;
-  for (const int line : {0, 5, 9}) {
-    const std::vector<int> vertices = test::tube_line(around, rows, line);
-    for (std::size_t i = 1; i < vertices.size(); ++i) cut.push_back({vertices[i - 1], vertices[i]});
-  }
-  const SurfaceToCut surface(tube, Options());
-  const ExactEvaluation exact(surface, Options(), StopToken());
-  const FlatPieces uncut = exact.uncut();
-  const Chart& chart = uncut[0]->chart;
-  const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
-  ASSERT_EQ(state.pieces.size(), 3U);
-  const CutState merged = merge_sections(state, chart, exact, 1e-6);
-  ASSERT_EQ(merged.pieces.size(), 1U);
-  EXPECT_FALSE(merged.pieces[0]->error);
-  EXPECT_NEAR(length_of_cut(chart.mesh, merged.cut), height, 1e-12);
-}
-
-FlattenInput bump(int n) {
-  return test::make_grid(n, n, [](double s, double t) {
-    const double x = 2 * s - 1, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, 0.5 * std::exp(-3 * (x * x + y * y)));
-  });
-}
-
-std::vector<VertexPair> across(int n) {
-  std::vector<VertexPair> cut;
-  const std::vector<int> column = test::grid_column(n, n, n / 2);
-  for (std::size_t i = 1; i < column.size(); ++i) cut.push_back({column[i - 1], column[i]});
-  return cut;
-}
-
-TEST(MergeSections, MeasuresTheThreadsOfAFabric) {
-  const FlattenInput input = bump(8);
-  Options options;
-  // A woven fabric shears: its threads stretch by a quarter of the stretch of other materials.
-  options.cloth = cloth_preset("woven").cloth;
-  const SurfaceToCut surface(input, options);
-  const ExactEvaluation exact(surface, options, StopToken());
-  const FlatPieces uncut = exact.uncut();
-  const Chart& chart = uncut[0]->chart;
-  const CutState state{PartMap(chart).mask_of(across(8)), exact.with_cut(uncut, across(8))};
-  const double most = 1.001 * uncut[0]->strain;
-  EXPECT_TRUE(is_empty(merge_sections(state, chart, exact, most).cut));
-}
-
-TEST(MergeSections, KeepsTheSeamsThatLimitTheStrain) {
-  const FlattenInput input = bump(8);
-  const std::vector<VertexPair> cut = across(8);
-  const SurfaceToCut surface(input, Options());
-  const ExactEvaluation exact(surface, Options(), StopToken());
-  const FlatPieces uncut = exact.uncut();
-  const Chart& chart = uncut[0]->chart;
-  const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
-  const double cut_strain = std::max(state.pieces[0]->strain, state.pieces[1]->strain);
-  ASSERT_LT(cut_strain, uncut[0]->strain);
-  for (const double most : {(cut_strain + uncut[0]->strain) / 2, uncut[0]->strain}) {
-    const CutState merged = merge_sections(state, chart, exact, most);
-    for (const std::shared_ptr<const FlatPiece>& piece : merged.pieces) EXPECT_LE(piece->strain, most);
-    EXPECT_EQ(is_empty(merged.cut), most == uncut[0]->strain);
-  }
-}
-
-/// Two squares of side 4, and between them a bar that is 3 long and 1 wide.
-FlattenInput dumbbell() {
-  return test::keep_faces(test::flat_rectangle(22, 8, 11, 4),
-                          [](const Eigen::Vector3d& p) { return p.x() < 4 || p.x() > 7 || std::abs(p.y() - 2) < 0.5; });
-}
-
-/// Returns the edges of the dumbbell across its bar at this place.
-std::vector<VertexPair> across_bar(const FlattenInput& input, double x) {
-  const auto at = [&](double y) { return test::nearest_vertex(input, {x, y, 0}); };
-  return {{at(1.5), at(2)}, {at(2), at(2.5)}};
-}
-
-TEST(FlatWidth, IsTheDiameterOfTheLargestDiskThatMovesThrough) {
-  const auto width = [](const FlattenInput& input, double most) {
-    const SurfaceToCut surface(input, Options());
-    const std::shared_ptr<const FlatPiece> piece = ExactEvaluation(surface, Options(), StopToken()).uncut()[0];
-    const double found = flat_width(piece->chart.mesh, piece->uv, most);
-    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(0.7).toRotationMatrix() * Eigen::Vector2d(1, -1).asDiagonal();
-    EXPECT_NEAR(flat_width(piece->chart.mesh, piece->uv * turn, most), found, 1e-9 * most);
-    return found;
-  };
-  EXPECT_NEAR(width(test::flat_rectangle(6, 2, 3, 1), 1.5), 1, 0.07 * 1.5);
-  EXPECT_EQ(width(test::flat_rectangle(6, 2, 3, 1), 0.5), 0.5);
-  EXPECT_NEAR(width(test::flat_annulus(64, 3, 1, 2), 1.5), 1, 0.07 * 1.5);
-  EXPECT_NEAR(width(dumbbell(), 1.5), 1, 0.07 * 1.5);
-  const FlattenInput with_tail = test::keep_faces(test::flat_rectangle(12, 8, 6, 4), [](const Eigen::Vector3d& p) {
-    return p.x() < 4 || std::abs(p.y() - 1.75) < 0.25;  // a tail of area 1, which is less than a tenth
-  });
-  EXPECT_NEAR(width(with_tail, 5), 4, 0.07 * 5);
-}
-
-TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
-  const FlattenInput input = dumbbell();
-  const SurfaceToCut surface(input, Options());
-  const ExactEvaluation exact(surface, Options(), StopToken());
-  const FlatPieces uncut = exact.uncut();
-  const Chart& chart = uncut[0]->chart;
-  const auto num_merged = [&](std::vector<VertexPair> cut, double narrowest) {
-    const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
-    return merge_sections(state, chart, exact, 1e-6, narrowest).pieces.size();
-  };
-  const std::vector<VertexPair> middle = across_bar(input, 5.5);
-  EXPECT_EQ(num_merged(middle, 0), 1U);
-  EXPECT_EQ(num_merged(middle, 0.9), 1U);
-  EXPECT_EQ(num_merged(middle, 2), 2U);
-  std::vector<VertexPair> both_ends = across_bar(input, 4);
-  for (const VertexPair& edge : across_bar(input, 7)) both_ends.push_back(edge);
-  EXPECT_EQ(num_merged(both_ends, 2), 2U);  // the bar is narrow, so it is joined to one square
 }
 
 TEST(CutSetSearch, CanBeCancelledBeforeTheFirstSet) {
