@@ -90,7 +90,7 @@ class QuadraticForm {
     return factor.transpose() * (weight * r);
   }
   static Eigen::Matrix2d matrix_of(double factor) { return factor * Eigen::Matrix2d::Identity(); }
-  static const Eigen::Matrix2d& matrix_of(const Eigen::Matrix2d& factor) { return factor; }
+  static Eigen::Matrix2d matrix_of(const Eigen::Matrix2d& factor) { return factor; }
 
   std::vector<Term> terms_;
 };
