@@ -67,7 +67,7 @@ narrowest: least width of the flat pieces of a cut set, scene units; 0 for any w
 smooth: True for sets of smooth lines, which turn by less than 30 degrees at each vertex between their ends. Lines keep
     some bends, or their edges, if lines would meet, if more pieces would be narrower than narrowest, or if the strain
     would more than double. The strain also stays within the accepted one, or within the least of its doubles that the
-    set along edges keeps: 0.05, 0.1, 0.2, and so on. A set keeps all its edges if half of its bends would remain. Smooth
+    set along edges keeps: 0.05, 0.1, 0.2, and so on. A set keeps all its edges if more than half of its bends would remain. Smooth
     sets have paths and no edges, as in propose_darts(). The sets keep the order that they have along edges, so a smooth
     set may leave less strain than an earlier one. Seams across one piece always follow edges.
 no_crossing: (k, 2) vertex pairs, edges that no smooth line may cross. Smooth lines do not cross wires and edges of

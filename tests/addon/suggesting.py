@@ -13,6 +13,15 @@ def found(addon, source):
     return addon.state.suggestions.current_suggestions(source)
 
 
+def choose_smooth(addon, source, kind):
+    """Suggest cuts and choose the first one that crosses faces."""
+    assert SUGGEST[kind]() == {"FINISHED"}
+    cuts = found(addon, source).cuts
+    index = next(index for index, cut in enumerate(cuts) if not cut.edges)
+    bpy.ops.object.wirewarp_choose_suggestion(index=index)
+    return cuts[index]
+
+
 def bent_ring():
     """Return a closed model of quads, without symmetry, for which several smooth sets of seams are found."""
     bpy.ops.mesh.primitive_torus_add(major_segments=20, minor_segments=8, major_radius=1, minor_radius=0.5)

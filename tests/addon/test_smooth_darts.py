@@ -5,21 +5,12 @@ import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from suggesting import SUGGEST, found
+from suggesting import SUGGEST, choose_smooth, found
 from surfaces import bump, flat_of, grid, mark, on_line, read, round_bump
 from test_smooth_lines import places, seam_places, surface
 from test_suggestions import two_hills
 
 pytestmark = pytest.mark.api
-
-
-def choose_smooth(addon, source):
-    """Suggest darts and choose the best one that crosses faces."""
-    assert SUGGEST["DARTS"]() == {"FINISHED"}
-    cuts = found(addon, source).cuts
-    index = next(index for index, cut in enumerate(cuts) if not cut.edges)
-    bpy.ops.object.wirewarp_choose_suggestion(index=index)
-    return cuts[index]
 
 
 def drawn_on(addon, target):
@@ -40,7 +31,7 @@ def rounded(ends):
 def test_the_dart_is_cut_as_drawn_and_has_the_claimed_figure(addon, faces, shape):
     source = grid("Bump", shape, faces=faces)
     bpy.ops.object.wirewarp_flatten()
-    cut = choose_smooth(addon, source)
+    cut = choose_smooth(addon, source, "DARTS")
     words = draw_panels(addon)
     assert words.index("Mark and Flatten") < words.index("Marking it adds vertices and edges")  # the button is in view
     drawn, on_pieces = drawn_on(addon, source), drawn_on(addon, flat_of(source))
@@ -84,7 +75,7 @@ def test_attributes_and_marks_stay(addon):
     mesh.polygons.foreach_set("material_index", [face.center.x > 0 for face in mesh.polygons])
     source.shape_key_add(name="Basis")
     source.shape_key_add(name="Twice").data.foreach_set("co", (2 * places(source)).astype(np.float32).ravel())
-    choose_smooth(addon, source)
+    choose_smooth(addon, source, "DARTS")
     bpy.ops.object.wirewarp_mend(what="SUGGESTION")
     now = places(source)[read(mesh.loops, "vertex_index", np.int32)]
     assert read(mesh.uv_layers["Mine"].data, "uv", np.float32, 2) == pytest.approx(now[:, :2], abs=1e-6)
@@ -101,7 +92,7 @@ def wires(mesh):
 
 def test_painted_faces_are_not_entered(addon):
     source = grid("Bump", bump)
-    crossed = set(choose_smooth(addon, source).segments.polygons.tolist())
+    crossed = set(choose_smooth(addon, source, "DARTS").segments.polygons.tolist())
     painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
     painted.data.foreach_set("value", [index in crossed for index in range(len(source.data.polygons))])
     SUGGEST["DARTS"]()

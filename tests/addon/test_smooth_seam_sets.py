@@ -1,37 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Suggested sets of seams as smooth lines: the drawn lines are cut, have the claimed figures, and keep all else."""
 
-import math
-
 import bpy
 import numpy as np
 import pytest
 from everything import draw_panels
-from suggesting import SUGGEST, bent_ring, found
-from surfaces import bump, edge_vertices, grid, mark, mark_seam, on_line, read
+from suggesting import SUGGEST, bent_ring, choose_smooth, found
+from surfaces import read
 from test_smooth_darts import drawn_on, lengths, rounded
 from test_smooth_lines import places, seam_places, surface
-from two_sided import ease
 
 pytestmark = pytest.mark.api
 
 
-def choose_smooth(addon, source):
-    """Suggest sets of seams and choose the first one that crosses faces."""
-    assert SUGGEST["SEAMS"]() == {"FINISHED"}
-    cuts = found(addon, source).cuts
-    index = next(index for index, cut in enumerate(cuts) if not cut.edges)
-    bpy.ops.object.wirewarp_choose_suggestion(index=index)
-    return cuts[index]
-
-
-def read_arrays(addon, source):
-    return addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
-
-
 def narrowest(addon, source):
     """Return the narrowest width of the pieces of the model as it is now."""
-    arrays, choices = read_arrays(addon, source), addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
+    arrays = addon.state.read_model.object_to_arrays(source, addon.state.marked_mesh.marked_mesh(source), None)
+    choices = addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
     steps = addon.solve.flatten.flatten_arrays(addon.core.library(), arrays, choices)
     result = addon.solve.steps.in_one_go(steps)
     return min(addon.core.pattern.piece_width(piece) for piece in result.pieces)
@@ -53,7 +38,7 @@ def test_a_set_is_cut_as_drawn_and_has_the_claimed_figures(addon):
     with pytest.raises(RuntimeError):
         bpy.ops.object.wirewarp_flatten()
     assert "SMOOTH" in draw_panels(addon)  # the choice is shown for a closed model
-    cut = choose_smooth(addon, source)
+    cut = choose_smooth(addon, source, "SEAMS")
     assert cut.is_set and "Marking it adds vertices and edges" in draw_panels(addon)
     drawn, area, before = drawn_on(addon, source), surface(source), places(source)
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
@@ -90,50 +75,10 @@ def entered(cut):
 
 def test_smooth_sets_do_not_enter_painted_faces(addon):
     source = bent_ring()
-    crossed = entered(choose_smooth(addon, source))[0]
+    crossed = entered(choose_smooth(addon, source, "SEAMS"))[0]
     painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
     painted.data.foreach_set("value", [index == crossed for index in range(len(source.data.polygons))])
     SUGGEST["SEAMS"]()
     smooth = [cut for cut in found(addon, source).cuts if not cut.edges]
     assert smooth
     assert not any(crossed in entered(cut) for cut in smooth)
-
-
-def line_across(library, arrays):
-    """Return the line at x = 0.125 over a grid of triangles, through the middles of the edges that it crosses."""
-    edges = [edge for v in range(4, 81, 9) for edge in ((v, v + 1), (v, v + 10))][:-1]
-    faces, coordinates = [], []
-    for edge in edges:
-        is_end = np.isin(arrays.triangles, edge)
-        faces.append(int(np.flatnonzero(is_end.sum(axis=1) == 2)[0]))
-        coordinates.append(is_end[faces[-1]] / 2)
-    return library.SurfacePath(faces, coordinates)
-
-
-@pytest.mark.parametrize("is_mirrored", [False, True])
-@pytest.mark.parametrize("hem", [0.1, 1.5])
-def test_the_width_of_a_set_is_that_of_the_pieces_that_it_makes(addon, is_mirrored, hem):
-    """The line divides edges of a seam with an ease, of a wire, and of an outline with its own allowance."""
-    source = grid("Bump", bump, faces="triangles")
-    source.scale.x = -1 if is_mirrored else 1
-    bpy.context.scene.wirewarp.allowance = 0.0
-    mark_seam(source, on_line(1, 0.0))
-    mark(source, on_line(1, 0.5), tolerance=0.0)
-    ease(source, on_line(1, 0.0), sides="ALL", ease_percent=-20.0)
-    ends = places(source)[edge_vertices(source.data)]
-    rows = np.flatnonzero((abs(ends[:, :, 1] + 1) < 1e-6).all(axis=1))
-    addon.state.allowances.mark_edges(source.data, rows, hem)
-    library, solve = addon.core.library(), addon.solve
-    arrays, choices = read_arrays(addon, source), addon.state.settings.choices_of(bpy.context.scene.wirewarp, 1.0)
-    path = line_across(library, arrays)
-    segments = solve.cut_faces.segments_of([path], arrays)
-    cut = solve.suggest.Cut([], [], [path], segments, 0, [2.0], 0.1, math.inf, 4)
-    (measured,) = solve.steps.in_one_go(solve.seam_sets.with_widths(found_at_once(cut), library, arrays, choices, 0.2))
-    assert measured.is_narrow == (hem > 1)
-    addon.suggest.smooth.take_lines(source, cut.paths, with_modifiers=False)
-    assert measured.width == pytest.approx(narrowest(addon, source), rel=1e-3)
-
-
-def found_at_once(cut):
-    yield from ()
-    return [cut]

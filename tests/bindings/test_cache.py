@@ -164,9 +164,15 @@ def test_a_canceled_run_keeps_reused_pieces(sheet):
 def test_threads_share_a_cache(sheet):
     cache = Cache()
     expected = contents(wirewarp.flatten(**sheet))
+    reported = [[] for _ in range(8)]
+
+    def run(number):
+        progress = lambda stage, _: reported[number].append(stage)  # noqa: E731
+        return contents(wirewarp.flatten(**sheet, cache=cache, progress=progress))
+
     with ThreadPoolExecutor(4) as pool:
-        results = list(pool.map(lambda _: contents(wirewarp.flatten(**sheet, cache=cache)), range(8)))
-    assert results == [expected] * 8
+        results = list(pool.map(run, range(8)))
+    assert results == [expected] * 8 and all(reported)
     assert cache.size == 3
 
 

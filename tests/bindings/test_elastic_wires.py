@@ -45,3 +45,14 @@ def test_each_part_of_a_wire_has_its_own_length(method):
     (whole,) = result.wires
     assert whole.length_2d == pytest.approx(short.length_2d + long.length_2d, rel=1e-12)
     assert whole.variation == pytest.approx(whole.length_2d / whole.length_3d - 1, rel=1e-9)
+
+
+def test_the_work_is_counted():
+    rigid, elastic = (flatten(0.0, tolerance, method="wirewarp++").report for tolerance in (0.0, 0.05))
+    assert rigid.outer_iterations == rigid.gradient_evaluations == 0
+    assert elastic.gradient_evaluations > elastic.outer_iterations > 0
+    refined = flatten(0.05, 0.05).report
+    assert refined.outer_iterations > 0
+    assert refined.factorizations > 0
+    assert refined.inner_solves == refined.gradient_evaluations == 0
+    assert rigid.termination == elastic.termination == refined.termination == "converged"

@@ -56,6 +56,15 @@ def test_cut_sets_have_pieces_that_are_wide_enough():
     assert num_narrow(0.5) == 0
 
 
+def test_a_stopped_search_returns_the_cut_sets_found_by_then():
+    ball = trimesh.creation.icosphere(subdivisions=1)
+    sets = propose_seams(ball.vertices, ball.faces, progress=lambda _, fraction: fraction < 0.5)
+    assert sets
+    for each in sets:
+        pieces = flatten(ball.vertices, ball.faces, seams=each.edges).pieces
+        assert len(pieces) == each.num_pieces and all(piece.error is None for piece in pieces)
+
+
 def test_a_closed_model_gets_cut_sets():
     vertices, faces = tetrahedron()
     first = propose_seams(vertices, faces)[0]

@@ -37,7 +37,7 @@ from .next_step import (
 ICON = "MATCLOTH"
 FAR_ENOUGH = "These stretch far enough for the present pieces"
 TO_TRY = "Other fabrics: each changes the pieces, so flatten to see"
-EVERYDAY = {"woven", "denim", "fleece", "jersey", "swim"}  # sold for clothes; swim knit stretches the most of all
+EVERYDAY = {"fleece", "jersey", "swim"}  # sold for clothes; woven fabrics are never offered, because they stretch 3%
 
 
 def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str], list[str]]:

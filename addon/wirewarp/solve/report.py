@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report of one object: the library's, with the add-on's facts about the object; and the message of a run."""
+"""The report of one object: the library's, with the add-on's facts, and one fix for both of two mirrored pieces.
+
+Also the message of a run.
+"""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace

@@ -5,12 +5,11 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
 from types import ModuleType
 
 import numpy as np
 
-from ..core import Cache, CutSources, Wire, pattern, percent_text
+from ..core import Cache, pattern, percent_text
 from ..issues import ObjectError, object_error
 from .arrays import MeshArrays
 from .chains import edge_keys, next_corners
@@ -124,21 +123,15 @@ def _narrowest(
 
     If there are such pieces, the width is theirs. It is in Blender units; None if no piece is flat.
     """
-    arguments, sides, allowances = library_arguments(library, arrays, choices), *_own_allowances(arrays)
+    arguments, count = library_arguments(library, arrays, choices), len(arrays.vertices)
+    sides, allowances = _own_allowances(arrays)
     if cut.cleared:
         vertices, faces, changed = arrays.vertices, arrays.triangles, np.array(cut.cleared)
-        count = len(vertices)
         arguments["seams"] = arrays.seams[~np.isin(edge_keys(arrays.seams, count), edge_keys(changed, count))]
     else:
-        vertices, faces, changed, sources = library.cut_mesh(arrays.vertices, arrays.triangles, cut.paths)
-        divided = _Divided(sources)
-        arguments |= {
-            "seams": np.concatenate([divided.parts(arrays.seams)[0], changed]),
-            "wires": [divided.wire(library, wire) for wire in arguments["wires"]],
-            "eases": [library.Ease(divided.parts(ease.half_edges)[0], ease.ratio) for ease in arguments["eases"]],
-        }
-        sides, rows = divided.parts(sides)
-        allowances = allowances[rows]
+        # Lines of a set divide no edges of seams and wires, and vertices keep their numbers.
+        vertices, faces, changed, _ = library.cut_mesh(arrays.vertices, arrays.triangles, cut.paths)
+        arguments["seams"] = np.concatenate([arrays.seams, changed])
     result = yield from result_of(library.start(vertices, faces, **arguments, cache=solved))
     widths, without_room = [], []
     for piece in pattern.pieces_along(result.pieces, changed):
@@ -147,27 +140,6 @@ def _narrowest(
             without_room.append(widths[-1])
         yield 1.0
     return min(without_room or widths, default=None), bool(without_room)
-
-
-class _Divided:
-    """Edges of a mesh that lines divide, as the edges of the divided mesh."""
-
-    def __init__(self, sources: CutSources) -> None:
-        lines = [line.tolist() for line in sources.divided_edges]
-        lines += [line[::-1] for line in lines]
-        self._lines = {(line[0], line[-1]): line for line in lines}
-
-    def parts(self, pairs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the parts (p,2) of edges (k,2) in their direction, and the row (p,) of the edge of each part."""
-        lines = [self._lines.get(pair, pair) for pair in map(tuple, pairs.tolist())]
-        parts = [(*part, row) for row, line in enumerate(lines) for part in pairwise(line)]
-        table = np.array(parts, dtype=np.int32).reshape(-1, 3)
-        return table[:, :2], table[:, 2]
-
-    def wire(self, library: ModuleType, wire: Wire) -> Wire:
-        """Return the wire along the same edges."""
-        parts, _ = self.parts(np.column_stack([wire.vertices[:-1], wire.vertices[1:]]))
-        return library.Wire([*parts[:1, 0], *parts[:, 1]], wire.tolerance, wire.name, wire.ease)
 
 
 def _own_allowances(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:

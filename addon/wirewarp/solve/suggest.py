@@ -58,7 +58,7 @@ class Cut:
     lengths: list[float]  # length of each line on the model, or the total of a cut set; Blender units
     strain: float  # strain that 99% of the piece, or of its worst part, stays below after the cut
     strain_before: float  # infinite for a cut set
-    num_pieces: int  # of pieces after the first line, after all lines of a cut set, or without the cleared seams
+    num_pieces: int  # pieces after the first line or all lines of a cut set, or without the cleared seams
     cleared: Pairs = field(default_factory=list)  # seams to clear; then nothing is cut
     width: float | None = None  # narrowest width of the pieces of a set, Blender units; None until it is measured
     is_narrow: bool = False  # whether two allowances of a piece have no room beside each other
@@ -81,7 +81,7 @@ class SearchOptions:
     kind: str  # DARTS or SEAMS; FEWER for seams to clear
     piece: int | None = None  # None for any
     target: Target | None = None
-    is_smooth: bool = False  # darts and sets of seams may be lines across faces, if there is no target
+    is_smooth: bool = False  # whether darts and cut sets may cross faces; not used with a target
     names: dict[int, str] = field(default_factory=dict)  # names of pieces by their ids
 
     def piece_text(self, arrays: MeshArrays, triangles: np.ndarray) -> str:
@@ -125,6 +125,8 @@ def _found_by_then(library: ModuleType, job: "Job[list[DartProposal]]") -> Steps
     try:
         return job.result()
     except library.FlattenError as error:
+        if error.code != library.ErrorCode.cancelled:
+            raise
         raise CanceledError from error
 
 

@@ -81,9 +81,9 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 /// Vertices on these edges do not move. A smooth set leaves at most twice the strain of the set along edges. It also
 /// stays within the accepted strain, or within the least of its doubles that the set along edges keeps: 5%, 10%, 20%,
 /// and so on. No more pieces are narrower than `narrowest` than along edges. Lines keep some of their bends, or their
-/// edges, if these rules demand it or if lines would meet. A set keeps all its edges if half of its bends would remain.
-/// The sets keep the order that they have along edges, so a smooth set may leave less strain than an earlier one. Seams
-/// across one piece always follow edges.
+/// edges, if these rules demand it or if lines would meet. A set keeps all its edges if more than half of its bends
+/// would remain. The sets keep the order that they have along edges, so a smooth set may leave less strain than an
+/// earlier one. Seams across one piece always follow edges.
 ///
 /// If progress stops a search for cut sets, the sets found by then are returned, in the same order and with their
 /// figures. Some of them may not be smooth yet. Throws cancelled if no set was found by then.

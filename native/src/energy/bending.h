@@ -28,11 +28,11 @@
 
 namespace wirewarp {
 
-/// F with the terms a → b → c, vertices in the order b, a, c.
+/// F with the terms a → b → c. b is the first vertex of a term, because only a and c may have no common face.
 using Bending = QuadraticForm<Eigen::Matrix2d, 3>;
 
-/// network: the edges with fixed length. There is no term where a wire ends inside the chart. area_at: per vertex, the
-/// 3D area of its connected surface.
+/// Returns F. A wire has no term where it ends inside the chart. network: the edges with fixed length. area_at: the 3D
+/// area of the connected surface, for each vertex.
 Bending bending_of(const Chart& chart, const WireNetwork& network, double fairness, const std::vector<double>& area_at);
 
 }  // namespace wirewarp

@@ -18,7 +18,8 @@ namespace wirewarp {
 template <class Factor, std::size_t kSize>
 class QuadraticForm {
  public:
-  /// Each vertex of a term has common faces with all vertices before it, except perhaps the last two with each other.
+  /// Vertices of a term have common faces, except perhaps the last two with each other: list_pairs() lists only these
+  /// two, because the edges of faces are listed already. The last two may be equal.
   struct Term {
     std::array<int, kSize> vertices;
     std::array<Factor, kSize> factors;

@@ -25,10 +25,10 @@ inline GrainRow hold_direction(const VertexPair& pair, const Positions2& uv) {
 /// Returns a constraint that keeps the chart from rotating.
 GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& options);
 
-/// Turns an exact solution without a fabric upright, with x along the weft, and refines it for options.cloth unless it
-/// is flipped. The last multiplier belongs to the constraint on the direction. Keeps the current shape if the caller
-/// stops, if the budget is spent, or if the piece would overlap itself. newton/solve/stretch_charts.h applies the
-/// fabric's stretch.
+/// Turns an exact solution that was found without a fabric so that it is upright, with x along the weft. Refines it for
+/// options.cloth unless it is flipped. The last multiplier belongs to the constraint on the direction. Keeps the
+/// current shape if the caller stops, if the budget is spent, or if the piece would overlap itself.
+/// newton/solve/stretch_charts.h applies the fabric's stretch.
 void refine_cloth(Problem& problem, const InternalOptions& options, const Control& control, Solution& solution);
 
 }  // namespace wirewarp

@@ -58,7 +58,7 @@ class CutProgress {
   int num_done_ = 0;
   int num_polled_ = 0;
   double part_from_ = 0, part_to_ = 1;  // shares of the round
-  double from_ = 0, to_ = 1;            // the same
+  double from_ = 0, to_ = 1;            // the shares of enter(), as shares of the round
   double reached_ = 0;
 };
 

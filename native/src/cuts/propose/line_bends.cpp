@@ -15,7 +15,7 @@ namespace {
 constexpr double kSmooth = kPi / 6;
 
 /// Returns the angle by which a line turns at a vertex between two others, with all angles there scaled to a total of
-/// 2 pi; 0 on an outline. faces: those at the vertex.
+/// 2 pi; 0 on an outline. faces: those at the vertex. Walks once around v from `from`; `left` is the angle up to `to`.
 double turn_at(const CutMesh& mesh, int v, const std::vector<int>& faces, int from, int to) {
   double left = 0, total = 0;
   bool has_passed = false;

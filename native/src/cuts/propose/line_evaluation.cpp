@@ -63,8 +63,8 @@ FlattenInput with_mesh_of(const FlattenInput& input, const CutMesh& cut) {
   return {cut.vertices, cut.faces, input.seams, input.wires, input.eases};
 }
 
-/// Returns the piece on the cut mesh without its cut. Use it only to cut: its figures
-/// (energy, strain) are those of the piece on the original mesh.
+/// Returns the piece on the cut mesh without its cut, only to be cut: its energy and strain are those on the original
+/// mesh.
 FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const CutMesh& cut, const StopToken& stop) {
   const std::vector<int>& faces_before = piece.chart.source_face;
   std::vector<int> faces;

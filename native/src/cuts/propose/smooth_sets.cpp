@@ -80,7 +80,7 @@ class SmoothSet {
   SmoothSet(const DartProposal& set, double most_strain, const FlatPieces& pieces, std::size_t piece,
             const CutOptions& cut_options, const ExactEvaluation& exact)
       : set_(set),
-        most_strain_(std::min(most_strain, kMostGrowth * set.strain) + kFlatFigure),
+        most_strain_(std::min(most_strain, kMostGrowth * set.strain + kFlatFigure)),
         given_(exact.surface().given()),
         chart_(in_canonical_order(pieces[piece]->chart, exact.stop())),
         image_(mirror_image(chart_, exact.stop())),
@@ -95,8 +95,10 @@ class SmoothSet {
         levels_(chains_.size(), 0),
         highest_(chains_.size(), kLevels) {
     num_bends_before_ = num_bends(cut_mesh(given_.vertices, given_.faces, lines()));
-    for (const auto& part : exact.with_cut(pieces, set.edges))
-      num_narrow_before_ += is_part_of(part->chart, pieces[piece]->chart) && is_narrow(*part) ? 1 : 0;
+    if (cut_options.narrowest > 0) {
+      for (const auto& part : exact.with_cut(pieces, set.edges))
+        num_narrow_before_ += is_part_of(part->chart, pieces[piece]->chart) && is_narrow(*part) ? 1 : 0;
+    }
     for (const HalfEdgeChain& chain : chains_) {
       ends_.push_back(
           {chart_.mesh.from_vertex_handle(chain.front()).idx(), chart_.mesh.to_vertex_handle(chain.back()).idx()});

@@ -28,7 +28,7 @@ struct GroupMember {
 class GroupSolver {
  public:
   /// Searches for an injective shape of a chart that is flipped or overlaps itself, with its elastic seams fixed at the
-  /// common lengths.
+  /// common lengths. The solution may be inexact or not injective; the caller checks.
   using RefineInjective = std::function<Solution(std::size_t member, const Chart& fixed, Budget& budget)>;
 
   struct Outcome {
