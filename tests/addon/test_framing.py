@@ -36,6 +36,22 @@ def test_all_points_are_in_sight_and_near(addon, cloud, across, upward, is_persp
 
 
 @pytest.mark.parametrize("is_perspective", [True, False])
+@pytest.mark.parametrize("covered", [0.0, 0.3])
+def test_the_points_fill_one_direction_and_are_central_in_both(addon, cloud, is_perspective, covered):
+    """The margin is the same on both sides, although parts of the points are much nearer to the eye than others."""
+    points, axes = cloud
+    framing = addon.blender.views
+    middle, distance = framing.fit(points, framing.Projection(axes, 1.4, 2.3, is_perspective, covered))
+    x, y = on_screen(points, axes, middle, distance, 1.4, 2.3, is_perspective)
+    x = (x + covered) / (1 - covered)  # -1 to 1 across the part that is not covered
+    assert max(x.max(), y.max()) == pytest.approx(1 / framing.MARGIN)
+    longer = x if np.ptp(x) > np.ptp(y) else y
+    assert (longer.min(), longer.max()) == pytest.approx((-1 / framing.MARGIN, 1 / framing.MARGIN))
+    if not is_perspective:
+        assert (x.min() + x.max(), y.min() + y.max()) == pytest.approx((0, 0))
+
+
+@pytest.mark.parametrize("is_perspective", [True, False])
 def test_nothing_is_below_the_sidebar(addon, cloud, is_perspective):
     points, axes = cloud
     framing = addon.blender.views

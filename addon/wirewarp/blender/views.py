@@ -65,15 +65,33 @@ class Projection:
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
     """Return the point to look at (3,), and the distance to it; for orthographic views, the zoom factor.
 
-    From there all points (n,3) are visible, left of the covered part.
+    From there all points (n,3) are visible, left of the covered part, as large and as central as possible.
     """
-    seen = points @ view.axes
-    middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    (x, y), z = np.abs(seen - middle)[:, :2].T, (seen - middle)[:, 2]
-    needed = MARGIN * np.maximum(view.across / (1 - view.covered) * x, view.upward * y)
-    distance = float((needed + z).max() if view.is_perspective else needed.max())
-    middle[0] += view.covered * distance / view.across  # the points are left of the middle, beside the sidebar
-    return view.axes @ middle, distance
+    x, y, z = (points @ view.axes).T
+    middle = (z.min() + z.max()) / 2
+    nearer = z - middle if view.is_perspective else np.zeros_like(z)
+    sides = [_Sides(view.across * x, nearer, view.covered), _Sides(view.upward * y, nearer, 0.0)]
+    distance = max(side.distance for side in sides)
+    across, upward = (side.center(distance) for side in sides)
+    return view.axes @ [across / view.across, upward / view.upward, middle], distance
+
+
+class _Sides:
+    """The two sides of the view, left and right or lower and upper, between which all points are."""
+
+    def __init__(self, places: np.ndarray, nearer: np.ndarray, covered: float) -> None:
+        """places (n,): of the points, at distance 1 in units of half the view; covered: share of the view, at its end.
+
+        A point is inside if -begin * depth <= place - center <= end * depth, with depth = distance - nearer.
+        """
+        self._covered, self._free = covered, (1 - covered) / MARGIN
+        self._last = float((places + (self._free - covered) * nearer).max())
+        self._first = float((-places + (self._free + covered) * nearer).max())
+        self.distance = (self._last + self._first) / (2 * self._free)
+
+    def center(self, distance: float) -> float:
+        """Return the place to look at, with equal room on both sides."""
+        return (self._last - self._first) / 2 + self._covered * distance
 
 
 def show_objects(context: bpy.types.Context, area: bpy.types.Area, objects: Sequence[bpy.types.Object]) -> None:
