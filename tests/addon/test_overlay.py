@@ -240,6 +240,20 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
     assert np.all((aside["Waist"].points >= 0) & (aside["Waist"].points <= (800, 600)))
 
 
+def test_names_hide_at_most_a_quarter_of_a_model_that_is_far_away(addon, source):
+    def written(eye):
+        names = look(addon, source, eye, source.location)
+        return addon.overlay.screen.arrange(names.values(), lambda text: (7.0 * len(text), 10.0))
+
+    source.scale = (1, 1, 1)
+    bpy.context.view_layer.update()
+    near, far = (written(source.location + Vector((0, 0, height))) for height in (4.4, 40.0))
+    assert len(near) > len(far)
+    side = 2 * 400 / 40  # 400 pixels for each unit at distance 1
+    assert sum((7 * len(text.text) + 6) * 16 for text in far) <= side**2 / 4
+    assert written(source.location + Vector((0, 0, 1.0)))  # larger than the view
+
+
 @pytest.mark.parametrize("perspective", [True, False])
 def test_names_behind_another_part_of_the_model_are_not_written(addon, perspective):
     """A sheet with a wire is below a larger sheet of the same object."""

@@ -116,18 +116,26 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
     counts = [len(name.places) for name in names]
     reach = np.repeat([name.reach for name in names], counts)[:, None] * matrix.median_scale
     reaches = np.linalg.norm(_in_region(context, places + eye[:3, 0] * reach)[0] - points, axis=1)
+    whole = _room(context, drawing.target)
     parts = (np.split(each, np.cumsum(counts)[:-1]) for each in (points, seen, reaches))
     for name, own, own_seen, own_reaches in zip(names, *parts, strict=True):
         if not own_seen.any():
             continue
         reach = float(own_reaches[own_seen][0])
-        room = name.room * reach / name.reach if name.reach else np.inf
+        room = min(name.room * reach / name.reach if name.reach else np.inf, whole)
         around = None
         if name.around is not None:
             around, _ = _in_region(context, name.around @ np.array(linear).T + np.array(matrix.translation))
         owner = drawing.target.name_full, name.piece
         is_selected = name.is_selected or name.piece == chosen
         yield PlacedName(name.texts, own[own_seen], reach, owner, room, around, is_selected)
+
+
+def _room(context: bpy.types.Context, target: bpy.types.Object) -> float:
+    """Return the square root of the object's area in pixels, by the box around it; infinite if it is partly outside."""
+    corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])
+    pixels, is_inside = _in_region(context, corners)
+    return float(np.prod(np.ptp(pixels, axis=0)) ** 0.5) if is_inside.all() else np.inf
 
 
 def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bool:
