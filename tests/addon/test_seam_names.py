@@ -88,6 +88,14 @@ def test_a_seam_that_ends_inside_is_a_dart_and_one_that_opens_a_tube_is_not(addo
     assert list(seams(addon, tube)) == ["Seam 1"]
 
 
+def test_darts_are_numbered_on_their_own(addon, source):
+    """Otherwise the first dart of a garment with 11 seams is Dart 12."""
+    mark_seam(source, lambda a, b: DOWN(a, b) and max(a[1], b[1]) < 0.1)
+    mark_seam(source, at(-0.5))
+    flatten(source)
+    assert sorted(seams(addon, source)) == ["Dart 1", "Seam 1", "Seam 2"]
+
+
 def test_seams_keep_their_numbers_with_modifiers(addon, source):
     source.modifiers.new("Twice", "SUBSURF")
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)

@@ -242,7 +242,8 @@ def _first_of_each(names: list[str]) -> list[str]:
     return [name if first[name] == index else "" for index, name in enumerate(names)]
 
 
-GIVEN = re.compile(r"(?:Seam|Dart) (\d+)")  # a name that the user has not changed
+KINDS = ("Seam", "Dart")  # each has numbers of its own
+GIVEN = re.compile(rf"({'|'.join(KINDS)}) (\d+)")  # a name that the user has not changed
 
 
 @dataclass(frozen=True)
@@ -267,19 +268,28 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
     taken = {*known.names, *known.ids.tolist()}
     ids = assign_ids(seam_of_edge[inside], known.ids[inside], lengths[inside], len(result.seams), taken)
     ends = _ends_at(arrays)
-    names = dict(known.names)
-    number = max([len(names), *(int(match[1]) for match in map(GIVEN.fullmatch, names.values()) if match)])
+    names, darts = dict(known.names), [_is_dart(seam, ends) for seam in result.seams]
+    kinds = {seam_id: KINDS[is_dart] for seam_id, is_dart in zip(ids, darts, strict=True)}
+    numbers = {kind: _highest_number(kind, names, kinds) for kind in KINDS}
     identities = []
-    for seam_id, seam in zip(ids, result.seams, strict=True):
-        is_dart = _is_dart(seam, ends)
-        kind, given = "Dart" if is_dart else "Seam", GIVEN.fullmatch(names.get(seam_id, ""))
-        if not names.get(seam_id):  # new, or the user has cleared its name
-            number += 1
-            names[seam_id] = f"{kind} {number}"
-        elif given:
-            names[seam_id] = f"{kind} {given[1]}"
+    for seam_id, is_dart in zip(ids, darts, strict=True):
+        kind, given = KINDS[is_dart], GIVEN.fullmatch(names.get(seam_id, ""))
+        # new, or the user has cleared its name, or a dart was cut through, or a seam became a dart
+        if not names.get(seam_id) or (given and given[1] != kind):
+            numbers[kind] += 1
+            names[seam_id] = f"{kind} {numbers[kind]}"
         identities.append(SeamIdentity(seam_id, names[seam_id], is_dart))
     return identities
+
+
+def _highest_number(kind: str, names: Mapping[int, str], kinds: Mapping[int, str]) -> int:
+    """Return the highest number of a kind that is in use or was, also by a seam whose name the user has changed.
+
+    names: of all present and former seams by id; kinds: of the present seams.
+    """
+    given = {seam_id: GIVEN.fullmatch(name) for seam_id, name in names.items()}
+    own = {i: match for i, match in given.items() if (match[1] if match else kinds.get(i, KINDS[0])) == kind}
+    return max([len(own), *(int(match[2]) for match in own.values() if match)])
 
 
 def ids_by_edge(result: FlattenResult, arrays: MeshArrays, identities: Sequence[SeamIdentity]) -> np.ndarray:
