@@ -8,10 +8,10 @@ from patterns import quads
 from wirewarp.report import COARSE, make_report
 
 
-def disc(count, **options):
-    """Return a regular polygon of 200 mm, of triangles around its center."""
+def disc(count, radius=0.1, **options):
+    """Return a regular polygon, 200 mm wide, of triangles around its center."""
     angles = 2 * np.pi * np.arange(count) / count
-    rim = 0.1 * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(count)])
+    rim = radius * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(count)])
     faces = np.array([(0, 1 + k, 1 + (k + 1) % count) for k in range(count)])
     return np.concatenate([np.zeros((1, 3)), rim]), faces, options
 
@@ -31,6 +31,17 @@ def test_a_circle_of_few_edges_is_named(count, turn):
 @pytest.mark.parametrize("count", [4, 5, 25])  # square, pentagon; turns of 14 degrees look round
 def test_corners_and_round_outlines_are_not_named(count):
     assert hints(*disc(count)) == []
+
+
+@pytest.mark.parametrize(("error", "is_named"), [(0.9e-3, False), (1.1e-3, True)])
+def test_a_curve_is_coarse_if_scissors_miss_it_by_a_millimeter(error, is_named):
+    """The middle of an edge of a regular polygon is R (1 - cos(half the angle)) inside the circle."""
+    radius = error / (1 - np.cos(np.pi / 16))
+    assert bool(hints(*disc(16, radius))) == is_named
+    vertices, faces, _ = disc(16, 1000 * radius)
+    result = wirewarp.flatten(vertices, faces)
+    report = make_report(result, vertices, faces, meters=1e-3)
+    assert any(hint.code == COARSE for hint in report.hints) == is_named
 
 
 def test_a_single_bend_is_a_corner():

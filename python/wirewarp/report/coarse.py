@@ -15,17 +15,18 @@ COARSE_ADVICE = (
     "equal lengths on both sides of seams"
 )
 LEAST_TURN = np.radians(15.0)  # at one vertex: a smaller turn looks round on fabric
+LEAST_ERROR = 1e-3  # meters between the curve and the middle of its edge: scissors follow a line no better
 CORNER = np.radians(60.0)  # a larger turn is a corner: a curve of so few edges has no shape of its own
 # share of the turn by which a neighbor on a curve turns in the same direction, too; beside a corner, it is straight
 ALIKE = 0.5
 
 
-def coarse_hints(pieces: Sequence[Piece]) -> list[Hint]:
-    """Return one hint, or none. pieces: those with a layout."""
+def coarse_hints(pieces: Sequence[Piece], meters: float) -> list[Hint]:
+    """Return one hint, or none. pieces: those with a layout. meters: in a unit of the model."""
     turns: dict[int, float] = {}
     for piece in pieces:
         for sources, points in _outlines(piece):
-            for row, turn in _curved(points):
+            for row, turn in _curved(meters * points):
                 vertex = int(sources[row])
                 turns[vertex] = max(turns.get(vertex, 0.0), turn)
     if not turns:
@@ -50,13 +51,16 @@ def _outlines(piece: Piece) -> Iterator[tuple[np.ndarray, np.ndarray]]:
 
 
 def _curved(points: np.ndarray) -> Iterator[tuple[int, float]]:
-    """Return the rows of points (k,2) at which a curve turns too far, and the turns."""
+    """Return the rows of points (k,2) in meters at which a curve turns too far, and the turns."""
     along = np.diff(points, axis=0)
+    lengths = np.linalg.norm(along, axis=1)
     crossed = along[:-1, 0] * along[1:, 1] - along[:-1, 1] * along[1:, 0]
     turns = np.arctan2(crossed, (along[:-1] * along[1:]).sum(axis=1))
     beside = np.pad(turns, 1)
     for row, turn in enumerate(turns):
         neighbors = np.array([beside[row], beside[row + 2]]) * np.sign(turn)
         is_curved = (neighbors >= ALIKE * abs(turn)) & (neighbors <= CORNER)
-        if LEAST_TURN < abs(turn) <= CORNER and is_curved.any():
+        # An arc that turns by this angle from edge to edge is this far from the middle of an edge.
+        error = max(lengths[row], lengths[row + 1]) * np.tan(abs(turn) / 4) / 2
+        if LEAST_TURN < abs(turn) <= CORNER and error > LEAST_ERROR and is_curved.any():
             yield row + 1, float(abs(turn))

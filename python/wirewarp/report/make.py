@@ -101,7 +101,7 @@ class _Maker:
             issues=list(issues),
             hints=wire_hints(wires)
             + self._strain_hints(pieces)
-            + coarse_hints([own for piece, own in zip(pieces, result.pieces, strict=True) if piece.ok]),
+            + coarse_hints([own for piece, own in zip(pieces, result.pieces, strict=True) if piece.ok], self._meters),
             notes=notes,
             reused_pieces=result.report["reused_pieces"],
             seconds=dict(result.report["seconds"]),
