@@ -247,3 +247,18 @@ def test_an_allowance_is_drawn_as_soon_as_it_is_marked_and_in_edit_mode(source, 
     assert source.mode == "EDIT"
     assert (drawn(addon, source) - plain).max() == pytest.approx(2 * 0.2, abs=0.05)
     assert drawn(addon, source, 0.0).max() > 0
+
+
+@pytest.mark.parametrize(
+    ("settings", "what"),
+    [
+        ({"kind": "HEM", "hem": 25.0}, "hem of 25 mm"),
+        ({"kind": "WIDTH", "width": 6.5}, "allowance of 6.5 mm"),
+        ({"kind": "FOLD"}, "fold, without allowance"),
+        ({"kind": "DEFAULT"}, "default allowance"),
+    ],
+)
+def test_the_message_says_what_the_edges_got(source, capfd, settings, what):
+    mark_allowance(source, HEM, kind="WIDTH", width=9.0)
+    mark_allowance(source, HEM, **settings)
+    assert f"8 edges marked: {what}" in capfd.readouterr().out

@@ -147,14 +147,22 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
         if count == 0:
             raise object_error("nothing", "Nothing to mark: select edges on a seam or outline first.")
         hold_whole_file()
+        done = f"{counted(count, 'edge')} marked: {self._allowance()}"
         if left_out:
             are = counted(left_out, "selected edge is", "selected edges are")
-            self.report(
-                {"WARNING"}, f"{counted(count, 'edge')} marked. {are} inside a piece, so no allowance was marked there."
-            )
+            self.report({"WARNING"}, f"{done}. {are} inside a piece, so no allowance was marked there.")
         else:
-            self.report({"INFO"}, f"{counted(count, 'edge')} marked")
+            self.report({"INFO"}, done)
         return {"FINISHED"}
+
+    def _allowance(self) -> str:
+        """Return what was marked."""
+        return {
+            "WIDTH": f"allowance of {self.width:g} mm",
+            "HEM": f"hem of {self.hem:g} mm",
+            "FOLD": "fold, without allowance",
+            "DEFAULT": "default allowance",
+        }[self.kind]
 
     def draw(self, _context: bpy.types.Context) -> None:
         self.layout.use_property_split = True

@@ -14,6 +14,7 @@ from .flatten_panel import offered_piece
 from .panel import draw_select
 
 NO_STRAIN = 5e-4  # shown as 0.0%
+MOST_ROWS = 16  # more would get a scroll bar, which leaves less room for the names
 WORTH_A_CUT = 0.005  # smallest strain for which the library proposes cuts
 
 
@@ -35,7 +36,7 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row is None:
             line.prop(entry, "name", text="", emboss=False, icon="BLANK1")
             return
-        columns = line.split(factor=0.76)
+        columns = line.split(factor=0.78)
         mark = mark_of(row.ok, row.is_strained) if _is_current(context) else {"icon": "BLANK1"}
         columns.prop(entry, "name", text="", emboss=False, **mark)
         if row.has_layout:
@@ -89,7 +90,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
 
     def draw(self, context: bpy.types.Context) -> None:
         source = shown_source(context)
-        rows = min(len(source.wirewarp_pieces), 8)
+        rows = min(len(source.wirewarp_pieces), MOST_ROWS)
         self.layout.template_list(
             "WIREWARP_UL_pieces", "", source, "wirewarp_pieces", source, "wirewarp_active_piece", rows=rows
         )
