@@ -9,6 +9,7 @@ import pytest
 from mathutils import Matrix
 from surfaces import bump, flat_of, flatten, grid, mark, mark_seam, on_line
 from two_sided import made
+from view_context import look
 
 HEIGHT, LETTER = 10.0, 6.0  # pixels
 
@@ -112,6 +113,22 @@ def test_on_the_model_a_seam_names_both_pieces_and_on_each_piece_the_other(addon
     assert f"Seam 1: {names[0]} – {names[1]}" in on_model
     on_flat = {name.texts[0] for name in drawn(addon, flat_of(source)).names}
     assert {f"Seam 1: {name}" for name in names} < on_flat
+
+
+def test_names_hide_at_most_a_quarter_of_a_model_that_is_far_away(addon):
+    source = grid("Sheet", lambda x, y: (x, y, 0.0))
+    for y in (-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75):
+        mark(source, on_line(1, y))
+
+    def written_from(height):
+        names = look(addon, source, (0, 0, height), (0, 0, 0))
+        return addon.overlay.screen.arrange(names.values(), size_of)
+
+    assert len(written_from(1.5)) == 7
+    side = 2 * 400 / 10  # 400 pixels for each unit at distance 1
+    area = (6 * LETTER + 2 * 3) * (HEIGHT + 2 * 3)
+    assert len(written_from(10.0)) == int(0.25 * side**2 / area) == 2
+    assert len(written_from(0.5)) > 2  # the view shows a part of the sheet
 
 
 def arrows(addon, source, kind):

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The lines, names and surfaces of the overlay, on models and on flat pieces. Nothing is drawn here."""
 
-from types import SimpleNamespace
-
 import bmesh
 import bpy
 import numpy as np
 import pytest
 from everything import sidebar
-from mathutils import Matrix, Vector
+from mathutils import Vector
 from surfaces import (
     bump,
     flat_of,
@@ -23,7 +21,7 @@ from surfaces import (
     select_only,
     tube,
 )
-from view_context import view_context
+from view_context import look, view_context
 
 pytestmark = pytest.mark.api
 
@@ -202,25 +200,6 @@ def test_only_models_and_pieces_are_drawn_with_the_chosen_layers(addon, source):
     assert list(drawings(view_context())) == []
 
 
-def look(addon, source, eye, target, perspective=True, xray=False):
-    """Return the names in a region of 800 by 600 pixels, keyed by text, seen from one point to another."""
-    forward = (Vector(target) - Vector(eye)).normalized()
-    view = (Matrix.Translation(eye) @ forward.to_track_quat("-Z", "Y").to_matrix().to_4x4()).inverted()
-    if perspective:  # with a horizontal angle of view of 90 degrees
-        window = Matrix(((1, 0, 0, 0), (0, 4 / 3, 0, 0), (0, 0, -1.002, -0.2002), (0, 0, -1, 0)))  # clips at .1 and 100
-    else:  # 8 units wide
-        window = Matrix.Diagonal((1 / 4, 1 / 3, -0.01, 1))
-    data = SimpleNamespace(view_matrix=view, perspective_matrix=window @ view, is_perspective=perspective)
-    context = SimpleNamespace(
-        region=SimpleNamespace(width=800, height=600),
-        region_data=data,
-        space_data=SimpleNamespace(shading=SimpleNamespace(type="SOLID", show_xray=xray)),
-        view_layer=bpy.context.view_layer,
-    )
-    drawing = addon.overlay.shown.Drawing(source, lines_of(addon, source), None, None)
-    return {name.texts[-1]: name for name in addon.overlay.view3d._names_in_view(context, drawing)}
-
-
 @pytest.mark.parametrize("perspective", [True, False])
 def test_names_are_written_where_their_lines_are_seen(addon, source, perspective):
     source.location, source.scale = (10, 0, 0), (1, 1, 1)
@@ -238,20 +217,6 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
     aside = look(addon, source, (right, 0, 1.5), (right, 0, 0), perspective)
     assert len(aside["Waist"].points) < len(above["Waist"].points)  # the remaining ones are in the region
     assert np.all((aside["Waist"].points >= 0) & (aside["Waist"].points <= (800, 600)))
-
-
-def test_names_hide_at_most_a_quarter_of_a_model_that_is_far_away(addon, source):
-    def written(eye):
-        names = look(addon, source, eye, source.location)
-        return addon.overlay.screen.arrange(names.values(), lambda text: (7.0 * len(text), 10.0))
-
-    source.scale = (1, 1, 1)
-    bpy.context.view_layer.update()
-    near, far = (written(source.location + Vector((0, 0, height))) for height in (4.4, 40.0))
-    assert len(near) > len(far)
-    side = 2 * 400 / 40  # 400 pixels for each unit at distance 1
-    assert sum((7 * len(text.text) + 6) * 16 for text in far) <= side**2 / 4
-    assert written(source.location + Vector((0, 0, 1.0)))  # larger than the view
 
 
 @pytest.mark.parametrize("perspective", [True, False])

@@ -4,6 +4,7 @@
 from types import SimpleNamespace
 
 import bpy
+from mathutils import Matrix, Vector
 
 
 def view_context(show_overlays=True):
@@ -11,3 +12,23 @@ def view_context(show_overlays=True):
     space = next(area.spaces.active for area in areas if area.type == "VIEW_3D")
     space.overlay.show_overlays = show_overlays
     return SimpleNamespace(scene=bpy.context.scene, view_layer=bpy.context.view_layer, space_data=space)
+
+
+def look(addon, source, eye, target, perspective=True, xray=False):
+    """Return the names in a region of 800 by 600 pixels, keyed by text, seen from one point to another."""
+    forward = (Vector(target) - Vector(eye)).normalized()
+    view = (Matrix.Translation(eye) @ forward.to_track_quat("-Z", "Y").to_matrix().to_4x4()).inverted()
+    if perspective:  # with a horizontal angle of view of 90 degrees
+        window = Matrix(((1, 0, 0, 0), (0, 4 / 3, 0, 0), (0, 0, -1.002, -0.2002), (0, 0, -1, 0)))  # clips at .1 and 100
+    else:  # 8 units wide
+        window = Matrix.Diagonal((1 / 4, 1 / 3, -0.01, 1))
+    data = SimpleNamespace(view_matrix=view, perspective_matrix=window @ view, is_perspective=perspective)
+    context = SimpleNamespace(
+        region=SimpleNamespace(width=800, height=600),
+        region_data=data,
+        space_data=SimpleNamespace(shading=SimpleNamespace(type="SOLID", show_xray=xray)),
+        view_layer=bpy.context.view_layer,
+    )
+    lines = addon.overlay.objects.marked_lines(source, bpy.context.evaluated_depsgraph_get())
+    drawing = addon.overlay.shown.Drawing(source, lines, None, None)
+    return {name.texts[-1]: name for name in addon.overlay.view3d._names_in_view(context, drawing)}
