@@ -28,7 +28,6 @@ py::tuple run_cut(const py::object& vertices, const py::object& faces, const py:
   const Triangles triangles = read_faces(faces);
   const std::vector<SurfacePath> lines = read_paths(paths);
   const double reach = read_number(snap, "snap");
-  const RunningCall running;
   CutMesh cut;
   {
     const py::gil_scoped_release no_gil;
@@ -94,8 +93,8 @@ void bind_cut_mesh(py::module_& module) {
             for (const py::handle item : value) from_python(item, sources.divided_edges.emplace_back());
           })
       .picklable();
-  module.def("cut_mesh", &run_cut, py::arg("vertices"), py::arg("faces"), py::arg("paths"), py::kw_only(),
-             py::arg("snap") = 0.05, kCutDoc);
+  module.def("cut_mesh", &run_cut, py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("faces"),
+             py::arg("paths"), py::kw_only(), py::arg("snap") = 0.05, kCutDoc);
 }
 
 }  // namespace wirewarp::bindings

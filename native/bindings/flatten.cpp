@@ -18,7 +18,6 @@ FlattenResult run_flatten(const py::object& vertices, const py::object& faces, c
   const Options checked_options = read_options(options);
   Cache* const solved_before = read_cache(cache);
   PythonProgress python_progress(progress);
-  const RunningCall running;
   FlattenResult result;
   try {
     const py::gil_scoped_release no_gil;
@@ -38,7 +37,6 @@ FlattenResult run_measure(const py::object& vertices, const py::object& faces, c
                           const py::object& seams, const py::object& wires, const py::object& eases) {
   const FlattenInput input = read_input(vertices, faces, seams, wires, eases);
   const CornerUv corners = read_corner_uv(corner_uv);
-  const RunningCall running;
   const py::gil_scoped_release no_gil;
   return measure(input, corners);
 }
@@ -71,13 +69,13 @@ The other arguments are those of flatten().)";
 }  // namespace
 
 void bind_flatten(py::module_& module) {
-  module.def("flatten", &run_flatten, py::arg("vertices"), py::arg("faces"), py::kw_only(),
-             py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), py::arg("options") = py::none(),
-             py::arg("progress") = py::none(), py::arg("cache") = py::none(), py::arg("eases") = py::tuple(),
-             kFlattenDoc);
-  module.def("measure", &run_measure, py::arg("vertices"), py::arg("faces"), py::arg("corner_uv"),
-             py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), py::arg("eases") = py::tuple(),
-             kMeasureDoc);
+  module.def("flatten", &run_flatten, py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("faces"),
+             py::kw_only(), py::arg("seams") = py::none(), py::arg("wires") = py::tuple(),
+             py::arg("options") = py::none(), py::arg("progress") = py::none(), py::arg("cache") = py::none(),
+             py::arg("eases") = py::tuple(), kFlattenDoc);
+  module.def("measure", &run_measure, py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("faces"),
+             py::arg("corner_uv"), py::arg("seams") = py::none(), py::arg("wires") = py::tuple(),
+             py::arg("eases") = py::tuple(), kMeasureDoc);
 }
 
 }  // namespace wirewarp::bindings

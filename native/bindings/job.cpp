@@ -136,9 +136,9 @@ void bind_job(py::module_& module) {
   job.def("__reduce_ex__", [](const Job&, int) -> py::object {
     throw py::type_error("a Job cannot be copied or pickled: its thread runs in this process");
   });
-  module.def("start", &start, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams") = py::none(),
-             py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("cache") = py::none(),
-             py::arg("eases") = py::tuple(), kStartDoc);
+  module.def("start", &start, py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("faces"), py::kw_only(),
+             py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), py::arg("options") = py::none(),
+             py::arg("cache") = py::none(), py::arg("eases") = py::tuple(), kStartDoc);
 }
 
 }  // namespace wirewarp::bindings

@@ -161,7 +161,6 @@ Plan plan_of(const std::string& kind) {
 template <class Find>
 auto find_now(const Find& find, const py::object& progress) {
   PythonProgress python_progress(progress);
-  const RunningCall running;
   decltype(find(Progress())) proposals;
   try {
     const py::gil_scoped_release no_gil;
@@ -260,9 +259,9 @@ std::unique_ptr<Job> start_simplify(const py::object& vertices, const py::object
 /// own: arguments that follow those of the mesh.
 template <class Function, class... Own>
 void define(py::module_& module, const char* name, Function function, const char* doc, const Own&... own) {
-  module.def(name, function, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams") = py::none(),
-             py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("eases") = py::tuple(), own...,
-             doc);
+  module.def(name, function, py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("faces"), py::kw_only(),
+             py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), py::arg("options") = py::none(),
+             py::arg("eases") = py::tuple(), own..., doc);
 }
 
 /// more: arguments that follow those that both functions have.
@@ -282,9 +281,9 @@ void define_plan(py::module_& module, const char* name, Function function, const
 
 template <class Function, class... More>
 void define_simplify(py::module_& module, const char* name, Function function, const char* doc, const More&... more) {
-  module.def(name, function, py::arg("vertices"), py::arg("faces"), py::kw_only(), py::arg("seams"),
-             py::arg("wires") = py::tuple(), py::arg("options") = py::none(), py::arg("eases") = py::tuple(),
-             py::arg("strain") = 0.05, more..., doc);
+  module.def(name, function, py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("faces"), py::kw_only(),
+             py::arg("seams"), py::arg("wires") = py::tuple(), py::arg("options") = py::none(),
+             py::arg("eases") = py::tuple(), py::arg("strain") = 0.05, more..., doc);
 }
 
 }  // namespace

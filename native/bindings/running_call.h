@@ -19,8 +19,8 @@ class RunningWork {
   RunningWork& operator=(const RunningWork&) = delete;
 };
 
-/// A call that releases the GIL. Create it before the release, and destroy it once the GIL is held again: both need the
-/// GIL.
+/// A call that releases the GIL itself, or whose arguments do while they are read: numpy and __array__() may. Functions
+/// have it as their py::call_guard. Its constructor and its destructor need the GIL.
 class RunningCall {
  public:
   /// Does not return in a daemon thread once Python is ending.

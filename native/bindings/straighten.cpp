@@ -16,7 +16,6 @@ py::tuple run_straighten(const py::object& vertices, const py::object& faces, co
                          const py::object& seams, const py::object& wires) {
   const FlattenInput input = read_input(vertices, faces, seams, wires, py::tuple());
   const std::vector<int> chain = read_chain(path, "Path");
-  const RunningCall running;
   std::vector<LinePoint> line;
   {
     const py::gil_scoped_release no_gil;
@@ -48,8 +47,9 @@ path does not follow edges.)";
 }  // namespace
 
 void bind_straighten(py::module_& module) {
-  module.def("straighten_path", &run_straighten, py::arg("vertices"), py::arg("faces"), py::arg("path"), py::kw_only(),
-             py::arg("seams") = py::none(), py::arg("wires") = py::tuple(), kStraightenDoc);
+  module.def("straighten_path", &run_straighten, py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("faces"),
+             py::arg("path"), py::kw_only(), py::arg("seams") = py::none(), py::arg("wires") = py::tuple(),
+             kStraightenDoc);
 }
 
 }  // namespace wirewarp::bindings

@@ -147,6 +147,33 @@ def test_python_ends_while_a_thread_flattens(stage, calls_on):
     assert ended.returncode == 0, ended.stderr
 
 
+@pytest.mark.parametrize(
+    "call",
+    [
+        "flatten(slow, faces)",
+        "measure(slow, faces, vertices[faces][:, :, :2])",
+        "straighten_path(slow, faces, [0, 1, 2])",
+        "cut_mesh(slow, faces, [])",
+        "propose_darts(slow, faces)",
+        "start(slow, faces)",
+    ],
+)
+def test_python_ends_while_a_thread_reads_arguments(call):
+    ended = run(
+        *SHEET,
+        "class Slow:",
+        "    def __array__(self, dtype=None, copy=None):",
+        "        begun.set()",
+        "        time.sleep(0.3)",
+        "        print('read', file=sys.stderr)",
+        "        return vertices",
+        "slow = Slow()",
+        f"threading.Thread(target=lambda: wirewarp.{call}, daemon=True).start()",
+        "begun.wait()",
+    )
+    assert (ended.returncode, ended.stderr) == (0, "read\n")
+
+
 def test_a_mesh_is_flattened_while_python_ends():
     ended = run(
         "import atexit",
