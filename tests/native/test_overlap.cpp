@@ -162,6 +162,14 @@ double common_area(const Triangles& faces, const Positions2& uv, int a, int b) {
   return std::abs(area);
 }
 
+TEST(Overlap, FacesAtOnePointAreNotComparedInPairs) {
+  const Chart chart = test::chart_of(test::flat_rectangle(60, 60, 1, 1));
+  const Faces faces = faces_of(chart);
+  const Positions2 uv = Positions2::Zero(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
+  const StopToken once_is_too_often([](const char*) { return false; });  // 7,200 faces are fewer than a question needs
+  EXPECT_TRUE(find_overlapping_faces(faces.corners, faces.on_boundary, uv, 1e-9, once_is_too_often).empty());
+}
+
 TEST(Overlap, AgreesWithTheAreaOfEveryPairOfFaces) {
   const Chart chart = test::chart_of(test::flat_rectangle(7, 7, 7, 7));
   const Faces faces = faces_of(chart);

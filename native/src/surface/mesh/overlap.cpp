@@ -50,7 +50,10 @@ bool penetrate(const Corners& a, const Corners& b, double depth) {
   return reaches_behind_every_edge(a, b, depth) && reaches_behind_every_edge(b, a, depth);
 }
 
-/// Marks the faces of all overlapping pairs (candidate, any face).
+/// Returns whether an edge has no length. Nothing penetrates such a face.
+bool is_collapsed(const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+/// Marks the faces of all overlapping pairs (candidate, any face). Candidates are not collapsed.
 std::vector<bool> overlaps_with(const std::vector<int>& candidates, const Triangles& faces, const Positions2& uv,
                                 double depth, const StopToken& stop) {
   WorkMeter work(stop);
@@ -66,6 +69,7 @@ std::vector<bool> overlaps_with(const std::vector<int>& candidates, const Triang
   std::vector<bool> overlaps(static_cast<std::size_t>(faces.rows()), false);
   for (int face = 0; face < faces.rows(); ++face) {
     const Corners triangle = corners_of(faces, uv, face);
+    if (is_collapsed(triangle)) continue;
     const bool is_both = is_candidate[static_cast<std::size_t>(face)];
     work.did(1);
     tree.for_each_meeting(inner_box(triangle, depth / 2), [&](int item) {
@@ -127,9 +131,11 @@ std::vector<int> find_overlapping_faces(const Triangles& faces, const std::vecto
     return {};
   }
 
-  std::vector<int> all(static_cast<std::size_t>(faces.rows()));
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
-  return indices_of(overlaps_with(all, faces, uv, depth, stop));
+  std::vector<int> spread;
+  for (int face = 0; face < faces.rows(); ++face) {
+    if (!is_collapsed(corners_of(faces, uv, face))) spread.push_back(face);
+  }
+  return indices_of(overlaps_with(spread, faces, uv, depth, stop));
 }
 
 std::vector<bool> faces_on_boundary(const HalfEdgeMesh& mesh) {
