@@ -122,8 +122,9 @@ def draw_overlays(addon):
     for shown_map in ("STRETCH_COLOR", "WEFT_STRAIN_COLOR"):
         bpy.context.scene.wirewarp.shown_map = shown_map
         shown = list(addon.overlay.shown.drawings(view_context()))
-        addon.overlay.shown.map_notes(shown, addon.overlay.shown.shown_map(view_context()))
-        addon.overlay.shown.extremes(shown)
+        color_map = addon.overlay.shown.shown_map(view_context())
+        addon.overlay.shown.map_notes(shown, color_map)
+        addon.overlay.shown.extremes(shown, color_map)
     list(addon.overlay.shown.uv_drawings(sidebar()))
 
 

@@ -281,7 +281,9 @@ def test_a_map_shows_its_figure_or_why_it_is_missing(addon, source, notes):
     needed = max(piece.needed for piece in addon.state.reports.last_report(source).pieces)
     figure = f"99% of the area: up to {addon.core.percent_text(needed)} in the worst direction"
     assert notes("STRETCH_COLOR", "map_notes") == [figure]  # the verdict's figure, which no other map has
+    assert notes("STRETCH_COLOR", "extremes") is None
     assert notes("LENGTH_VARIATION_COLOR", "map_notes") == []
+    assert notes("LENGTH_VARIATION_COLOR", "extremes") is not None
     assert notes("STRETCH_COLOR") == []
     assert notes("WEFT_STRAIN_COLOR") == ["No fabric was chosen: no such map"]
     source.data.vertices[40].co.z += 0.1

@@ -111,10 +111,10 @@ def test_the_legend_is_in_its_box_and_nothing_covers_a_text(addon, map_name, uni
 
 
 def test_the_legend_says_what_the_colors_mean(addon):
-    texts = [text.text for text in lay_out(addon).texts]
+    texts = [text.text for text in lay_out(addon, "WEFT").texts]
     assert {style.label for style in addon.overlay.lines.STYLES.values()} < set(texts)
     numbers = ["≤ -10%", "-5%", "0%", "+5%", "≥ +10%"]
-    assert [text for text in texts if "%" in text] == ["Stretch, mean of all directions: -3.1% to +23.4%", *numbers]
+    assert [text for text in texts if "%" in text] == ["Across the grain: -3.1% to +23.4%", *numbers]
     texts = [text.text for text in lay_out(addon, "ASPECT_RATIO", extremes=(1.0, 1.837)).texts]
     assert [text for text in texts if text[-1].isdigit()] == [
         "Worst direction, as a factor: up to 1.84",

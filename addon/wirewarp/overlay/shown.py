@@ -83,8 +83,13 @@ def _has_cloth(report: ObjectReport) -> bool:
     return bool((report.options or {}).get("cloth"))
 
 
-def extremes(shown: Sequence[Drawing]) -> Extremes | None:
-    """Return the smallest and the largest value of the map on all objects."""
+def extremes(shown: Sequence[Drawing], color_map: ColorMap | None) -> Extremes | None:
+    """Return the smallest and the largest value of the map on all objects.
+
+    Returns None for a map of stretch: its note shows the verdict's figure, and a second one beside it would confuse.
+    """
+    if color_map in STRETCH_MAPS:
+        return None
     found = [each.surface.extremes for each in shown if each.surface and each.surface.extremes]
     return (min(low for low, _ in found), max(high for _, high in found)) if found else None
 

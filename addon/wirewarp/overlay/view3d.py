@@ -20,8 +20,8 @@ from .shown import Drawing, UvDrawing, drawings, extremes, map_notes, shown_map,
 # Layers are drawn nearer to the eye by these shares of its distance, so that a surface does not hide its lines.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
-# Two steps of a 24-bit depth buffer. Times the distance over the distance of the near plane, this is the smallest
-# difference in depth that shows, as a share of the distance.
+# Two steps of a 24-bit depth buffer. A difference in depth shows if it is larger than this share of the distance,
+# multiplied by the ratio of the distance to that of the near plane.
 DEPTH_STEP = 2 / 2**24
 HIDDEN_BY = 0.005  # share of the distance from the eye: a surface closer to a place does not hide it
 EDITED_LIMIT = 20_000  # faces; in Edit Mode, names show through larger models, because each change reads all faces
@@ -58,7 +58,7 @@ def _hidden_by_what_is_in_front() -> Iterator[None]:
 
 
 def _apart(context: bpy.types.Context) -> float:
-    """Return how many times farther apart than usual the layers are drawn, so that a distant view can distinguish them.
+    """Return the factor by which layers are drawn farther apart than usual, so that a distant view distinguishes them.
 
     Models whose unit is a centimeter or a millimeter need this.
     """
@@ -94,7 +94,8 @@ def draw_screen() -> None:
     if shown:
         names = (name for drawing in shown for name in _names_in_view(context, drawing))
         color_map = shown_map(context)
-        write_over(context, shown, names, map_notes(shown, color_map) if color_map else [], color_map, extremes(shown))
+        notes = map_notes(shown, color_map) if color_map else []
+        write_over(context, shown, names, notes, color_map, extremes(shown, color_map))
 
 
 def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:
