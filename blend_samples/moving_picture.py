@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws samples with their flat pieces and without texts, and for one of them the frames of a moving picture:
+"""Draws samples with their flat pieces and without names, and for one of them the frames of a moving picture:
 
 blender --background --factory-startup --addons wirewarp_addon --python blend_samples/moving_picture.py -- FOLDER
 
-FOLDER/frames gets the frames of the fitted top, whose pieces leave the model, FOLDER/stills the other samples.
+FOLDER/frames gets the frames of the fitted top: its lines are marked, Flatten is pressed, the pieces leave the model.
+FOLDER/stills gets the other samples.
 """
 
 from __future__ import annotations
 
+import itertools
 import sys
 from pathlib import Path
 
@@ -19,7 +21,7 @@ sys.path.insert(0, str(FOLDER))
 
 from pictures.drawing import Box, Sheet  # noqa: E402 (the folder must be on the path first)
 from pictures.measure import cloth_stretch  # noqa: E402
-from pictures.palette import INK, round_limit, stretch_colors  # noqa: E402
+from pictures.palette import FAINT_INK, INK, PAPER, RIGID, round_limit, stretch_colors  # noqa: E402
 from pictures.sheet import draw_model, draw_pieces, view_matrix  # noqa: E402
 from pictures.surfaces import read_flat, read_model  # noqa: E402
 from pictures.views import VIEWS  # noqa: E402
@@ -27,7 +29,7 @@ from pictures.views import VIEWS  # noqa: E402
 MOVED, STILLS = "fitted_top", ("toy", "armchair_cover", "carnival_mask", "wetsuit_upper_body")
 WIDTH, HEIGHT = 7.2, 4.2  # inches of 100 pixels
 MODEL_BOX, FLAT_BOX = Box(-3.5, -0.9, -1.7, 1.9), Box(-0.7, 3.5, -1.7, 1.9)
-STILL, MOVING = 8, 30  # frames with the model alone, and with moving pieces
+MARKING, PRESSING, MOVING = 26, 12, 30  # frames of marking, of pressing Flatten, and with moving pieces
 DELAY = 0.4  # start of the last piece, as a share of the time of all movement
 
 
@@ -56,22 +58,45 @@ class Sample:
         self.number = np.zeros(len(self.flat), dtype=int)  # number of the piece of each vertex
         self.number[self.pieces.triangles] = self.pieces.piece[:, None]
 
-    def draw(self, path: Path, time: float | None) -> None:
-        """Draw a frame. time: None for the model alone, otherwise from 0, all pieces on the model, to 1, all flat."""
-        sheet = Sheet(WIDTH, HEIGHT)
-        draw_model(sheet, self.body, self.on_model + [0, 0, -10], self.body.normals @ self.matrix.T)
-        if time is not None:
-            starts = DELAY * self.number / max(self.number.max(), 1)
-            gone = np.array([way(each) for each in time * (1 + DELAY) - starts])[:, None]
-            draw_pieces(
-                sheet,
-                self.pieces,
-                (1 - gone) * self.on_model[self.pieces.source_vertex] + gone * self.flat,
-                self.colors,
-            )
-            if time == 1:
-                sheet.add_text("orange: fabric stretched    blue: fabric compressed", 3.5, -1.98, 0.15, INK, "RIGHT")
+    def draw(self, path: Path, time: float) -> None:
+        """Draw a still picture, or a frame. time: from 0, all pieces on the model, to 1, all flat."""
+        sheet = self._sheet_with_model(1.0)
+        starts = DELAY * self.number / max(self.number.max(), 1)
+        gone = np.array([way(each) for each in time * (1 + DELAY) - starts])[:, None]
+        points = (1 - gone) * self.on_model[self.pieces.source_vertex] + gone * self.flat
+        draw_pieces(sheet, self.pieces, points, self.colors)
+        if time == 1:
+            sheet.add_text("orange: fabric stretched    blue: fabric compressed", 3.5, -1.98, 0.15, INK, "RIGHT")
+        else:
+            draw_button(sheet, is_pressed=True)
         sheet.render(path)
+
+    def draw_marking(self, path: Path, marked: float) -> None:
+        """Draw a frame with this share of each seam and wire."""
+        sheet = self._sheet_with_model(marked)
+        sheet.add_text("Mark seams (black) and lines that keep their length (blue)", -3.5, -1.96, 0.19, INK)
+        sheet.render(path)
+
+    def draw_pressing(self, path: Path, is_pressed: bool) -> None:
+        sheet = self._sheet_with_model(1.0)
+        draw_button(sheet, is_pressed)
+        sheet.render(path)
+
+    def _sheet_with_model(self, marked: float) -> Sheet:
+        sheet = Sheet(WIDTH, HEIGHT)
+        draw_model(sheet, self.body, self.on_model + [0, 0, -10], self.body.normals @ self.matrix.T, marked)
+        return sheet
+
+
+def draw_button(sheet: Sheet, is_pressed: bool) -> None:
+    """Draw the button Flatten at the lower left, with the pointer on it."""
+    left, right, bottom, top = -3.5, -2.1, -2.04, -1.7
+    corners = np.array([(left, bottom, 1), (right, bottom, 1), (right, top, 1), (left, top, 1)])
+    color = RIGID if is_pressed else FAINT_INK
+    sheet.add_triangles(corners[[[0, 1, 2], [0, 2, 3]]], np.tile(color, (2, 3, 1)))
+    sheet.add_text("Flatten", (left + right) / 2, bottom + 0.11, 0.2, PAPER, "CENTER")
+    pointer = np.array([(0, 0, 3), (0.16, -0.17, 3), (0, -0.24, 3)]) + [right - 0.2, bottom + 0.2, 0]
+    sheet.add_triangles(pointer[None], np.tile(INK, (1, 3, 1)))
 
 
 def main() -> None:
@@ -82,8 +107,13 @@ def main() -> None:
     for name in STILLS:
         Sample(name).draw(stills / f"{name}.png", 1.0)
     moved = Sample(MOVED)
-    for frame in range(STILL + MOVING + 1):
-        moved.draw(frames / f"{frame:03d}.png", (frame - STILL) / MOVING if frame >= STILL else None)
+    names = (frames / f"{number:03d}.png" for number in itertools.count())
+    for frame in range(MARKING):
+        moved.draw_marking(next(names), min(frame / (MARKING - 6), 1.0))  # the last frames show the marked model
+    for frame in range(PRESSING):
+        moved.draw_pressing(next(names), frame >= PRESSING / 2)
+    for frame in range(MOVING + 1):
+        moved.draw(next(names), frame / MOVING)
 
 
 if __name__ == "__main__":

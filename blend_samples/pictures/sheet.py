@@ -57,16 +57,16 @@ def draw_sample(
     sheet.render(path)
 
 
-def draw_model(sheet: Sheet, body: Model, points: np.ndarray, normals: np.ndarray) -> None:
-    """Draw the surface in soft light, its inside darker, with its lines."""
+def draw_model(sheet: Sheet, body: Model, points: np.ndarray, normals: np.ndarray, marked: float = 1.0) -> None:
+    """Draw the surface in soft light, its inside darker, with its lines. marked: share of each seam and wire drawn."""
     corners = points[body.triangles]
     away = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])[:, 2] < 0
     colors = lit(normals[body.triangles], MODEL)
     colors[away] = lit(-normals[body.triangles[away]], INSIDE)
     sheet.add_triangles(corners, colors)
-    for edges in (body.seams, body.outline):
-        sheet.add_lines([points[chain] for chain in chains(edges)], LINE_WIDTH, SEAM)
-    _draw_wires(sheet, body, points)
+    for edges, share in ((body.seams, marked), (body.outline, 1.0)):
+        sheet.add_lines(_beginnings(points, edges, share), LINE_WIDTH, SEAM)
+    _draw_wires(sheet, body, points, marked)
 
 
 def draw_pieces(sheet: Sheet, pieces: Flat, points: np.ndarray, colors: np.ndarray) -> None:
@@ -75,9 +75,15 @@ def draw_pieces(sheet: Sheet, pieces: Flat, points: np.ndarray, colors: np.ndarr
     _draw_wires(sheet, pieces, points)
 
 
-def _draw_wires(sheet: Sheet, surface: Model | Flat, points: np.ndarray) -> None:
+def _draw_wires(sheet: Sheet, surface: Model | Flat, points: np.ndarray, marked: float = 1.0) -> None:
     for kind, edges in by_kind(surface.wires, surface.tolerances):
-        sheet.add_rimmed_lines([points[chain] for chain in chains(edges)], LINE_WIDTH, kind.color, kind.rim)
+        sheet.add_rimmed_lines(_beginnings(points, edges, marked), LINE_WIDTH, kind.color, kind.rim)
+
+
+def _beginnings(points: np.ndarray, edges: np.ndarray, share: float) -> list[np.ndarray]:
+    """Return this share, from 0 to 1, of the vertices of each line of edges."""
+    begun = [points[chain[: round(share * len(chain))]] for chain in chains(edges)]
+    return [line for line in begun if len(line) > 1]
 
 
 def _draw_numbers(sheet: Sheet, pieces: Flat, points: np.ndarray, report: dict) -> None:
