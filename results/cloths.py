@@ -113,9 +113,9 @@ their model (`results/wear_in_newton.py`), without gravity and friction.
 *Strain*: 99th percentile of the strain of the more strained thread. *Worst wire*: largest change of a wire's length.
 Both are measured as worn.
 Pieces flattened for the woven have {range_of(change["gap"])} times the gap of those flattened without a fabric,
-{range_of(change["slide"])} times the slide and {range_of(change["strain"])} times the strain: on the body, fabric
-slides until its threads carry little load, with or without a fabric choice. So the shape between exact outlines
-affects the fit less than the outlines.
+{range_of(change["slide"])} times the slide and {range_of(change["strain"])} times the strain. On the body, fabric
+slides until its threads carry little load, whether or not a fabric was chosen. The shape between exact outlines
+therefore affects the fit less than the outlines do.
 """
 
 
@@ -154,10 +154,10 @@ jersey stretches more across than along: its strain along is lower than without 
 samples. {", ".join(unfolded)} are unfolded and put no strain on any fabric. All samples together take {times} as
 without a fabric.
 
-**What to choose.** Use no fabric for materials that are equally stiff in all directions: felt, paper, leather of
-unknown direction, foam. If the material is known, use its preset: the numbers above are then its strain, and a
-warning appears if it cannot stretch that far. Use the best direction if the fabric has no nap or print and the pieces
-may have any direction on it. Otherwise use a grain line, which gives each piece the direction that a tailor would
-choose.
+**What to choose.** Choose no fabric for materials that are equally stiff in all directions: felt, paper, foam, and
+leather of unknown direction. For other materials, choose the preset. The report then shows the strain of this fabric,
+and warns you if the fabric cannot stretch that far. If the fabric has no nap or print and the pieces may have any
+direction on it, choose the best direction. Otherwise choose a grain line, so that each piece gets the direction that a
+tailor would choose.
 
 {worn_subsection(inputs)}"""

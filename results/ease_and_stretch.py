@@ -108,10 +108,10 @@ def section(inputs: Inputs) -> str:
     mismatch = max(seam.mismatch for each in as_made.values() for seam in each.result.seams)
     return f"""## Ease, gathers and stretch
 
-Three samples are not cut as long as they are on the model. The swimsuit is swim knit, stretched {100 * across:.0f}%
-across and {100 * along:.0f}% along when worn. The head of the set-in sleeve is eased into the armhole, between its
-notches. The skirt is gathered to its waistband; its fairness is {shapes[SKIRT].fairness}. Everywhere else on this
-page, they also have the lengths of the model.
+Three samples are cut longer or shorter than they are on the model. The swimsuit is swim knit, stretched
+{100 * across:.0f}% across and {100 * along:.0f}% along when worn. The head of the set-in sleeve is eased into the
+armhole, between its notches. The skirt is gathered to its waistband; its fairness is
+{shapes[SKIRT].fairness}. Everywhere else on this page, these samples have the lengths of the model.
 
 {table(["mm", "worn", "cut", "difference", "share"], [length_row(line) for line in lines])}
 
@@ -127,13 +127,12 @@ measured from the fabric as cut.
 
 {table(["", "across / along / shear", "its energy", "*E*", "s"], rows)}
 
-**What to choose.** Use negative ease for a close-fitting knit: enter how far it is stretched when worn, in both
-directions, and choose one with the total stretch in the report, on the swimsuit
-{plain_percent(as_made[SWIMSUIT].weft, 0)} across and {plain_percent(as_made[SWIMSUIT].warp, 0)} along. Use ease on
-one side if one piece must be fuller than the other, at a sleeve head or an elbow: with
-{1000 * eased(as_made[SLEEVE]):.0f} mm of it *E* of the sleeve and its bodice
-{change(plain_sleeve, as_made[SLEEVE].energy)}. For gathers, use an ease of 50% to 150% with more fairness, so that
-the long edge stays smooth, and no fabric: the strain there becomes folds, which hardly any fabric resists, while a
-woven would shear instead (shear {degrees(unwoven.shear)} without a fabric, {degrees(woven.shear)}
-with it).
+**What to choose.** For a close-fitting knit, use negative ease: enter how far the fabric is stretched when worn, in
+both directions. Then choose a fabric that allows the total stretch in the report: for the swimsuit,
+{plain_percent(as_made[SWIMSUIT].weft, 0)} across and {plain_percent(as_made[SWIMSUIT].warp, 0)} along. If one piece
+must be fuller than the other, as at a sleeve head or an elbow, use ease on one side. With
+{1000 * eased(as_made[SLEEVE]):.0f} mm of it, *E* of the sleeve and its bodice
+{change(plain_sleeve, as_made[SLEEVE].energy)}. For gathers, use an ease of 50% to 150%, more fairness, so that the
+long edge stays smooth, and no fabric. The strain there becomes folds, which hardly any fabric resists. With a woven,
+the pieces would shear instead: by {degrees(woven.shear)}, compared with {degrees(unwoven.shear)} without a fabric.
 """

@@ -49,16 +49,16 @@ def section(inputs: Inputs) -> str:
     ratios = " and ".join(f"{seconds[t] / seconds[0.0]:.1f}" for t in TOLERANCES[1:])
     return f"""## Elastic seams
 
-All seams of a sample may become longer or shorter by this much, equally on both sides, and each as is best for all
-its pieces. Other outlines and the wires keep their lengths.
+All seams of a sample may become longer or shorter by this percentage, equally on both sides. Each seam gets the length
+that is best for all pieces together. Other outlines and the wires keep their lengths.
 
 {table(header, rows)}
 
 With ±3% *E* falls by {plain_percent(gains[least])} ({least}) to {plain_percent(gains[most])} ({most}). The two sides
 of a flat seam {differ(mismatch)}. Processor time is {ratios} times that with rigid seams.
 
-**What to choose.** Keep seams rigid if their lengths are measured: waist, collar, a zip. Let the others change by an
-amount that is easy to sew, 1% in firm fabric, 3% in a knit or in neoprene: the pieces have less distortion, and all
-pairs of edges still match. If one side must be longer than the other, for a sleeve head or for gathers, give it an
-ease.
+**What to choose.** Keep seams rigid if their lengths are measured: waist, collar, a zip. Let the other seams change by
+an amount that is easy to sew: 1% in firm fabric, 3% in a knit or in neoprene. The pieces then have less distortion,
+and all pairs of edges still match. If one side must be longer than the other, as for a sleeve head or for gathers,
+enter an ease.
 """

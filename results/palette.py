@@ -34,5 +34,7 @@ def percent(share: float, digits: int = 1) -> str:
 
 
 def plain_percent(share: float, digits: int = 1) -> str:
-    """Return a percentage without a sign; rounding errors are shown as 0."""
-    return "0%" if abs(share) < 1e-8 else f"{100 * abs(share):.{digits}f}%"
+    """Return a percentage without a sign. Rounding errors are shown as 0, and other small values as "<0.1%"."""
+    if abs(share) < 1e-8:
+        return "0%"
+    return f"{100 * abs(share):.{digits}f}%" if 100 * abs(share) >= 0.5 * 10**-digits else f"<{10**-digits:.{digits}f}%"
