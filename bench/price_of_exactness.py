@@ -23,8 +23,8 @@ from mesh_files import read_obj
 from optcuts import BOUND, by_size
 from tables import table
 
-TOLERANCE = 0.03  # of elastic seams, each edge for itself, which is the largest freedom that ±3% can give
-TIGHTER = (BOUND, 4.08, 4.065, 4.05, 4.035, 4.02)  # bounds of OptCuts whose cuts are tried for the price
+TOLERANCE = 0.03  # of each edge of an elastic seam alone, the largest freedom that ±3% allows
+TIGHTER = (BOUND, 4.08, 4.065, 4.05, 4.035, 4.02)  # tried until pieces with exact lengths meet BOUND
 BOUNDS = (BOUND, 4.05, 4.02)
 
 

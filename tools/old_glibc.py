@@ -53,7 +53,7 @@ def openmesh_source() -> Path:
 
 
 def cmake_definitions() -> dict[str, str]:
-    """Return CMake's definitions for linking as above."""
+    """Return CMake's definitions for linking with an old glibc."""
     folder = BUILD / "wheels" / f"glibc-{GLIBC}"
     newer = folder / "newer_glibc.o"
     if not (newer.is_file() and is_current("old-glibc", f"{ZIG} {GLIBC} {NEWER_GLIBC}")):

@@ -74,7 +74,7 @@ def test_applying_a_scale_of_one_changes_nothing(source, has_changed):
     source.data.vertices[40].co.x = -0.0
     flatten(source)
     bpy.ops.object.transform_apply(location=False, rotation=False, scale=True)
-    source.data.vertices[40].co.x = 0.0  # if this version of Blender does not
+    source.data.vertices[40].co.x = 0.0  # in case this version of Blender keeps the sign
     source.data.update()
     assert not has_changed()
 
@@ -82,7 +82,7 @@ def test_applying_a_scale_of_one_changes_nothing(source, has_changed):
 def test_selecting_naming_modifiers_and_a_shape_key_in_edit_mode_change_nothing(source, has_changed):
     source.data.wirewarp_names[0].name = "Bust"
     source.data.uv_layers.new(name="Mine")
-    source.modifiers.new("Wave", "WAVE")  # which pieces without modifiers ignore
+    source.modifiers.new("Wave", "WAVE")  # ignored, because the run does not use modifiers
     select_edges(source, LINE)
     assert not has_changed()
     bpy.ops.object.mode_set(mode="OBJECT")

@@ -18,7 +18,10 @@ def square_or_crash(number):
 
 
 def hang_or_wait(task):
-    """("hang", path): start a process, write its id to the path, and hang. ("wait", path): wait for that file."""
+    """Hang or wait, as the task says.
+
+    ("hang", path) starts a process, writes its id to the path, and hangs. ("wait", path) waits for that file.
+    """
     kind, path = task
     if kind == "hang":
         other = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(3600)"])

@@ -208,7 +208,7 @@ def faces_of_corners(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def faces_at_edges(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return how many faces each edge (e,) has."""
+    """Return the number of faces (e,) of each edge."""
     return np.bincount(corner_edges(mesh), minlength=len(mesh.edges))
 
 

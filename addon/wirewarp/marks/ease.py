@@ -77,7 +77,7 @@ def repair_marks(target: bpy.types.Object) -> EdgeMarks:
 
 
 def mark_seams(mesh: bpy.types.Mesh, edges: list) -> int:
-    """Mark edges, given as vertex pairs, as seams. Return how many are new."""
+    """Mark edges, given as vertex pairs, as seams. Return the number of new seams."""
     before = read_seams(mesh)
     wanted = _mask(mesh, edges)
     add_seams(mesh, np.flatnonzero(wanted))
@@ -103,7 +103,10 @@ def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def loosen_wires(mesh: bpy.types.Mesh, wires: list[LooserWire]) -> int:
-    """Give the edges of each proposed wire its tolerance unless they have a wider one. Return how many changed."""
+    """Give the edges of each proposed wire its tolerance unless they have a wider one.
+
+    Return the number of edges that changed.
+    """
     marks = read_marks(mesh)
     before, tolerances = marks.tolerances.copy(), marks.tolerances
     for wire in wires:

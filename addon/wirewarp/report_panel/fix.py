@@ -222,7 +222,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
         return source
 
     def _change(self, source: bpy.types.Object) -> int:
-        """Returns how many elements changed. Raises ObjectError, with nothing changed."""
+        """Apply the fix and return the number of changed elements. Raises ObjectError, with nothing changed."""
         if self.what in {"SEAMS", "TOLERANCES"}:
             return take_proposals(source, check_flattened(source, last_report(source)), self.what)
         check_local(source, source.data)

@@ -163,7 +163,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
 
 
 def take_proposals(source: bpy.types.Object, report: ObjectReport, what: str, issues: slice = slice(None)) -> int:
-    """Apply the proposals of these issues, SEAMS or TOLERANCES. Return how many edges changed.
+    """Apply the proposals of these issues, SEAMS or TOLERANCES. Return the number of changed edges.
 
     The model is in Object Mode. Raises ObjectError.
     """

@@ -166,7 +166,7 @@ def _forbidden_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
 
 
 def painted_at_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
-    """Return how many painted faces each edge has, (e,)."""
+    """Return the number of painted faces (e,) of each edge."""
     face_of_loop = np.repeat(np.arange(len(arrays.polygon_sizes)), arrays.polygon_sizes)
     return np.bincount(arrays.loop_edges[no_seam.faces[face_of_loop]], minlength=len(arrays.edges))
 

@@ -185,7 +185,7 @@ def check_allowances(mesh: bpy.types.Mesh) -> None:
 def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
     """Give this width to the edges that are on seams and outlines: NONE for none, 0 for the default.
 
-    Return how many edges changed.
+    Return the number of changed edges.
     """
     marked = rows[_on_outlines(mesh)[rows]]
     widths = read_values(mesh, ALLOWANCE)
@@ -198,7 +198,7 @@ def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
 def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
     """Give this width, as in mark_edges, to the sides of edges that begin at these corners.
 
-    Return how many sides changed. Edges of more than two faces do not change, because their sides have one width.
+    Return the number of changed sides. Edges of more than two faces do not change, because their sides have one width.
     """
     loop_edges = corner_edges(mesh)
     marked = corners[faces_at_edges(mesh)[loop_edges[corners]] <= 2]

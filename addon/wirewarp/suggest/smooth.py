@@ -35,7 +35,7 @@ from ..ui.editing import OnModel, reporting_refusals
 
 
 def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath], with_modifiers: bool) -> int:
-    """Cut the lines into the mesh as edges, and mark these as seams. Returns how many edges were not seams before.
+    """Cut the lines into the mesh as edges, and mark these as seams. Return the number of new seams.
 
     with_modifiers: whether the lines are on the mesh that modifiers make. The modifiers are then applied. Raises
     ObjectError, with nothing changed.
@@ -48,7 +48,10 @@ def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath], with_modi
 
 
 def take_away(source: bpy.types.Object, seams: Pairs, with_modifiers: bool) -> int:
-    """Clear these seams. Returns how many. with_modifiers: as in take_lines. Raises ObjectError, with no change."""
+    """Clear these seams and return their number. Raises ObjectError, with nothing changed.
+
+    with_modifiers: as in take_lines.
+    """
     if with_modifiers:
         apply_modifiers(source)
     clear_seams(source.data, seams)

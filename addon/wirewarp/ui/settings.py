@@ -35,7 +35,7 @@ def shown_source(context: bpy.types.Context) -> bpy.types.Object | None:
 
 
 def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: ObjectReport) -> str:
-    """Return why the report does not match the display; "" if it does."""
+    """Return the reason why the report does not match the display; "" if it does."""
     if has_changed_since(source, report):
         return CHANGED
     if report.flat_object is not None and not has_flat_object(source):
@@ -44,7 +44,7 @@ def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: 
 
 
 def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:
-    """Return whether it has changed.
+    """Return whether the model has changed since its report.
 
     A large model with modifiers is not read at every redraw while it changes, because that takes as long as drawing.
     """

@@ -33,7 +33,7 @@ struct Step {
   Eigen::VectorXd variation;  // Δh
   double slope = 0;           // of the function along the step
 
-  /// Returns the layout after a share of the step, without its f.
+  /// Returns the layout after a share of the step. Its value of the function is still 0.
   Iterate from(const Iterate& begin, double share = 1) const {
     return {begin.uv + share * d, begin.variation + share * variation, 0};
   }

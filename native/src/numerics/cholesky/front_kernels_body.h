@@ -116,9 +116,9 @@ struct FrontTiles {
   Tile* at(int t, int j) const { return j < m ? panel + panel_row(t, m) + j : schur + triangle_size(t - m) + (j - m); }
 };
 
-/// Updates tiles (t, j) of kRows rows of a factor from t on, for columns j from begin to end: subtracts the product of
-/// pivots first to min(j, last). Columns before last are then divided by their diagonal tile, which makes them columns
-/// of the factor.
+/// Updates the tiles in rows t to t + kRows and columns begin to end of a factor. From each tile of column j, it
+/// subtracts the product of the pivots first to min(j, last). Then it divides columns before last by their diagonal
+/// tiles, which makes them columns of the factor.
 template <int kRows>
 void update_rows(const FrontTiles& front, const FrontTiles& other, int t, int first, int last, int begin, int end) {
   Tile* c[kRows];

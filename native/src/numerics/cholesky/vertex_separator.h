@@ -11,7 +11,7 @@ namespace wirewarp {
 enum class Side : char { outside, lower, lower_cut, upper, upper_cut, separator };
 
 /// Finds the smallest set of vertices that contains an end of every edge across a cut. By König's theorem (D. König,
-/// Graphok és mátrixok, 1931), a maximum matching of these edges has as many edges, and leads to the set.
+/// Graphok és mátrixok, 1931), a maximum matching of these edges has the same number of edges, and leads to the set.
 class VertexSeparator {
  public:
   explicit VertexSeparator(const Graph& graph);

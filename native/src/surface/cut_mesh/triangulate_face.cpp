@@ -131,7 +131,8 @@ int corner_before(const Triangle& triangle, int a, int b) {
   return -1;
 }
 
-/// Flips the edge between two triangles if this increases the smaller of their two heights. Returns whether it did.
+/// Flips the edge between two triangles if this increases the smaller of their two heights. Returns whether the
+/// edge was flipped.
 bool flip(const FaceToDivide& face, Triangle& first, Triangle& second) {
   constexpr double kHigher = 1 + 1e-9;  // far above rounding, so that no edge flips back and forth
   for (int k = 0; k < 3; ++k) {

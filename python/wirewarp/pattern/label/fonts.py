@@ -73,7 +73,7 @@ class Font:
             self._letters = set(uharfbuzz.Face(blob, index).unicodes)
 
     def has(self, letter: str) -> bool:
-        """Return whether it has the letter with an outline: emoji fonts contain pictures instead."""
+        """Return whether the font has an outline of the letter: emoji fonts contain pictures instead."""
         if letter.isspace() or ord(letter) not in self._letters:
             return ord(letter) in self._letters
         glyph = self.shapes.get_nominal_glyph(ord(letter))

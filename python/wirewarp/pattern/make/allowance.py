@@ -60,7 +60,7 @@ def _fits(points: np.ndarray, tangent: np.ndarray, width: float) -> np.ndarray:
 
 
 def _cut_off(corner: np.ndarray, before: np.ndarray, after: np.ndarray, width: float) -> np.ndarray:
-    """Return where the line square to the corner's diagonal, at the limit, crosses both parallel lines: (2,2)."""
+    """Return the points (2,2) where the line square to the corner's diagonal, at the limit, crosses both parallels."""
     out = before + after
     length = np.linalg.norm(out)
     along = np.array([-before[1], before[0]])  # direction of the line before the turn

@@ -101,7 +101,7 @@ def _sewn_sides(laid: Laid) -> list[Side]:
 class SeamGroup:
     """Seams whose notches are at the same places."""
 
-    turned: dict[int, bool]  # whether places on each seam are measured from the other end than on the first
+    turned: dict[int, bool]  # by seam: places are measured from the end opposite to the first seam's start
     is_symmetric: bool = False  # a copy maps a seam to itself, end for end
 
 

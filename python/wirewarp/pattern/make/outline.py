@@ -80,7 +80,7 @@ class Side:
 
     @property
     def is_closed(self) -> bool:
-        """Return whether it is a whole outline."""
+        """Return whether the side is a whole outline, which ends where it starts."""
         return bool(self.sources[0] == self.sources[-1] and np.array_equal(self.points[0], self.points[-1]))
 
     @property

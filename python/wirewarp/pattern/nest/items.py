@@ -42,7 +42,7 @@ def room(gap: float) -> float:
 
 
 def room_at_edges(gap: float, grain: Grain) -> float:
-    """Return how far pieces with their room may extend beyond the edges of the cloth, in millimeters.
+    """Return the length by which pieces with their room may extend beyond the edges of the fabric, in millimeters.
 
     This is the whole room if their widths are exact; a simplified outline in any direction may be narrower by NEAR.
     """

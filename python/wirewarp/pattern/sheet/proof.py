@@ -109,7 +109,7 @@ def _notch_rows(walk: SeamWalk, units: UnitSystem) -> list[Row]:
 
 
 def _in_lines(begin: str, places: Sequence[str]) -> list[Row]:
-    """Return rows with as many as fit."""
+    """Return rows of the places, AT_ONCE in each, the first with the beginning."""
     lines = [", ".join(places[start : start + AT_ONCE]) for start in range(0, len(places), AT_ONCE)]
     return [("", (begin if number == 0 else "") + line) for number, line in enumerate(lines)]
 

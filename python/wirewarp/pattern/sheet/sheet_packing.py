@@ -110,7 +110,7 @@ def _placed(
 
 
 def _best_cell(taken: np.ndarray, used: np.ndarray, shape: Shape, per_sheet: np.ndarray) -> tuple[int, int, int]:
-    """Return how many new sheets the piece needs, and the lowest, leftmost start cell (y, x) with so few."""
+    """Return the number of new sheets that the piece needs, and the lowest, leftmost start cell (y, x) with so few."""
     cost = _new_sheets(used, shape.needed, per_sheet)
     collides = _collides(taken, shape.cells)
     fits = tuple(slice(min(sizes)) for sizes in zip(cost.shape, collides.shape, strict=True))
