@@ -12,6 +12,7 @@ from patterns import cut_polygon, flattened, grid, quads, rectangle, sample, tur
 from wirewarp.pattern import FlatPiece, Pattern, Text
 from wirewarp.pattern.label.leaders import FARTHEST, Beside
 from wirewarp.pattern.make.outline import flat_piece
+from wirewarp.pattern.model import short_name
 
 READABLE = 2.5  # millimeters
 
@@ -125,6 +126,11 @@ def test_names_beside_a_piece_are_clear_of_each_other():
         assert all(name in (whole, whole[-1]) for name, whole in zip(written, named, strict=True))  # "Seam 1" or "1"
         for first, second in combinations(map(letters, piece.texts), 2):
             assert first.disjoint(second)
+
+
+def test_a_dart_is_not_taken_for_the_seam_of_the_same_number():
+    short = {"Seam 3": "3", "Seam 3 / 5": "3 / 5", "Dart 3": "Dart 3", "Waist 3": "Waist 3"}
+    assert {name: short_name(name) for name in short} == short
 
 
 def test_a_seam_names_the_other_piece_if_there_is_room():

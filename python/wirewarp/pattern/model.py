@@ -23,11 +23,11 @@ KINDS = {  # parts that a maker may leave out of a file, by roles of lines, poin
     "texts": ("card", "card leader"),
     "line names": ("line name", "name leader"),
 }
-NUMBERED = re.compile("^(Seam|Dart) (?=[0-9 /]+$)")
+NUMBERED = re.compile("^Seam (?=[0-9 /]+$)")
 
 
 def short_name(seam: str) -> str:
-    """Return "3" for "Seam 3"; other names stay whole."""
+    """Return "3" for "Seam 3". Other names stay whole, also "Dart 3", since darts have numbers of their own."""
     return NUMBERED.sub("", seam)
 
 
