@@ -36,14 +36,14 @@ def test_all_points_are_in_sight_and_near(addon, cloud, across, upward, is_persp
 
 
 @pytest.mark.parametrize("is_perspective", [True, False])
-@pytest.mark.parametrize("covered", [0.0, 0.3])
-def test_the_points_fill_one_direction_and_are_central_in_both(addon, cloud, is_perspective, covered):
+@pytest.mark.parametrize(("covered", "above"), [(0.0, 0.0), (0.3, 0.2)])
+def test_the_points_fill_one_direction_and_are_central_in_both(addon, cloud, is_perspective, covered, above):
     """The margin is the same on both sides, although parts of the points are much nearer to the eye than others."""
     points, axes = cloud
     framing = addon.blender.views
-    middle, distance = framing.fit(points, framing.Projection(axes, 1.4, 2.3, is_perspective, covered))
+    middle, distance = framing.fit(points, framing.Projection(axes, 1.4, 2.3, is_perspective, covered, above))
     x, y = on_screen(points, axes, middle, distance, 1.4, 2.3, is_perspective)
-    x = (x + covered) / (1 - covered)  # -1 to 1 across the part that is not covered
+    x, y = (x + covered) / (1 - covered), (y + above) / (1 - above)  # -1 to 1 in the part that is not covered
     assert max(x.max(), y.max()) == pytest.approx(1 / framing.MARGIN)
     longer = x if np.ptp(x) > np.ptp(y) else y
     assert (longer.min(), longer.max()) == pytest.approx((-1 / framing.MARGIN, 1 / framing.MARGIN))
@@ -70,3 +70,13 @@ def test_places_are_shown_beside_the_legend_and_the_sidebar(addon, monkeypatch, 
     context = SimpleNamespace(preferences=SimpleNamespace(system=system))
     area = SimpleNamespace(regions=[SimpleNamespace(type="UI", width=230)])
     assert views._covered(context, area) == covered + 230
+
+
+@pytest.mark.parametrize(("overlaps", "headers"), [(True, 26 + 30), (False, 0)])
+def test_places_are_shown_below_headers_and_texts(addon, overlaps, headers):
+    """A header at the bottom covers nothing at the top."""
+    system = SimpleNamespace(ui_scale=2.0, use_region_overlap=overlaps)
+    context = SimpleNamespace(preferences=SimpleNamespace(system=system))
+    heights = [("HEADER", "TOP", 26), ("TOOL_HEADER", "TOP", 30), ("HEADER", "BOTTOM", 26), ("UI", "RIGHT", 700)]
+    regions = [SimpleNamespace(type=kind, alignment=side, height=height) for kind, side, height in heights]
+    assert addon.blender.views._covered_above(context, SimpleNamespace(regions=regions)) == 2 * 50 + headers

@@ -10,7 +10,8 @@ import numpy as np
 from mathutils import Quaternion, Vector
 
 LEGEND_WIDTH = 180  # width of the legend with the usual names of lines and its margin, in pixels at interface scale 1
-MOST_COVERED = 0.8  # largest share of the width that is left free for the legend; a wider one hides part of the place
+TEXTS_HEIGHT = 50  # height of the name of the view and of the object, with their margin, as LEGEND_WIDTH
+MOST_COVERED = 0.8  # largest share of the view that is left free for them; a wider legend hides part of the place
 MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
 ONE_SIDE = 0.3  # shortest mean normal of a surface with one visible side; a ring around a body has nearly zero
 SEEN = 0.3  # smallest cosine between that normal and the direction to the eye of a visible surface
@@ -60,17 +61,18 @@ class Projection:
     upward: float  # the same from bottom to top
     is_perspective: bool
     covered: float = 0.0  # share of the width that a sidebar covers on the right
+    covered_above: float = 0.0  # share of the height that headers and Blender's texts cover at the top
 
 
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
     """Return the point to look at (3,), and the distance to it; for orthographic views, the zoom factor.
 
-    From there all points (n,3) are visible, left of the covered part, as large and as central as possible.
+    From there all points (n,3) are visible beside the covered parts, as large and as central as possible.
     """
     x, y, z = (points @ view.axes).T
     middle = (z.min() + z.max()) / 2
     nearer = z - middle if view.is_perspective else np.zeros_like(z)
-    sides = [_Sides(view.across * x, nearer, view.covered), _Sides(view.upward * y, nearer, 0.0)]
+    sides = [_Sides(view.across * x, nearer, view.covered), _Sides(view.upward * y, nearer, view.covered_above)]
     distance = max(side.distance for side in sides)
     across, upward = (side.center(distance) for side in sides)
     return view.axes @ [across / view.across, upward / view.upward, middle], distance
@@ -138,6 +140,7 @@ def _look_at(context: bpy.types.Context, area: bpy.types.Area, points: np.ndarra
         upward=view.window_matrix[1][1],
         is_perspective=is_perspective,
         covered=min(_covered(context, area) / region.width, MOST_COVERED),
+        covered_above=min(_covered_above(context, area) / region.height, MOST_COVERED),
     )
     middle, distance = fit(points, projection)
     view.view_location = middle
@@ -160,6 +163,13 @@ def _covered(context: bpy.types.Context, area: bpy.types.Area) -> float:
     sidebar, system = next(each for each in area.regions if each.type == "UI"), context.preferences.system
     overlaps = system.use_region_overlap and sidebar.width > 1
     return max(LEGEND_WIDTH * system.ui_scale, _legend_width) + (sidebar.width if overlaps else 0)
+
+
+def _covered_above(context: bpy.types.Context, area: bpy.types.Area) -> float:
+    """Return the height in pixels that headers and Blender's texts cover at the top of the view."""
+    system, kinds = context.preferences.system, {"HEADER", "TOOL_HEADER"}
+    headers = sum(each.height for each in area.regions if each.type in kinds and each.alignment == "TOP")
+    return TEXTS_HEIGHT * system.ui_scale + (headers if system.use_region_overlap else 0)
 
 
 def work_area(context: bpy.types.Context) -> bpy.types.Area | None:
