@@ -124,7 +124,7 @@ def draw_overlays(addon):
         shown = list(addon.overlay.shown.drawings(view_context()))
         color_map = addon.overlay.shown.shown_map(view_context())
         addon.overlay.shown.map_notes(shown, color_map)
-        addon.overlay.shown.extremes(shown, color_map)
+        addon.overlay.shown.highest_value(shown, color_map)
     list(addon.overlay.shown.uv_drawings(sidebar()))
 
 

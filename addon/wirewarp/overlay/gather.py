@@ -32,8 +32,6 @@ from ..state.allowances import SIDE_EASES
 from ..state.marked_mesh import read_ids, read_marks
 from .lines import LineEdges, SideEases
 
-Extremes = tuple[float, float]  # smallest and largest value of a map, which may be beyond its scale of colors
-
 
 @dataclass(frozen=True)
 class Triangles:
@@ -49,13 +47,13 @@ class Triangles:
 class ColoredTriangles:
     places: np.ndarray  # (3m,3) float32
     colors: np.ndarray  # (3m,4) float32, as the screen shows them, sRGB
-    extremes: Extremes | None
+    highest: float | None  # the largest value of the map, which may be beyond its scale of colors
 
 
-def colored(triangles: Triangles, corner_colors: np.ndarray, extremes: Extremes | None) -> ColoredTriangles:
+def colored(triangles: Triangles, corner_colors: np.ndarray, highest: float | None) -> ColoredTriangles:
     """Return the triangles with these linear colors (l,4) of their corners."""
     colors = screen_colors(corner_colors)[triangles.corners.ravel()]
-    return ColoredTriangles(triangles.positions[triangles.vertices.ravel()], np.ascontiguousarray(colors), extremes)
+    return ColoredTriangles(triangles.positions[triangles.vertices.ravel()], np.ascontiguousarray(colors), highest)
 
 
 def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> np.ndarray:

@@ -21,7 +21,6 @@ from ..state.record import grains, read_record
 from ..state.reports import last_report, pieces_report
 from .gather import (
     ColoredTriangles,
-    Extremes,
     colored,
     gather_lines,
     gather_side_eases,
@@ -208,20 +207,19 @@ def colored_surface(
     colors = read_attribute(flat.data, color_map.attribute, "FLOAT_COLOR", "CORNER")
     if colors is None:
         return None
-    extremes = map_extremes(flat.data, color_map)
+    highest = _highest_value(flat.data, color_map)
     if flat == target:
-        return colored(gather_triangles(flat.data), colors, extremes)
+        return colored(gather_triangles(flat.data), colors, highest)
     corners = find_values(flat.data, SOURCE_CORNER)
     if corners is None or current_report(target) is None:
         return None
     with shown_mesh(target, depsgraph) as mesh:
-        return colored(gather_triangles(mesh), on_model(colors, corners, len(mesh.loops)), extremes)
+        return colored(gather_triangles(mesh), on_model(colors, corners, len(mesh.loops)), highest)
 
 
-def map_extremes(flat: bpy.types.Mesh, color_map: ColorMap) -> Extremes | None:
-    """Return the extremes; None if a user or a script has removed them."""
+def _highest_value(flat: bpy.types.Mesh, color_map: ColorMap) -> float | None:
+    """Return the largest value of the map; None if a user or a script has removed it."""
     record = read_record(flat)
     if record is None or color_map.attribute not in record.ranges:
         return None
-    low, high = record.ranges[color_map.attribute]
-    return low, high
+    return record.ranges[color_map.attribute][1]

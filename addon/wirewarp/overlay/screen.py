@@ -14,7 +14,7 @@ from gpu_extras.batch import batch_for_shader
 from ..blender.views import note_legend
 from ..solve.maps import ColorMap
 from .batches import blending
-from .gather import Extremes, screen_colors
+from .gather import screen_colors
 from .lines import RIM, RIM_ALPHA, STYLES, LineStyle
 from .shown import Drawing, UvDrawing
 
@@ -50,7 +50,7 @@ def lay_out(
     styles: Sequence[LineStyle],
     notes: Sequence[str],
     color_map: ColorMap | None,
-    extremes: Extremes | None,
+    highest: float | None,
     corner: tuple[float, float],
     unit: float,
     text_width: Callable[[str], float],
@@ -64,14 +64,14 @@ def lay_out(
     widths = [(SAMPLE + 8) * unit + text_width(label) for label in labels] + [text_width(note) for note in notes]
     if color_map:
         beside = text_width(f"≥ {color_map.number(color_map.high)}")  # half the width of the outermost numbers
-        widths += [SCALE_WIDTH * unit + beside, text_width(_title(color_map, extremes))]
+        widths += [SCALE_WIDTH * unit + beside, text_width(_title(color_map, highest))]
     if not widths:
         return Legend()
     left = right - max(widths) - 2 * PADDING * unit
     legend = Legend()
     base = bottom + PADDING * unit
     if color_map:
-        title = Text(_title(color_map, extremes), left + PADDING * unit, base + (ROW + SCALE_HEIGHT + 6) * unit)
+        title = Text(_title(color_map, highest), left + PADDING * unit, base + (ROW + SCALE_HEIGHT + 6) * unit)
         legend.texts.append(title)
         base = _add_scale(legend, color_map, (left + right) / 2 - SCALE_WIDTH * unit / 2, base, unit, text_width)
     for note in reversed(notes):
@@ -84,12 +84,9 @@ def lay_out(
     return legend
 
 
-def _title(color_map: ColorMap, extremes: Extremes | None) -> str:
-    """Return the title with the true extremes, because the scale may end before them."""
-    if extremes is None:
-        return color_map.label
-    low, high = (color_map.number(value, digits=3) for value in extremes)
-    return f"{color_map.label}: {low} to {high}" if color_map.low < 0 else f"{color_map.label}: up to {high}"
+def _title(color_map: ColorMap, highest: float | None) -> str:
+    """Return the title with the largest value, because the scale may end before it."""
+    return color_map.label if highest is None else f"{color_map.label}: up to {color_map.number(highest, digits=3)}"
 
 
 def _add_sample(legend: Legend, style: LineStyle, left: float, base: float, unit: float) -> None:
@@ -157,7 +154,7 @@ def write_over(
     names: Iterable[PlacedName],
     notes: Sequence[str] = (),
     color_map: ColorMap | None = None,
-    extremes: Extremes | None = None,
+    highest: float | None = None,
 ) -> None:
     """Draw names and legend of the objects in a view."""
     unit = context.preferences.system.ui_scale
@@ -165,7 +162,7 @@ def write_over(
         write_names(names, unit, _free_span(context))
     kinds = {kind for each in shown if each.lines for kind in each.lines.places}
     kinds |= {kind for each in shown if each.failures for kind in each.failures.kinds}
-    write_legend(context, kinds, unit, notes, color_map, extremes)
+    write_legend(context, kinds, unit, notes, color_map, highest)
 
 
 def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHERE) -> None:
@@ -234,7 +231,7 @@ def write_legend(
     unit: float,
     notes: Sequence[str],
     color_map: ColorMap | None,
-    extremes: Extremes | None,
+    highest: float | None,
 ) -> None:
     """Draw the legend of these kinds of line in the lower right corner."""
     blf.size(FONT, FONT_SIZE * unit)
@@ -242,7 +239,7 @@ def write_legend(
         [style for kind, style in reversed(STYLES.items()) if kind in kinds],
         notes,
         color_map,
-        extremes,
+        highest,
         _corner(context, unit),
         unit,
         lambda text: blf.dimensions(FONT, text)[0],

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Finds the objects to draw in 3D views and UV editors."""
 
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -15,7 +16,7 @@ from ..export.export import GRAINS, Cloth, library_paper
 from ..export.steps import copies_sentences
 from ..issues import ObjectError
 from ..names import MARKER, MARKS
-from ..solve.maps import ASPECT_RATIO, CLOTH_MAPS, COLOR_MAPS, STRETCH, ColorMap
+from ..solve.maps import ASPECT_RATIO, CLOTH_MAPS, COLOR_MAPS, SHEAR, STRETCH, WEFT, ColorMap
 from ..solve.report import ObjectReport
 from ..state.drawings import Same, kept_drawing
 from ..state.identities import piece_names, seam_names
@@ -24,12 +25,13 @@ from ..state.owners import find_flat_object, model_of, model_or_self
 from ..state.reports import last_report, pieces_report
 from ..state.suggestions import suggestions_of
 from .failures import Failures, failures, suggested_lines, uv_suggested_lines, with_cut
-from .gather import ColoredTriangles, Extremes, shows_our_map
+from .gather import ColoredTriangles, shows_our_map
 from .objects import Lines, colored_surface, marked_lines, uv_lines
 from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, outlines, page_preview
 
 MODES = {"OBJECT", "EDIT"}
 STRETCH_MAPS = (STRETCH, ASPECT_RATIO)
+ONE_FIGURE = (*STRETCH_MAPS, *CLOTH_MAPS)  # the legend shows the figure of the list of pieces, and no other
 
 
 @dataclass(frozen=True)
@@ -69,29 +71,35 @@ def _is_edited(target: bpy.types.Object) -> bool:
 
 def map_notes(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
     """Return why the map is missing on some objects and, for a map of stretch, the verdict's figure."""
-    notes = missing_maps(shown, color_map)
     reports = [last_report(model_or_self(each.target)) for each in shown if each.surface is not None]
-    pieces = [piece for report in reports if report for piece in report.pieces if piece.ok]
-    if pieces and color_map in STRETCH_MAPS:
+    figure = _figure([report for report in reports if report], color_map)
+    return [*missing_maps(shown, color_map), *([f"99% of the area: up to {figure}"] if figure else [])]
+
+
+def _figure(reports: Sequence[ObjectReport], color_map: ColorMap) -> str:
+    """Return the largest figure of the pieces that a map of stretch shows; empty without one."""
+    pieces = [piece for report in reports for piece in report.pieces if piece.ok]
+    threads = [piece.threads for piece in pieces if piece.threads]
+    if color_map in STRETCH_MAPS and pieces:
         worst = max(pieces, key=lambda piece: piece.needed)
-        where = "along the threads" if worst.threads else "in the worst direction"
-        notes.append(f"99% of the area: up to {percent_text(worst.needed)} {where}")
-    return notes
+        return f"{percent_text(worst.needed)} {'along the threads' if worst.threads else 'in the worst direction'}"
+    if color_map is SHEAR and threads:
+        return f"{math.degrees(max(each.shear for each in threads)):.0f}°"
+    if color_map in CLOTH_MAPS and threads:
+        return percent_text(max(each.across if color_map is WEFT else each.along for each in threads))
+    return ""
 
 
 def _has_cloth(report: ObjectReport) -> bool:
     return bool((report.options or {}).get("cloth"))
 
 
-def extremes(shown: Sequence[Drawing], color_map: ColorMap | None) -> Extremes | None:
-    """Return the smallest and the largest value of the map on all objects.
-
-    Returns None for a map of stretch: its note shows the verdict's figure, and a second one beside it would confuse.
-    """
-    if color_map in STRETCH_MAPS:
+def highest_value(shown: Sequence[Drawing], color_map: ColorMap) -> float | None:
+    """Return the largest value of the map on all objects, if the legend shows it."""
+    if color_map in ONE_FIGURE:
         return None
-    found = [each.surface.extremes for each in shown if each.surface and each.surface.extremes]
-    return (min(low for low, _ in found), max(high for _, high in found)) if found else None
+    found = [each.surface.highest for each in shown if each.surface]
+    return max((highest for highest in found if highest is not None), default=None)
 
 
 def drawings(context: bpy.types.Context) -> Iterator[Drawing]:

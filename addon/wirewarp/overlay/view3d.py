@@ -15,7 +15,7 @@ from ..state.memory import kept
 from ..state.owners import model_of
 from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
 from .screen import MAX_NAMES, PlacedName, write_over
-from .shown import Drawing, UvDrawing, drawings, extremes, map_notes, shown_map, uv_drawings
+from .shown import Drawing, UvDrawing, drawings, highest_value, map_notes, shown_map, uv_drawings
 
 # Layers are drawn nearer to the eye by these shares of its distance, so that a surface does not hide its lines.
 SURFACE_NEARER = 0.0005
@@ -94,8 +94,8 @@ def draw_screen() -> None:
     if shown:
         names = (name for drawing in shown for name in _names_in_view(context, drawing))
         color_map = shown_map(context)
-        notes = map_notes(shown, color_map) if color_map else []
-        write_over(context, shown, names, notes, color_map, extremes(shown, color_map))
+        notes, highest = (map_notes(shown, color_map), highest_value(shown, color_map)) if color_map else ([], None)
+        write_over(context, shown, names, notes, color_map, highest)
 
 
 def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[PlacedName]:
