@@ -47,7 +47,7 @@ def ratios(comparisons: Sequence[Comparison]) -> list[tuple[str, ...]]:
 
 
 def of_hard_sheets(hard: Sequence[Comparison]) -> list[tuple[str, ...]]:
-    """Return the comparisons of jittered sheets with ARAP, and of the most wires with eight."""
+    """Return rows for jittered sheets, compared with ARAP, and for the most wires, compared with eight wires."""
     ours, theirs = flatteners.REFINED_ELASTIC, flatteners.ARAP
     jittered = [c for c in hard if c.surface.endswith("jittered")]
     rows = [

@@ -47,7 +47,8 @@ class Mutant:
         return text[: self.start] + self.other + text[self.start + len(self.operator) :]
 
 
-# returns whether tests fail on a mutant, or on the original source for None; None: it does not compile
+# Returns whether tests fail on a mutant, or on the original source if called with None. Returns None if the source does
+# not compile.
 Judge = Callable[[Mutant | None], bool | None]
 
 

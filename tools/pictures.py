@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Takes the pictures of the pages in docs/ with the scripts in docs/guide/, in Blender's window on a virtual screen."""
 
+import json
 import shutil
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -15,7 +16,9 @@ PILLOW = "pillow==13.0.0"
 GUIDE = ROOT / "docs" / "guide"  # the scripts and the pictures
 SCRIPT = GUIDE / "take_pictures.py"
 TOURS = ("mark", "flat", "report", "suggest", "tube", "contradiction", "pieces", "allowance", "pages", "export")
-PRINTED = {"sheet": ("sheets", 6, 60), "marker": ("marker", 1, 40)}  # name: file, page, dots per inch
+SHEET, DOTS = 6, 60  # page of the PDF that is shown, and its dots per inch
+DRAWN = {"pattern": 2600, "marker": 1100}  # name of the SVG file and of its style: width in pixels
+PART = (970, 0, 1930, 1000)  # the pixels of the pattern that are shown: the left sleeve and the neck of the front
 AT_ONCE = 4  # number of Blenders; they mostly wait for their windows
 SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on an idle one
 
@@ -39,11 +42,12 @@ def pictures() -> None:
             if code:
                 print(output, flush=True)
                 raise StepError(f"the tour {name} of {SCRIPT.name} failed; its last picture is in {taken}")
-    paper = ["--width", "1300", "--background-color", "white", "--stylesheet", str(GUIDE / "paper.css")]
-    run(["rsvg-convert", *paper, taken / "pattern.svg", "-o", taken / "pattern.png"])
-    for name, (file, page, dots) in PRINTED.items():
-        shown = ["-png", "-singlefile", "-r", str(dots), "-f", str(page), "-l", str(page)]
-        run(["pdftoppm", *shown, taken / f"{file}.pdf", taken / name])
+    for name, width in DRAWN.items():
+        paper = ["--width", str(width), "--background-color", "white", "--stylesheet", str(GUIDE / f"{name}.css")]
+        run(["rsvg-convert", *paper, taken / f"{name}.svg", "-o", taken / f"{name}.png"])
+    (taken / "pattern.json").write_text(json.dumps(PART))
+    shown = ["-png", "-singlefile", "-r", str(DOTS), "-f", str(SHEET), "-l", str(SHEET)]
+    run(["pdftoppm", *shown, taken / "sheets.pdf", taken / "sheet"])
     python = venv("pictures", DEBIAN_PYTHON, PILLOW)
     run([python, GUIDE / "shrink_pictures.py", taken, GUIDE])
     drawn = BUILD / "drawn"

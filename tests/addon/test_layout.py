@@ -126,7 +126,7 @@ def test_without_a_grain_wire_pieces_are_upright_as_on_the_model():
     source.rotation_euler = (np.pi / 2, 0, 0)  # its y is up
     flatten(source)
     assert direction_of(source, *ALONG_Y)[1] == pytest.approx(1, abs=1e-4)
-    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # its x is down and stays so, although along x is a wire
+    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # its x is down, and stays down although a wire runs along x
     flatten(source, keep_places=False)
     assert direction_of(source, *ALONG_X)[1] == pytest.approx(-1, abs=1e-4)
 

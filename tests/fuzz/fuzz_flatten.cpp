@@ -100,13 +100,13 @@ Asked any_case(FuzzedDataProvider& bytes) {
   if (bytes.ConsumeBool()) asked.steps_until_cancelled = bytes.ConsumeIntegralInRange(0, 200);
   asked.options.grain = bytes.ConsumeIntegralInRange(-1, 3);
   asked.input = bytes.ConsumeBool() ? any_input(bytes) : changed_mesh(bytes);
-  // At most one too large.
+  // The index of the grain wire is at most one too large.
   asked.options.grain = std::min(asked.options.grain, static_cast<int>(asked.input.wires.size()));
   if (bytes.ConsumeBool()) asked.options.large_chart = bytes.ConsumeIntegralInRange(1, kMostVertices);
   return asked;
 }
 
-/// Returns what measure() reports differently: it must confirm every guarantee of the pieces.
+/// Returns the differences between the result and the report of measure(), which must confirm every guarantee.
 std::vector<std::string> differences_of_measure(const Asked& asked, const FlattenResult& result) {
   std::vector<std::string> differences;
   if (asked.options.mirror) return differences;  // all faces are flipped

@@ -76,7 +76,7 @@ def uv_lines(target: bpy.types.Object) -> Lines:
 
 
 def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Lines:
-    """Return the marked edges of this object in every view; in_plane: as flat pieces."""
+    """Return the marked edges of this object in every view. in_plane: they are flat pieces."""
     rooms = piece_rooms(edges) if in_plane else {}
     runs, report = wire_runs(edges.vertices, edges.ends, edges.marks), current_report(target)
     names = wire_line_names(edges, runs, _wire_names(target, [run.wire_id for run in runs], report), rooms)

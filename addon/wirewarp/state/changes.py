@@ -138,9 +138,9 @@ def place_sums(points: np.ndarray) -> list[float]:
 
 
 def rounding_of_sums(points: np.ndarray, distance: float) -> float:
-    """Return how much rounding of the points (n,3) can change their sums.
+    """Return the largest change of the sums of points (n,3) by rounding.
 
-    distance: of the object from the world's origin.
+    distance: distance of the object from the world's origin.
     """
     size = float(np.abs(_finite(points)).max(initial=0)) + distance
     return ROUNDING * size * float(np.sqrt(max(len(points) / BLOCKS, 1)))

@@ -256,7 +256,7 @@ class Setting:
 
     @property
     def label(self) -> str:
-        """Return its name for sentences."""
+        """Return the name of the setting in sentences, without its unit."""
         return FlattenSettings.__annotations__[self.name].keywords["name"].removesuffix(" (mm)")
 
 

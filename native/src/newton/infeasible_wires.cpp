@@ -200,7 +200,7 @@ class ToleranceSearch {
     }
   }
 
-  /// Lowers the tolerances of these wires to the lowest rung of the ladder that works, by bisection.
+  /// Lowers the tolerances of these wires to the smallest one of kLadder that works, by bisection.
   void lower(Tolerances& tolerances, const std::vector<int>& wires) {
     const double* low = std::begin(kLadder);
     const double* high = std::end(kLadder);

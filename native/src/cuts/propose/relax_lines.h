@@ -18,8 +18,8 @@ struct RelaxedLine {
   bool is_closed = false;
 };
 
-/// Lines that meet at their ends. They cross no barrier, and what touches one is fixed. So are ends where no other line
-/// continues; junctions move.
+/// Lines that meet at their ends. They cross no barrier. Points on a barrier are fixed, as are ends where no other line
+/// continues. Junctions move.
 class LineNetwork {
  public:
   /// chains: lines along edges that meet only at their ends. barriers: one flag per edge. The mesh and
@@ -33,13 +33,13 @@ class LineNetwork {
   /// Returns the mean length of the chains' edges, scene units.
   double mean_edge() const { return edge_length_; }
 
-  /// Returns how often points must move to smooth lines over about this distance.
+  /// Returns the number of moves of each point that smooths lines over about this distance.
   int steps_for(double distance) const;
 
  private:
   struct Point {
     SurfacePoint start;
-    std::vector<std::size_t> lines;  // that pass it or end there
+    std::vector<std::size_t> lines;  // lines through this point or ending there
     bool is_fixed = false;
   };
 
