@@ -153,7 +153,7 @@ class UpdateSteps(FlattenSteps):
         """Show nothing: the user is working in this view."""
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
-        """Make a model due again if it could not be written. A changed model is already due."""
+        """Make a model due again if it could not be written. If it has changed, it is due already."""
         if code == "elsewhere":
             sources = filter(None, map(find_source, self._models))
             put_back(list(sources), bpy.data.scenes.get(self._scene, context.scene))

@@ -149,7 +149,7 @@ def _restored_on_failure(target: bpy.types.Object, *, is_new: bool) -> Iterator[
 
 
 def _is_shared(flat: bpy.types.Object) -> bool:
-    """Return whether its mesh must not change because another object, such as the model, uses it."""
+    """Return whether the mesh of the pieces must not change, because another object, such as the model, uses it."""
     model, users = model_of(flat), (each for each in bpy.data.objects if each.data == flat.data)
     return flat.data.library is not None or any(model_of(user) != model for user in users)
 

@@ -44,7 +44,7 @@ def draw_table(
     rows: list[ReportRow],
     names: Mapping[int, bpy.types.PropertyGroup],
 ) -> None:
-    """Draw the table. names: list with the name of each seam, by its id, where it can be changed."""
+    """Draw the table. names: by the id of each seam, the item with its name, so that the user can change it."""
     units, meters = length_text(context.scene), meters_per_blender_unit(context.scene)
     column = layout.column(align=True)
     wide = is_wide(context)

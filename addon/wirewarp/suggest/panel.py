@@ -50,7 +50,7 @@ def draw_suggest(
 
 
 def draw_simplify(layout: bpy.types.UILayout, settings: TargetSettings) -> None:
-    """Draw its button and target, or the progress of a search, for a piece that needs no cut."""
+    """Draw the button Simplify Seams and its target, or the progress of a search. The piece needs no cut."""
     row = layout.row(align=True)
     if draw_progress(row, SUGGEST, "object.wirewarp_simplify_seams"):
         return

@@ -48,8 +48,9 @@ void move_along(const NewtonStep& step, NewtonState& state) {
   ++state.iterations;
 }
 
-/// Takes more Newton steps with the current factor, as long as their slope falls fast. slope: of the last step. Each
-/// step corrects the length errors of the one before. Returns whether the remaining decrease is not worthwhile.
+/// Takes more Newton steps with the current factor, as long as their slope falls fast. slope: slope of the last
+/// step. Each step corrects the length errors of the one before. Returns whether the remaining decrease is not
+/// worthwhile.
 bool take_steps_with_factor(NewtonState& state, double slope) {
   for (bool is_first = true; state.control.stop.may_go_on(); is_first = false) {
     state.update_gradient();

@@ -17,7 +17,8 @@ COARSE_ADVICE = (
 LEAST_TURN = np.radians(15.0)  # at one vertex: a smaller turn looks round on fabric
 LEAST_ERROR = 1e-3  # meters between the curve and the middle of its edge: scissors follow a line no better
 CORNER = np.radians(60.0)  # a larger turn is a corner: a curve of so few edges has no shape of its own
-# share of the turn by which a neighbor on a curve turns in the same direction, too; beside a corner, it is straight
+# On a curve, a neighbor of a vertex turns by at least this share of the turn in the same direction. Beside a corner,
+# the line is straight.
 ALIKE = 0.5
 
 

@@ -17,8 +17,8 @@
 namespace wirewarp {
 namespace {
 
-/// The coarse copy may rank almost equal cuts wrongly. Therefore cuts at more places than requested are evaluated
-/// exactly, and further cuts up to this share of all cuts that were tried on the copy.
+/// The coarse copy may rank almost equal cuts wrongly. Therefore, cuts at this number of additional places are
+/// evaluated exactly, and further cuts until this share of all cuts tried on the copy is reached.
 constexpr int kMorePlaces = 3;
 constexpr double kShareEvaluated = 0.05;
 

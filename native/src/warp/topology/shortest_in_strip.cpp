@@ -23,8 +23,8 @@ struct Gate {
 };
 
 std::vector<Gate> unfold(const HalfEdgeMesh& mesh, const WireMask& wires, const Strip& strip) {
-  // Share of a crossed edge at an end on a wire that the path keeps away from, to leave room for triangles between path
-  // and wire.
+  // If an end of a crossed edge is on a wire, the path keeps away from it by this share of the edge. This leaves room
+  // for triangles between path and wire.
   constexpr double kKeptAway = 0.25;
   Planar from = 0;
   Planar to = edge_length(mesh, strip.crossings.front());
