@@ -161,7 +161,7 @@ def test_missing_arguments_come_from_the_scene(addon):
 
 
 class MenuLayout(SimpleNamespace):
-    """Records the entries of a menu, as after an entry of Blender that is executed and not invoked."""
+    """Records the entries of a menu. Its entries are executed, as if one of Blender's own entries were above them."""
 
     def __init__(self):
         super().__init__(operator_context="EXEC_REGION_WIN", contexts=[], menus=[], entries=[])

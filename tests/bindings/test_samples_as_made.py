@@ -67,7 +67,7 @@ def test_the_skirt_is_twice_as_wide_as_its_waistband():
 def test_negative_ease_follows_the_direction_on_the_cloth(name):
     """The length of an edge across or along the grain is divided by 1 + stretch, that of others by a value in between.
 
-    That of a seam is divided by the mean of its sides.
+    The length of a seam is divided by the mean of the values of its sides.
     """
     shape = SAMPLES[name]
     unstretched, flat = flat_half_edges(flattened(name, cloth=shape.cloth)), flat_half_edges(flattened_as_made(name))

@@ -14,7 +14,7 @@ LONGEST = 255 if bpy.app.version >= (5, 0, 0) else 63  # bytes; Blender cuts lon
 
 
 def remove_object(target: bpy.types.Object) -> None:
-    """Remove it with its data, unless other objects, such as the user's copies, use that too."""
+    """Remove the object with its data, unless other objects, such as the user's copies, use that too."""
     data = target.data
     bpy.data.objects.remove(target)
     if data.users == 0:

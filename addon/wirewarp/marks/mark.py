@@ -70,7 +70,7 @@ def _mark(target: bpy.types.Object, rows: np.ndarray, tolerance: float) -> Marke
     mesh, marks, lost_eases = target.data, repair_marks(target), 0
     edges_of_wire = np.unique(marks.wire_ids, return_counts=True)
     counts = dict(zip(*(each.tolist() for each in edges_of_wire), strict=True))
-    # As displayed, so that unapplied scale does not change which lines are straight.
+    # Use the places as displayed, so that unapplied scale does not change which lines are straight.
     positions = vertex_places(mesh) @ np.array(target.matrix_world)[:3, :3].T
     chains = split_into_chains(edge_vertices(mesh)[rows], positions)
     for chain in chains:

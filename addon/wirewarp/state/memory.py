@@ -103,7 +103,7 @@ def find_objects(concerns_us: Callable[[bpy.types.Object], bool]) -> list[bpy.ty
 
 
 def note(target: bpy.types.Object) -> None:
-    """Notes that the add-on's data on the object has changed, of which Blender sends no update."""
+    """Notes a change of the add-on's data on the object, about which Blender sends no update."""
     _memory.updated.add(_place(target))
 
 

@@ -23,7 +23,7 @@ LEAST_WEIGHT = 0.5  # weight from which a vertex is in the group: painted with h
 
 
 def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = None) -> NoSeam:
-    """Return where no cut may be, on the object's own mesh in Object Mode, or on the mesh with modifiers.
+    """Return the areas without cuts, on the object's own mesh in Object Mode, or on the mesh with modifiers.
 
     Raises ObjectError for an attribute of another type or domain.
     """

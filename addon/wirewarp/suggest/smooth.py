@@ -59,7 +59,7 @@ def take_away(source: bpy.types.Object, seams: Pairs, with_modifiers: bool) -> i
 
 
 def _divided(arrays: MeshArrays, paths: Sequence[SurfacePath]) -> Division:
-    """Return how the lines divide the faces. Raises ObjectError if the lines cannot be cut."""
+    """Return the division of the faces by the lines. Raises ObjectError if the lines cannot be cut."""
     try:
         return divide(core.library(), arrays, paths)
     except core.FlattenError as error:

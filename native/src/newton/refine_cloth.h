@@ -5,7 +5,7 @@
 //
 // The energy of a fabric depends on the rotation of the piece. One constraint n·(u_b − u_a) = 0 fixes the direction
 // between two vertices (upright_pair()). Its multiplier is the derivative of the energy with respect to the angle. With
-// Orientation::best, Newton steps by the angle from the best of 36 directions make this derivative vanish.
+// Orientation::best, Newton's method starts at the best of 36 angles and finds the angle at which this derivative is 0.
 #pragma once
 
 #include "base/internal_options.h"

@@ -12,8 +12,8 @@ namespace wirewarp {
 
 class TangentSpace {
  public:
-  /// system: factored, with a convex H = G. The system and the constraints must outlive the space and must not change.
-  /// free: elastic parts that are not at a bound. Throws FactorizationFailed.
+  /// system: must be factored, with a convex H = G. The system and the constraints must outlive the space and must not
+  /// change. free: elastic parts that are not at a bound. Throws FactorizationFailed.
   TangentSpace(const NewtonSystem& system, const LengthConstraints& constraints, std::vector<int> free);
 
   const std::vector<int>& free() const { return free_; }

@@ -128,7 +128,7 @@ def _not_cut(name: str, edges: list[tuple[int, int]], is_seam: bool) -> FlattenE
 
 
 def _outline_edges(piece: FlatPiece) -> dict[tuple[int, int], tuple[int, int]]:
-    """Return the piece's vertices at both ends of each outline edge, by the model's."""
+    """Return the vertices of the piece at both ends of each outline edge, by those of the model."""
     sources = piece.source_vertex[piece.outline]
     return {(a, b): (c, d) for (a, b), (c, d) in zip(sources.tolist(), piece.outline.tolist(), strict=True)}
 
