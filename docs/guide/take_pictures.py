@@ -12,15 +12,19 @@ import bmesh
 import bpy
 import drive
 import wirewarp_addon
+from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_location_3d
 from mathutils import Euler, Vector
 
 SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "fitted_top.blend"
 PANEL = "VIEW3D_PT_wirewarp_"
-MODEL, PIECES, BOTH = 480, 420, 110  # pixels on the left of the view that pictures leave out
+UI_SCALE = 1.3  # makes texts readable at the width of a page
+LEFT = 480  # pixels on the left of the view that pictures leave out
 
 
 def open_sample(*opened: str) -> drive.Tour:
     """Open the sample in a window with only a 3D view and only these panels of ours open (the first at once)."""
+    bpy.context.preferences.view.ui_scale = UI_SCALE
+    bpy.context.preferences.view.smooth_view = 0  # otherwise, Flatten still moves the view when a picture is taken
     panels = [cls for cls in wirewarp_addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
     for panel in panels:
         bpy.utils.unregister_class(panel)
@@ -49,9 +53,7 @@ def open_sample(*opened: str) -> drive.Tour:
 
 def look_at_model() -> drive.Tour:
     look(Euler((1.25, 0.0, 0.42)))
-    view = drive.view_area().spaces.active.region_3d
-    view.view_location, view.view_distance = (0.0, 0.0, 0.22), 1.25
-    yield from drive.ticks(10)
+    yield from fit()
 
 
 def look(rotation: Euler) -> None:
@@ -61,11 +63,41 @@ def look(rotation: Euler) -> None:
     view.update()
 
 
-def look_at_both() -> drive.Tour:
+def look_at_both(bottom: float = 0.0) -> drive.Tour:
     look(Euler((0.85, 0.0, 0.25)))
-    with drive.in_view():
-        bpy.ops.view3d.wirewarp_frame()
-    yield from drive.ticks(10)
+    yield from fit(bottom)
+
+
+def fit(bottom: float = 0.0) -> drive.Tour:
+    """Fit all visible objects into the shown part of the view. bottom: share of its height that stays free, for a
+    legend.
+    """
+    yield from drive.ticks(2)
+    region, view = drive.region("WINDOW"), drive.view_area().spaces.active.region_3d
+    right = drive.region("UI").x - region.x
+    for _ in range(4):  # perspective makes a single step inexact
+        box = shown_box(region, view)
+        size = Vector((right - LEFT, (1 - bottom) * region.height))
+        middle = Vector(((LEFT + right) / 2, (1 + bottom) / 2 * region.height))
+        shown, wanted = (
+            region_2d_to_location_3d(region, view, place, view.view_location)
+            for place in ((box[0] + box[1]) / 2, middle)
+        )
+        view.view_location += shown - wanted
+        view.view_distance *= 1.1 * max((box[1] - box[0])[k] / size[k] for k in range(2))
+        view.update()
+        yield from drive.ticks(2)
+
+
+def shown_box(region: bpy.types.Region, view: bpy.types.RegionView3D) -> tuple[Vector, Vector]:
+    """Return the lowest and the highest pixel of the box around all visible objects."""
+    points = [
+        location_3d_to_region_2d(region, view, each.matrix_world @ Vector(corner))
+        for each in bpy.context.view_layer.objects
+        if each.visible_get()
+        for corner in each.bound_box
+    ]
+    return tuple(Vector(end(point[k] for point in points) for k in range(2)) for end in (min, max))
 
 
 def hide_others() -> None:
@@ -103,13 +135,13 @@ def park_mouse() -> drive.Tour:
     yield from drive.ticks(10)
 
 
-def take_picture(name: str, left: int) -> drive.Tour:
+def take_picture(name: str) -> drive.Tour:
     """Write NAME.png, and NAME.json with the part to keep: left, top, right, bottom in pixels from the top left."""
     yield from park_mouse()
     drive.screenshot(name)
     area, height = drive.view_area(), bpy.context.window_manager.windows[0].height
     top = height - area.y - area.height
-    box = (area.x + left, top + 1, area.x + area.width, top + area.height - 1)  # without its border
+    box = (area.x + LEFT, top + 1, area.x + area.width, top + area.height - 1)  # without its border
     (Path(os.environ["WIREWARP_PICTURES"]) / f"{name}.json").write_text(json.dumps(box))
 
 
@@ -124,7 +156,7 @@ def mark() -> drive.Tour:
     names = bpy.context.object.data.wirewarp_names
     names[len(names) - 1].name = "Hip line"
     yield from drive.ticks(10)
-    yield from take_picture("mark", MODEL)
+    yield from take_picture("mark")
 
 
 def near_level(height: float) -> float:
@@ -136,15 +168,15 @@ def flat() -> drive.Tour:
     yield from open_sample("flatten", "report")
     yield from flatten()
     yield from look_at_both()
-    yield from take_picture("flat", BOTH)
+    yield from take_picture("flat")
 
 
 def report() -> drive.Tour:
     yield from open_sample("flatten", "report", "report_seams", "report_outlines")
     yield from flatten()
     bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
-    yield from look_at_both()
-    yield from take_picture("report", BOTH)
+    yield from look_at_both(bottom=0.3)
+    yield from take_picture("report")
 
 
 def suggest() -> drive.Tour:
@@ -155,7 +187,7 @@ def suggest() -> drive.Tour:
         bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True, piece=0)
     yield lambda: not wirewarp_addon.ui.window_run.is_running()
     yield from look_at_both()
-    yield from take_picture("suggest", BOTH)
+    yield from take_picture("suggest")
 
 
 def tube() -> drive.Tour:
@@ -165,10 +197,8 @@ def tube() -> drive.Tour:
     yield from flatten()
     hide_others()  # they would block the view from below
     look(Euler((2.0, 0.0, -0.4)))
-    view = drive.view_area().spaces.active.region_3d
-    view.view_location, view.view_distance = (0.02, 0.0, 0.27), 1.2
-    yield from drive.ticks(10)
-    yield from take_picture("tube", MODEL)
+    yield from fit()
+    yield from take_picture("tube")
 
 
 def clear_sleeve_seam(mesh: bpy.types.Mesh) -> None:
@@ -201,24 +231,15 @@ def contradiction() -> drive.Tour:
     yield from flatten()
     hide_others()
     yield from look_at_model()  # Flatten has moved the view
-    yield from take_picture("contradiction", MODEL)
+    yield from take_picture("contradiction")
 
 
 def pieces() -> drive.Tour:
     yield from open_sample("flatten", "pieces", "report", "report_wires")
     yield from flatten()
-    source = bpy.context.object
-    flat_pieces = bpy.data.objects["Fitted top Flat"]
-    source.hide_set(True)
-    bpy.context.view_layer.objects.active = flat_pieces
-    flat_pieces.select_set(True)
     bpy.context.scene.wirewarp.shown_map = "STRETCH_COLOR"
-    look(Euler((0.0, 0.0, 0.0)))
-    yield from drive.ticks(10)
-    with drive.in_view():
-        bpy.ops.view3d.view_all()
-    yield from drive.ticks(40)
-    yield from take_picture("pieces", PIECES)
+    yield from show_pieces_from_above()
+    yield from take_picture("pieces")
 
 
 def show_pieces_from_above() -> drive.Tour:
@@ -229,14 +250,12 @@ def show_pieces_from_above() -> drive.Tour:
     bpy.context.view_layer.objects.active = flat_pieces
     flat_pieces.select_set(True)
     look(Euler((0.0, 0.0, 0.0)))
-    yield from drive.ticks(10)
-    with drive.in_view():
-        bpy.ops.view3d.view_all()
-    yield from drive.ticks(40)
+    yield from fit(bottom=0.3)
+    yield from drive.ticks(20)
 
 
 def allowance() -> drive.Tour:
-    """Mark 30 mm at the hem, and 20 mm on the sleeves' side of the armholes, on the pieces."""
+    """Mark 30 mm at the hem, and on the sleeves' side of the armholes, on the pieces."""
     yield from open_sample("flatten", "mark", "export")
     bpy.context.scene.wirewarp.spacing = 70.0
     yield from flatten()
@@ -263,10 +282,10 @@ def allowance() -> drive.Tour:
     edit.select_flush_mode()
     bmesh.update_edit_mesh(flat_pieces.data)
     with drive.in_view():
-        bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=20.0)
+        bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=30.0)
         bpy.ops.object.mode_set(mode="OBJECT")
     yield from drive.ticks(40)
-    yield from take_picture("allowance", PIECES)
+    yield from take_picture("allowance")
 
 
 def pages() -> drive.Tour:
@@ -275,12 +294,14 @@ def pages() -> drive.Tour:
     settings = bpy.context.scene.wirewarp
     settings.show_pages, settings.arrangement = True, "AS_LAID_OUT"
     yield from show_pieces_from_above()
-    yield from take_picture("pages", PIECES)
+    yield from fit(bottom=0.42)  # the lowest sheets extend below the pieces
+    yield from drive.ticks(10)
+    yield from take_picture("pages")
     folder = Path(os.environ["WIREWARP_PICTURES"])
     with drive.in_view():
         bpy.ops.object.wirewarp_export(filepath=str(folder / "sheets.pdf"), paper="A4", arrangement="IN_ROWS")
         marker = {"arrangement": "MARKER", "cloth_width": 1400.0, "grain": "BOTH_WAYS", "seconds": 10}
-        bpy.ops.object.wirewarp_export(filepath=str(folder / "marker.pdf"), **marker)
+        bpy.ops.object.wirewarp_export(filepath=str(folder / "marker.svg"), **marker)
 
 
 def export() -> drive.Tour:
