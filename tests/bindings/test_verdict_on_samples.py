@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The verdict on every sample for every fabric."""
+"""The verdict on every sample, for fabrics that stretch little or far."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,10 @@ def share_within(piece: wirewarp.Piece, name: str, limits: tuple[float, float]) 
     return min(areas[strain <= limit].sum() / areas.sum() for strain, limit in zip(strains, limits, strict=True))
 
 
-@pytest.mark.parametrize("fabric", wirewarp.Cloth.presets())
+FABRICS = ["vinyl", "minky", "jersey", "swim"]  # each suits samples that the one before does not suit
+
+
+@pytest.mark.parametrize("fabric", FABRICS)
 @pytest.mark.parametrize("name", SAMPLES)
 def test_green_means_that_99_percent_of_each_piece_stretch_no_further_than_the_fabric(name, fabric):
     shape, cloth, result = SAMPLES[name], wirewarp.Cloth.preset(fabric), flattened(name)
