@@ -206,7 +206,7 @@ TEST(CoarseStart, LargeChartsTakeOneFactorization) {
 }
 
 TEST(CoarseStart, StopsWhenAsked) {
-  const int n = 32;
+  const int n = 16;
   InternalOptions options;
   options.large_chart = 1;
   options.fairness = 0.3;

@@ -228,7 +228,7 @@ TEST(CutSetSearch, ReturnsASetThatMeetsTheTargetFirst) {
 }
 
 TEST(CutSetSearch, OpensThePieceThatNeedsSeams) {
-  FlattenInput input = ball();
+  const FlattenInput input = test::cylinder_tube(8, 4, 1, 4);
   const FlattenInput sheet = test::flat_rectangle(2, 2, 1, 1);
   const int count = static_cast<int>(sheet.vertices.rows());
   FlattenInput both = sheet;

@@ -96,7 +96,7 @@ TEST(ProposeCuts, TheBestSmoothDartIsAtMostSlightlyWorseThanTheBestAlongEdges) {
 }
 
 TEST(ProposeCuts, HaveTheFiguresOfAFreshRun) {
-  const FlattenInput input = hill(8);
+  const FlattenInput input = hill(6);
   for (const auto& propose : {propose_darts, propose_seams}) {
     const std::vector<DartProposal> proposals = propose(input, {}, few(), {});
     ASSERT_FALSE(proposals.empty());
@@ -287,7 +287,7 @@ TEST(ProposeCuts, KeepTheLimitsOnLengthAndNumber) {
 }
 
 TEST(ProposeCuts, OneSmoothDartOrPairIsReturnedIfOneIsAskedFor) {
-  for (const FlattenInput& input : {hill(8), two_hills(8), bump_in_a_corner(12)}) {
+  for (const FlattenInput& input : {hill(6), two_hills(6), bump_in_a_corner(10)}) {
     CutOptions cut_options;
     cut_options.is_smooth = true;
     cut_options.count = 1;
