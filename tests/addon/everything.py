@@ -116,15 +116,14 @@ def draw_panels(addon, buttons=None):
     return " ".join(words)
 
 
-def draw_overlays(addon):
+def draw_overlays(addon, shown_map):
     bpy.context.scene.wirewarp.shown_map = "NONE"
     list(addon.overlay.shown.drawings(view_context()))
-    for shown_map in ("STRETCH_COLOR", "WEFT_STRAIN_COLOR"):
-        bpy.context.scene.wirewarp.shown_map = shown_map
-        shown = list(addon.overlay.shown.drawings(view_context()))
-        color_map = addon.overlay.shown.shown_map(view_context())
-        addon.overlay.shown.map_notes(shown, color_map)
-        addon.overlay.shown.highest_value(shown, color_map)
+    bpy.context.scene.wirewarp.shown_map = shown_map
+    shown = list(addon.overlay.shown.drawings(view_context()))
+    color_map = addon.overlay.shown.shown_map(view_context())
+    addon.overlay.shown.map_notes(shown, color_map)
+    addon.overlay.shown.highest_value(shown, color_map)
     list(addon.overlay.shown.uv_drawings(sidebar()))
 
 
@@ -198,6 +197,7 @@ def use_everything(addon, name, mode, folder, commands):
 
     folder: for a pattern, and for the file, which is saved.
     """
+    shown_map = "STRETCH_COLOR" if mode == "OBJECT" else "WEFT_STRAIN_COLOR"
     for command, settings in [(None, {}), *commands]:
         to_object_mode()
         target = bpy.context.view_layer.objects.get(name)
@@ -210,13 +210,13 @@ def use_everything(addon, name, mode, folder, commands):
             bpy.ops.mesh.select_all(action="SELECT")
         if command is None:
             draw_panels(addon)
-            draw_overlays(addon)
+            draw_overlays(addon, shown_map)
         else:
             path = {"filepath": str(folder / "pattern.svg")} if "export" in command else {}
             call(command, settings | path, before)
     to_object_mode()
     draw_panels(addon)
-    draw_overlays(addon)
+    draw_overlays(addon, shown_map)
     bpy.ops.wm.save_as_mainfile(filepath=str(folder / "hostile.blend"))
 
 

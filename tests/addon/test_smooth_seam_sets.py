@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from everything import draw_panels
 from suggesting import SUGGEST, bent_ring, choose_smooth, found
-from surfaces import read
-from test_smooth_darts import drawn_on, lengths, rounded
+from test_smooth_darts import add_layers, check_layers, drawn_on, lengths, rounded
 from test_smooth_lines import places, seam_places, surface
+from test_suggested_sets import ball
 
 pytestmark = pytest.mark.api
 
@@ -22,23 +22,29 @@ def narrowest(addon, source):
     return min(addon.core.pattern.piece_width(piece) for piece in result.pieces)
 
 
-def test_a_set_is_cut_as_drawn_and_has_the_claimed_figures(addon):
+def entered(cut):
+    """Return the faces that the lines of a cut cross, not only touch."""
+    return cut.segments.polygons[(cut.segments.weights.mean(axis=1) > 1e-9).all(axis=1)].tolist()
+
+
+def choose_beside_painted_face(addon, source):
+    """Choose a smooth cut after a face that an earlier one crossed is painted: no smooth cut enters it anymore."""
+    crossed = entered(choose_smooth(addon, source, "SEAMS"))[0]
+    painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
+    painted.data.foreach_set("value", [index == crossed for index in range(len(source.data.polygons))])
+    chosen = choose_smooth(addon, source, "SEAMS")
+    assert not any(crossed in entered(cut) for cut in found(addon, source).cuts if not cut.edges)
+    return chosen
+
+
+def test_a_set_beside_a_painted_face_is_cut_as_drawn_and_has_the_claimed_figures(addon):
     source = bent_ring()
     mesh = source.data
-    source.vertex_groups.new(name="All").add(range(len(mesh.vertices)), 0.5, "REPLACE")
-    for name in "Red", "Blue":
-        mesh.materials.append(bpy.data.materials.new(name))
-    mesh.polygons.foreach_set("material_index", [face.center.x > 0 for face in mesh.polygons])
-    source.shape_key_add(name="Basis")
-    twice = source.shape_key_add(name="Twice")
-    twice.value = 0.0  # Blender 5 shows new keys
-    twice.data.foreach_set("co", (2 * places(source)).astype(np.float32).ravel())
-    corners = places(source)[read(mesh.loops, "vertex_index", np.int32)]
-    mesh.uv_layers.new(name="Mine").data.foreach_set("uv", corners[:, :2].astype(np.float32).ravel())
+    add_layers(source)
     with pytest.raises(RuntimeError):
         bpy.ops.object.wirewarp_flatten()
     assert "SMOOTH" in draw_panels(addon)  # the choice is shown for a closed model
-    cut = choose_smooth(addon, source, "SEAMS")
+    cut = choose_beside_painted_face(addon, source)
     assert cut.is_set and "Marking it adds vertices and edges" in draw_panels(addon)
     drawn, area, before = drawn_on(addon, source), surface(source), places(source)
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
@@ -50,35 +56,14 @@ def test_a_set_is_cut_as_drawn_and_has_the_claimed_figures(addon):
     assert len(pieces) == cut.num_pieces and all(piece.ok for piece in pieces)
     assert max(piece.needed for piece in pieces) == pytest.approx(cut.strain, abs=1e-6)
     assert narrowest(addon, source) == pytest.approx(cut.width, rel=1e-4)
-    now = places(source)[read(mesh.loops, "vertex_index", np.int32)]
-    assert read(mesh.uv_layers["Mine"].data, "uv", np.float32, 2) == pytest.approx(now[:, :2], abs=1e-6)
-    assert all(source.vertex_groups["All"].weight(vertex.index) == 0.5 for vertex in mesh.vertices)
-    assert [face.material_index for face in mesh.polygons] == [face.center.x > 0 for face in mesh.polygons]
-    twice = read(mesh.shape_keys.key_blocks["Twice"].data, "co", np.float32, 3)
-    assert twice == pytest.approx(2 * places(source), abs=1e-6)
+    check_layers(source)
 
 
 def test_sets_along_edges_do_not_change_the_mesh(addon):
-    source = bent_ring()
+    source = ball()
     bpy.context.scene.wirewarp.dart_lines = "EDGES"
     SUGGEST["SEAMS"]()
     assert all(cut.edges for cut in found(addon, source).cuts)
     before = places(source)
     bpy.ops.object.wirewarp_mend(what="SUGGESTION")
     assert np.array_equal(places(source), before)
-
-
-def entered(cut):
-    """Return the faces that the lines of a cut cross, not only touch."""
-    return cut.segments.polygons[(cut.segments.weights.mean(axis=1) > 1e-9).all(axis=1)].tolist()
-
-
-def test_smooth_sets_do_not_enter_painted_faces(addon):
-    source = bent_ring()
-    crossed = entered(choose_smooth(addon, source, "SEAMS"))[0]
-    painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
-    painted.data.foreach_set("value", [index == crossed for index in range(len(source.data.polygons))])
-    SUGGEST["SEAMS"]()
-    smooth = [cut for cut in found(addon, source).cuts if not cut.edges]
-    assert smooth
-    assert not any(crossed in entered(cut) for cut in smooth)
