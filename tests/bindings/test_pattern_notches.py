@@ -2,13 +2,14 @@
 """A notch is at the same place of the model on all pieces that meet there, also on round ones."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import wirewarp
 from patterns import grid
 from wirewarp.pattern import Pattern
-from wirewarp.pattern.make.notches import drill_hole
+from wirewarp.pattern.make.notches import check_spacing, drill_hole, places_along, symmetric_places
 from wirewarp.pattern.make.outline import Side
 from wirewarp.pattern.make.sections import Dart
 
@@ -62,6 +63,48 @@ def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_if_it_has
     assert [len(own) for own in found] == [count, count]
     # If the seam were reversed, the notch would be off by 5 mm, or by a fifth of the seam's length.
     assert all(min(point.along, length - point.along) == pytest.approx(place) for own in found for point in own)
+
+
+@pytest.mark.parametrize(
+    ("length", "taken", "spacing", "found"),
+    [
+        (100, [], 30, [30, 60, 90]),
+        (96, [], 30, [30, 60]),  # 90 is a fifth of the spacing from the end
+        (120, [], 30, [24, 54, 84]),  # from 30 on, they would be the same if the seam were reversed
+        (15, [], 100, [5]),
+        (65, [30], 100, []),  # reversed, the wire's notch is off by 5 mm, which shows
+        (64, [30], 100, [23.68]),
+        (100, [50], 1000, [37]),
+        (100, [42, 58], 1000, []),  # too close to 42
+        (100, [], 0, []),
+    ],
+)
+def test_notches_of_a_seam_show_if_it_is_reversed(length, taken, spacing, found):
+    assert places_along(length, taken, spacing) == pytest.approx(found)
+
+
+@pytest.mark.parametrize(
+    ("length", "taken", "spacing", "found"),
+    [
+        (100, [], 30, [20, 50, 80]),
+        (100, [50], 30, [20, 80]),
+        (72, [], 30, [36]),  # 6 is a fifth of the spacing from the end
+        (120, [], 30, [30, 60, 90]),
+        (15, [], 30, [7.5]),
+        (14, [], 30, []),
+        (100, [], 0, []),
+    ],
+)
+def test_notches_of_a_seam_that_a_mirror_reverses_are_the_same_from_both_ends(length, taken, spacing, found):
+    assert symmetric_places(length, taken, spacing) == pytest.approx(found)
+
+
+def test_notches_are_at_least_1_mm_apart_and_at_most_10_000():
+    for spacing, length in ((1.0, 10_000.0), (0.0, 10_001.0), (2.0, 20_000.0)):
+        check_spacing(spacing, ["Seam 1"], [[SimpleNamespace(along=[0.0, 1.0, length])]])
+    for spacing, length in ((0.99, 10.0), (1.0, 10_001.0), (math.inf, 10.0)):
+        with pytest.raises(wirewarp.FlattenError, match="mm"):
+            check_spacing(spacing, ["Seam 1"], [[SimpleNamespace(along=[0.0, 1.0, length])]])
 
 
 def test_a_notch_without_its_partner_is_left_out():
