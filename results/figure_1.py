@@ -58,12 +58,12 @@ def section(inputs: Inputs) -> str:
 
 *− is shorter, + is longer; the outline keeps its length in all cases.* If both wires are rigid, they must bend to
 the sides, and *E_r* reaches {rigid.max_aspect_ratio:.2f} beside them. With an elastic
-meridian, which changes by {percent(one.wires[0].change)}, *E* {change(rigid.energy, one.energy)}; with both
-elastic, at {meridian} and {across}, it {change(rigid.energy, both.energy)} from the rigid case, and the largest *E_r*
-is {both.max_aspect_ratio:.2f}. This reproduces the paper's figure qualitatively. Our surface is a quarter sphere
-without its tips. With the first angles that close all loops, as in the paper, and equal weights (`inner="least-norm"`,
-`node_weight="uniform"`) *E* of the rigid case is {first.energy:.4f} instead of {rigid.energy:.4f}. The refined
-method, second in the picture, keeps the same lengths: *E* of the rigid case
-{change(rigid.energy, refined.energy)}, with both elastic it
+meridian, which changes by {percent(one.wires[0].change)}, *E* {change(rigid.energy, one.energy)}. If both wires are
+elastic, they change by {meridian} and {across}, *E* {change(rigid.energy, both.energy)} from the rigid case, and the
+largest *E_r* is {both.max_aspect_ratio:.2f}. This reproduces the paper's figure qualitatively. Our surface is a
+quarter sphere without its tips. The paper takes the first angles that close all loops, and equal weights. With these
+options (`inner="least-norm"`, `node_weight="uniform"`), *E* of the rigid case is {first.energy:.4f} instead of
+{rigid.energy:.4f}. The refined method, second in the picture, keeps the same lengths. *E* of the rigid case
+{change(rigid.energy, refined.energy)}, and *E* with both wires elastic
 {change(both.energy, refined_both.energy)}.
 """
