@@ -120,14 +120,14 @@ struct SeamProposal {
   std::vector<VertexPair> opened;  // (m, 2) seams of the input that are left out
   std::vector<SurfacePath> paths;  // the edges as lines
   double length = 0;               // length of the seams on the surface, scene units
-  double length_before = 0;        // the same of the input's seams
+  double length_before = 0;        // length of the input's seams
   int num_pieces = 0;              // number of pieces
-  int num_pieces_before = 0;       // the same with the input's seams
+  int num_pieces_before = 0;       // number of pieces with the input's seams
   double energy = 0;               // Eq. (4), or cloth energy, divided by the 3D area; infinite if a piece has no flat
                                    // shape
-  double energy_before = 0;        // the same with the input's seams
-  double strain = 0;               // of the worst piece; infinite if a piece has no flat shape
-  double strain_before = 0;        // the same with the input's seams
+  double energy_before = 0;        // energy with the input's seams
+  double strain = 0;               // strain of the worst piece; infinite if a piece has no flat shape
+  double strain_before = 0;        // strain with the input's seams
   bool was_stopped = false;        // progress ended the search before every section was tried
 };
 
