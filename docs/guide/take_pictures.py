@@ -75,29 +75,31 @@ def fit(bottom: float = 0.0) -> drive.Tour:
     yield from drive.ticks(2)
     region, view = drive.region("WINDOW"), drive.view_area().spaces.active.region_3d
     right = drive.region("UI").x - region.x
+    corners = visible_corners()
+    view.view_location = sum(corners, Vector()) / len(corners)
+    view.update()
     for _ in range(4):  # perspective makes a single step inexact
-        box = shown_box(region, view)
+        places = [location_3d_to_region_2d(region, view, corner) for corner in corners]
+        low, high = (Vector(end(place[k] for place in places) for k in range(2)) for end in (min, max))
         size = Vector((right - LEFT, (1 - bottom) * region.height))
         middle = Vector(((LEFT + right) / 2, (1 + bottom) / 2 * region.height))
         shown, wanted = (
-            region_2d_to_location_3d(region, view, place, view.view_location)
-            for place in ((box[0] + box[1]) / 2, middle)
+            region_2d_to_location_3d(region, view, place, view.view_location) for place in ((low + high) / 2, middle)
         )
         view.view_location += shown - wanted
-        view.view_distance *= 1.1 * max((box[1] - box[0])[k] / size[k] for k in range(2))
+        view.view_distance *= 1.1 * max((high - low)[k] / size[k] for k in range(2))
         view.update()
         yield from drive.ticks(2)
 
 
-def shown_box(region: bpy.types.Region, view: bpy.types.RegionView3D) -> tuple[Vector, Vector]:
-    """Return the lowest and the highest pixel of the box around all visible objects."""
-    points = [
-        location_3d_to_region_2d(region, view, each.matrix_world @ Vector(corner))
+def visible_corners() -> list[Vector]:
+    """Return the corners of the boxes around all visible objects, in the world."""
+    return [
+        each.matrix_world @ Vector(corner)
         for each in bpy.context.view_layer.objects
-        if each.visible_get()
+        if each.visible_get() and not each.hide_get()  # just hidden objects still count as visible
         for corner in each.bound_box
     ]
-    return tuple(Vector(end(point[k] for point in points) for k in range(2)) for end in (min, max))
 
 
 def hide_others() -> None:
