@@ -117,7 +117,7 @@ def test_widths_are_only_for_cut_sets(dome, width):
 
 
 def test_the_least_width_is_in_the_unit_of_the_option(tmp_path):
-    ball = trimesh.creation.icosphere(subdivisions=2)
+    ball = trimesh.creation.icosphere(subdivisions=1)
     vertices = 100 * ball.vertices * (1 + 0.3 * ball.vertices[:, :1])  # mm
     trimesh.Trimesh(vertices, ball.faces, process=False).export(tmp_path / "ball.obj")
     words = (tmp_path / "ball.obj", "--cut", "seam", "--strain", "10%", "--unit", "mm")

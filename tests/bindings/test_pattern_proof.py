@@ -10,14 +10,14 @@ from wirewarp.pattern import Pattern
 
 @pytest.mark.parametrize("paper", ["letter", 700.0])
 def test_the_proof_names_every_piece_and_both_sides_of_every_seam(tmp_path, paper):
-    pattern = sample("Fitted top", date="2026-11-22")
-    text = proof_words(pattern, tmp_path / "top.pdf", paper)
-    assert "Fitted top, 2026-11-22" in text
+    pattern = sample("Hat", date="2026-11-22")
+    text = proof_words(pattern, tmp_path / "hat.pdf", paper)
+    assert "Hat, 2026-11-22" in text
     assert all(piece.name in text for piece in pattern.pieces)
     for walk in pattern.walks:
         assert len(walk.lengths) == 2 and max(walk.lengths) - min(walk.lengths) < 0.001
         assert text.count(f"{walk.lengths[0]:.1f} mm") >= 2
-    result = flattened("Fitted top")
+    result = flattened("Hat")
     assert [walk.lengths[0] for walk in pattern.walks] == pytest.approx([1000 * s.length_2d[0] for s in result.seams])
 
 
