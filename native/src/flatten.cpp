@@ -90,11 +90,7 @@ std::vector<VertexPair> propose_seams(const Chart& chart, const InternalOptions&
   const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, options, stop); };
   const CutMask cut = open_chart(chart, lies_flat_alone, stop.in("shape"));
   if (stop.is_stopped()) throw Stopped();
-  std::vector<VertexPair> seams;
-  for (const EdgeHandle e : chart.mesh.edges()) {
-    if (cut[e.idx()] != 0) seams.push_back(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
-  }
-  return seams;
+  return edges_of(chart, cut);
 }
 
 Run run_of(const FlattenInput& input, const InternalOptions& options) {

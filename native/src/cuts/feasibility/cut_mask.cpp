@@ -19,6 +19,14 @@ void unite(CutMask& cut, const CutMask& other) {
   for (std::size_t e = 0; e < cut.size(); ++e) cut[e] = cut[e] != 0 || other[e] != 0;
 }
 
+std::vector<VertexPair> edges_of(const Chart& chart, const CutMask& cut) {
+  std::vector<VertexPair> edges;
+  for (const EdgeHandle e : chart.mesh.edges()) {
+    if (cut[e.idx()] != 0) edges.push_back(source_edge(chart, chart.mesh.halfedge_handle(e, 0)));
+  }
+  return edges;
+}
+
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut) {
   double length = 0;
   for (const EdgeHandle e : mesh.edges()) {

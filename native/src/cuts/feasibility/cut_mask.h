@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "surface/mesh/half_edge_mesh.h"
+#include "surface/charts/chart.h"
 #include "surface/mesh/shortest_paths.h"
 #include "wirewarp/types.h"
 
@@ -18,6 +18,9 @@ bool is_empty(const CutMask& cut);
 
 /// Adds the edges of another cut.
 void unite(CutMask& cut, const CutMask& other);
+
+/// Returns the ends of the cut edges in the input, in the order of the mesh.
+std::vector<VertexPair> edges_of(const Chart& chart, const CutMask& cut);
 
 /// Returns the length of all cut edges in scene units.
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);

@@ -41,4 +41,12 @@ std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& 
   return sections;
 }
 
+std::vector<VertexPair> edges_by_section(const Chart& chart, const CutMask& cut) {
+  std::vector<VertexPair> edges;
+  for (const HalfEdgeChain& section : sections_of(chart.mesh, cut)) {
+    for (const HalfedgeHandle h : section) edges.push_back(source_ends(chart, h));
+  }
+  return edges;
+}
+
 }  // namespace wirewarp

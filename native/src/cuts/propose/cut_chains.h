@@ -10,4 +10,7 @@ namespace wirewarp {
 /// closed rings.
 std::vector<HalfEdgeChain> sections_of(const HalfEdgeMesh& mesh, const CutMask& cut);
 
+/// Returns the ends of the cut edges in the input, section by section.
+std::vector<VertexPair> edges_by_section(const Chart& chart, const CutMask& cut);
+
 }  // namespace wirewarp

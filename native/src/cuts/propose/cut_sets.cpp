@@ -102,14 +102,6 @@ CutSetSearch::CutSetSearch(const FlatPieces& pieces, std::size_t piece, const Cu
   mirrored_.forbid_edges_without_image(forbidden_);
 }
 
-std::vector<VertexPair> CutSetSearch::edges_of(const CutMask& cut) const {
-  std::vector<VertexPair> edges;
-  for (const HalfEdgeChain& section : sections_of(chart_.mesh, cut)) {
-    for (const HalfedgeHandle h : section) edges.push_back(source_ends(chart_, h));
-  }
-  return edges;
-}
-
 /// Returns cuts that make the piece flat when it is solved without its neighbors. Throws Stopped.
 CutMask CutSetSearch::opening() const {
   const auto lies_flat_alone = [&](const Chart& part) { return lies_flat(part, exact_.options(), exact_.stop()); };
@@ -123,7 +115,7 @@ CutSetSearch::CutSet CutSetSearch::with_figures(CutMask cut, FlatPieces pieces) 
   set.cut = std::move(cut);
   set.pieces = std::move(pieces);
   DartProposal& proposal = set.proposal;
-  proposal.edges = edges_of(set.cut);
+  proposal.edges = edges_by_section(chart_, set.cut);
   proposal.length = length_of_cut(chart_.mesh, set.cut);
   set.lies_flat = true;
   double energy = 0, area = 0;
@@ -146,7 +138,7 @@ CutSetSearch::CutSet CutSetSearch::with_figures(CutMask cut, FlatPieces pieces) 
 
 /// before: the pieces with some of the cuts.
 CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutMask& cut) const {
-  return with_figures(cut, exact_.with_cut(before, edges_of(cut)));
+  return with_figures(cut, exact_.with_cut(before, edges_by_section(chart_, cut)));
 }
 
 /// Adds darts and seams of one part of the set.
@@ -155,7 +147,7 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   cut_options.count = kPlaces;
   cut_options.strain = target_;
   cut_options.longest = cut_options_.longest - set.proposal.length;
-  cut_options.no_seam = as_pairs(edges_of(forbidden_));
+  cut_options.no_seam = as_pairs(edges_by_section(chart_, forbidden_));
   for (const CutKind kind : {CutKind::seam, CutKind::dart}) {
     refusal_of([&] {
       PieceSearch search(set.pieces, set.parts[part], kind, Effort::quick, cut_options, exact_);

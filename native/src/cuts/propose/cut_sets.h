@@ -70,7 +70,6 @@ class CutSetSearch {
   void add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;
   void add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const;
   std::vector<CutMask> bisections_of(const Chart& part) const;
-  std::vector<VertexPair> edges_of(const CutMask& cut) const;
 
   const FlatPieces& pieces_;
   const Chart& input_chart_;

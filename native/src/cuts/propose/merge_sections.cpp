@@ -218,14 +218,6 @@ std::vector<CutMask> SectionMerger::list_candidates(bool are_halves) {
   return candidates;
 }
 
-std::vector<VertexPair> SectionMerger::edges_of(const CutMask& mask) const {
-  std::vector<VertexPair> edges;
-  for (const EdgeHandle e : chart_.mesh.edges()) {
-    if (mask[e.idx()] != 0) edges.push_back(source_edge(chart_, chart_.mesh.halfedge_handle(e, 0)));
-  }
-  return edges;
-}
-
 /// Returns the allowed strain of the union of these pieces.
 double SectionMerger::allowed_beside(const FlatPieces& pieces) const {
   return std::max({kFlatStrain, most_strain_, most_strain(pieces)});
@@ -242,7 +234,7 @@ bool SectionMerger::had_error(const Chart& chart) const {
 double SectionMerger::least_strain_without(const CutMask& mask, double allowed) const {
   double needed = 0;
   const FlatPieces joined = beside(mask);
-  for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(mask))) {
+  for (const Chart& chart : exact_.changed_charts(state_.pieces, {}, edges_of(chart_, mask))) {
     if (!is_part_of(chart, joined) && had_error(chart)) continue;
     const double least = least_strain(chart, exact_.stop());
     if (least == kNoFlatShape || !has_other_measure_) needed = std::max(needed, least);
@@ -268,7 +260,7 @@ bool SectionMerger::is_too_narrow(const FlatPiece& piece, const FlatPieces& old)
 }
 
 SectionMerger::Trial SectionMerger::without(const CutMask& mask, double allowed, const ExactEvaluation& exact) const {
-  Trial trial{0, {state_.cut, exact.with_cut(state_.pieces, {}, edges_of(mask))}, true};
+  Trial trial{0, {state_.cut, exact.with_cut(state_.pieces, {}, edges_of(chart_, mask))}, true};
   CutState& after = trial.after;
   const FlatPieces joined = beside(mask);
   for (std::size_t e = 0; e < mask.size(); ++e) after.cut[e] = after.cut[e] != 0 && mask[e] == 0;

@@ -53,8 +53,7 @@ class SectionMerger {
 
   bool open_one(bool is_half);
   std::vector<CutMask> list_candidates(bool are_halves);
-  std::vector<VertexPair> edges_of(const CutMask& mask) const;
-  FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(mask)); }
+  FlatPieces beside(const CutMask& mask) const { return pieces_beside(state_.pieces, edges_of(chart_, mask)); }
   double allowed_beside(const FlatPieces& pieces) const;
   bool had_error(const Chart& chart) const;
   bool is_narrow(const std::shared_ptr<const FlatPiece>& piece);

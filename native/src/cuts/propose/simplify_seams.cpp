@@ -34,13 +34,7 @@ struct Part {
         mirrored(chart, mirror_image(chart, stop)),
         cut(PartMap(chart).mask_of(as_list(seams))) {}
 
-  std::vector<VertexPair> edges() const {
-    std::vector<VertexPair> edges;
-    for (const HalfEdgeChain& section : sections_of(chart.mesh, cut)) {
-      for (const HalfedgeHandle h : section) edges.push_back(source_ends(chart, h));
-    }
-    return edges;
-  }
+  std::vector<VertexPair> edges() const { return edges_by_section(chart, cut); }
 
   const Chart chart;
   const MirroredCuts mirrored;
