@@ -156,16 +156,17 @@ def test_the_card_of_each_piece_is_whole_on_one_sheet(tmp_path, name):
 
 @pytest.mark.parametrize("paper", ["a4", "projector", "36in"])
 def test_the_first_page_has_a_key_of_the_lines_that_are_drawn(tmp_path, paper):
-    top, path = sample("Fitted top", on_fold=True), tmp_path / "a.pdf"
+    lampshade, path = sample("Lampshade", on_fold=True), tmp_path / "a.pdf"
 
     def words(pattern):
         pattern.write(path, paper=paper)
         return pypdfium2.PdfDocument(path)[0].get_textpage().get_text_range()
 
     labels = ["Cutting line", "Stitching line", "Fold of the fabric", "Rigid wire", "Grain", "Notch"]
-    assert all(label in words(top) for label in labels) and "Elastic wire" not in words(top)
+    key = words(lampshade)
+    assert all(label in key for label in labels) and "Elastic wire" not in key
     if paper == "projector":  # the key does not depend on the paper
-        assert "Stitching line" not in words(top.with_only([]))
+        assert "Stitching line" not in words(lampshade.with_only([]))
 
 
 def test_sheets_name_only_neighbors_that_are_printed(tmp_path):
