@@ -17,8 +17,10 @@
 #include "most_strain.h"
 #include "surface/charts/cut_into_charts.h"
 #include "surface/mesh/geometry.h"
+#include "surface/middle_surface.h"
 #include "test_meshes.h"
 #include "warp/topology/straight_walk.h"
+#include "wirewarp/cloth.h"
 #include "wirewarp/cut_mesh.h"
 
 namespace wirewarp::test_smooth_sets {
@@ -73,10 +75,9 @@ FlattenInput with_paths(FlattenInput input, const std::vector<SurfacePath>& path
 
 /// Smooths a set of edges that leaves this strain.
 DartProposal smoothed(const FlattenInput& input, const std::vector<VertexPair>& edges, double strain = 1,
-                      const CutOptions& cut_options = {}, double most_strain = 10) {
+                      const CutOptions& cut_options = {}, double most_strain = 10, const Options& options = {}) {
   const Progress no_progress;
   CutProgress progress(no_progress);
-  const Options options;
   const SurfaceToCut surface(input, options);
   const ExactEvaluation exact(surface, options, progress.token());
   const FlatPieces pieces = exact.uncut();
@@ -86,6 +87,23 @@ DartProposal smoothed(const FlattenInput& input, const std::vector<VertexPair>& 
   set.strain = strain;
   set.energy = strain;
   return smooth_set(set, most_strain, pieces, 0, cut_options, exact);
+}
+
+double length_of_seams(const FlattenInput& input) {
+  double length = 0;
+  for (const auto& ends : input.seams.rowwise())
+    length += (input.vertices.row(ends[0]) - input.vertices.row(ends[1])).norm();
+  return length;
+}
+
+/// Returns the energy of all pieces over their area.
+double energy_of(const FlattenResult& result, bool has_cloth = false) {
+  double energy = 0, area = 0;
+  for (const Piece& piece : result.pieces) {
+    energy += (has_cloth ? piece.metrics.cloth_energy : piece.metrics.arap_energy) * piece.metrics.area_3d;
+    area += piece.metrics.area_3d;
+  }
+  return energy / area;
 }
 
 /// Returns the largest turn in space where a line of this mesh passes a vertex, radians.
@@ -115,9 +133,7 @@ TEST(SmoothSets, ReplaceAJaggedRingByASmoothOne) {
   const FlattenInput cut = with_paths(input, set.paths);
   EXPECT_GT(sharpest_bend(test::with_seams(input, ring)), 60 * kPi / 180);
   EXPECT_LT(sharpest_bend(cut), 45 * kPi / 180);  // 30 degrees on the surface, and the curvature of the egg itself
-  double length = 0;
-  for (const auto& ends : cut.seams.rowwise()) length += (cut.vertices.row(ends[0]) - cut.vertices.row(ends[1])).norm();
-  EXPECT_NEAR(set.length, length, 1e-9);
+  EXPECT_NEAR(set.length, length_of_seams(cut), 1e-9);
 }
 
 TEST(SmoothSets, ClaimTheFiguresOfARun) {
@@ -128,6 +144,28 @@ TEST(SmoothSets, ClaimTheFiguresOfARun) {
   const FlattenResult result = flatten(cut);
   EXPECT_EQ(static_cast<int>(result.pieces.size()), set.num_pieces);
   EXPECT_NEAR(test::most_strain(cut, result), set.strain, 1e-9);
+  EXPECT_NEAR(set.energy, energy_of(result), 1e-6 * energy_of(result));
+}
+
+TEST(SmoothSets, ClaimTheEnergyOfTheFabric) {
+  const FlattenInput input = egg(kAround, kRings);
+  Options options;
+  options.cloth = cloth_preset("woven").cloth;
+  const DartProposal set = smoothed(input, jagged_ring(8), 5, {}, 10, options);
+  ASSERT_FALSE(set.paths.empty());
+  const double energy = energy_of(flatten(with_paths(input, set.paths), options), true);
+  EXPECT_NEAR(set.energy, energy, 1e-6 * energy);
+}
+
+TEST(SmoothSets, ClaimTheLengthInTheMiddleOfTheMaterial) {
+  const FlattenInput input = egg(kAround, kRings);
+  Options options;
+  options.thickness = 0.2;
+  const DartProposal set = smoothed(input, jagged_ring(8), 1, {}, 10, options);
+  ASSERT_FALSE(set.paths.empty());
+  const FlattenInput cut = with_paths(input, set.paths);
+  EXPECT_NEAR(set.length, length_of_seams(move_to_middle(cut, options)), 1e-9);
+  EXPECT_GT(set.length, 1.05 * length_of_seams(cut));
 }
 
 TEST(SmoothSets, DoNotDependOnHowTheModelIsGiven) {
@@ -228,14 +266,14 @@ TEST(SmoothSets, DoNotCrossWires) {
 TEST(SmoothSets, DoNotTouchTheTipOfADart) {
   const FlattenInput input = egg(kAround, kRings);
   std::vector<VertexPair> edges;
-  for (int i = 4; i < kAround; ++i) edges.push_back({vertex(i, 8), vertex(i + 1, 8)});
+  for (int i = 4; i < kAround; ++i) edges.push_back({vertex(i, 8 + i % 2), vertex(i + 1, 8 + (i + 1) % 2)});
   for (int j = 8; j < 12; ++j) edges.push_back({vertex(0, j), vertex(0, j + 1)});
   for (int i = 0; i < 4; ++i) edges.push_back({vertex(i, 12), vertex(i + 1, 12)});
   for (int j = 12; j > 8; --j) edges.push_back({vertex(4, j), vertex(4, j - 1)});
   for (int j = 8; j < 11; ++j) edges.push_back({vertex(2, j), vertex(2, j + 1)});  // under the arch
   const DartProposal set = smoothed(input, edges);
-  const std::vector<VertexPair> cut =
-      set.paths.empty() ? set.edges : cut_mesh(input.vertices, input.faces, set.paths).edges;
+  ASSERT_FALSE(set.paths.empty());
+  const std::vector<VertexPair> cut = cut_mesh(input.vertices, input.faces, set.paths).edges;
   std::map<int, int> count;
   for (const VertexPair& edge : cut) {
     for (const int v : edge) ++count[v];
@@ -279,6 +317,7 @@ TEST(ProposeSeams, ReturnsSmoothSetsAndCanBeCanceledWhileItSmooths) {
     const FlattenResult result = flatten(cut);
     EXPECT_EQ(static_cast<int>(result.pieces.size()), set.num_pieces);
     EXPECT_NEAR(test::most_strain(cut, result), set.strain, 1e-9);
+    EXPECT_NEAR(set.energy, energy_of(result), 1e-6 * energy_of(result));
   }
   EXPECT_GT(num_smooth, 0);
   EXPECT_TRUE(std::is_sorted(reached.begin(), reached.end()));

@@ -146,7 +146,11 @@ LineEvaluation::PiecesAlong LineEvaluation::cut_along(const CutMesh& cut) const 
   const ExactEvaluation exact(surface, exact_.options(), exact_.stop());
   FlatPieces before = pieces_;
   before[piece_] = std::make_shared<FlatPiece>(on_cut_mesh(*pieces_[piece_], surface.middle(), cut, exact_.stop()));
-  return {before, exact.with_cut(before, cut.edges)};
+  const Positions3& places = surface.middle().vertices;
+  double length = 0;
+  for (const auto& [a, b] : cut.edges) length += (places.row(a) - places.row(b)).norm();
+  FlatPieces after = exact.with_cut(before, cut.edges);
+  return {std::move(before), std::move(after), length};
 }
 
 std::optional<LineFigures> LineEvaluation::figures_along(const std::vector<SurfacePath>& lines) const {
@@ -154,7 +158,7 @@ std::optional<LineFigures> LineEvaluation::figures_along(const std::vector<Surfa
   const CutMesh cut = cut_mesh(given.vertices, given.faces, lines);
   const std::vector<int> tips = tips_of(cut);
   if (tips.size() != lines.size()) return std::nullopt;
-  const auto [before, after] = cut_along(cut);
+  const auto [before, after, length] = cut_along(cut);
   const Chart& chart = before[piece_]->chart;
   LineFigures result{figures_of(after, chart), 0, {}};
   if (result.figures.error || spoils_others(before, after, chart)) return std::nullopt;

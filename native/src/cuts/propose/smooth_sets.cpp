@@ -361,7 +361,7 @@ std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh&
 
 /// Returns the set along these lines. Lowers some levels and returns nothing if it is not good enough.
 std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut) {
-  const auto [before, after] = evaluation_.cut_along(cut);
+  const auto [before, after, length] = evaluation_.cut_along(cut);
   const Chart& chart = before[piece_]->chart;
   const PieceFigures figures = figures_of(after, chart);
   const std::vector<char> failures = beside_failures(cut, after, chart);
@@ -373,8 +373,7 @@ std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& 
   smooth.paths = paths;
   smooth.edges.clear();
   if (cut.vertices.rows() == given_.vertices.rows()) smooth.edges = cut.edges;
-  smooth.length = 0;
-  for (const auto& [a, b] : cut.edges) smooth.length += (cut.vertices.row(a) - cut.vertices.row(b)).norm();
+  smooth.length = length;
   smooth.energy = figures.energy;
   smooth.strain = figures.strain;
   return smooth;
