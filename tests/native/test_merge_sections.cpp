@@ -11,6 +11,7 @@
 
 #include "cuts/propose/flat_width.h"
 #include "cuts/propose/merge_sections.h"
+#include "cuts/propose/solidity.h"
 #include "test_meshes.h"
 #include "wirewarp/cloth.h"
 
@@ -18,9 +19,9 @@ namespace wirewarp::test_merge_sections {
 namespace {
 
 CutState merge_sections(const CutState& state, const Chart& chart, const ExactEvaluation& exact, double most_strain,
-                        double narrowest = 0) {
+                        double narrowest = 0, double least_solidity = 0) {
   const MirroredCuts mirrored(chart, {});
-  SectionMerger merger(state, chart, mirrored, exact, narrowest);
+  SectionMerger merger(state, chart, mirrored, exact, narrowest, least_solidity);
   merger.run(most_strain, [](double) {});
   return merger.state();
 }
@@ -139,6 +140,33 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
   std::vector<VertexPair> both_ends = across_bar(input, 4);
   for (const VertexPair& edge : across_bar(input, 7)) both_ends.push_back(edge);
   EXPECT_EQ(num_merged(both_ends, 2), 2U);  // the bar is narrow, so it is joined to one square
+}
+
+TEST(Solidity, IsTheShareOfTheConvexHull) {
+  const auto share = [](const FlattenInput& input) {
+    const SurfaceToCut surface(input, Options());
+    return solidity(*ExactEvaluation(surface, Options(), StopToken()).uncut()[0]);
+  };
+  EXPECT_NEAR(share(test::flat_rectangle(6, 2, 3, 1)), 1, 1e-9);
+  EXPECT_NEAR(share(test::flat_annulus(64, 3, 1, 2)), 3.0 / 4, 1e-9);  // both circles are polygons of one shape
+  EXPECT_NEAR(share(dumbbell()), 35.0 / 44, 1e-9);
+}
+
+TEST(MergeSections, MakesNoPieceWithLongArms) {
+  const FlattenInput input = dumbbell();
+  const SurfaceToCut surface(input, Options());
+  const ExactEvaluation exact(surface, Options(), StopToken());
+  const FlatPieces uncut = exact.uncut();
+  const Chart& chart = uncut[0]->chart;
+  const std::vector<VertexPair> middle = across_bar(input, 5.5);
+  const CutState halves{PartMap(chart).mask_of(middle), exact.with_cut(uncut, middle)};
+  const auto num_merged = [&](double least_solidity) {
+    return merge_sections(halves, chart, exact, 1e-6, 0, least_solidity).pieces.size();
+  };
+  const double whole = solidity(*uncut[0]);
+  for (const std::shared_ptr<const FlatPiece>& half : halves.pieces) EXPECT_GT(solidity(*half), whole + 0.05);
+  EXPECT_EQ(num_merged(whole - 1e-6), 1U);
+  EXPECT_EQ(num_merged(whole + 1e-6), 2U);
 }
 
 }  // namespace

@@ -74,7 +74,8 @@ std::vector<DartProposal> propose_darts(const FlattenInput& input, const Options
 ///
 /// The width of a flat piece is the diameter of the largest disk that can move through it, where parts below a tenth of
 /// its area do not count. Pieces are not joined to one that is narrower than `narrowest`, unless one of them is as
-/// narrow. Pieces that are narrow from the beginning stay if they cannot be joined to others.
+/// narrow. Pieces that are narrow from the beginning stay if they cannot be joined to others. Nor are pieces joined to
+/// one that covers less than 60% of its convex hull, and less of it than each of them does: it would have long arms.
 ///
 /// With is_smooth, the lines of a cut set are smoothed until they turn by less than 30 degrees at each vertex between
 /// their ends, and junctions move with them. Smooth lines do not cross wires, or edges of no_seam and no_crossing.

@@ -59,6 +59,11 @@ constexpr double kSoftStrain = 0.2;
 /// little in strain. With 0.5, the search takes two thirds of the time of 0, but the sets are 10% longer.
 constexpr double kLargeGain = 0.25;
 
+/// Least solidity of a piece that is made by joining others. With 0, arms, ears and half a body became one piece of a
+/// toy rabbit, and half of the pieces of a bear were narrow arms; with 0.6, the bear has fewer pieces and no narrow
+/// ones.
+constexpr double kLeastSolidity = 0.6;
+
 FlattenError none_found(const Chart& chart, const CutOptions& cut_options) {
   return no_proposal(chart, {{"reason", "no_set"}, {"is_restricted", cut_options.no_seam.rows() > 0}});
 }
@@ -276,7 +281,8 @@ void CutSetSearch::add_more_cuts(std::vector<CutSet>& sets) {
 /// Adds sets with fewer sections than the last set: first for the same allowed strain, then for higher strains. Throws
 /// Stopped; sets added by then remain.
 void CutSetSearch::add_merged(std::vector<CutSet>& sets) {
-  SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_, cut_options_.narrowest);
+  SectionMerger merger({sets.back().cut, sets.back().pieces}, chart_, mirrored_, exact_, cut_options_.narrowest,
+                       kLeastSolidity);
   const std::vector<double> allowed = allowed_strains(std::max(target_, sets.back().proposal.strain), target_);
   const auto count = static_cast<double>(allowed.size());
   for (std::size_t i = 0; i < allowed.size(); ++i) {

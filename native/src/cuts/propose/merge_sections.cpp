@@ -14,6 +14,7 @@
 #include "cuts/feasibility/ranks.h"
 #include "cuts/propose/cut_chains.h"
 #include "cuts/propose/flat_width.h"
+#include "cuts/propose/solidity.h"
 #include "energy/free_boundary_arap.h"
 #include "energy/shape_error.h"
 #include "surface/charts/folded_faces.h"
@@ -142,14 +143,15 @@ std::vector<HalfEdgeChain> sorted_by_length(const HalfEdgeMesh& mesh, std::vecto
 }  // namespace
 
 SectionMerger::SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored,
-                             const ExactEvaluation& exact, double narrowest)
+                             const ExactEvaluation& exact, double narrowest, double least_solidity)
     : state_(std::move(state)),
       chart_(chart),
       mirrored_(mirrored),
       has_other_measure_(exact.options().cloth.has_value() || has_eases(exact.surface().given())),
       exact_(exact),
       quick_(exact.surface(), without_long_runs(exact.options()), exact.stop()),
-      narrowest_(narrowest) {}
+      narrowest_(narrowest),
+      least_solidity_(least_solidity) {}
 
 void SectionMerger::run(double most_strain, const std::function<void(double)>& report) {
   most_strain_ = most_strain;
@@ -259,6 +261,15 @@ bool SectionMerger::is_too_narrow(const FlatPiece& piece, const FlatPieces& old)
          });
 }
 
+/// Whether a piece has less solidity than it must have, and than each of the old ones that it consists of.
+bool SectionMerger::has_long_arms(const FlatPiece& piece, const FlatPieces& old) const {
+  if (least_solidity_ == 0) return false;
+  const double share = solidity(piece);
+  return share < least_solidity_ && std::none_of(old.begin(), old.end(), [&](const auto& part) {
+           return wirewarp::is_part_of(part->chart, piece.chart) && (part->error || solidity(*part) <= share);
+         });
+}
+
 SectionMerger::Trial SectionMerger::without(const CutMask& mask, double allowed, const ExactEvaluation& exact) const {
   Trial trial{0, {state_.cut, exact.with_cut(state_.pieces, {}, edges_of(chart_, mask))}, true};
   CutState& after = trial.after;
@@ -271,10 +282,10 @@ SectionMerger::Trial SectionMerger::without(const CutMask& mask, double allowed,
     trial.strain = std::max(trial.strain, piece->error ? kNoFlatShape : piece->strain);
   }
   if (!is_allowed(trial.strain, allowed)) return trial;
-  const bool is_narrow = std::any_of(after.pieces.begin(), after.pieces.end(), [&](const auto& piece) {
-    return is_part_of(piece->chart, joined) && is_too_narrow(*piece, joined);
+  const bool is_hard_to_sew = std::any_of(after.pieces.begin(), after.pieces.end(), [&](const auto& piece) {
+    return is_part_of(piece->chart, joined) && (is_too_narrow(*piece, joined) || has_long_arms(*piece, joined));
   });
-  if (is_narrow) trial.strain = kNoFlatShape;
+  if (is_hard_to_sew) trial.strain = kNoFlatShape;
   return trial;
 }
 

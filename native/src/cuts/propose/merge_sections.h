@@ -26,10 +26,11 @@ struct CutState {
 /// ignored.
 class SectionMerger {
  public:
-  /// chart, mirrored and exact are kept by reference. state: a cut of the chart, and the pieces with it. narrowest: the
-  /// least width of a new piece, unless one of the old pieces is as narrow; scene units.
+  /// chart, mirrored and exact are kept by reference. state: a cut of the chart, and the pieces with it. narrowest,
+  /// least_solidity: the least width (scene units) and solidity of a new piece, unless one of the old pieces has as
+  /// little.
   SectionMerger(CutState state, const Chart& chart, const MirroredCuts& mirrored, const ExactEvaluation& exact,
-                double narrowest = 0);
+                double narrowest = 0, double least_solidity = 0);
 
   /// Continues from the state. report: called with the share of candidates that were tried. Throws Stopped; then the
   /// state is the last accepted one.
@@ -58,6 +59,7 @@ class SectionMerger {
   bool had_error(const Chart& chart) const;
   bool is_narrow(const std::shared_ptr<const FlatPiece>& piece);
   bool is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const;
+  bool has_long_arms(const FlatPiece& piece, const FlatPieces& old) const;
   double least_strain_without(const CutMask& mask, double allowed) const;
   Trial without(const CutMask& mask, double allowed, const ExactEvaluation& exact) const;
   Trial try_without(const CutMask& mask) const;
@@ -68,7 +70,7 @@ class SectionMerger {
   const bool has_other_measure_;  // strain is measured in threads or beyond eases, so free maps cannot estimate it
   const ExactEvaluation& exact_;
   const ExactEvaluation quick_;  // limited to fewer factorizations
-  const double narrowest_;
+  const double narrowest_, least_solidity_;
   double most_strain_ = 0;
   std::function<void(double)> report_;
   std::map<CutMask, Rejected> rejected_;

@@ -9,6 +9,7 @@
 
 #include "base/planar.h"
 #include "surface/mesh/geometry.h"
+#include "surface/orientation/convex_hull.h"
 #include "surface/orientation/rising_direction.h"
 #include "surface/orientation/straightest_outline.h"
 
@@ -21,26 +22,6 @@ constexpr double kSameSize = 1e-6;
 
 // A chord below this fraction of its chain's length does not define the chain's direction.
 constexpr double kShortChord = 0.1;
-
-/// Returns the corners of the convex hull, counter-clockwise (A. M. Andrew's monotone chain, 1979).
-std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
-  std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
-  });
-  std::vector<Eigen::Vector2d> hull;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t start = hull.size();
-    for (const Eigen::Vector2d& p : points) {
-      while (hull.size() >= start + 2 && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
 
 /// Returns the long side of the smallest rectangle around the points. One of its sides is on a side of the hull; the
 /// hull's corners on its other sides are found by rotating calipers (G. Toussaint, 1983).

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cuts/propose/flat_pieces.h"
+
+namespace wirewarp {
+
+/// Returns the share of its convex hull that a flat piece covers, 1 for a convex piece: low for pieces with long arms.
+double solidity(const FlatPiece& piece);
+
+}  // namespace wirewarp
