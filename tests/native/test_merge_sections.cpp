@@ -98,10 +98,10 @@ FlattenInput dumbbell() {
                           [](const Eigen::Vector3d& p) { return p.x() < 4 || p.x() > 7 || std::abs(p.y() - 2) < 0.5; });
 }
 
-/// Returns the edges of the dumbbell across its bar at this place.
-std::vector<VertexPair> across_bar(const FlattenInput& input, double x) {
+/// Returns the edges across a bar of width 1 at this place. middle: its center line.
+std::vector<VertexPair> across_bar(const FlattenInput& input, double x, double middle = 2) {
   const auto at = [&](double y) { return test::nearest_vertex(input, {x, y, 0}); };
-  return {{at(1.5), at(2)}, {at(2), at(2.5)}};
+  return {{at(middle - 0.5), at(middle)}, {at(middle), at(middle + 0.5)}};
 }
 
 TEST(FlatWidth, IsTheDiameterOfTheLargestDiskThatMovesThrough) {
@@ -136,6 +136,7 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
   const std::vector<VertexPair> middle = across_bar(input, 5.5);
   EXPECT_EQ(num_merged(middle, 0), 1U);
   EXPECT_EQ(num_merged(middle, 0.9), 1U);
+  EXPECT_EQ(num_merged(middle, 1.02), 2U);  // the bar is too narrow by less than the error of widths
   EXPECT_EQ(num_merged(middle, 2), 2U);
   std::vector<VertexPair> both_ends = across_bar(input, 4);
   for (const VertexPair& edge : across_bar(input, 7)) both_ends.push_back(edge);
@@ -167,6 +168,22 @@ TEST(MergeSections, MakesNoPieceWithLongArms) {
   for (const std::shared_ptr<const FlatPiece>& half : halves.pieces) EXPECT_GT(solidity(*half), whole + 0.05);
   EXPECT_EQ(num_merged(whole - 1e-6), 1U);
   EXPECT_EQ(num_merged(whole + 1e-6), 2U);
+}
+
+TEST(MergeSections, JoinsPiecesThatAreEquallyNarrow) {
+  for (const int n : {12, 20}) {
+    const FlattenInput bar = test::flat_rectangle(n, 2, n / 2.0, 1);
+    const SurfaceToCut surface(bar, Options());
+    const ExactEvaluation exact(surface, Options(), StopToken());
+    const FlatPieces uncut = exact.uncut();
+    const Chart& chart = uncut[0]->chart;
+    for (int k = 2; k <= n - 2; ++k) {
+      const std::vector<VertexPair> cut = across_bar(bar, k / 2.0, 0.5);
+      const CutState state{PartMap(chart).mask_of(cut), exact.with_cut(uncut, cut)};
+      ASSERT_EQ(state.pieces.size(), 2U);
+      EXPECT_EQ(merge_sections(state, chart, exact, 1e-6, 2).pieces.size(), 1U) << n << " " << k;
+    }
+  }
 }
 
 }  // namespace

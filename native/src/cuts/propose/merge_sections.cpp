@@ -251,13 +251,15 @@ bool SectionMerger::is_narrow(const std::shared_ptr<const FlatPiece>& piece) {
   return found->second;
 }
 
-/// Whether a piece is narrower than it must be, and than each of the old ones that it consists of.
+/// Returns whether a piece is narrower than it must be, and clearly narrower than each narrow piece that it joins.
 bool SectionMerger::is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const {
   if (narrowest_ == 0) return false;
   const double width = flat_width(piece.chart.mesh, piece.uv, narrowest_);
   return width < narrowest_ && std::none_of(old.begin(), old.end(), [&](const auto& part) {
-           return wirewarp::is_part_of(part->chart, piece.chart) &&
-                  (part->error || flat_width(part->chart.mesh, part->uv, narrowest_) <= width);
+           if (!wirewarp::is_part_of(part->chart, piece.chart)) return false;
+           if (part->error) return true;
+           const double before = flat_width(part->chart.mesh, part->uv, narrowest_);
+           return before < narrowest_ && before <= width + kWidthError * narrowest_;
          });
 }
 
