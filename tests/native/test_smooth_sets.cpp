@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Cut sets whose seams are smooth lines across triangles, and the walk on the surface that makes them.
+// Cut sets whose seams are smooth lines across triangles.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -15,11 +15,9 @@
 #include "disguise.h"
 #include "error_of.h"
 #include "most_strain.h"
-#include "surface/charts/cut_into_charts.h"
 #include "surface/mesh/geometry.h"
 #include "surface/middle_surface.h"
 #include "test_meshes.h"
-#include "warp/topology/straight_walk.h"
 #include "wirewarp/cloth.h"
 #include "wirewarp/cut_mesh.h"
 
@@ -332,55 +330,6 @@ TEST(ProposeSeams, ReturnsSmoothSetsAndCanBeCanceledWhileItSmooths) {
   EXPECT_LT(last, 0.85);
   ASSERT_FALSE(stopped.empty());
   EXPECT_FALSE(stopped.back().edges.empty());  // the last set was not smooth yet
-}
-
-Chart chart_of(const FlattenInput& input) {
-  const EdgeTable edges(input.faces, static_cast<int>(input.vertices.rows()));
-  return cut_into_charts(input, edges, {}).charts.front();
-}
-
-TEST(StraightWalk, GoesBackAlongTheLineToTheEndOfAStep) {
-  const Chart chart = chart_of(egg(kAround, kRings));
-  const CutMask no_barriers(chart.mesh.n_edges(), 0);
-  const StraightWalk walk(chart.mesh, no_barriers);
-  const SurfacePoint start = point_on_edge(chart.mesh, chart.mesh.halfedge_handle(chart.mesh.face_handle(100)), 0.3);
-  for (int k = 0; k < 12; ++k) {
-    const Planar step = std::polar(0.4, 2 * kPi * k / 12);
-    const auto line = walk.line(start, walk.step(start, step), 1);
-    ASSERT_TRUE(line.has_value());
-    EXPECT_NEAR(std::abs(line->leaving), std::abs(line->returning), 1e-9);
-    EXPECT_LE(std::abs(line->leaving), 0.4 + 1e-9);
-  }
-}
-
-TEST(StraightWalk, PassesAVertexThatHidesTheEnd) {
-  // Around the middle vertex of this sheet are more than 360 degrees, so opposite points do not see each other.
-  const FlattenInput sheet = test::make_grid(2, 2, [](double s, double t) {
-    const double x = 2 * s - 1, y = 2 * t - 1;
-    return Eigen::Vector3d(x, y, 3 * (x * x - y * y));
-  });
-  const Chart chart = chart_of(sheet);
-  const CutMask no_barriers(chart.mesh.n_edges(), 0);
-  const StraightWalk walk(chart.mesh, no_barriers);
-  const VertexHandle middle(4);
-  std::vector<HalfedgeHandle> around;
-  for (const HalfedgeHandle h : chart.mesh.voh_range(middle)) around.push_back(h);
-  const SurfacePoint from = point_on_edge(chart.mesh, around[0], 0.2);
-  const SurfacePoint to = point_on_edge(chart.mesh, around[around.size() / 2], 0.2);
-  const auto line = walk.line(from, to, 10);
-  ASSERT_TRUE(line.has_value());
-  EXPECT_TRUE(std::any_of(line->between.begin(), line->between.end(),
-                          [&](const PathPoint& point) { return point.vertex == middle; }));
-}
-
-TEST(StraightWalk, StaysWhereABarrierIsInTheWay) {
-  const Chart chart = chart_of(egg(kAround, kRings));
-  const CutMask barriers(chart.mesh.n_edges(), 1);
-  const StraightWalk walk(chart.mesh, barriers);
-  const SurfacePoint start = SurfacePoint::in_face(chart.mesh.face_handle(100), Planar(0.01, 0.01));
-  const SurfacePoint end = walk.step(start, Planar(1, 0));
-  EXPECT_EQ(end.face, start.face);
-  EXPECT_EQ(end.place, start.place);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ double longest_edge_at(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
   return longest;
 }
 
-/// Whether each point of a line has a face in common with the next one.
+/// Returns whether each point of a line has a face in common with the next one.
 bool is_connected(const HalfEdgeMesh& mesh, const RelaxedLine& line) {
   std::vector<std::vector<FaceHandle>> faces;
   if (!line.is_closed) faces.push_back(faces_beside(mesh, line.start));
@@ -92,8 +92,7 @@ bool are_on_one_edge(const HalfEdgeMesh& mesh, const PathPoint& a, const PathPoi
   return !a.is_vertex() && !b.is_vertex() && mesh.edge_handle(a.half_edge) == mesh.edge_handle(b.half_edge);
 }
 
-/// Adds a point, and removes what a line does in vain: crossing an edge and coming back, or crossing an edge at whose
-/// end it passes.
+/// Adds a point, and removes needless crossings: of an edge and back, or of an edge at whose end the line passes.
 void append(const HalfEdgeMesh& mesh, const PathPoint& point, MeshPath& path) {
   const VertexHandle v = near_vertex(mesh, point);
   if (!v.is_valid()) {
@@ -143,10 +142,24 @@ bool LineNetwork::touches_barrier(VertexHandle v) const {
          std::any_of(mesh_.cve_begin(v), mesh_.cve_end(v), [&](EdgeHandle e) { return barriers_[e.idx()] != 0; });
 }
 
+/// Returns whether a path of a line runs along a barrier or the outline, but its chain does not.
+bool LineNetwork::runs_along_barrier(std::size_t line, const MeshPath& path) const {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (!path[i - 1].is_vertex() || !path[i].is_vertex()) continue;
+    const EdgeHandle e = mesh_.edge_handle(mesh_.find_halfedge(path[i - 1].vertex, path[i].vertex));
+    const bool is_barrier = barriers_[e.idx()] != 0 || mesh_.is_boundary(e);
+    if (is_barrier && !std::binary_search(edges_[line].begin(), edges_[line].end(), e)) return true;
+  }
+  return false;
+}
+
 /// point_at: point of each vertex, or -1.
 void LineNetwork::add_line(const HalfEdgeChain& chain, bool is_ring, std::vector<int>& point_at) {
   const std::size_t line = lines_.size();
   std::vector<std::size_t>& points = lines_.emplace_back();
+  std::vector<EdgeHandle>& edges = edges_.emplace_back();
+  for (const HalfedgeHandle h : chain) edges.push_back(mesh_.edge_handle(h));
+  std::sort(edges.begin(), edges.end());
   const auto add_vertex = [&](VertexHandle v) {
     int& known = point_at[v.idx()];
     if (known < 0) {
@@ -275,7 +288,8 @@ std::optional<RelaxedLine> LineNetwork::along(std::size_t line, const std::vecto
   }
   if (!relaxed.is_closed) {
     const double longest = std::max(longest_edge_at(mesh_, relaxed.start), longest_edge_at(mesh_, relaxed.end));
-    if (length_of_line(mesh_, relaxed) < kShortest * longest || !is_connected(mesh_, relaxed)) return std::nullopt;
+    if (length_of_line(mesh_, relaxed) < kShortest * longest) return std::nullopt;
+    if (!is_connected(mesh_, relaxed) || runs_along_barrier(line, path)) return std::nullopt;
     return relaxed;
   }
   while (path.size() > 2) {  // joins the end to the beginning by the same rules
@@ -292,7 +306,7 @@ std::optional<RelaxedLine> LineNetwork::along(std::size_t line, const std::vecto
   }
   if (path.size() < 3) return std::nullopt;
   path.push_back(path.front());
-  if (!is_connected(mesh_, relaxed)) return std::nullopt;
+  if (!is_connected(mesh_, relaxed) || runs_along_barrier(line, path)) return std::nullopt;
   return relaxed;
 }
 

@@ -45,6 +45,7 @@ class LineNetwork {
 
   void add_line(const HalfEdgeChain& chain, bool is_ring, std::vector<int>& point_at);
   bool touches_barrier(VertexHandle v) const;
+  bool runs_along_barrier(std::size_t line, const MeshPath& path) const;
   std::optional<StraightLine> between(const SurfacePoint& a, const SurfacePoint& b) const;
   SurfacePoint snapped(const SurfacePoint& point) const;
   std::optional<RelaxedLine> along(std::size_t line, const std::vector<SurfacePoint>& places) const;
@@ -55,6 +56,7 @@ class LineNetwork {
   double edge_length_;  // mean of the chains, scene units
   std::vector<Point> points_;
   std::vector<std::vector<std::size_t>> lines_;  // points of each line; the first one again at the end of a closed one
+  std::vector<std::vector<EdgeHandle>> edges_;   // edges of each chain, in increasing order
 };
 
 }  // namespace wirewarp
