@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import bpy
 import numpy as np
 import pytest
-from everything import AnyLayout, sidebar
+from everything import AnyLayout, draw_panels, sidebar
 from surfaces import flat_of, flat_places, grid, mark_seam, on_line, select_edges, select_only
 from two_sided import two_pieces
 from view_context import view_context
@@ -78,6 +78,8 @@ def test_copies_are_drawn_once_in_file_and_preview(addon, at_once, tmp_path, arr
     names = [piece.name for piece in source.wirewarp_pieces]
     said = addon.overlay.shown.shown_copies(view_context(), source, flat_of(source))
     assert said == [f"Cut 2: {names[0]} and {names[1]}", f"On the fold: {names[0]}"]
+    source.wirewarp_active_piece = 0
+    assert f"Cut 2, with {names[1]}. Can be cut on the fold" in draw_panels(addon)
     bpy.ops.object.wirewarp_export(filepath=str(tmp_path / "a.svg"), pairs=True, on_fold=True)
     root = ElementTree.parse(tmp_path / "a.svg").getroot()
     assert [path.get("data-role") for path in root.iter("{http://www.w3.org/2000/svg}path")].count("cut") == 1

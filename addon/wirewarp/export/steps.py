@@ -63,6 +63,22 @@ def copies_sentences(made: pattern.Pattern) -> list[str]:
     return [*sentences, f"On the fold: {', '.join(folds)}"] if folds else sentences
 
 
+def copies_of_piece(made: pattern.Pattern, name: str) -> str:
+    """Return the other pieces that equal this one, and whether it is symmetric; "" if neither.
+
+    made: with pairs and halves drawn once.
+    """
+    for piece in made.pieces:
+        names = [piece.name, *piece.copied_names]
+        if name not in names:
+            continue
+        others = [other for other in names if other != name]
+        hidden = [f"{len(others) - SHOWN_NAMES} more"] if len(others) > SHOWN_NAMES else []
+        equal = [f"{piece.quantity_text}, with {', '.join(others[:SHOWN_NAMES] + hidden)}"] if others else []
+        return ". ".join(equal + ["Can be cut on the fold"] * piece.on_fold)
+    return ""
+
+
 def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:
     return [f"{counted(len(made.pieces), 'piece')} on {_size_text(made, *size)}.", largest_sentence(made)]
 

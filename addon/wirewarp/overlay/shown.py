@@ -13,7 +13,7 @@ from ..blender.attributes import stored_text
 from ..blender.objects import meters_per_blender_unit, metric
 from ..core import percent_text
 from ..export.export import GRAINS, Cloth, library_paper
-from ..export.steps import copies_sentences
+from ..export.steps import copies_of_piece, copies_sentences
 from ..issues import ObjectError
 from ..names import MARKER, MARKS
 from ..solve.maps import ASPECT_RATIO, CLOTH_MAPS, COLOR_MAPS, SHEAR, STRETCH, WEFT, ColorMap
@@ -202,6 +202,12 @@ def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy
     settings = context.scene.wirewarp
     made = _cut_lines(context, source, flat, settings.pairs, settings.on_fold).made
     return copies_sentences(made) if made else []
+
+
+def piece_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object, name: str) -> str:
+    """Return a sentence on the copies and the symmetry of a piece. The flat object is not in Edit Mode."""
+    made = _cut_lines(context, source, flat, pairs=True, on_fold=True).made
+    return copies_of_piece(made, name) if made else ""
 
 
 def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> PagePreview:

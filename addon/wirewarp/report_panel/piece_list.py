@@ -5,7 +5,9 @@ import bpy
 
 from ..blender.objects import length_text
 from ..core import PieceRow, needs_text, percent_text
+from ..overlay.shown import piece_copies
 from ..solve.report import ObjectReport
+from ..state.owners import find_flat_object
 from ..state.reports import pieces_report
 from ..suggest.panel import draw_simplify, draw_suggest
 from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of
@@ -97,6 +99,7 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         chosen = _row_of(context, source.wirewarp_active_piece)
         if chosen:
             draw_figures(context, self.layout, chosen)
+            draw_copies(context, self.layout, source, source.wirewarp_pieces[chosen.index].name)
             report = shown_report(context)
             offered = offered_piece(context, source, report) if report else None  # the piece with buttons below Flatten
             has_seams = bool(report and report.seams)
@@ -126,6 +129,15 @@ def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: Pi
         line = column.row(align=True)
         draw_cells(line, "Stretch", [percent_text(row.needed)], 0.5)
         draw_select(line, "STRETCH" if row.stretch_max >= row.ease_max else "EASE", row.index)
+
+
+def draw_copies(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, name: str) -> None:
+    """Draw how the piece of this name can be cut with others or on the fold, as Equal Pieces and On the Fold do it."""
+    flat = find_flat_object(source)
+    if flat is None or flat.data.is_editmode:
+        return
+    if sentence := piece_copies(context, source, flat, name):
+        draw_sentence(context, layout, sentence)
 
 
 CLASSES = (WIREWARP_UL_pieces, VIEW3D_PT_wirewarp_pieces)
