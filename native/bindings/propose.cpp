@@ -59,8 +59,8 @@ set of seams and darts with which all parts have a flat shape. If no piece is re
 seams is cut. The first set brings every part to the accepted strain (None for 0.05) if at most forty cuts and their
 mirror images can do so. Each later set is shorter and leaves more strain. Sets are symmetric if the piece is, and may
 cross wires. For a set, edges has one line after the other, energy is that of all parts, strain that of the worst part,
-and longest limits the whole set; energy_before and strain_before are infinite. Pieces are not joined to one that covers less
-than 60% of its convex hull, and less of it than each of them does.
+and longest limits the whole set; energy_before and strain_before are infinite. Pieces are not joined to one that covers
+less than 60% of its convex hull, and less of it than each of them does.
 
 narrowest: least width of the flat pieces of a cut set, scene units; 0 for any width. Pieces are not joined to one that
     is narrower than this, unless one of them is as narrow. Use twice the allowance and a little more: see

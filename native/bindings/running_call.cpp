@@ -57,6 +57,10 @@ void forget_threads_of_parent() {
   calls.mutex.unlock();
 }
 
+/// Number of calls that this thread is in: Python code that a call runs may call again. The end of Python waits for the
+/// outermost call, so an inner one must return.
+thread_local int depth_of_calls = 0;
+
 /// Sleeps until the process ends if Python is ending, as Python 3.14 does with its daemon threads.
 void stay_if_python_is_ending() {
   if (!python_is_ending()) return;
@@ -71,13 +75,14 @@ RunningWork::RunningWork() { begin_work(); }
 RunningWork::~RunningWork() { end_work(); }
 
 RunningCall::RunningCall() {
-  stay_if_python_is_ending();
+  if (depth_of_calls == 0) stay_if_python_is_ending();
+  ++depth_of_calls;
   begin_work();
 }
 
 RunningCall::~RunningCall() {
   end_work();
-  stay_if_python_is_ending();
+  if (--depth_of_calls == 0) stay_if_python_is_ending();
 }
 
 bool python_is_ending() {

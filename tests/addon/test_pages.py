@@ -85,6 +85,19 @@ def test_copies_are_drawn_once_in_file_and_preview(addon, at_once, tmp_path, arr
     assert [path.get("data-role") for path in root.iter("{http://www.w3.org/2000/svg}path")].count("cut") == 1
 
 
+def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
+    """The list tells of copies and folds although only copies are drawn once."""
+    source = grid("Flat", lambda x, y: (x, y, 0.0))
+    mark_seam(source, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    bpy.context.scene.wirewarp.pairs = True
+    one, other = (piece.name for piece in source.wirewarp_pieces)
+    given = view_context(), source, flat_of(source)
+    for _ in range(2):
+        assert addon.overlay.shown.piece_copies(*given, one) == f"Cut 2, with {other}. Can be cut on the fold"
+        assert addon.overlay.shown.shown_copies(*given) == [f"Cut 2: {one} and {other}"]
+
+
 def test_equal_pieces_are_named_below_the_export_button(addon, source):
     """Above the button, their names would move it away from the mouse."""
     bpy.context.scene.wirewarp.pairs = True

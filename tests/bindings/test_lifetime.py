@@ -154,6 +154,7 @@ def test_python_ends_while_a_thread_flattens(stage, calls_on):
         "measure(slow, faces, vertices[faces][:, :, :2])",
         "straighten_path(slow, faces, [0, 1, 2])",
         "cut_mesh(slow, faces, [])",
+        "simplify_seams(slow, faces, seams=[])",
         "propose_darts(slow, faces)",
         "start(slow, faces)",
     ],
@@ -161,10 +162,15 @@ def test_python_ends_while_a_thread_flattens(stage, calls_on):
 def test_python_ends_while_a_thread_reads_arguments(call):
     ended = run(
         *SHEET,
+        "import atexit",
+        "ending = threading.Event()",
+        "atexit.register(ending.set)",  # runs before wirewarp's handler
         "class Slow:",
         "    def __array__(self, dtype=None, copy=None):",
         "        begun.set()",
-        "        time.sleep(0.3)",
+        "        ending.wait()",
+        "        time.sleep(0.1)",  # meanwhile, Python would end
+        "        wirewarp.measure(vertices, faces, vertices[faces][:, :, :2])",  # a call within the call
         "        print('read', file=sys.stderr)",
         "        return vertices",
         "slow = Slow()",

@@ -186,5 +186,29 @@ TEST(MergeSections, JoinsPiecesThatAreEquallyNarrow) {
   }
 }
 
+TEST(MergeSections, JoinsTheHalvesOfARing) {
+  // Half a ring covers the same share of its convex hull as the whole ring, up to rounding.
+  const int around = 32;
+  for (const double angle : {0.0, 0.3, 0.7}) {
+    FlattenInput ring = test::flat_annulus(around, 2, 0.9, 1);
+    const auto cut_at = [&](double x) {
+      const auto at = [&](double radius) { return test::nearest_vertex(ring, {radius * x, 0, 0}); };
+      return std::vector<VertexPair>{{at(0.9), at(0.95)}, {at(0.95), at(1)}};
+    };
+    const std::vector<VertexPair> left = cut_at(-1);
+    std::vector<VertexPair> both = cut_at(1);
+    both.insert(both.end(), left.begin(), left.end());
+    ring.vertices *= Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix().transpose();
+    const SurfaceToCut surface(ring, Options());
+    const ExactEvaluation exact(surface, Options(), StopToken());
+    const FlatPieces uncut = exact.uncut();
+    const Chart& chart = uncut[0]->chart;
+    const CutState state{PartMap(chart).mask_of(both), exact.with_cut(uncut, both)};
+    ASSERT_EQ(state.pieces.size(), 2U);
+    // The limit is generous, because free maps of rings overestimate the strain.
+    EXPECT_EQ(merge_sections(state, chart, exact, 0.1, 0, 0.6).pieces.size(), 1U) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace wirewarp::test_merge_sections

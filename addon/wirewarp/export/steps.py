@@ -72,7 +72,8 @@ def copies_of_piece(made: pattern.Pattern, name: str) -> str:
         names = [piece.name, *piece.copied_names]
         if name not in names:
             continue
-        others = [other for other in names if other != name]
+        others = names.copy()
+        others.remove(name)  # once: pieces may have the same name
         hidden = [f"{len(others) - SHOWN_NAMES} more"] if len(others) > SHOWN_NAMES else []
         equal = [f"{piece.quantity_text}, with {', '.join(others[:SHOWN_NAMES] + hidden)}"] if others else []
         return ". ".join(equal + ["Can be cut on the fold"] * piece.on_fold)

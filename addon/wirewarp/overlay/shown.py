@@ -193,7 +193,7 @@ def _cut_lines(
         "pairs": pairs,
         "on_fold": on_fold,
     }
-    what = "drawn once" if pairs or on_fold else "cut lines"
+    what = f"cut lines, {pairs=}, {on_fold=}"  # the list of pieces and the panel Export may choose differently
     return kept_drawing(flat, what, (Same(parts), options), lambda: cut_lines(parts, **options))
 
 

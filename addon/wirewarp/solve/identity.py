@@ -274,7 +274,7 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
     identities = []
     for seam_id, is_dart in zip(ids, darts, strict=True):
         kind, given = KINDS[is_dart], GIVEN.fullmatch(names.get(seam_id, ""))
-        # new, or the user has cleared its name, or a dart was cut through, or a seam became a dart
+        # The seam is new, the user has cleared its name, or it became a dart or stopped being one.
         if not names.get(seam_id) or (given and given[1] != kind):
             numbers[kind] += 1
             names[seam_id] = f"{kind} {numbers[kind]}"
@@ -283,9 +283,11 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
 
 
 def _highest_number(kind: str, names: Mapping[int, str], kinds: Mapping[int, str]) -> int:
-    """Return the highest number of a kind that is in use or was, also by a seam whose name the user has changed.
+    """Return the highest number of a kind among present and removed seams, also of those that the user has renamed.
 
-    names: of all present and former seams by id; kinds: of the present seams.
+    A seam that becomes a dart, or a dart that is cut through, leaves its number to the next one.
+
+    names: of all present and removed seams by id; kinds: of the present seams.
     """
     given = {seam_id: GIVEN.fullmatch(name) for seam_id, name in names.items()}
     own = {i: match for i, match in given.items() if (match[1] if match else kinds.get(i, KINDS[0])) == kind}

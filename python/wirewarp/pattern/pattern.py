@@ -131,7 +131,7 @@ class Pattern(PatternData):
             """Return the names of all seams whose sides this drawn side represents: "Seam 3 / 5"."""
             by_seam = {own.seam: own for own in copied.copies(side) if own.seam is not None}
             first, *others = (seam_names[seam] for seam in by_seam)
-            names = [first, *map(short_name, others)]
+            names = [first, *(others if short_name(first) == first else map(short_name, others))]
             partners = [name for seam, own in by_seam.items() for name in joined[seam] if name != laid[own.piece].name]
             own_notes = [notes.get(id(own), "") for own in by_seam.values()]
             each = [f"{short_name(name)}: {note}" for name, note in zip(names, own_notes, strict=True) if note]

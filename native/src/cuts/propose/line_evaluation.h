@@ -33,7 +33,7 @@ class LineEvaluation {
   /// All pieces on a cut mesh.
   struct PiecesAlong {
     FlatPieces before, after;  // without and with the cut
-    double length;             // of the cut in the middle of the material, scene units
+    double length;             // length of the cut in the middle of the material, scene units
   };
 
   /// Returns the pieces that a cut makes, on the mesh of cut_mesh(). Throws Stopped.

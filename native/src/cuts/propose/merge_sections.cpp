@@ -42,6 +42,9 @@ constexpr double kMostFolded = 0.025;
 /// Lower strains are rounding errors, because shapes are only exact to about this value.
 constexpr double kFlatStrain = 1e-6;
 
+/// Solidities that differ by less count as equal: half a ring has that of the whole ring.
+constexpr double kSameSolidity = 1e-6;
+
 constexpr double kNoFlatShape = std::numeric_limits<double>::infinity();
 
 /// Even with an infinite limit, pieces must have a flat shape.
@@ -263,12 +266,13 @@ bool SectionMerger::is_too_narrow(const FlatPiece& piece, const FlatPieces& old)
          });
 }
 
-/// Whether a piece has less solidity than it must have, and than each of the old ones that it consists of.
+/// Returns whether a piece has less solidity than it must have and than each piece that it joins.
 bool SectionMerger::has_long_arms(const FlatPiece& piece, const FlatPieces& old) const {
   if (least_solidity_ == 0) return false;
   const double share = solidity(piece);
   return share < least_solidity_ && std::none_of(old.begin(), old.end(), [&](const auto& part) {
-           return wirewarp::is_part_of(part->chart, piece.chart) && (part->error || solidity(*part) <= share);
+           return wirewarp::is_part_of(part->chart, piece.chart) &&
+                  (part->error || solidity(*part) <= share + kSameSolidity);
          });
 }
 

@@ -5,7 +5,8 @@
 
 namespace wirewarp {
 
-/// Returns the share of its convex hull that a flat piece covers, 1 for a convex piece: low for pieces with long arms.
+/// Returns the share of its convex hull that a flat piece covers, 1 for a convex piece: low for pieces with long arms,
+/// a large hole or a strong bend.
 double solidity(const FlatPiece& piece);
 
 }  // namespace wirewarp
