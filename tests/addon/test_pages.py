@@ -86,7 +86,7 @@ def test_copies_are_drawn_once_in_file_and_preview(addon, at_once, tmp_path, arr
 
 
 def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
-    """The list tells of copies and folds although only copies are drawn once."""
+    """The list names copies and folds although only copies are drawn once."""
     source = grid("Flat", lambda x, y: (x, y, 0.0))
     mark_seam(source, on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
