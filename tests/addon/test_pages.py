@@ -90,7 +90,7 @@ def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
     source = grid("Flat", lambda x, y: (x, y, 0.0))
     mark_seam(source, on_line(0, 0.0))
     bpy.ops.object.wirewarp_flatten()
-    bpy.context.scene.wirewarp.pairs = True
+    bpy.context.scene.wirewarp.pairs, bpy.context.scene.wirewarp.on_fold = True, False
     one, other = (piece.name for piece in source.wirewarp_pieces)
     given = view_context(), source, flat_of(source)
     for _ in range(2):
