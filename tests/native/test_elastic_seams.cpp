@@ -11,6 +11,8 @@
 #include "base/planar.h"
 #include "disguise.h"
 #include "eased_sheets.h"
+#include "surface/charts/elastic_seams.h"
+#include "surface/network/length_variation.h"
 #include "test_meshes.h"
 #include "wirewarp/cache.h"
 #include "wirewarp/flatten.h"
@@ -48,6 +50,21 @@ FlattenInput gores(double tolerance, double ease = 0) {
     input.wires.back().ease = ease;
   }
   return input;
+}
+
+TEST(ElasticSeams, AreFixedDuringAStageAndElasticAfterIt) {
+  FlattenInput input = test::flat_rectangle(4, 2, 2, 1);
+  test::add_wire(input, test::grid_row(4, 0), 0.03);
+  input.wires.back().ease = 0.1;
+  Chart chart = test::chart_of(input);
+  const Positions2 uv = test::planar_positions(chart);
+  {
+    const FixedSeams fixed(chart, {0.12});
+    EXPECT_FALSE(is_elastic_boundary(chart.wire_parts[0]));
+    EXPECT_NEAR(length_variation(chart, uv)[0], 1 / 1.12 - 1, 1e-12);
+  }
+  EXPECT_TRUE(is_elastic_boundary(chart.wire_parts[0]));
+  EXPECT_NEAR(length_variation(chart, uv)[0], 1 / 1.1 - 1, 1e-12);
 }
 
 TEST(ElasticSeams, AreRefusedByWireWarpingPlusPlus) {

@@ -27,9 +27,9 @@ struct GroupMember {
 
 class GroupSolver {
  public:
-  /// Searches for an injective shape of a chart that is flipped or overlaps itself, with its elastic seams fixed at the
-  /// common lengths. The solution may be inexact or not injective; the caller checks.
-  using RefineInjective = std::function<Solution(std::size_t member, const Chart& fixed, Budget& budget)>;
+  /// Searches for an injective shape of a chart that is flipped or overlaps itself. Its elastic seams are fixed at the
+  /// common lengths meanwhile. The solution may be inexact or not injective; the caller checks.
+  using RefineInjective = std::function<Solution(std::size_t member, Budget& budget)>;
 
   struct Outcome {
     bool is_solved = false;            // if false, the shapes from before the stage are kept
@@ -45,25 +45,17 @@ class GroupSolver {
   /// folded although no chart was folded before.
   Outcome solve_together();
 
-  /// Solves a chart alone. fixed: the chart with its elastic seams at h = ease.
-  Outcome solve_alone(std::size_t member, const Chart& fixed) { return solve({{member, fixed}}, false); }
+  /// Solves a chart alone.
+  Outcome solve_alone(std::size_t member) { return solve({member}, false); }
 
   /// Returns the chart as it was before the stage.
   const SolvedChart& before(std::size_t member) const { return before_[member]; }
 
  private:
-  /// A chart of the group, perhaps with fixed seams.
-  struct Part {
-    std::size_t member;
-    const Chart& chart;
-  };
-
-  SolvedChart& solved(const Part& part) const { return group_[part.member].solved; }
-  Outcome solve(const std::vector<Part>& parts, bool keeps_good);
-  bool take_common_shapes(const std::vector<Part>& parts, Budget& budget);
-  bool replace_folded(const Part& part, Budget& budget);
-  std::vector<char> find_folded(const std::vector<Part>& parts) const;
-  bool were_good(const std::vector<Part>& parts) const;
+  Outcome solve(const std::vector<std::size_t>& members, bool keeps_good);
+  bool take_common_shapes(const std::vector<std::size_t>& members, Budget& budget);
+  bool replace_folded(std::size_t member, Budget& budget);
+  bool were_good(const std::vector<std::size_t>& members) const;
 
   const std::vector<GroupMember>& group_;
   const Run& run_;
@@ -72,6 +64,9 @@ class GroupSolver {
   const RefineInjective refine_injective_;
   std::vector<SolvedChart> before_;
 };
+
+/// Replaces the layout of a chart, and the lengths of its wires.
+void take_shape(Shape& shape, const GroupMember& member);
 
 /// Returns whether a layout is flipped or overlaps itself.
 bool has_folds(const Chart& chart, const Positions2& uv);

@@ -12,7 +12,6 @@
 #include "newton/refine_chart.h"
 #include "newton/solve/chart_errors.h"
 #include "newton/solve/piece_report.h"
-#include "surface/charts/elastic_seams.h"
 #include "surface/charts/folded_faces.h"
 #include "surface/charts/isoperimetric.h"
 #include "surface/network/length_variation.h"
@@ -51,7 +50,6 @@ std::optional<FlattenError> flatten_by_warping(const Chart& chart, const Run& ru
     const StageTimer timer(seconds, "wires");
     split = process_topology(chart, stop.in("wires"));  // III
     network = build_wire_network(split ? *split : chart);
-    solved.network = split ? build_wire_network(chart) : network;
   }
   const Chart& prepared = split ? *split : chart;
   stop.in("interior").check();
@@ -88,7 +86,6 @@ std::optional<FlattenError> flatten_by_refining(const Chart& chart, const Run& r
                                                 const StopToken& stop, SolvedChart& solved) {
   stop.in("start").check();
   const StageTimer timer(solved.report.seconds, "shape");
-  solved.network = build_wire_network(chart);
   Problem problem(chart, run.options.fairness);
   Solution refined = refine_chart(problem, run.options, {budget, stop});
   if (refined.status == SolutionStatus::cancelled) throw Stopped();
@@ -141,12 +138,6 @@ SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, cons
   } catch (const FactorizationFailed&) {
     solved.error = not_solvable(chart);
   }
-  return solved;
-}
-
-SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop) {
-  SolvedChart solved = solve_chart(with_fixed_seams(chart), run, budget, stop);
-  if (solved.network) solved.network = build_wire_network(chart);
   return solved;
 }
 

@@ -27,9 +27,6 @@ struct Run {
 /// trials may have spent a part. Errors name Options::max_factorizations, which the user set.
 SolvedChart solve_chart(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
 
-/// Solves a chart with its elastic seams fixed at h = ease.
-SolvedChart solve_chart_with_fixed_seams(const Chart& chart, const Run& run, Budget& budget, const StopToken& stop);
-
 /// Calls Run::propose_seams; returns no seams if that is empty.
 std::vector<VertexPair> propose_seams(const Chart& chart, const Run& run, const StopToken& stop);
 

@@ -104,7 +104,7 @@ class ChartsSolver {
     Budget budget(run_.options.max_factorizations);
     const StopToken stop = progress_.stop_token(c);
     solved_[c] = report_.is_cancelled() ? cancelled_chart() : solve_chart(charts_[c], run_, budget, stop);
-    solved_[c].multipliers.resize(0);
+    complete(c);
     session_.keep({&charts_[c]}, {&solved_[c]});
   }
 
@@ -118,7 +118,10 @@ class ChartsSolver {
     const InternalOptions options = on_the_way(run_.options);
     const StopToken stop = progress_.stop_token(c);
     Budget budget(options.max_factorizations);
-    solved_[c] = solve_chart_with_fixed_seams(charts_[c], {run_.input, options, {}}, budget, stop);
+    {
+      const FixedSeams fixed(charts_[c]);
+      solved_[c] = solve_chart(charts_[c], {run_.input, options, {}}, budget, stop);
+    }
     is_nominal_[c] = solved_[c].error ? 0 : 1;
     if (!solved_[c].error || stop.is_stopped()) return;
     solved_[c] = solve_chart(charts_[c], {run_.input, options, run_.propose_seams}, budget, stop);
@@ -136,11 +139,17 @@ class ChartsSolver {
     if (!begun.empty()) free_elastic_seams(begun, run_, progress_.stop_token(first));
     std::vector<const SolvedChart*> solved;
     for (const int c : group.charts) {
-      solved_[c].multipliers.resize(0);
+      complete(static_cast<std::size_t>(c));
       solved.push_back(&solved_[c]);
       progress_.finish(static_cast<std::size_t>(c));
     }
     session_.keep(members(group), solved);
+  }
+
+  /// Adds what the result needs of a chart with a layout, and drops what only later stages need.
+  void complete(std::size_t c) {
+    solved_[c].multipliers.resize(0);
+    if (solved_[c].uv.rows() > 0) solved_[c].network = build_wire_network(charts_[c]);
   }
 
   TargetLengths lengths_of(const Chart& chart, const Positions2& uv) const {

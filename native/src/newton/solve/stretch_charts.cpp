@@ -29,9 +29,8 @@ class StretchedGroup {
       : group_(group),
         run_(run),
         stop_(stop.in("shape")),
-        solver_(group, run, stop_, true, [this](std::size_t k, const Chart& fixed, Budget& budget) {
-          return refine_without_overlap(k, fixed, budget);
-        }) {}
+        solver_(group, run, stop_, true,
+                [this](std::size_t k, Budget& budget) { return refine_without_overlap(k, budget); }) {}
 
   /// Solves the group, whose charts must have no flipped triangles.
   void solve() {
@@ -45,22 +44,24 @@ class StretchedGroup {
     }
   }
 
-  /// Solves a chart that is flipped or overlaps itself without the stretch. fixed: the chart with fixed elastic seams.
-  /// ran_out: whether the limit of factorizations ended an earlier attempt. Returns whether a shape with the lengths
-  /// was found.
-  bool solve_faulty(std::size_t k, const Chart& fixed, bool ran_out) {
-    if (refine_faulty(k, fixed, ran_out)) return true;
-    explain(k, ran_out);
-    return false;
+  /// Solves a chart that is flipped or overlaps itself without the stretch. variation: h of its elastic seams. ran_out:
+  /// whether the limit of factorizations ended an earlier attempt. Returns whether a shape with the lengths was found.
+  bool solve_faulty(std::size_t k, const std::vector<double>& variation, bool ran_out) {
+    if (!refine_faulty(k, variation, ran_out)) {
+      explain(k, ran_out);
+      return false;
+    }
+    finish(k, has_folds(group_[k].chart, group_[k].solved.uv));
+    return true;
   }
 
  private:
   /// Minimizes from a layout and keeps its rotation.
-  Solution refine(const Stage& stage, std::size_t k, const Chart& fixed, const Positions2& start,
-                  Budget& budget) const {
+  Solution refine(const Stage& stage, std::size_t k, const Positions2& start, Budget& budget) const {
+    const Chart& chart = group_[k].chart;
     TargetLengths lengths = group_[k].lengths;
-    lengths.grains = {hold_upright(fixed, start, run_.options)};
-    return refine_coupled({{fixed, &lengths, {start}}}, run_.options.fairness, stage, {budget, stop_}).front();
+    lengths.grains = {hold_upright(chart, start, run_.options)};
+    return refine_coupled({{chart, &lengths, {start}}}, run_.options.fairness, stage, {budget, stop_}).front();
   }
 
   Stage stage_of_cloth(Injectivity injectivity) const { return {&*run_.options.cloth, nullptr, injectivity}; }
@@ -70,32 +71,35 @@ class StretchedGroup {
   }
 
   /// Minimizes without overlaps on the way, from the shape before the stage.
-  Solution refine_without_overlap(std::size_t k, const Chart& fixed, Budget& budget) const {
+  Solution refine_without_overlap(std::size_t k, Budget& budget) const {
     if (!was_good(k)) return {};
     const SolvedChart& before = solver_.before(k);
-    Solution refined = refine(stage_of_cloth(Injectivity::global), k, fixed, before.uv, budget);
+    Solution refined = refine(stage_of_cloth(Injectivity::global), k, before.uv, budget);
     refined.start = before.report.start.c_str();
     refined.iterations += before.report.outer_iterations;
     return refined;
   }
 
   void solve_with_fixed_seams(std::size_t k, bool ran_out) {
-    const Chart fixed = with_fixed_seams(group_[k].chart);
     GroupSolver::Outcome alone;
-    if (group_[k].is_nominal) alone = solver_.solve_alone(k, fixed);
+    if (group_[k].is_nominal) {
+      const FixedSeams fixed(group_[k].chart);
+      alone = solver_.solve_alone(k);
+    }
     ran_out = ran_out || alone.ran_out;
     if (alone.is_solved) {
       finish(k, alone.is_folded.front() != 0);
       report_fixed_seams(group_[k].solved.report);
     } else if (was_good(k)) {
       explain(k, ran_out);
-    } else if (solve_faulty(k, fixed, ran_out) && group_[k].is_nominal) {
+    } else if (solve_faulty(k, eases_of(group_[k].chart), ran_out) && group_[k].is_nominal) {
       report_fixed_seams(group_[k].solved.report);
     }
   }
 
   /// Returns a layout with the stretched lengths, in the plane of the stretched fabric.
-  std::optional<Positions2> start_from_scratch(std::size_t k, Chart stretched, Budget& budget) const {
+  std::optional<Positions2> start_from_scratch(std::size_t k, Budget& budget) const {
+    Chart stretched = group_[k].chart;
     set_stretched_lengths(group_[k], stretched);
     InternalOptions options = run_.options;
     options.cloth.reset();
@@ -107,20 +111,21 @@ class StretchedGroup {
     return found.shape.uv * group_[k].lengths.flat_share.cwiseInverse().asDiagonal();
   }
 
-  /// Solves like solve_faulty(), without an error. Returns false if no shape with the lengths was found. Sets ran_out
-  /// if the limit of factorizations ended a solver.
-  bool refine_faulty(std::size_t k, const Chart& fixed, bool& ran_out) {
+  /// Finds the shape for solve_faulty(). Returns false if none was found. Sets ran_out if the limit of factorizations
+  /// ended a solver.
+  bool refine_faulty(std::size_t k, const std::vector<double>& variation, bool& ran_out) {
     if (stop_.is_stopped()) return false;
     SolvedChart& one = group_[k].solved;
+    const FixedSeams fixed(group_[k].chart, variation);
     Budget budget(run_.options.max_factorizations);
-    Solution found = refine({}, k, fixed, solver_.before(k).uv, budget);
+    Solution found = refine({}, k, solver_.before(k).uv, budget);
     if (!found.is_exact()) {
-      if (const std::optional<Positions2> start = start_from_scratch(k, fixed, budget)) {
-        found = refine({}, k, fixed, *start, budget);
+      if (const std::optional<Positions2> start = start_from_scratch(k, budget)) {
+        found = refine({}, k, *start, budget);
       }
     }
-    if (found.is_exact() && injectivity_of(fixed, found.shape.uv) != Injectivity::none) {
-      Solution of_cloth = refine(stage_of_cloth(Injectivity::local), k, fixed, found.shape.uv, budget);
+    if (found.is_exact() && injectivity_of(group_[k].chart, found.shape.uv) != Injectivity::none) {
+      Solution of_cloth = refine(stage_of_cloth(Injectivity::local), k, found.shape.uv, budget);
       of_cloth.iterations += found.iterations;
       found.status = SolutionStatus::stalled;
       if (of_cloth.is_exact()) found = std::move(of_cloth);
@@ -132,9 +137,7 @@ class StretchedGroup {
       return false;
     }
     report_next_refinement(found, stop_.is_stopped(), one.report);
-    one.variation = variations_of(fixed, found.shape.variation);
-    one.uv = std::move(found.shape.uv);
-    finish(k, has_folds(fixed, one.uv));
+    take_shape(found.shape, group_[k]);
     return true;
   }
 
@@ -212,8 +215,7 @@ void stretch_group(const std::vector<GroupMember>& others, const std::vector<Gro
                    const StopToken& stop) {
   if (!others.empty()) StretchedGroup(others, run, stop).solve();
   for (const GroupMember& member : flipped) {
-    const Chart fixed = with_fixed_seams(member.chart, variation_of_mates(member, others));
-    StretchedGroup({member}, run, stop).solve_faulty(0, fixed, false);
+    StretchedGroup({member}, run, stop).solve_faulty(0, variation_of_mates(member, others), false);
   }
 }
 

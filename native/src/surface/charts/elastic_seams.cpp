@@ -57,7 +57,8 @@ std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& c
   return groups;
 }
 
-Chart with_fixed_seams(Chart chart, const std::vector<double>& variation) {
+FixedSeams::FixedSeams(Chart& chart, const std::vector<double>& variation)
+    : chart_(chart), elastic_parts_(chart.wire_parts), length_ratio_(chart.length_ratio) {
   for (std::size_t i = 0; i < chart.wire_parts.size(); ++i) {
     WirePart& part = chart.wire_parts[i];
     if (!is_elastic_boundary(part)) continue;
@@ -68,13 +69,17 @@ Chart with_fixed_seams(Chart chart, const std::vector<double>& variation) {
     part.ease = variation[i];
     part.tolerance = 0;
   }
-  return chart;
 }
 
-Chart with_fixed_seams(Chart chart) {
+FixedSeams::~FixedSeams() {
+  chart_.wire_parts.swap(elastic_parts_);
+  chart_.length_ratio.swap(length_ratio_);
+}
+
+std::vector<double> eases_of(const Chart& chart) {
   std::vector<double> eases;
   for (const WirePart& part : chart.wire_parts) eases.push_back(part.ease);
-  return with_fixed_seams(std::move(chart), eases);
+  return eases;
 }
 
 CombinedCharts combine(const std::vector<const Chart*>& charts) {

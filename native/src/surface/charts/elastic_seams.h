@@ -12,11 +12,26 @@ namespace wirewarp {
 /// its own group.
 std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& charts);
 
-/// Returns the chart with all elastic seams and outlines fixed at h = ease.
-Chart with_fixed_seams(Chart chart);
+/// Returns h = ease for each wire part.
+std::vector<double> eases_of(const Chart& chart);
 
-/// Returns the chart at the given h, one per wire part.
-Chart with_fixed_seams(Chart chart, const std::vector<double>& variation);
+/// Fixes all elastic seams and outlines of a chart while it exists. Stages use it where these lengths are not unknowns.
+class FixedSeams {
+ public:
+  explicit FixedSeams(Chart& chart) : FixedSeams(chart, eases_of(chart)) {}
+
+  /// variation: h of the seams, one per wire part; their ease if not given.
+  FixedSeams(Chart& chart, const std::vector<double>& variation);
+
+  FixedSeams(const FixedSeams&) = delete;
+  FixedSeams& operator=(const FixedSeams&) = delete;
+  ~FixedSeams();
+
+ private:
+  Chart& chart_;
+  std::vector<WirePart> elastic_parts_;  // wire parts and length ratios from before
+  std::vector<double> length_ratio_;
+};
 
 /// Combines several charts into one chart that is not connected.
 struct CombinedCharts {
