@@ -169,7 +169,7 @@ TEST(ShearSmoothing, AFoldCostsTheSquareOfItsAngle) {
 
 TEST(ShearSmoothing, AnUnfoldedPieceCostsNothing) {
   const Chart chart = test::chart_of(test::cylinder_patch(7, 5, 1, 2, 1.5));
-  EXPECT_LT(shear_smoothing_of(chart).value(unfold(chart).value()), 1e-28);
+  EXPECT_LT(shear_smoothing_of(chart).value(unfold(chart).value().uv), 1e-28);
 }
 
 TEST(ShearSmoothing, GradientAndHessianAreThoseOfAQuadraticFunction) {

@@ -123,7 +123,7 @@ TEST(RefineChart, LeavesASaddleUnderANetOfWires) {
   const Chart& chart = charts.charts.at(0);
   Problem problem(chart, Options{}.fairness);
   Budget budget(100);
-  std::optional<Shape> start = make_start(Start::wires, problem, {budget});
+  std::optional<Shape> start = flatten_wires_first(problem, {budget});
   ASSERT_TRUE(start);
   Solution saddle;
   for (int i = 0; i < 5; ++i) {

@@ -18,9 +18,9 @@ namespace {
 /// Returns the energy of the unfolded chart per area, or infinity if the chart does not unfold.
 double strain_energy(const FlattenInput& input) {
   const Charts charts = test::charts_of(input);
-  const auto uv = unfold(charts.charts.at(0));
-  if (!uv) return std::numeric_limits<double>::infinity();
-  return ShapeError(charts.charts[0]).energy(*uv) / surface_area(charts.charts[0].mesh);
+  const auto flat = unfold(charts.charts.at(0));
+  if (!flat) return std::numeric_limits<double>::infinity();
+  return ShapeError(charts.charts[0]).energy(flat->uv) / surface_area(charts.charts[0].mesh);
 }
 
 TEST(Unfold, FoldedSheetsKeepAllTriangles) {

@@ -91,15 +91,12 @@ Solution open_slits(Problem& problem, const Stage& stage, const std::function<So
     if (!sewn) return best;
     Shape start{best.shape.uv, {}, best.shape.multipliers};
     for (const Slit& slit : open) open_a_little(chart, slit, start.uv);
-    Solution trial = minimize(sewn->problem(), sewn->stage(), sewn->to_sewn(start), control);
+    Solution trial = sewn->minimize(start, control);
     if (!may_go_on() && !trial.is_converged()) best.status = SolutionStatus::stalled;
     if (!trial.is_exact()) return best;
-    const std::vector<int> overlapping_faces = find_overlapping_faces(
-        triangles_of(chart.mesh), faces_on_boundary(chart.mesh), sewn->to_open(trial.shape).uv, kOverlapDepth);
-    if (overlapping_faces.empty()) {
-      trial = sewn->as_open(trial);
-      return trial.is_exact() && trial.objective < best.objective ? trial : best;
-    }
+    const std::vector<int> overlapping_faces =
+        find_overlapping_faces(triangles_of(chart.mesh), faces_on_boundary(chart.mesh), trial.shape.uv, kOverlapDepth);
+    if (overlapping_faces.empty()) return trial.objective < best.objective ? trial : best;
     const auto crossed = std::stable_partition(
         open.begin(), open.end(), [&](const Slit& slit) { return !touches(chart, slit, overlapping_faces); });
     if (crossed == open.end()) return best;

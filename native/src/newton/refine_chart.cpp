@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "newton/refine_chart.h"
 
-#include <initializer_list>
-
 #include "base/attempt.h"
 #include "newton/injective_shape.h"
 #include "newton/minimize.h"
@@ -14,23 +12,19 @@
 namespace wirewarp {
 namespace {
 
-/// The starts in the order in which they are tried; native/README.md says how often each is successful.
-constexpr std::initializer_list<Start> kStarts{Start::unfolded, Start::coarse, Start::free, Start::wires,
-                                               Start::injective};
-
-/// Returns the first exact shape. is_large: also starts from a coarser chart.
+/// Returns the first exact shape. is_large: also tries the starts for large charts.
 Solution try_starts(Problem& problem, Stage stage, bool is_large, const Control& control) {
   Solution found;
   bool is_any_infeasible = false;
-  for (const Start start : kStarts) {
-    if (start == Start::coarse && !is_large) continue;
-    const std::optional<Shape> made = attempt([&] { return make_start(start, problem, control); });
+  for (const Start& start : kStarts) {
+    if (start.is_for_large_charts && !is_large) continue;
+    const std::optional<Shape> made = attempt([&] { return start.make(problem, control); });
     if (control.stop.is_stopped()) break;
     if (!made) continue;
-    stage.injectivity = start == Start::injective ? Injectivity::local : Injectivity::none;
+    stage.injectivity = start.injectivity;
     found = minimize(problem, stage, *made, control.in("shape"));
     if (found.is_exact()) {
-      found.start = name_of(start);
+      found.start = start.name;
       return found;
     }
     is_any_infeasible = is_any_infeasible || found.status == SolutionStatus::infeasible;
@@ -44,9 +38,9 @@ Solution try_starts(Problem& problem, Stage stage, bool is_large, const Control&
 /// Unfolds the chart, with shut slits, if that is possible without strain. Otherwise sews the slits and opens them. The
 /// solution is not exact if both fail.
 Solution refine_with_slits(Problem& problem, const Stage& stage, std::size_t large_chart, const Control& control) {
-  if (const std::optional<Positions2> flat = unfold(problem.chart())) {
-    Solution unfolded = evaluate(problem, stage, {*flat});
-    unfolded.start = name_of(Start::unfolded);
+  if (const std::optional<Shape> flat = unfold(problem.chart())) {
+    Solution unfolded = evaluate(problem, stage, *flat);
+    unfolded.start = kStarts.front().name;
     if (unfolded.is_converged()) return unfolded;
   }
   const auto solve_sewn = [&](Problem& sewn) {

@@ -4,14 +4,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/planar.h"
 #include "newton/injective_shape.h"
 #include "newton/newton_constants.h"
-#include "newton/shut_slits.h"
+#include "newton/next_stage.h"
 #include "surface/orientation/upright_direction.h"
 
 namespace wirewarp {
@@ -32,11 +31,17 @@ double period(const Cloth& cloth) { return cloth.weft == cloth.warp ? kPi / 2 : 
 
 class ClothRefinement {
  public:
-  ClothRefinement(Problem& problem, const InternalOptions& options, const Control& control)
-      : problem_(problem), chart_(problem.chart()), options_(options), control_(control) {}
+  /// injectivity: of the shape without a fabric. pair: vertices with a fixed direction.
+  ClothRefinement(Problem& problem, const InternalOptions& options, const Control& control, Injectivity injectivity,
+                  const VertexPair& pair)
+      : problem_(problem), options_(options), control_(control), injectivity_(injectivity), pair_(pair) {}
 
-  /// Returns nullopt if no shape for the fabric is found that is as injective as the upright one.
-  std::optional<Solution> refine(const Solution& upright);
+  Solution minimize_in_direction(const Shape& start);
+  Solution minimize_turning(const Shape& upright);
+
+  /// Returns whether a shape is exact and as injective as the shape without a fabric. This matters more than its
+  /// energy.
+  bool is_sound(const Solution& found) const { return found.is_exact() && found.injectivity >= injectivity_; }
 
  private:
   /// A layout rotated to a minimum of its energy.
@@ -48,21 +53,14 @@ class ClothRefinement {
 
   std::vector<Turn> best_turns(const Positions2& uv) const;
   TargetLengths lengths_in_direction_of(const Positions2& uv) const { return {{hold_direction(pair_, uv)}, {}}; }
-  Solution minimize_in_direction(const Shape& start);
-  Solution minimize_turning(const Shape& upright);
   double slope_of(const Shape& shape) const;
-  void turn_up(Positions2& uv) const;
-  /// Returns whether a shape is exact and as injective as the shape without a fabric. This matters more than its
-  /// energy.
-  bool is_sound(const Solution& found) const { return found.is_exact() && found.injectivity >= injectivity_; }
   bool may_go_on() const { return !control_.stop.is_stopped() && control_.budget.allows(); }
 
   Problem& problem_;
-  const Chart& chart_;
   const InternalOptions& options_;
   const Control control_;
-  VertexPair pair_{};                            // vertices with a fixed direction
-  Injectivity injectivity_ = Injectivity::none;  // of the shape without a cloth
+  const Injectivity injectivity_;
+  const VertexPair pair_;
 };
 
 /// Minimizes with the direction of the start. If the piece overlaps itself and did not before, minimizes again with a
@@ -71,9 +69,8 @@ Solution ClothRefinement::minimize_in_direction(const Shape& start) {
   const TargetLengths lengths = lengths_in_direction_of(start.uv);
   Solution held;
   for (const Injectivity injectivity : {Injectivity::local, Injectivity::global}) {
-    held =
-        minimize_with_shut_slits(problem_, {&*options_.cloth, &lengths, injectivity, options_.target}, start, control_);
-    held.injectivity = injectivity_of(chart_, held.shape.uv);
+    held = minimize_next(problem_, {&*options_.cloth, &lengths, injectivity, options_.target}, start, control_);
+    held.injectivity = injectivity_of(problem_.chart(), held.shape.uv);
     if (held.injectivity >= injectivity_ || !may_go_on()) break;
   }
   return held;
@@ -137,26 +134,13 @@ Solution ClothRefinement::minimize_turning(const Shape& upright) {
 }
 
 /// Turns the layout by whole periods of its energy, so that its up direction is as near to +y as possible.
-void ClothRefinement::turn_up(Positions2& uv) const {
-  Eigen::Vector2d up = upright_direction(chart_, uv, options_);
-  if (period(*options_.cloth) < kPi && std::abs(up.x()) > std::abs(up.y())) {
+void turn_up(const Chart& chart, const InternalOptions& options, Positions2& uv) {
+  Eigen::Vector2d up = upright_direction(chart, uv, options);
+  if (period(*options.cloth) < kPi && std::abs(up.x()) > std::abs(up.y())) {
     uv = turned(uv, kPi / 2);
     up = {-up.y(), up.x()};
   }
   if (up.y() < 0) uv *= -1;
-}
-
-std::optional<Solution> ClothRefinement::refine(const Solution& upright) {
-  pair_ = upright_pair(chart_, upright.shape.uv, options_);
-  injectivity_ = *upright.injectivity;
-  const Eigen::VectorXd& forces = upright.shape.multipliers;
-  Shape start{upright.shape.uv, {}, Eigen::VectorXd(forces.size() + 1)};
-  start.multipliers << forces, 0;
-  const bool is_turned = options_.orientation == Orientation::best;
-  Solution found = is_turned ? minimize_turning(start) : minimize_in_direction(start);
-  if (!is_sound(found)) return std::nullopt;
-  if (is_turned) turn_up(found.shape.uv);
-  return found;
 }
 
 }  // namespace
@@ -172,11 +156,18 @@ void refine_cloth(Problem& problem, const InternalOptions& options, const Contro
   if (!solution.injectivity) solution.injectivity = injectivity_of(chart, solution.shape.uv);
   if (solution.injectivity == Injectivity::none) return;
   if (control.stop.is_stopped() || !control.budget.allows()) return;
-  if (std::optional<Solution> found = ClothRefinement(problem, options, control).refine(solution)) {
-    found->iterations += solution.iterations;
-    found->start = solution.start;
-    solution = std::move(*found);
-  }
+  ClothRefinement refinement(problem, options, control, *solution.injectivity,
+                             upright_pair(chart, solution.shape.uv, options));
+  const Eigen::VectorXd& forces = solution.shape.multipliers;
+  Shape start{solution.shape.uv, {}, Eigen::VectorXd(forces.size() + 1)};
+  start.multipliers << forces, 0;
+  const bool is_turned = options.orientation == Orientation::best;
+  Solution found = is_turned ? refinement.minimize_turning(start) : refinement.minimize_in_direction(start);
+  if (!refinement.is_sound(found)) return;
+  if (is_turned) turn_up(chart, options, found.shape.uv);
+  found.iterations += solution.iterations;
+  found.start = solution.start;
+  solution = std::move(found);
 }
 
 }  // namespace wirewarp

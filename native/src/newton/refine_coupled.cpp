@@ -6,10 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/attempt.h"
-#include "newton/injective_start.h"
-#include "newton/minimize.h"
-#include "newton/shut_slits.h"
+#include "newton/next_stage.h"
 #include "surface/charts/elastic_seams.h"
 
 namespace wirewarp {
@@ -76,21 +73,6 @@ double projected_gradient(const Problem& problem, const Stage& stage, const Shap
   return largest;
 }
 
-/// Minimizes from a start. If one step does not reach exact lengths, tries the method of multipliers from the same
-/// start.
-Solution minimize_near(Problem& problem, const Stage& stage, const Shape& start, bool is_one, const Control& control) {
-  const int spent_before = control.budget.spent();
-  Solution found =
-      is_one ? minimize_with_shut_slits(problem, stage, start, control) : minimize(problem, stage, start, control);
-  const bool may_not_flip = stage.injectivity != Injectivity::none;
-  if (!found.is_exact() && may_not_flip && problem.objective({stage.cloth}).count_flips(start.uv) == 0) {
-    const std::optional<Shape> exact = attempt([&] { return injective_start(problem, stage, start.uv, control); });
-    if (exact) found = minimize(problem, stage, *exact, control);
-  }
-  found.factorizations = control.budget.spent() - spent_before;
-  return found;
-}
-
 }  // namespace
 
 std::vector<Solution> refine_coupled(const std::vector<CoupledChart>& charts, double fairness, const Stage& stage,
@@ -107,7 +89,7 @@ std::vector<Solution> refine_coupled(const std::vector<CoupledChart>& charts, do
   Stage of_group = stage;
   if (lengths) of_group.lengths = &*lengths;
   const Shape start = combine_starts(combined, charts, problem, problems, lengths ? lengths->grains.size() : 0);
-  const Solution whole = minimize_near(problem, of_group, start, charts.size() == 1, control);
+  const Solution whole = minimize_next(problem, of_group, start, control);
   Solution figures = whole;
   figures.shape = {};
   of_group.injectivity = Injectivity::none;

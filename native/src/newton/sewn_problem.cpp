@@ -37,25 +37,23 @@ SewnProblem::SewnProblem(const Problem& open, const Stage& stage, SewnChart sewn
   }
 }
 
-Shape SewnProblem::to_sewn(const Shape& open) const {
-  Shape start{
+Solution SewnProblem::minimize(const Shape& start, const Control& control) const {
+  const Stage stage{stage_.cloth, lengths_ ? &*lengths_ : nullptr, stage_.injectivity, stage_.target};
+  Shape sewn{
       Positions2(static_cast<Eigen::Index>(sewn_.chart.mesh.n_vertices()), 2), {}, Eigen::VectorXd::Zero(num_rows_)};
-  for (int v = 0; v < open.uv.rows(); ++v) start.uv.row(sewn_.vertex[v]) = open.uv.row(v);
-  for (int e = 0; e < open.multipliers.size(); ++e) start.multipliers[row_[e]] += open.multipliers[e];
-  return start;
-}
-
-Shape SewnProblem::to_open(const Shape& sewn) const {
-  std::vector<int> num_open(num_rows_, 0);
-  for (const int e : row_) ++num_open[e];
-  Shape start{sewn.uv(sewn_.vertex, Eigen::all), {}, Eigen::VectorXd(static_cast<Eigen::Index>(row_.size()))};
-  for (int e = 0; e < start.multipliers.size(); ++e)
-    start.multipliers[e] = sewn.multipliers[row_[e]] / num_open[row_[e]];
-  return start;
+  for (int v = 0; v < start.uv.rows(); ++v) sewn.uv.row(sewn_.vertex[v]) = start.uv.row(v);
+  for (int e = 0; e < start.multipliers.size(); ++e) sewn.multipliers[row_[e]] += start.multipliers[e];
+  return as_open(wirewarp::minimize(problem_, stage, sewn, control));
 }
 
 Solution SewnProblem::as_open(const Solution& sewn) const {
-  Solution solution = evaluate(open_, stage_, to_open(sewn.shape));
+  std::vector<int> num_open(num_rows_, 0);
+  for (const int e : row_) ++num_open[e];
+  Shape open{sewn.shape.uv(sewn_.vertex, Eigen::all), {}, Eigen::VectorXd(static_cast<Eigen::Index>(row_.size()))};
+  for (int e = 0; e < open.multipliers.size(); ++e) {
+    open.multipliers[e] = sewn.shape.multipliers[row_[e]] / num_open[row_[e]];
+  }
+  Solution solution = evaluate(open_, stage_, open);
   if (solution.is_exact() || !sewn.is_exact()) solution.status = sewn.status;
   solution.iterations = sewn.iterations;
   solution.factorizations = sewn.factorizations;

@@ -5,13 +5,14 @@
 #include <optional>
 #include <vector>
 
+#include "newton/control.h"
 #include "newton/problem.h"
 #include "newton/solution.h"
 #include "surface/charts/slits.h"
 
 namespace wirewarp {
 
-/// A problem and a stage with some slits sewn, and conversions between the open and the sewn problem.
+/// A problem and a stage with some slits sewn.
 class SewnProblem {
  public:
   /// Must not outlive the open problem or the objects to which its stage points.
@@ -20,15 +21,11 @@ class SewnProblem {
   SewnProblem& operator=(const SewnProblem&) = delete;
 
   Problem& problem() { return problem_; }
-  Stage stage() const { return {stage_.cloth, lengths_ ? &*lengths_ : nullptr, stage_.injectivity, stage_.target}; }
 
-  /// Converts a shape to the sewn problem. The multiplier of a sewn edge is the sum of the multipliers of its two
-  /// sides.
-  Shape to_sewn(const Shape& open) const;
+  /// Minimizes from a shape of the open problem, with the slits sewn, and returns a solution of the open problem.
+  Solution minimize(const Shape& start, const Control& control) const;
 
-  Shape to_open(const Shape& sewn) const;
-
-  /// Converts a solution to the open problem.
+  /// Converts a solution to the open problem. The multiplier of a sewn edge is divided between its two sides.
   Solution as_open(const Solution& sewn) const;
 
  private:

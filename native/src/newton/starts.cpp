@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "newton/starts.h"
 
-#include <stdexcept>
 #include <utility>
 
 #include "newton/coarse_start.h"
@@ -12,9 +11,7 @@
 #include "warp/topology/unjoined_wires.h"
 
 namespace wirewarp {
-namespace {
-
-std::optional<Shape> wires_alone(Problem& problem, const Control& control) {
+std::optional<Shape> flatten_wires_first(Problem& problem, const Control& control) {
   const Chart& chart = problem.chart();
   const Options plain;  // options of Eq. (1), which the refined method does not use
   const StopToken stop = control.stop.in("start");
@@ -35,40 +32,21 @@ std::optional<Shape> wires_alone(Problem& problem, const Control& control) {
   return Shape{std::move(shape.uv)};
 }
 
-}  // namespace
-
-const char* name_of(Start start) {
-  switch (start) {
-    case Start::unfolded:
-      return "unfolded";
-    case Start::coarse:
-      return "coarse";
-    case Start::free:
-      return "free";
-    case Start::wires:
-      return "wires";
-    case Start::injective:
-      return kInjectiveStart;
-  }
-  throw std::logic_error("not a Start");
-}
-
-std::optional<Shape> make_start(Start start, Problem& problem, const Control& control) {
-  switch (start) {
-    case Start::unfolded: {
-      std::optional<Positions2> uv = unfold(problem.chart());
-      return uv ? std::optional(Shape{std::move(*uv)}) : std::nullopt;
-    }
-    case Start::coarse:
-      return start_from_coarse(problem, control);
-    case Start::free:
-      return Shape{problem.free_map(control.stop.in("start"))};
-    case Start::wires:
-      return wires_alone(problem, control);
-    case Start::injective:
-      return reach_injectively(problem, {nullptr, nullptr, Injectivity::local}, control);
-  }
-  throw std::logic_error("not a Start");
-}
+const std::array<Start, 5> kStarts{{
+    // The unfolded chart, if it is developable; usually the final shape.
+    {"unfolded", [](Problem& problem, const Control& /*control*/) { return unfold(problem.chart()); }},
+    // The shape of a coarser chart, 1 to 3 factorizations from the minimum.
+    {"coarse", [](Problem& problem, const Control& control) { return start_from_coarse(problem, control); }, true},
+    // A free ARAP flattening. On most pieces, one step from there reaches exact lengths.
+    {"free", [](Problem& problem,
+                const Control& control) { return std::optional(Shape{problem.free_map(control.stop.in("start"))}); }},
+    {"wires", flatten_wires_first},
+    // A shape without flips, reached without flipping any triangle.
+    {kInjectiveStart,
+     [](Problem& problem, const Control& control) {
+       return reach_injectively(problem, {nullptr, nullptr, Injectivity::local}, control);
+     },
+     false, Injectivity::local},
+}};
 
 }  // namespace wirewarp

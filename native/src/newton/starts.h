@@ -2,6 +2,7 @@
 // Starts of the refined method: layouts near exact lengths.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "newton/control.h"
@@ -10,21 +11,20 @@
 
 namespace wirewarp {
 
-enum class Start {
-  unfolded,  // the unfolded chart, if it is developable (newton/unfold.h); usually the final shape
-  coarse,    // the shape of a coarser chart (newton/coarse_start.h), 1 to 3 factorizations from the minimum
-  free,      // a free ARAP flattening; on most pieces, one step from there reaches exact lengths
-  /// WireWarping: flattens the wires alone by the angles of Eq. (1) on the network of process_topology, then places the
-  /// other vertices (paper II-A). Has exact lengths without a factorization for the whole chart.
-  wires,
-  injective,  // a shape without flips, reached without flipping any triangle (newton/injective_shape.h)
+struct Start {
+  const char* name;  // PieceReport::start
+  /// Returns a layout, or nullopt if the start does not work. Throws Stopped and FactorizationFailed.
+  std::optional<Shape> (*make)(Problem& problem, const Control& control);
+  bool is_for_large_charts = false;             // on small charts, it saves no time
+  Injectivity injectivity = Injectivity::none;  // of the layout and of all iterates from there
 };
 
-/// Returns PieceReport::start.
-const char* name_of(Start start);
+/// WireWarping: flattens the wires alone by the angles of Eq. (1) on the network of process_topology, then places the
+/// other vertices (paper II-A). Has exact lengths without a factorization for the whole chart. Returns nullopt if the
+/// wires do not close.
+std::optional<Shape> flatten_wires_first(Problem& problem, const Control& control);
 
-/// Returns a layout, or nullopt if the start does not work: the chart does not unfold, or its wires do not close.
-/// Throws Stopped and FactorizationFailed.
-std::optional<Shape> make_start(Start start, Problem& problem, const Control& control);
+/// The starts in the order in which they are tried; native/README.md says how often each is successful.
+extern const std::array<Start, 5> kStarts;
 
 }  // namespace wirewarp

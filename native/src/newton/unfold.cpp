@@ -51,7 +51,7 @@ HalfedgeHandle longest_side(const HalfEdgeMesh& mesh, FaceHandle face) {
 
 }  // namespace
 
-std::optional<Positions2> unfold(const Chart& chart) {
+std::optional<Shape> unfold(const Chart& chart) {
   const HalfEdgeMesh& mesh = chart.mesh;
   const ShapeError shape_error(chart);
   const double most_energy = kMostStrain * kMostStrain * surface_area(mesh);
@@ -83,7 +83,7 @@ std::optional<Positions2> unfold(const Chart& chart) {
     }
   }
   if (energy > most_energy) return std::nullopt;
-  return uv;
+  return Shape{std::move(uv)};
 }
 
 }  // namespace wirewarp

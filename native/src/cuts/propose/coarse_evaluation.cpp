@@ -37,17 +37,6 @@ double energy_of(const Chart& piece, const Solution& found) {
   return lies_flat ? ShapeError(piece).energy(found.shape.uv) : kHasNoFlatShape;
 }
 
-/// Starts from the shape of the whole chart without multipliers, so that the first step opens the cut.
-Solution refine_from(const Positions2& whole, const Chart& piece, const InternalOptions& options,
-                     const StopToken& stop) {
-  const Problem problem(piece, options.fairness);
-  const Shape start{whole(piece.source_vertex, Eigen::all),
-                    {},
-                    Eigen::VectorXd::Zero(static_cast<Eigen::Index>(problem.network().edges.size()))};
-  Budget budget(options.max_factorizations);
-  return minimize(problem, {nullptr, nullptr, Injectivity::none, options.target}, start, {budget, stop});
-}
-
 }  // namespace
 
 CoarseEvaluation::CoarseEvaluation(const Chart& chart, const InternalOptions& options, const StopToken& stop)
@@ -63,7 +52,14 @@ double CoarseEvaluation::energy_when_cut(const CutMask& cut, const StopToken& st
   for (const Chart& piece : cut_apart(chart_, cut)) {
     if (piece.error) return kHasNoFlatShape;
     Solution flat;
-    if (start_) flat = refine_from(*start_, piece, options_, stop);
+    if (start_) {
+      const Problem problem(piece, options_.fairness);
+      const auto num_rows = static_cast<Eigen::Index>(problem.network().edges.size());
+      // Without multipliers, the first step opens the cut.
+      const Shape start{(*start_)(piece.source_vertex, Eigen::all), {}, Eigen::VectorXd::Zero(num_rows)};
+      Budget budget(options_.max_factorizations);
+      flat = minimize(problem, {nullptr, nullptr, Injectivity::none, options_.target}, start, {budget, stop});
+    }
     if (!flat.is_exact()) flat = refine_chart(piece, options_, stop);
     stop.check();
     energy += energy_of(piece, flat);

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "newton/shut_slits.h"
+#include "newton/next_stage.h"
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "base/attempt.h"
+#include "newton/injective_start.h"
 #include "newton/minimize.h"
 #include "newton/sewn_problem.h"
 
@@ -28,14 +31,21 @@ bool is_shut(const Chart& chart, const Slit& slit, const Positions2& uv) {
 
 }  // namespace
 
-Solution minimize_with_shut_slits(Problem& problem, const Stage& stage, const Shape& start, const Control& control) {
+Solution minimize_next(Problem& problem, const Stage& stage, const Shape& start, const Control& control) {
+  const int spent_before = control.budget.spent();
   std::vector<Slit> shut;
   for (const Slit& slit : problem.slits()) {
     if (is_shut(problem.chart(), slit, start.uv)) shut.push_back(slit);
   }
   const std::unique_ptr<SewnProblem> sewn = shut.empty() ? nullptr : sew_slits(problem, stage, shut);
-  if (!sewn) return minimize(problem, stage, start, control);
-  return sewn->as_open(minimize(sewn->problem(), sewn->stage(), sewn->to_sewn(start), control));
+  Solution found = sewn ? sewn->minimize(start, control) : minimize(problem, stage, start, control);
+  const bool may_not_flip = stage.injectivity != Injectivity::none;
+  if (!found.is_exact() && may_not_flip && problem.objective({stage.cloth}).count_flips(start.uv) == 0) {
+    const std::optional<Shape> exact = attempt([&] { return injective_start(problem, stage, start.uv, control); });
+    if (exact) found = minimize(problem, stage, *exact, control);
+  }
+  found.factorizations = control.budget.spent() - spent_before;
+  return found;
 }
 
 }  // namespace wirewarp
