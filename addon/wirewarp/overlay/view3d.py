@@ -133,10 +133,15 @@ def _names_in_view(context: bpy.types.Context, drawing: Drawing) -> Iterator[Pla
 
 
 def _room(context: bpy.types.Context, target: bpy.types.Object) -> float:
-    """Return the square root of the object's area in pixels, by the box around it; infinite if it is partly outside."""
+    """Return the side in pixels of a square with room for the object's texts; infinite if it is partly outside.
+
+    It is the square root of the area of the box around the object. A strap, or a flat object seen edge-on, has almost
+    no area, but room for texts beside it, so the square is at least half as wide as the box is long.
+    """
     corners = np.array([target.matrix_world @ Vector(corner) for corner in target.bound_box])
     pixels, is_inside = _in_region(context, corners)
-    return float(np.prod(np.ptp(pixels, axis=0)) ** 0.5) if is_inside.all() else np.inf
+    sides = np.ptp(pixels, axis=0)
+    return float(max(np.prod(sides) ** 0.5, sides.max() / 2)) if is_inside.all() else np.inf
 
 
 def _may_hide_itself(context: bpy.types.Context, target: bpy.types.Object) -> bool:
