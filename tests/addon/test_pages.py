@@ -98,6 +98,33 @@ def test_the_list_of_pieces_does_not_change_what_is_drawn_once(addon):
         assert addon.overlay.shown.shown_copies(*given) == [f"Cut 2: {one} and {other}"]
 
 
+def test_the_list_of_pieces_makes_no_pattern_until_names_or_marked_allowances_change(addon, at_once, monkeypatch):
+    made, cut_lines = [], addon.overlay.shown.cut_lines
+    monkeypatch.setattr(addon.overlay.shown, "cut_lines", lambda *a, **b: (made.append(b), cut_lines(*a, **b))[1])
+    source = grid("Flat", lambda x, y: (x, y, 0.0))
+    mark_seam(source, on_line(0, 0.0))
+    bpy.ops.object.wirewarp_flatten()
+    one, other = (piece.name for piece in source.wirewarp_pieces)
+    given = view_context(), source, flat_of(source)
+
+    def sentence(name=one):
+        bpy.context.view_layer.update()
+        return addon.overlay.shown.piece_copies(*given, name)
+
+    assert sentence() == f"Cut 2, with {other}. Can be cut on the fold" and len(made) == 1
+    bpy.context.scene.wirewarp.allowance = 25.0
+    for vertex in flat_of(source).data.vertices:
+        vertex.co.x += 1.0
+    flat_of(source).data.update()
+    assert sentence(other) and len(made) == 1
+    source.wirewarp_pieces[1].name = "Lining"
+    assert sentence() == "Cut 2, with Lining. Can be cut on the fold" and len(made) == 2
+    select_edges(source, on_line(0, 1.0))
+    bpy.ops.mesh.wirewarp_allowance(kind="WIDTH", width=30.0)
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert sentence() == "Can be cut on the fold" and len(made) == 3
+
+
 def test_equal_pieces_are_named_below_the_export_button(addon, source):
     """Above the button, their names would move it away from the mouse."""
     bpy.context.scene.wirewarp.pairs = True

@@ -12,7 +12,7 @@ import numpy as np
 from ..blender.attributes import stored_text
 from ..blender.objects import meters_per_blender_unit, metric
 from ..core import percent_text
-from ..export.export import GRAINS, Cloth, library_paper
+from ..export.export import GRAINS, Cloth, PatternParts, library_paper
 from ..export.steps import copies_of_piece, copies_sentences
 from ..issues import ObjectError
 from ..names import MARKER, MARKS
@@ -169,6 +169,16 @@ def _or_none(build: Callable[..., Lines], *given: object) -> Lines:
         return Lines({}, {}, [])
 
 
+def _outlines(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> PatternParts | None:
+    """Return the outlines with allowances, which are read when the model changes."""
+    scene, depsgraph = context.scene, context.view_layer.depsgraph
+    made_of = stamp(flat), stamp(flat.data), Same(pieces_report(source)), source.name_full
+    of_model = stamp(source), stamp(source.data), source.data.is_editmode
+    units = meters_per_blender_unit(scene), scene.unit_settings.system
+    build = partial(outlines, scene, source, flat, depsgraph)
+    return kept_drawing(flat, "outlines", (*made_of, *of_model, *units), build, source)
+
+
 def _cut_lines(
     context: bpy.types.Context,
     source: bpy.types.Object,
@@ -176,24 +186,18 @@ def _cut_lines(
     pairs: bool = False,
     on_fold: bool = False,
 ) -> CutLines:
-    """Return the cutting lines. Allowances are read when the model changes, and laid out again only if they differ.
+    """Return the cutting lines, which are made again only if outlines or allowances differ.
 
     pairs and on_fold: see PatternOptions.
     """
-    scene, settings, depsgraph = context.scene, context.scene.wirewarp, context.view_layer.depsgraph
-    made_of = stamp(flat), stamp(flat.data), Same(pieces_report(source)), source.name_full
-    of_model = stamp(source), stamp(source.data), source.data.is_editmode
-    units = meters_per_blender_unit(scene), scene.unit_settings.system
-    parts = kept_drawing(
-        flat, "outlines", (*made_of, *of_model, *units), lambda: outlines(scene, source, flat, depsgraph), source
-    )
+    settings, parts = context.scene.wirewarp, _outlines(context, source, flat)
     options = {
         "allowance": settings.allowance,
         "darts": (settings.darts or "CLOSE").lower(),
         "pairs": pairs,
         "on_fold": on_fold,
     }
-    what = f"cut lines, {pairs=}, {on_fold=}"  # the list of pieces and the panel Export may choose differently
+    what = f"cut lines, {pairs=}, {on_fold=}"
     return kept_drawing(flat, what, (Same(parts), options), lambda: cut_lines(parts, **options))
 
 
@@ -205,8 +209,19 @@ def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy
 
 
 def piece_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object, name: str) -> str:
-    """Return a sentence on the copies and the symmetry of a piece. The flat object is not in Edit Mode."""
-    made = _cut_lines(context, source, flat, pairs=True, on_fold=True).made
+    """Return a sentence on the copies and the symmetry of a piece. The flat object is not in Edit Mode.
+
+    The pattern is made once for each run, and again if a name or an allowance beside a marked one changes. Places of
+    pieces and an allowance of all edges do not change which pieces are equal.
+    """
+    parts, allowance = _outlines(context, source, flat), context.scene.wirewarp.allowance
+    if parts is None:
+        return ""
+    marked = (allowance, parts.allowances) if any(parts.allowances) else ()
+    made_of = Same(pieces_report(source)), [piece.name for piece in parts.pieces], marked
+    darts = (context.scene.wirewarp.darts or "CLOSE").lower()
+    build = partial(cut_lines, parts, allowance, darts=darts, pairs=True, on_fold=True)
+    made = kept_drawing(flat, "copies", made_of, build).made
     return copies_of_piece(made, name) if made else ""
 
 
