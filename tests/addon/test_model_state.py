@@ -79,6 +79,62 @@ def test_applying_a_scale_of_one_changes_nothing(source, has_changed):
     assert not has_changed()
 
 
+def placed(source):
+    """Place the model unevenly scaled, turned and far from the origin, and flatten it there."""
+    source.location, source.rotation_euler, source.scale = (3, -2, 5), (0.3, 1.0, -2.0), (2.54, 0.4, 1.7)
+    bpy.context.view_layer.update()
+    flatten(source, use_modifiers=bool(source.modifiers))
+
+
+APPLIED = {"location": (1, 0, 0), "rotation": (0, 1, 0), "scale": (0, 0, 1), "all": (1, 1, 1)}
+
+
+@pytest.mark.parametrize("what", APPLIED)
+def test_applying_a_transformation_keeps_all_lengths_so_it_is_no_change(source, has_changed, what, tmp_path):
+    placed(source)
+    location, rotation, scale = map(bool, APPLIED[what])
+    source.location.x += 0.3  # after the run
+    before = [*source.data.vertices[0].co]
+    bpy.ops.object.transform_apply(location=location, rotation=rotation, scale=scale)
+    assert [*source.data.vertices[0].co] != before
+    assert not has_changed()
+    assert bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / "pattern.svg")) == {"FINISHED"}
+    assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
+
+
+def test_what_else_happens_when_a_scale_is_applied_is_a_change(source, has_changed):
+    placed(source)
+    bpy.ops.object.transform_apply(scale=True)
+    source.data.vertices[40].co.z += 1e-3
+    source.data.update()
+    bpy.context.view_layer.update()
+    assert has_changed()
+    flatten(source)
+    source.scale.x = 1.01
+    bpy.ops.object.transform_apply(scale=True)
+    assert not np.allclose(source.matrix_world.to_scale(), (1.01, 1, 1)) and has_changed()
+
+
+def test_a_change_of_one_vertex_counts_without_an_applied_transformation(source, has_changed):
+    """It is below the rounding of applied ones."""
+    source.data.vertices[40].co.z = np.nextafter(np.float32(source.data.vertices[40].co.z), np.float32(1))
+    source.data.update()
+    bpy.context.view_layer.update()
+    assert has_changed()
+
+
+def test_applying_a_transformation_with_modifiers_is_no_change(addon, smooth):
+    smooth.modifiers.remove(smooth.modifiers["Mirror"])
+    placed(smooth)
+    report = addon.state.reports.last_report(smooth)
+    bpy.ops.object.transform_apply(location=True, rotation=True, scale=True)
+    assert not addon.state.changes.has_changed(smooth, report.model_state)
+    displace = smooth.modifiers.new("Displace", "DISPLACE")
+    displace.strength = 0.001
+    bpy.context.view_layer.update()
+    assert addon.state.changes.has_changed(smooth, report.model_state)
+
+
 def test_selecting_naming_modifiers_and_a_shape_key_in_edit_mode_change_nothing(source, has_changed):
     source.data.wirewarp_names[0].name = "Bust"
     source.data.uv_layers.new(name="Mine")

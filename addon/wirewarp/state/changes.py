@@ -11,7 +11,8 @@ from ..issues import ObjectError
 from .marked_mesh import MarkedMesh, marked_mesh, read_marked
 from .memory import Take, kept, read_anew
 
-SHAPE, MARKS, SCALE = "shape", "marks", "metric"
+SHAPE, FACES, MARKS, SCALE = "shape", "faces", "marks", "metric"
+MATRIX, LENGTHS = "matrix", "lengths"  # keys to recognize an applied transformation
 MODIFIED = "modified"  # key of the state with modifiers
 BLOCKS = 64  # number of blocks of vertices, each with one sum per axis
 ROUNDING = 1e-6  # relative rounding of single-precision coordinates after transformations
@@ -19,17 +20,19 @@ ROUNDING = 1e-6  # relative rounding of single-precision coordinates after trans
 
 def model_state(source: bpy.types.Object, base: MarkedMesh, with_modifiers: bool) -> dict:
     """Return the state for the report. base: the object's base mesh."""
-    return _state(source, _digests(base), with_modifiers, read_anew)
+    state = _state(source, _digests(base), with_modifiers, read_anew)
+    return state | {LENGTHS: _length_sums(base, _linear(source))}
 
 
 def present_state(source: bpy.types.Object, with_modifiers: bool, take: Take = read_anew) -> dict:
-    """Return the model_state, also in Edit Mode. take: read_anew, or kept. Raises ObjectError."""
+    """Return the model_state without lengths, also in Edit Mode. take: read_anew, or kept. Raises ObjectError."""
     digests = take(source.data, "digests", lambda _: _digests(marked_mesh(source, take)))
     return _state(source, digests, with_modifiers, take)
 
 
 def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: Take) -> dict:
-    state = digests | {SCALE: metric(source).tolist()}
+    matrix = np.array(source.matrix_world, dtype=np.float64)
+    state = digests | {SCALE: metric(source).tolist(), MATRIX: matrix.ravel().tolist()}
     if with_modifiers:  # None if Blender does not evaluate them
         state[MODIFIED] = take(source, MODIFIED, _modified_state) if shows_modified(source) else None
     return state
@@ -67,9 +70,28 @@ def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
     changes = {part for part in (SHAPE, MARKS) if then.get(part) != now[part]}
     if _is_scaled(source, then):
         changes.add(SCALE)
-    if now.get(MODIFIED) and not _is_same(then[MODIFIED], now[MODIFIED]):
+    is_applied = SHAPE in changes and _is_applied(source, then, now, take)
+    if is_applied:
+        changes -= {SHAPE, SCALE}
+    if now.get(MODIFIED) and not _is_same(then[MODIFIED], now[MODIFIED], is_applied):
         changes.add(MODIFIED)
     return changes
+
+
+def _is_applied(source: bpy.types.Object, then: dict, now: dict, take: Take) -> bool:
+    """Return whether vertices and matrix both changed, but no length, as if Blender applied a transformation.
+
+    Without a new matrix, any change of a vertex counts, even one below the rounding of applied transformations.
+    """
+    if LENGTHS not in then or then[MATRIX] == now[MATRIX] or then[FACES] != now[FACES]:
+        return False
+    if (then[SCALE][-1] < 0) != (now[SCALE][-1] < 0):  # mirrored
+        return False
+    return _are_close(then[LENGTHS], _length_sums(marked_mesh(source, take), _linear(source)))
+
+
+def _linear(source: bpy.types.Object) -> np.ndarray:
+    return np.array(source.matrix_world, dtype=np.float64)[:3, :3]
 
 
 def _is_scaled(source: bpy.types.Object, then: dict) -> bool:
@@ -79,7 +101,22 @@ def _is_scaled(source: bpy.types.Object, then: dict) -> bool:
 
 def _digests(mesh: MarkedMesh) -> dict[str, str]:
     places = mesh.places + np.float32(0)  # Apply Scale turns -0 into 0, but the shape stays the same
-    return {SHAPE: _digest([places, *_faces(mesh)]), MARKS: _digest(_marks(mesh))}
+    faces = _digest(_faces(mesh))
+    return {SHAPE: _digest([places, *_faces(mesh)]), FACES: faces, MARKS: _digest(_marks(mesh))}
+
+
+def _length_sums(mesh: MarkedMesh, linear: np.ndarray) -> dict:
+    """Return sums of the lengths in the world of all edges and of the diagonals of faces, and their rounding.
+
+    linear: (3,3) from the mesh to the world. Pieces depend on these lengths alone.
+    """
+    points = _finite(mesh.places) @ linear.T
+    corners, sizes = mesh.corner_vertices, np.repeat(mesh.face_sizes, mesh.face_sizes)
+    begins = np.repeat(np.cumsum(mesh.face_sizes) - mesh.face_sizes, mesh.face_sizes)
+    at = np.arange(len(corners)) - begins
+    ends = [corners[begins + (at + step) % sizes] for step in (1, 2)]
+    lengths = np.concatenate([np.linalg.norm(points[end] - points[corners], axis=1) for end in ends])
+    return {"sums": place_sums(lengths[:, None]), "rounding": _rounding(np.abs(points).max(initial=0), len(lengths))}
 
 
 def _modified_state(source: bpy.types.Object) -> dict:
@@ -92,18 +129,24 @@ def _modified_state(source: bpy.types.Object) -> dict:
     try:
         mesh = read_marked(evaluated.to_mesh())
         rounding = rounding_of_sums(mesh.places, source.matrix_world.translation.length)
-        return {"faces": _digest(_faces(mesh) + _marks(mesh)), "sums": place_sums(mesh.places), "rounding": rounding}
+        state = {FACES: _digest(_faces(mesh) + _marks(mesh)), "sums": place_sums(mesh.places), "rounding": rounding}
+        return state | {LENGTHS: _length_sums(mesh, _linear(source))}
     finally:
         evaluated.to_mesh_clear()
 
 
-def _is_same(then: dict | None, now: dict) -> bool:
-    """Return whether the states are equal except for rounding."""
-    return (
-        then is not None
-        and then["faces"] == now["faces"]
-        and np.allclose(then["sums"], now["sums"], rtol=0, atol=then["rounding"] + now["rounding"])
-    )
+def _is_same(then: dict | None, now: dict, is_applied: bool) -> bool:
+    """Return whether the states with modifiers are equal except for rounding.
+
+    is_applied: whether a transformation was applied since, so that equal lengths are enough.
+    """
+    if then is None or then[FACES] != now[FACES]:
+        return False
+    return _are_close(then, now) or (is_applied and LENGTHS in then and _are_close(then[LENGTHS], now[LENGTHS]))
+
+
+def _are_close(then: dict, now: dict) -> bool:
+    return np.allclose(then["sums"], now["sums"], rtol=0, atol=then["rounding"] + now["rounding"])
 
 
 def _digest(arrays: list[np.ndarray]) -> str:
@@ -142,8 +185,12 @@ def rounding_of_sums(points: np.ndarray, distance: float) -> float:
 
     distance: distance of the object from the world's origin.
     """
-    size = float(np.abs(_finite(points)).max(initial=0)) + distance
-    return ROUNDING * size * float(np.sqrt(max(len(points) / BLOCKS, 1)))
+    return _rounding(float(np.abs(_finite(points)).max(initial=0)) + distance, len(points))
+
+
+def _rounding(size: float, count: int) -> float:
+    """Return the largest change of sums of so many values by rounding, if no coordinate is larger than `size`."""
+    return float(ROUNDING * size * np.sqrt(max(count / BLOCKS, 1)))
 
 
 def _finite(points: np.ndarray) -> np.ndarray:
