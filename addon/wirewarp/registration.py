@@ -15,7 +15,6 @@ from .ui import window_run
 ROOMS = (ui, marks, flatten, suggest, export, report_panel, overlay)
 SIDEBAR = (  # Blender shows panels in the order in which they are registered
     report_panel.flatten_panel,
-    suggest.panel,
     report_panel.export_panel,
     marks.panel,
     report_panel.piece_list,

@@ -183,7 +183,7 @@ def report() -> drive.Tour:
 
 def suggest() -> drive.Tour:
     """Show darts for the front, with the first ones chosen."""
-    yield from open_sample("flatten", "suggestions")
+    yield from open_sample("flatten")
     yield from flatten()
     with drive.in_view():
         bpy.ops.object.wirewarp_suggest_darts("INVOKE_DEFAULT", True, piece=0)

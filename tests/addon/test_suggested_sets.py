@@ -264,7 +264,7 @@ def test_seams_divide_the_piece_and_its_parts(addon, settings):
     bpy.ops.object.wirewarp_flatten()
     SUGGEST["SEAMS"](piece=0)
     words = draw_panels(addon)
-    assert "Stretch with Seams, Bump 1 seam: " in words and " 2 seams: " in words
+    assert "Stretch with Seams, Bump  1 seam: " in words and " 2 seams: " in words
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     pieces = addon.state.reports.last_report(source).pieces
     assert len(pieces) == 3 and all(piece.ok for piece in pieces)
@@ -284,7 +284,7 @@ def test_figures_of_the_model_are_those_of_its_worst_piece(addon, settings):
     assert cut.strain_before == pytest.approx(max(each.strain_before for each in apart), rel=1e-6)
     left = max(apart[cut.piece].strain, apart[1 - cut.piece].strain_before)
     assert cut.strain == pytest.approx(left, rel=1e-6)
-    assert "Stretch with Darts, Bump 1 dart: " in draw_panels(addon)
+    assert "Stretch with Darts, Bump  1 dart: " in draw_panels(addon)
 
 
 def test_mirror_images_are_one_row(addon, settings):
@@ -324,4 +324,4 @@ def test_cut_sets_meet_the_target(addon, settings):
     SUGGEST["SEAMS"]()
     (cut,) = found(addon, source).cuts
     assert cut.is_first and cut.strain <= 0.3
-    assert f"Stretch with Seams, {source.name} First seams: " in draw_panels(addon)
+    assert f"Stretch with Seams, {source.name}  First seams: " in draw_panels(addon)

@@ -112,25 +112,29 @@ def open_tab(panel: type) -> Tour:
     raise AssertionError(f"no tab of the sidebar shows {panel.__name__}")
 
 
-def click_button(command: str, share: float = 0.4) -> Tour:
+def command_at(place: tuple[int, int]) -> Generator[Callable[[], bool], None, str]:
+    """Move the mouse there. Return the command of the sidebar's button there as Blender copies it; "" without one."""
+    window_manager().clipboard = ""  # otherwise, an earlier copy would remain
+    for at in ((place[0], place[1] + 1), place):
+        send("MOUSEMOVE", "NOTHING", at)
+    yield from ticks(2)
+    with bpy.context.temp_override(window=window_manager().windows[0], area=view_area(), region=region("UI")):
+        if bpy.ops.ui.copy_python_command_button.poll():
+            bpy.ops.ui.copy_python_command_button()
+    return window_manager().clipboard
+
+
+def click_button(command: str, share: float = 0.4) -> Generator[Callable[[], bool], None, tuple[int, int]]:
     """Click the button of the sidebar that runs this operator: the one for which Blender copies this command.
 
-    share: where to look for it, as a share of the sidebar's width from the left.
+    Return its place. share: where to look for it, as a share of the sidebar's width from the left.
     """
     sidebar = region("UI")
-    window = bpy.context.window_manager.windows[0]
-    window_manager().clipboard = ""  # otherwise, an earlier copy would match
     for y in range(sidebar.y + sidebar.height - 20, sidebar.y, -12):
         place = (sidebar.x + int(share * sidebar.width), y)
-        send("MOUSEMOVE", "NOTHING", (place[0], y + 1))
-        send("MOUSEMOVE", "NOTHING", place)
-        yield from ticks(2)
-        with bpy.context.temp_override(window=window, area=view_area(), region=sidebar):
-            if bpy.ops.ui.copy_python_command_button.poll():
-                bpy.ops.ui.copy_python_command_button()
-        if window_manager().clipboard.startswith(command):
+        if (yield from command_at(place)).startswith(command):
             yield from press("LEFTMOUSE", place)
-            return
+            return place
     raise AssertionError(f"no button of the sidebar runs {command}")
 
 

@@ -7,7 +7,7 @@ from threading import Event
 import bpy
 import drive
 import wirewarp_addon
-from stage import contents, flatten, redo, remember, undo, window_run
+from stage import contents, flatten, hold_runs, marked_bump, redo, remember, undo, window_run
 from suggesting import bent_ring
 from surfaces import bump, grid, mark_seam, on_line, read, select_edges
 
@@ -33,7 +33,7 @@ def take_and_undo(source: bpy.types.Object, picture: str) -> drive.Tour:
     yield from flatten()
     before = contents(source)
     yield from suggest()
-    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_suggestions)
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
     yield from drive.ticks(10)
     drive.screenshot(picture)
     assert contents(source) == before
@@ -56,7 +56,7 @@ def a_smooth_dart_is_cut_and_undone_with_one_click_each() -> drive.Tour:
     yield from flatten()
     before = contents(source)
     yield from suggest()
-    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_suggestions)
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
     yield from drive.ticks(10)
     found = current(source)
     smooth = next(i for i, cut in enumerate(found.cuts) if not cut.edges)
@@ -79,7 +79,7 @@ def a_smooth_set_is_cut_and_undone_with_one_click_each() -> drive.Tour:
     with drive.in_view():
         bpy.ops.object.wirewarp_suggest_seams("INVOKE_DEFAULT", True)
     yield lambda: not window_run.is_running()
-    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_suggestions)
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
     found = current(source)
     smooth = next(i for i, cut in enumerate(found.cuts) if not cut.edges)
     wirewarp_addon.state.suggestions.choose(source, smooth)
@@ -119,7 +119,7 @@ def seams_are_simplified_and_undone_with_one_click_each() -> drive.Tour:
     with drive.in_view():
         bpy.ops.object.wirewarp_simplify_seams("INVOKE_DEFAULT", True)
     yield lambda: not window_run.is_running()
-    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_suggestions)
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
     yield from drive.ticks(10)
     drive.screenshot("simplify")
     assert contents(source) == before
@@ -131,6 +131,56 @@ def seams_are_simplified_and_undone_with_one_click_each() -> drive.Tour:
     yield lambda: contents(bpy.data.objects["Bump"]) == before
     yield from redo()
     yield lambda: seam_count() == count - len(cleared)
+
+
+def no_button_moves_under_the_mouse(command: str) -> drive.Tour:
+    """Click this button of a search. The buttons above the list of results keep their places."""
+    sidebar = drive.region("UI")
+    place = yield from drive.click_button(command)
+    yield lambda: not window_run.is_running()
+    yield from drive.ticks(20)
+    drive.screenshot("list_of_suggestions")
+    assert (yield from drive.command_at(place)).startswith(command)
+    below = [(place[0], y) for y in range(place[1], sidebar.y, -12)]
+    commands = []
+    for each in below:
+        commands.append((yield from drive.command_at(each)).partition("(")[0])
+    assert {"bpy.ops.object.wirewarp_choose_suggestion", "bpy.ops.object.wirewarp_mend"} <= set(commands)
+
+
+def the_list_appears_below_the_button_that_was_pressed() -> drive.Tour:
+    source = grid("Bump", bump, size=12)
+    for cloth, place in (("JERSEY", "PIECES"), ("NONE", "FLATTEN")):  # a fabric that suffices, and one to choose
+        bpy.context.scene.wirewarp.cloth = cloth
+        remember()
+        yield from flatten()
+        if place == "PIECES":
+            yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
+        yield from drive.ticks(10)
+        yield from no_button_moves_under_the_mouse(f"bpy.ops.object.wirewarp_suggest_darts(place='{place}'")
+        assert current(source).place == place
+
+
+def buttons_keep_their_places_during_a_run() -> drive.Tour:
+    source = marked_bump()
+    yield from flatten()
+    yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
+    yield from drive.ticks(10)
+    sidebar, export = drive.region("UI"), "bpy.ops.object.wirewarp_export("
+    x = sidebar.x + int(0.4 * sidebar.width)
+    for y in range(sidebar.y + sidebar.height - 20, sidebar.y, -12):
+        if (yield from drive.command_at((x, y))).startswith(export):
+            break
+    goes_on = hold_runs()
+    with drive.in_view():
+        bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
+    yield lambda: window_run.shown_progress(window_run.FLATTEN) is not None
+    yield from drive.ticks(10)
+    drive.screenshot("sidebar_during_a_run")
+    assert (yield from drive.command_at((x, y))).startswith(export)
+    goes_on.set()
+    yield lambda: not window_run.is_running()
+    assert source["wirewarp_report"]
 
 
 def escape_ends_the_search() -> drive.Tour:

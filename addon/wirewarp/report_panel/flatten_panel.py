@@ -18,7 +18,7 @@ from ..state.owners import find_flat_object, has_flat_object, model_of, model_or
 from ..state.read_model import shaped_by
 from ..state.reports import last_report
 from ..state.settings import fabric_label
-from ..suggest.panel import are_shown, draw_suggest
+from ..suggest.panel import are_shown, draw_suggest, draw_suggestions
 from ..ui.layout import LEVEL_ICONS, SidebarPanel, draw_progress, draw_sentence
 from ..ui.settings import draw_settings, settings_sentence, shown_report, untrue_sentence
 from ..ui.window_run import FLATTEN
@@ -28,6 +28,7 @@ from .next_step import (
     NextStep,
     draw_first_steps,
     failure_text,
+    marks_seams,
     next_step,
     piece_to_cut,
     uv_step,
@@ -87,10 +88,11 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
         draw_settings(layout, settings, "FRONT")
         row = layout.row(align=True)
         row.scale_y = 1.5
-        if draw_progress(row, FLATTEN, "object.wirewarp_flatten"):
-            return
-        row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
-        row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
+        layout = layout.column()
+        layout.enabled = not draw_progress(row, FLATTEN, "object.wirewarp_flatten")  # gray, but nothing moves
+        if layout.enabled:
+            row.operator("object.wirewarp_flatten", icon="MOD_UVPROJECT")
+            row.prop(settings, "auto_update", text="", icon="FILE_REFRESH")
         active = context.active_object
         if active is None or active.type != "MESH":
             draw_sentence(context, layout, "Select a mesh, or try a sample.", "INFO")
@@ -103,6 +105,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
             if _may_use_uv_seams(source):
                 _draw_step(context, layout, uv_step(None))
             draw_first_steps(layout)
+            draw_suggestions(context, layout, "FLATTEN")
         else:
             _draw_state(context, layout, source, report)
         if report and settings.auto_update and waits_for_object_mode(source):
@@ -143,6 +146,7 @@ def _draw_state(
             draw_sentence(context, layout, LEFT, "INFO")
         elif is_auto and is_due(context.scene):
             draw_sentence(context, layout, DUE, "INFO")
+        draw_suggestions(context, layout, "FLATTEN")
         return
     left_out = _left_out(context, source, report)
     verdict = as_seen(report.tables.verdict, left_out)
@@ -152,24 +156,28 @@ def _draw_state(
         draw_sentence(context, layout, changed, "INFO")
     for line in verdict.lines:
         draw_sentence(context, layout, line.text, "BLANK1" if changed else LEVEL_ICONS[line.kind.level])
-    step = next_step(report, left_out, has_suggestions=are_shown(context))
+    step = next_step(report, left_out)
     if report.issues and verdict.kind is not Kind.CLOSED:
         draw_sentence(context, layout, failure_text(report, step), "INFO")
     is_looked_at = step is not None and step.operator == SHOW  # drawn after steps that change the model
     if step and not is_looked_at:
-        _draw_step(context, layout, step)
+        below = layout.column()
+        # Only one button marks seams. It keeps its place, so that the buttons of the search do not move.
+        below.enabled = not (marks_seams(step) and are_shown(context))
+        _draw_step(context, below, step)
     kinds = {line.kind for line in verdict.lines}
     if Kind.NEEDS_STRETCH in kinds and context.scene.wirewarp.cloth == "NONE":  # a chosen fabric is not replaced
         _draw_fabric(layout, report)
     if kinds & FABRIC_HELPS:
         layout.menu(VIEW3D_MT_wirewarp_fabrics.__name__, icon=ICON)
     if wants_seams(report):
-        draw_suggest(layout, context.scene.wirewarp, -1, ["seams"], has_seams=False)
-    if report.uv_seams and not report.uv_seams.is_good:
-        _draw_step(context, layout, uv_step(report.uv_seams))
+        draw_suggest(layout, context.scene.wirewarp, "FLATTEN", -1, ["seams"], has_seams=False)
     piece = piece_to_cut(report, step)
     if piece is not None:
-        draw_suggest(layout, context.scene.wirewarp, piece, has_seams=bool(report.seams))
+        draw_suggest(layout, context.scene.wirewarp, "FLATTEN", piece, has_seams=bool(report.seams))
+    draw_suggestions(context, layout, "FLATTEN")
+    if report.uv_seams and not report.uv_seams.is_good:
+        _draw_step(context, layout, uv_step(report.uv_seams))
     if step and is_looked_at:
         _draw_step(context, layout, step)
     if report.issues and not (step and step.operator == CHECK):
@@ -215,7 +223,7 @@ def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: 
     if untrue_sentence(context.active_object, source, report):
         return None
     left_out = _left_out(context, source, report)
-    return piece_to_cut(report, next_step(report, left_out, has_suggestions=are_shown(context)))
+    return piece_to_cut(report, next_step(report, left_out))
 
 
 def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:

@@ -151,7 +151,7 @@ class NextStep(NamedTuple):
     settings: dict
 
 
-def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: bool = False) -> NextStep | None:
+def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
     """Return the step. Return None if the pieces can be cut, or if the buttons of suggestions below are the next step.
 
     left_out: see as_seen(); for the model as it is now.
@@ -164,7 +164,7 @@ def next_step(report: ObjectReport, left_out: list[str], *, has_suggestions: boo
     for what, (text, icon) in REMEDIES.items():
         if what not in remedies:
             continue
-        if what == "SEAMS" and (has_suggestions or not report.offered_seams):
+        if what == "SEAMS" and not report.offered_seams:
             return None
         return NextStep(_reason(report.issues, what), text, icon, MEND, {"what": what})
     if {issue.code for issue in report.issues} & FAULTY_CODES and not report.with_modifiers:
@@ -185,6 +185,10 @@ def uv_step(found: UvSeams | None) -> NextStep:
         became = f"{found.failed} of them fail" if found.failed else f"stretch {percent_text(found.stretch)}{beyond}"
         sentence = f"The seams of the UV map make {counted(found.pieces, 'piece')}, {became}."
     return NextStep(sentence, "Use UV Map Seams", "UV", MEND, {"what": "UV_SEAMS"})
+
+
+def marks_seams(step: NextStep) -> bool:
+    return step.settings.get("what") == "SEAMS"
 
 
 def wants_seams(report: ObjectReport) -> bool:

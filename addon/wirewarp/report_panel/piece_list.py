@@ -9,7 +9,7 @@ from ..overlay.shown import piece_copies
 from ..solve.report import ObjectReport
 from ..state.owners import find_flat_object
 from ..state.reports import pieces_report
-from ..suggest.panel import draw_simplify, draw_suggest
+from ..suggest.panel import draw_simplify, draw_suggest, draw_suggestions
 from ..ui.layout import SidebarPanel, draw_cells, draw_sentence, mark_of
 from ..ui.settings import settings_sentence, shown_report, shown_source, untrue_sentence
 from .flatten_panel import offered_piece
@@ -97,16 +97,18 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
             "WIREWARP_UL_pieces", "", source, "wirewarp_pieces", source, "wirewarp_active_piece", rows=rows
         )
         chosen = _row_of(context, source.wirewarp_active_piece)
-        if chosen:
-            draw_figures(context, self.layout, chosen)
-            draw_copies(context, self.layout, source, source.wirewarp_pieces[chosen.index].name)
+        if chosen:  # buttons first, so that their results are in view
             report = shown_report(context)
             offered = offered_piece(context, source, report) if report else None  # the piece with buttons below Flatten
             has_seams = bool(report and report.seams)
             if chosen.ok and chosen.needed >= WORTH_A_CUT and offered != chosen.index:
-                draw_suggest(self.layout, context.scene.wirewarp, chosen.index, has_seams=has_seams)
+                draw_suggest(self.layout, context.scene.wirewarp, "PIECES", chosen.index, has_seams=has_seams)
             elif has_seams and offered is None:
-                draw_simplify(self.layout, context.scene.wirewarp)
+                draw_simplify(self.layout, context.scene.wirewarp, "PIECES")
+        draw_suggestions(context, self.layout, "PIECES")
+        if chosen:
+            draw_figures(context, self.layout, chosen)
+            draw_copies(context, self.layout, source, source.wirewarp_pieces[chosen.index].name)
         if context.scene.wirewarp.keep_places:
             button = self.layout.operator("object.wirewarp_flatten", text="Lay Out Again", icon="MOD_ARRAY")
             button.keep_places, button.only_active = False, True

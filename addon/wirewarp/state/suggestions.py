@@ -2,6 +2,7 @@
 """Suggested cuts of each object, kept until it changes, and areas without cuts."""
 
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import bpy
 import numpy as np
@@ -44,6 +45,9 @@ def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = Non
     return NoSeam(values > 0, vertices)
 
 
+Place = Literal["FLATTEN", "PIECES"]  # panel with the button that was pressed, where the list appears
+
+
 @dataclass(frozen=True)
 class Suggestions:
     kind: str  # DARTS, SEAMS or FEWER
@@ -57,6 +61,7 @@ class Suggestions:
     no_seam: NoSeam  # faces and vertices where the user wants no cut, on the model's own mesh
     chosen: int  # index in cuts
     with_modifiers: bool = False  # whether modifiers made the edges of the cuts; they are applied when a cut is marked
+    place: Place = "FLATTEN"
 
 
 def keep(source: bpy.types.Object, suggestions: Suggestions) -> None:

@@ -4,6 +4,6 @@
 May import: flatten, marks, ui, state, solve, blender, properties, core, issues, names.
 """
 
-from . import operators, panel, smooth
+from . import operators, smooth
 
-MODULES = (operators, smooth, panel)
+MODULES = (operators, smooth)

@@ -4,7 +4,7 @@
 from dataclasses import dataclass, replace
 
 import bpy
-from bpy.props import IntProperty
+from bpy.props import EnumProperty, IntProperty
 
 from .. import core
 from ..blender.mesh import evaluated_mesh
@@ -36,7 +36,7 @@ from ..state.owners import model_or_self
 from ..state.read_model import check_modifiers, shaped_by
 from ..state.reports import last_report, pieces_report
 from ..state.settings import FlattenSettings, TargetSettings, choices_of, target_of
-from ..state.suggestions import Suggestions, are_current, choose, drop, keep, read_no_seam
+from ..state.suggestions import Place, Suggestions, are_current, choose, drop, keep, read_no_seam
 from ..ui import window_run
 from ..ui.editing import OnMesh, reporting_refusals
 from ..ui.window_run import WindowSteps, fault_sentence
@@ -130,7 +130,7 @@ def _shown_first(search: Search, cuts: list[Cut]) -> int:
     return set_for(cuts, _accepted(search.choices))
 
 
-def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
+def keep_found(search: Search, cuts: list[Cut], place: Place = "FLATTEN") -> Suggestions:
     """Keep the cuts for the panel and the overlay, in any mode. Raises ObjectError if the model has changed since."""
     model = search.model
     wire_ids = {wire.chain.wire_id for wire in model.arrays.wires}
@@ -146,6 +146,7 @@ def keep_found(search: Search, cuts: list[Cut]) -> Suggestions:
         search.no_seam,
         chosen=_shown_first(search, cuts),
         with_modifiers=search.with_modifiers,
+        place=place,
     )
     source = find_source(model)
     if not (is_current(model) and are_current(source, found, read_anew)):
@@ -161,6 +162,13 @@ class SuggestCuts(OnMesh, WindowSteps):
     modes = WORKING_MODES
     refusal = "Select a mesh, in Object Mode or in Edit Mode"
     kind = ""  # "DARTS", "SEAMS" or "FEWER"
+
+    place: EnumProperty(
+        name="Place",
+        description="Panel that lists the suggestions",
+        items=[("FLATTEN", "Flatten", "The panel Flatten"), ("PIECES", "Pieces", "The panel Pieces")],
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
         return self.execute(context) if bpy.app.background else self._begin(context)
@@ -206,7 +214,7 @@ class SuggestCuts(OnMesh, WindowSteps):
 
         This works in any mode, because leaving Edit Mode while a tool runs would crash Blender.
         """
-        found = keep_found(self._search, cuts)
+        found = keep_found(self._search, cuts, self.place)
         redraw_views()
         lengths, name = length_text(context.scene), found.names[0]
         is_named = cuts[0].piece in self._search.names or self._search.is_of_model

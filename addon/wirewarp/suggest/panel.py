@@ -12,8 +12,8 @@ from ..solve.suggest import Cut, row_text, shortfall
 from ..state.drawings import Same, kept_drawing
 from ..state.memory import stamp
 from ..state.settings import TargetSettings
-from ..state.suggestions import Suggestions, current_suggestions, suggestions_of
-from ..ui.layout import SidebarPanel, draw_progress, draw_sentence
+from ..state.suggestions import Place, Suggestions, current_suggestions, suggestions_of
+from ..ui.layout import draw_progress, draw_sentence
 from ..ui.settings import figures_sentence, known_choices, shown_source
 from ..ui.window_run import SUGGEST
 
@@ -29,90 +29,97 @@ TARGET = ("aim_stretch", "aim_cuts", "aim_length")
 
 
 def draw_suggest(
-    layout: bpy.types.UILayout, settings: TargetSettings, piece: int, kinds: Sequence[str] = KINDS, *, has_seams: bool
+    layout: bpy.types.UILayout,
+    settings: TargetSettings,
+    place: Place,
+    piece: int,
+    kinds: Sequence[str] = KINDS,
+    *,
+    has_seams: bool,
 ) -> None:
-    """Draw the buttons and the target, or the progress of a search. piece: in the report, -1 for any."""
-    row = layout.row(align=True)
-    if draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts"):
-        return
-    for kind in kinds:
-        row.operator(f"object.wirewarp_suggest_{kind}").piece = piece
-    row = layout.row(align=True)
+    """Draw the buttons and the target. During a search, the progress is where the buttons were, and nothing moves.
+
+    place: of the results; piece: in the report, -1 for any.
+    """
+    row, options = layout.row(align=True), layout.column()
+    options.enabled = not draw_progress(row, SUGGEST, "object.wirewarp_suggest_darts")
+    for kind in kinds if options.enabled else ():
+        button = row.operator(f"object.wirewarp_suggest_{kind}")
+        button.place, button.piece = place, piece
+    row = options.row(align=True)
     row.enabled = not settings.suggest_together
     row.prop(settings, "dart_lines", expand=True)
-    layout.prop(settings, "suggest_together")
+    options.prop(settings, "suggest_together")
     if settings.suggest_together:
-        column = layout.column(align=True)
+        column = options.column(align=True)
         for name in TARGET:
             column.prop(settings, name)
     if has_seams:
-        layout.operator("object.wirewarp_simplify_seams")
+        options.operator("object.wirewarp_simplify_seams").place = place
 
 
-def draw_simplify(layout: bpy.types.UILayout, settings: TargetSettings) -> None:
-    """Draw the button Simplify Seams and its target, or the progress of a search. The piece needs no cut."""
-    row = layout.row(align=True)
-    if draw_progress(row, SUGGEST, "object.wirewarp_simplify_seams"):
-        return
-    row.operator("object.wirewarp_simplify_seams")
+def draw_simplify(layout: bpy.types.UILayout, settings: TargetSettings, place: Place) -> None:
+    """Draw the button Simplify Seams and its target, like draw_suggest. The piece needs no cut."""
+    row, options = layout.row(align=True), layout.column()
+    options.enabled = not draw_progress(row, SUGGEST, "object.wirewarp_simplify_seams")
+    if options.enabled:
+        row.operator("object.wirewarp_simplify_seams").place = place
     if settings.suggest_together:
-        layout.prop(settings, "suggest_together")
-        layout.prop(settings, "aim_stretch")
+        options.prop(settings, "suggest_together")
+        options.prop(settings, "aim_stretch")
 
 
-class VIEW3D_PT_wirewarp_suggestions(SidebarPanel, bpy.types.Panel):
-    bl_label = "Suggestions"
-    bl_parent_id = "VIEW3D_PT_wirewarp_flatten"  # otherwise Blender shows it below a panel that appeared after it
+def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, place: Place) -> None:
+    """Draw the list of results below the buttons of this place, if the search was started there.
 
-    @classmethod
-    def poll(cls, context: bpy.types.Context) -> bool:
-        return _shown(context) is not None
-
-    def draw_header_preset(self, _context: bpy.types.Context) -> None:
-        self.layout.operator("object.wirewarp_drop_suggestions", text="", icon="X", emboss=False)
-
-    def draw(self, context: bpy.types.Context) -> None:
-        found, layout = _shown(context), self.layout
-        lengths, labels = length_text(context.scene), TARGET_LABELS if found.target else LABELS
-        column = layout.column(align=True)
-        for name in dict.fromkeys(found.names):
-            column.label(text=f"{labels[found.kind]}, {name}")
-            for index in (index for index, own in enumerate(found.names) if own == name):
-                cut, is_chosen = found.cuts[index], index <= found.chosen if found.target else index == found.chosen
-                text = row_text(found.kind, cut, found.target, lengths)
-                icon = "ERROR" if cut.is_narrow else "NONE"
-                button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen, icon=icon)
-                button.index = index
-        cut = found.cuts[found.chosen]
-        if cut.is_narrow:
-            draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
-        elif cut.width is not None:
-            draw_sentence(context, layout, WIDTH.format(lengths.rough(cut.width)), "INFO")
-        choices = known_choices(context.scene.wirewarp)
-        limit = next(iter(known_stretch(choices.cloth)), None) if choices else None
-        if cut.is_set and limit is not None and cut.strain > limit:
-            draw_sentence(context, layout, BEYOND.format(percent_text(limit)), "AMBER")
-        take = layout.column(align=True)
-        take.scale_y = 1.2
-        text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
-        take.operator("object.wirewarp_mend", text=text, icon="EDGESEL").what = "SUGGESTION"
-        sentence = _explained(found.cuts)
-        if sentence:
-            draw_sentence(context, layout, sentence, "INFO")
-        missed = shortfall(found.kind, found.cuts, found.target) if found.target else ""
-        if missed:
-            draw_sentence(context, layout, missed, "INFO")
-        sentence = figures_sentence(shown_source(context), found, context.scene.wirewarp)
-        if sentence:
-            draw_sentence(context, layout, sentence, "INFO")
-        if cut.paths and not cut.edges:
-            draw_sentence(context, layout, "Marking it adds vertices and edges where it crosses faces.", "INFO")
-        elif cut.diagonals:
-            new = counted(len(cut.diagonals), "edge")
-            draw_sentence(context, layout, f"Marking it adds {new} across faces of the model.", "INFO")
-        if found.with_modifiers:
-            taking = "Clearing them" if cut.cleared else "Marking it"
-            draw_sentence(context, layout, f"{taking} applies the modifiers of the model.", "INFO")
+    Above these buttons, or in a panel of its own, the list would move them away under the mouse.
+    """
+    found = _shown(context)
+    if found is None or found.place != place:
+        return
+    lengths, labels = length_text(context.scene), TARGET_LABELS if found.target else LABELS
+    column = layout.column(align=True)
+    for name in dict.fromkeys(found.names):
+        row = column.row()
+        row.label(text=f"{labels[found.kind]}, {name}")
+        if name == found.names[0]:
+            row.operator("object.wirewarp_drop_suggestions", text="", icon="X", emboss=False)
+        for index in (index for index, own in enumerate(found.names) if own == name):
+            cut, is_chosen = found.cuts[index], index <= found.chosen if found.target else index == found.chosen
+            text = row_text(found.kind, cut, found.target, lengths)
+            icon = "ERROR" if cut.is_narrow else "NONE"
+            button = column.operator("object.wirewarp_choose_suggestion", text=text, depress=is_chosen, icon=icon)
+            button.index = index
+    cut = found.cuts[found.chosen]
+    if cut.is_narrow:
+        draw_sentence(context, layout, NARROW.format(lengths.rough(cut.width)), "ERROR")
+    elif cut.width is not None:
+        draw_sentence(context, layout, WIDTH.format(lengths.rough(cut.width)), "INFO")
+    choices = known_choices(context.scene.wirewarp)
+    limit = next(iter(known_stretch(choices.cloth)), None) if choices else None
+    if cut.is_set and limit is not None and cut.strain > limit:
+        draw_sentence(context, layout, BEYOND.format(percent_text(limit)), "AMBER")
+    take = layout.column(align=True)
+    take.scale_y = 1.2
+    text = "Clear and Flatten" if cut.cleared else "Mark and Flatten"
+    take.operator("object.wirewarp_mend", text=text, icon="EDGESEL").what = "SUGGESTION"
+    sentence = _explained(found.cuts)
+    if sentence:
+        draw_sentence(context, layout, sentence, "INFO")
+    missed = shortfall(found.kind, found.cuts, found.target) if found.target else ""
+    if missed:
+        draw_sentence(context, layout, missed, "INFO")
+    sentence = figures_sentence(shown_source(context), found, context.scene.wirewarp)
+    if sentence:
+        draw_sentence(context, layout, sentence, "INFO")
+    if cut.paths and not cut.edges:
+        draw_sentence(context, layout, "Marking it adds vertices and edges where it crosses faces.", "INFO")
+    elif cut.diagonals:
+        new = counted(len(cut.diagonals), "edge")
+        draw_sentence(context, layout, f"Marking it adds {new} across faces of the model.", "INFO")
+    if found.with_modifiers:
+        taking = "Clearing them" if cut.cleared else "Marking it"
+        draw_sentence(context, layout, f"{taking} applies the modifiers of the model.", "INFO")
 
 
 def _explained(cuts: Sequence[Cut]) -> str:
@@ -124,7 +131,7 @@ def _explained(cuts: Sequence[Cut]) -> str:
 
 
 def are_shown(context: bpy.types.Context) -> bool:
-    """Return whether the panel below has cuts to mark."""
+    """Return whether a list of cuts to mark is in the sidebar."""
     return _shown(context) is not None
 
 
@@ -136,6 +143,3 @@ def _shown(context: bpy.types.Context) -> Suggestions | None:
         return None
     seen = stamp(source), stamp(source.data), source.mode, source.matrix_world.copy(), Same(found)
     return kept_drawing(source, "suggestions", seen, lambda: current_suggestions(source))
-
-
-CLASSES = (VIEW3D_PT_wirewarp_suggestions,)
