@@ -33,7 +33,7 @@ def register() -> None:
     except core.LibraryError as error:
         _unregister = without_library.register(str(error))
         return
-    from . import registration  # only now, because it needs numpy, like the library
+    from . import registration  # imported only now, because it needs numpy, as the library does
 
     _unregister = registration.register()
 

@@ -44,11 +44,11 @@ def load(addon_version: str) -> None:
         found = importlib.import_module(f".{_INSIDE}.wirewarp" if inside else "wirewarp", __package__)
         library_version = getattr(found, "__version__", "of an unknown version")
         if library_version == addon_version:
-            for part in ("pattern", "report"):  # these import everything they need
+            for part in ("pattern", "report"):  # these packages import everything that they need
                 importlib.import_module(f"{found.__name__}.{part}")
     except Exception as error:  # a damaged library, or one for another numpy, may raise anything
         traceback.print_exc()
-        spec = PathFinder.find_spec("wirewarp", places)  # does not run code of the library
+        spec = PathFinder.find_spec("wirewarp", places)  # this runs no code of the library
         folder = Path(spec.submodule_search_locations[0]) if spec and spec.submodule_search_locations else None
         raise LibraryError(loading_problem(error, folder)) from error
     if library_version != addon_version:
@@ -78,7 +78,10 @@ else:
 
 
 def loading_problem(error: Exception, folder: Path | None) -> str:
-    """Return a sentence on an import that failed with this error. folder: the library's files; None: there are none."""
+    """Return a sentence about an import that failed with this error.
+
+    folder: the library's files; None if there are none.
+    """
     if isinstance(error, ModuleNotFoundError) and error.name == "numpy":
         return (
             "Blender's Python has no numpy, which WireWarp needs: install it (on Debian and Ubuntu the package "
@@ -91,7 +94,7 @@ def loading_problem(error: Exception, folder: Path | None) -> str:
         made_for = " and ".join(_made_for(module.name) for module in modules)
         here = f"Python {sys.version_info.major}.{sys.version_info.minor} on {platform.system()}"
         return f"The WireWarp library that is installed is made for {made_for}; this Blender has {here}. {_AGAIN}"
-    if "incompatible architecture" in str(error):  # macOS says this; its file names do not contain the processor
+    if "incompatible architecture" in str(error):  # the error on macOS, where file names do not contain the processor
         return f"The WireWarp library that is installed is made for another kind of Mac's processor. {_AGAIN}"
     if newer := _NEWER_GLIBC.search(str(error)):
         return (

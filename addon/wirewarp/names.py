@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All names under which the add-on stores data in Blender files, except the properties of properties.py.
+"""All names under which the add-on stores data in Blender files, except for the properties in properties.py.
 
 Scripts and earlier files rely on these names; the table in addon/README.md describes them.
 """
@@ -20,7 +20,7 @@ class Attribute:
 class Mark(Attribute):
     """An attribute of the model's mesh that the user marks: on edges, or on one side of an edge."""
 
-    is_length: bool = False  # in Blender units: Set Unit scales it to keep its actual length
+    is_length: bool = False  # in Blender units; Set Unit scales it so that its actual length stays
     is_drawn: bool = False  # the overlay draws it on the model
 
 
@@ -37,7 +37,8 @@ SIDE_WIDTH = Mark("wirewarp_side_width", "FLOAT", "EDGE", is_length=True)  # for
 SIDE = Mark("wirewarp_side", "INT", "EDGE")  # the number of the face on that side, 0 none
 FACE = Mark("wirewarp_face", "INT", "FACE")  # random 31-bit number of faces beside edges with a marked side, 0 none
 MARKS = (WIRE, TOLERANCE, EASE, SIDE_EASE, SIDE_RATIO, EASED_SIDE, ALLOWANCE, SIDE_ALLOWANCE, SIDE_WIDTH, SIDE, FACE)
-NO_SEAM = "wirewarp_no_seam"  # on faces: no seam is suggested where it is above 0; also a vertex group of the object
+# on faces: no seam is suggested where the value is above 0; also the name of a vertex group of the object
+NO_SEAM = "wirewarp_no_seam"
 
 # On the model's mesh, written by a run.
 PIECE = Attribute("wirewarp_piece", "INT", "FACE")  # random 31-bit id of the piece, 0 none; on the flat mesh too
@@ -48,15 +49,15 @@ UV_SCALE = "wirewarp_uv_scale"  # custom property: Blender units in one UV unit
 # On the model's object, custom properties.
 REPORT = "wirewarp_report"  # report of the run that made the flat pieces, JSON
 REPORT_SEAL = "wirewarp_report_seal"  # digest of the report's text
-MARKER = "wirewarp_marker"  # last marker that an export made, JSON after its digest
+MARKER = "wirewarp_marker"  # last marker made by an export: a digest, then JSON
 
 # On the flat mesh: the elements of the model from which its elements were made.
 SOURCE_VERTEX = Attribute("source_vertex", "INT", "POINT")
 SOURCE_CORNER = Attribute("source_corner", "INT", "CORNER")
 SOURCE_FACE = Attribute("source_face", "INT", "FACE")
-PIECE_INDEX = Attribute("piece", "INT", "FACE")  # index of the piece in the report
+PIECE_INDEX = Attribute("piece", "INT", "FACE")  # index of the face's piece in the report
 
-# On the flat mesh: its layout, and data by which changes by hand are detected.
+# On the flat mesh: its layout, and data for detecting manual changes.
 FLAT_LENGTH = Attribute("flat_length", "FLOAT", "EDGE")  # edge lengths of the layout
 FLAT_RECORD = "wirewarp_flat"  # custom property: how the pieces were laid out, see state.record
 

@@ -24,7 +24,7 @@ def _redraw(_settings: bpy.types.PropertyGroup, _context: bpy.types.Context) -> 
     redraw_views()
 
 
-LEAST_EASE = -0.99  # so that a line keeps some length
+LEAST_EASE = -0.99  # smallest ease, so that a line keeps some length
 
 
 class EaseAmount:
@@ -57,7 +57,7 @@ class EaseAmount:
     )
 
 
-OTHER_ROLL = 8  # number stored in files; the numbers below it are left for more rolls of the library
+OTHER_ROLL = 8  # number stored in files; smaller numbers are reserved for new rolls of the library
 
 
 class PatternSettings:
@@ -152,9 +152,9 @@ class PatternSettings:
 
 
 def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
-    """Copy settings that the caller did not set from the scene. kind: FlattenSettings or PatternSettings.
+    """Copy the settings that the caller has not set from the scene. kind: FlattenSettings or PatternSettings.
 
-    Values that this version does not know are skipped: see reset_unknown.
+    Skips values that are unknown in this version: see reset_unknown.
     """
     reset_unknown(settings, kind)
     for name in kind.__annotations__:
@@ -163,7 +163,7 @@ def take_settings(operator: bpy.types.Operator, settings: "WIREWARP_PG_settings"
 
 
 def reset_unknown(settings: "WIREWARP_PG_settings", kind: type = FlattenSettings) -> None:
-    """Reset an enum value that this version does not know, from a file of another version, to its default."""
+    """Reset an enum to its default if it has a value of another version that is unknown in this one."""
     for name in kind.__annotations__:
         if getattr(settings, name) == "":
             settings.property_unset(name)
@@ -192,7 +192,7 @@ class WIREWARP_PG_settings(FlattenSettings, PatternSettings, TargetSettings, Eas
     true_height: number(
         "Height (cm)",
         "Real height of the model, from its lowest to its highest point. To correct a wrong height, undo it (Ctrl+Z)",
-        (0.1, 170.0, 300.0, 100000.0),  # 170 cm is a person
+        (0.1, 170.0, 300.0, 100000.0),  # default: the height of a person
         step=100,
     )
     tolerance_percent: number(

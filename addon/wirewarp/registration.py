@@ -24,7 +24,8 @@ SIDEBAR = (  # Blender shows panels in the order in which they are registered
 )
 OTHERS = tuple(module for room in ROOMS for module in room.MODULES if module not in SIDEBAR)
 CLASSES = (*properties.CLASSES, *(cls for module in OTHERS + SIDEBAR for cls in module.CLASSES))
-PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)  # attach() of each returns its detach()
+# each has attach(), which returns the function that detaches it
+PARTS = (properties, overlay, ui.layout, ui.menus, auto_update)
 HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists
     "depsgraph_update_post": (memory.note_updates, auto_update.note_update),
     "frame_change_post": (memory.drop_changed,),
@@ -37,7 +38,7 @@ HANDLERS: dict[str, tuple[Callable, ...]] = {  # keys: names of Blender's lists
 FORGET = (
     *HANDLERS["load_pre"],
     *HANDLERS["load_post"],
-)  # clears the memory when the add-on is disabled or another file is opened
+)  # these clear the memory when the add-on is disabled or another file is opened
 
 
 def register() -> Callable[[], None]:

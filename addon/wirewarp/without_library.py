@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 import bpy
 
-LETTER, MARGIN = 7, 60  # pixels at interface scale 1, about: a letter, and the space beside the sentence
+# approximate pixels at interface scale 1: the width of a letter, and the space beside the sentence
+LETTER, MARGIN = 7, 60
 
 
 def register(problem: str) -> Callable[[], None]:

@@ -15,7 +15,7 @@ FlattenError wrong_item(const std::string& argument, std::size_t index, const st
                     type_name(item));
 }
 
-/// argument: "wires"; type: "Wire".
+/// argument: name of the argument, such as "wires"; type: name of the class of its items, such as "Wire".
 template <class Item>
 std::vector<Item> read_list(py::handle value, const std::string& argument, const std::string& type) {
   if (py::isinstance<Item>(value) || !py::hasattr(value, "__iter__")) {

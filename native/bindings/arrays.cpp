@@ -102,7 +102,7 @@ std::optional<TooLarge> narrow(const py::array& array, int* out) {
                      std::move(elements));
 }
 
-/// Returns the numbers in a row of an array: "3-7-9".
+/// Returns the numbers in a row of an array as text, such as "3-7-9".
 std::string row_text(const py::array& array, int row) {
   std::string joined;
   for (const py::handle item : array[py::int_(row)]) joined += (joined.empty() ? "" : "-") + text(item);
@@ -126,7 +126,7 @@ Matrix read_indices(py::handle value, const std::string& name, const std::string
   return result;
 }
 
-/// Reads a sequence that is not an array. numpy would convert True among whole numbers to 1, and huge numbers to
+/// Reads a sequence that is not an array. numpy would convert True among whole numbers to 1, and very large numbers to
 /// objects.
 std::vector<int> read_sequence(py::handle value, const std::string& owner) {
   std::vector<int> result;

@@ -45,7 +45,7 @@ inline constexpr Named<Termination> kTerminations[] = {{Termination::converged, 
                                                        {Termination::cancelled, "cancelled"},
                                                        {Termination::measured, "measured"}};
 
-/// Returns the string of a value.
+/// Returns the string of an enum value.
 template <class Enum, std::size_t N>
 const char* name_of(Enum value, const Named<Enum> (&names)[N]) {
   for (const Named<Enum>& entry : names) {
@@ -54,7 +54,7 @@ const char* name_of(Enum value, const Named<Enum> (&names)[N]) {
   throw std::logic_error("an option has no name");
 }
 
-/// Returns the value of a string.
+/// Returns the enum value of a string.
 template <class Enum, std::size_t N>
 Enum value_of(const std::string& name, const Named<Enum> (&names)[N]) {
   for (const Named<Enum>& entry : names) {

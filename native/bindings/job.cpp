@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds kSignalPeriod(50);
 }  // namespace
 
 Job::Job(Work work, py::object used) : work_(std::move(work)), used_(std::move(used)) {
-  // Registered here already, because Python may end before the thread starts.
+  // Registered here, because Python may end before the thread starts.
   thread_ = std::thread([this, running = std::make_unique<RunningWork>()] { run(); });
 }
 
@@ -31,7 +31,7 @@ Job::~Job() {
     return;
   }
   cancelled_ = true;
-  PyThreadState* const state = PyEval_SaveThread();  // Python continues meanwhile
+  PyThreadState* const state = PyEval_SaveThread();  // Python continues while this thread waits
   thread_.join();
   PyEval_RestoreThread(state);
 }

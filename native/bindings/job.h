@@ -64,7 +64,7 @@ class Job {
   MakeResult make_result_;  // this and the next are written before is_done_ is set, and read afterwards
   std::exception_ptr error_;
   py::object python_result_;
-  std::thread thread_;  // last, because it uses all members
+  std::thread thread_;  // the last member, because the thread uses all others
 };
 
 /// Returns work whose result is the value that `find` returns. find: called with a Progress.

@@ -257,7 +257,7 @@ std::unique_ptr<Job> start_simplify(const py::object& vertices, const py::object
       work_that(search_of(simplify_seams, vertices, faces, seams, wires, options, eases, strain)));
 }
 
-/// own: arguments that follow those of the mesh.
+/// own: further arguments, after those of the mesh.
 template <class Function, class... Own>
 void define(py::module_& module, const char* name, Function function, const char* doc, const Own&... own) {
   module.def(name, function, py::call_guard<RunningCall>(), py::arg("vertices"), py::arg("faces"), py::kw_only(),
@@ -265,7 +265,7 @@ void define(py::module_& module, const char* name, Function function, const char
              py::arg("eases") = py::tuple(), own..., doc);
 }
 
-/// more: arguments that follow those that both functions have.
+/// more: further arguments, after those that both functions have.
 template <class Function, class... More>
 void define_proposals(py::module_& module, const char* name, Function function, const char* doc, const More&... more) {
   define(module, name, function, doc, py::arg("piece") = py::none(), py::arg("count") = CutOptions().count,

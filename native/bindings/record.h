@@ -124,7 +124,7 @@ class Record : public py::class_<T> {
   }
 
   /// Adds a value that get(record, owner) returns, where owner is the Python object of the record; set(record, value)
-  /// restores it. doc: needed if the header has no such member.
+  /// restores it. doc: the documentation, needed if the header has no such member.
   template <class Get, class Set>
   Record& field(const char* name, Get get, Set set, const std::string& doc = "") {
     const std::string text = doc.empty() ? doc_of(own(name)) : doc;

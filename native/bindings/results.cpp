@@ -36,7 +36,7 @@ py::dict run_report(const FlattenResult& result) {
   return report;
 }
 
-/// Reads the entries of run_report() that other fields do not have.
+/// Reads those entries of run_report() that are not in other fields.
 void read_run_report(FlattenResult& result, py::handle report) {
   result.method = report["method"].cast<std::string>();
   result.reused_pieces = report["reused_pieces"].cast<int>();

@@ -19,7 +19,7 @@ struct RunningCalls {
   std::thread::id ending_thread;  // set with the GIL, before python_is_ending
 };
 
-/// Never destroyed, because threads may outlive static objects.
+/// Returns an object that is never destroyed, because threads may outlive static objects.
 RunningCalls& running_calls() {
   static RunningCalls& calls = *new RunningCalls;
   return calls;
@@ -57,11 +57,11 @@ void forget_threads_of_parent() {
   calls.mutex.unlock();
 }
 
-/// Number of calls that this thread is in: Python code that a call runs may call again. The end of Python waits for the
-/// outermost call, so an inner one must return.
+/// Number of nested calls in this thread: a call may run Python code that calls the module again. The end of Python
+/// waits for the outermost call, so an inner one must return.
 thread_local int depth_of_calls = 0;
 
-/// Sleeps until the process ends if Python is ending, as Python 3.14 does with its daemon threads.
+/// If Python is ending, sleeps until the process ends, as Python 3.14 does with its daemon threads.
 void stay_if_python_is_ending() {
   if (!python_is_ending()) return;
   PyEval_SaveThread();

@@ -19,8 +19,8 @@ class RunningWork {
   RunningWork& operator=(const RunningWork&) = delete;
 };
 
-/// A call that releases the GIL itself, or whose arguments do while they are read: numpy and __array__() may. Functions
-/// have it as their py::call_guard. Its constructor and its destructor need the GIL.
+/// A call that releases the GIL itself, or whose arguments may release it while they are read, as numpy and __array__()
+/// may. Functions have it as their py::call_guard. Its constructor and its destructor need the GIL.
 class RunningCall {
  public:
   /// Does not return in a daemon thread once Python is ending.
@@ -31,8 +31,8 @@ class RunningCall {
   RunningCall& operator=(const RunningCall&) = delete;
 };
 
-/// Whether another thread is ending Python and waits for the calls of this one. These should end, if possible without
-/// the GIL.
+/// Whether another thread is ending Python and waits for the calls of this thread. These calls should end, if possible
+/// without the GIL.
 bool python_is_ending();
 
 /// Returns the number of forks between the process that loaded the module and this one. A fork does not copy threads.

@@ -61,7 +61,7 @@ def main() -> None:
     rows = [entry for header in headers for entry in comments(header.read_text())]
     lines = [f'    {{"{name}", R"doc({sentence(text)})doc"}},' for name, text in rows]
     text = "\n".join(["// Made by write_docs.py.", "constexpr Doc kDocs[] = {", *lines, "};", ""])
-    # Otherwise, everything that includes it would be compiled again.
+    # An unchanged file is not written, because everything that includes it would be compiled again.
     if not (output.is_file() and output.read_text() == text):
         output.write_text(text)
 

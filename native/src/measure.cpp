@@ -21,7 +21,7 @@ constexpr double kSamePoint = 1e-6;
 /// The flat corners of a chart's faces: one position per half-edge with a face, at its start.
 class FlatCorners {
  public:
-  /// Throws no_layout unless all are finite and below kCoordinateLimit.
+  /// Throws no_layout unless all positions are finite and below kCoordinateLimit.
   FlatCorners(const Chart& chart, const CornerUv& corner_uv) : mesh_(chart.mesh), uv_(mesh_.n_halfedges(), 2) {
     std::vector<int> bad;
     for (const FaceHandle f : mesh_.faces()) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Imported first: raises ImportError if the compiled module is not for this Python and system."""
+"""Imported first, to raise ImportError if the compiled module does not fit this Python or system."""
 
 import sys
 import sysconfig

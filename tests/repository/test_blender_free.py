@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files that state "No Blender in here" run without it: they do not import it, not even indirectly."""
+"""Files that state "Does not use Blender" run without it: they do not import it, not even indirectly."""
 
 import ast
 from pathlib import Path
@@ -8,7 +8,7 @@ import pytest
 from addon_imports import ADDON, imported
 
 BLENDER = {"bpy", "bpy_extras", "bmesh", "mathutils", "gpu", "gpu_extras", "blf"}
-SAYS_SO = "No Blender in here"
+SAYS_SO = "Does not use Blender"
 
 
 def says_so(file: Path) -> bool:

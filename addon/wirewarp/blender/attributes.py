@@ -17,7 +17,7 @@ from ..issues import object_error
 from ..names import Attribute
 from .mesh import read_attribute
 
-DIGITS = 24  # length of the digest that seals a text
+DIGITS = 24  # hexadecimal digits of the digest that seals a text
 
 
 def sealed(data: dict[str, Any]) -> str:
@@ -26,14 +26,14 @@ def sealed(data: dict[str, Any]) -> str:
 
 
 def unsealed(stored: object) -> dict[str, Any] | None:
-    """Returns the data of a text that sealed() has made; None for other texts."""
+    """Returns the data in a text made by sealed(); None for other texts."""
     if not isinstance(stored, str) or stored[:DIGITS] != digest(stored[DIGITS:]):
         return None
     return json.loads(stored[DIGITS:])
 
 
 def stored_text(owner: bpy.types.ID, name: str) -> str:
-    """Return the text of a custom property; "" if it is missing or not a text."""
+    """Return the text of a custom property; "" if it is missing or not a string."""
     stored = owner.get(name)
     return stored if isinstance(stored, str) else ""
 
@@ -73,7 +73,7 @@ def has_attributes(mesh: bpy.types.Mesh, *attributes: Attribute) -> bool:
 
 
 def write_values(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:
-    """Writes (k,) values in either mode, and makes the attribute if there is none."""
+    """Writes (k,) values in either mode, and creates the attribute if it is missing."""
     if mesh.is_editmode:
         _write_edited(mesh, attribute, values)
         return
@@ -95,7 +95,7 @@ def _write_edited(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray
 
 
 def write_marked(mesh: bpy.types.Mesh, attribute: Attribute, values: np.ndarray) -> None:
-    """Writes the values as write_values does, but makes no attribute for zeros alone."""
+    """Writes the values as write_values does, but creates no attribute if all values are zero."""
     if attribute.name in mesh.attributes or values.any():
         write_values(mesh, attribute, values)
 

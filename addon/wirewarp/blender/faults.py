@@ -14,8 +14,8 @@ from mathutils.bvhtree import BVHTree
 
 from ..core import Elements, counted
 
-CLOSE = 1e-5  # share of the model's size; files write coordinates to five or six digits
-ROUNDED = 5e-7  # share of the largest coordinate: two roundings to single precision on either side
+CLOSE = 1e-5  # share of the model's size; files store coordinates with five or six digits
+ROUNDED = 5e-7  # share of the largest coordinate: two rounding errors of single precision for each of two vertices
 Found = list[Any]  # vertices, edges and faces of the bmesh
 
 
@@ -24,13 +24,13 @@ class Fault:
     kind: str
     one: str
     many: str
-    verb: str  # first word on the button: "Merge"
-    done: str  # participle in the message: "merged"
-    find: Callable[[bmesh.types.BMesh, float], Found]  # float: maximum distance of elements that count as one
+    verb: str  # first word of the button, such as "Merge"
+    done: str  # participle in the message, such as "merged"
+    find: Callable[[bmesh.types.BMesh, float], Found]  # float: greatest distance between elements that count as one
     repair: Callable[[bmesh.types.BMesh, float, Found], object]
 
     def text(self, count: int) -> str:
-        """Return "12 overlapping vertices"."""
+        """Return the fault with its count, such as "12 overlapping vertices"."""
         return counted(count, self.one, self.many)
 
 
@@ -71,7 +71,7 @@ def repair_faults(mesh: bpy.types.Mesh, kinds: Sequence[str]) -> dict[str, int]:
 
 
 def _found(fault: Fault, edit: bmesh.types.BMesh, close: float) -> Found:
-    """Return the elements with indices that are valid after earlier repairs."""
+    """Return the elements with their current indices, because earlier repairs may have changed these."""
     for elements in (edit.verts, edit.edges, edit.faces):
         elements.index_update()
         elements.ensure_lookup_table()
@@ -80,7 +80,7 @@ def _found(fault: Fault, edit: bmesh.types.BMesh, close: float) -> Found:
 
 
 def _close_distance(edit: bmesh.types.BMesh) -> float:
-    """Return a distance in proportion to the model's size, but at least the rounding of its coordinates."""
+    """Return a distance proportional to the model's size, but at least the rounding error of its coordinates."""
     places = np.array([vertex.co for vertex in edit.verts]).reshape(-1, 3)
     if not len(places):
         return 0.0
@@ -104,7 +104,7 @@ def _merge(edit: bmesh.types.BMesh, close: float, _found: Found) -> None:
 
 
 def _faces_without_area(edit: bmesh.types.BMesh, close: float) -> Found:
-    """Return faces that are at most this high above their longest edge."""
+    """Return faces whose height above their longest edge is at most this."""
     lengths = ((face, max(edge.calc_length() for edge in face.edges)) for face in edit.faces)
     return [face for face, longest in lengths if 2 * face.calc_area() <= close * longest]
 
@@ -114,7 +114,7 @@ def _dissolve(edit: bmesh.types.BMesh, close: float, _found: Found) -> None:
 
 
 def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
-    """Return all but the first of the faces with the same vertices."""
+    """Return the duplicate faces: of each set of faces with the same vertices, all but the first."""
     by_vertices: dict[frozenset[Any], Found] = defaultdict(list)
     for face in edit.faces:
         by_vertices[frozenset(face.verts)].append(face)
@@ -124,8 +124,8 @@ def _duplicate_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
 def _interior_faces(edit: bmesh.types.BMesh, _close: float) -> Found:
     """Return the faces of Select > Select All by Trait > Interior Faces, except those visible from outside.
 
-    The faces divide space into rooms. A room is open if a straight line leads out of it: the notch of a block is open.
-    A face is interior if neither of its sides belongs to an open room.
+    The faces divide space into rooms. A room is open if a straight line leads out of it. The notch in a block, for
+    example, is open. A face is interior if neither of its sides belongs to an open room.
     """
     walled = [face for face in edit.faces if all(len(edge.link_faces) > 2 for edge in face.edges)]
     if not walled:
@@ -154,13 +154,13 @@ def _rooms(edit: bmesh.types.BMesh) -> dict[tuple[int, int], tuple[int, int]]:
 
 
 def _around(edge: bmesh.types.BMEdge) -> list[tuple[int, int, int]]:
-    """Return the faces around the edge by angle, each with its sides toward the next and the previous face."""
+    """Return the faces around the edge by angle, each with its sides toward the next and the previous one."""
     axis = (edge.verts[1].co - edge.verts[0].co).normalized()
     first = axis.orthogonal().normalized()
     second, faces = axis.cross(first), []
     for loop in edge.link_loops:
         runs_along = axis if loop.vert == edge.verts[0] else -axis
-        inward = loop.face.normal.cross(runs_along)  # from the edge into the face
+        inward = loop.face.normal.cross(runs_along)  # points from the edge into the face
         ahead = 1 if loop.face.normal.dot(axis.cross(inward)) > 0 else -1
         faces.append((math.atan2(inward.dot(second), inward.dot(first)), (loop.face.index, ahead, -ahead)))
     return [face for _, face in sorted(faces)]
@@ -174,7 +174,7 @@ def _leads_out(surface: BVHTree, face: bmesh.types.BMFace, side: int) -> bool:
 
 
 def _delete_faces(edit: bmesh.types.BMesh, _close: float, found: Found) -> None:
-    """Delete the faces with the edges and vertices that only they use."""
+    """Delete the faces, and the edges and vertices that no other face uses."""
     bmesh.ops.delete(edit, geom=found, context="FACES")
 
 

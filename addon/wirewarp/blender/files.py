@@ -10,22 +10,26 @@ import bpy
 
 from ..core import pattern
 
-# Options of a property that may be a relative path; Blender before 4.5 needs none.
+# Options of a path property that may be relative; Blender before 4.5 has no such option.
 OPTIONS = {"SKIP_SAVE", "PATH_SUPPORTS_BLEND_RELATIVE"} if bpy.app.version >= (4, 5, 0) else {"SKIP_SAVE"}
 LONGEST_NAME = 200  # bytes; most systems allow 255
-DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\.|$)", re.IGNORECASE)  # on Windows, also with a suffix
+# names reserved on Windows, with or without a suffix
+DEVICE = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\.|$)", re.IGNORECASE)
 NOT_IN_NAMES = re.compile(r'[/\\:*?"<>|\x00-\x1f]')  # characters that a system forbids
 
 
 def given_file(path: str) -> Path:
-    """Return the path, with "//" as the folder of the Blender file. Raise OSError if the folder does not exist."""
+    """Return the path, with "//" replaced by the folder of the Blender file.
+
+    Raise OSError if the folder does not exist.
+    """
     if path.startswith("//") and not bpy.data.filepath:
         raise OSError('"//" is the folder of the Blender file; save that first')
     return Path(bpy.path.abspath(path))
 
 
 def file_name(name: str, ending: str) -> str:
-    """Return the file for the object of this name, without the folder."""
+    """Return the name of the file for the object of this name, without a folder."""
     plain = NOT_IN_NAMES.sub("_", f"_{name}" if DEVICE.match(name) else name).encode(errors="replace")
     return plain[: LONGEST_NAME - len(ending)].decode(errors="ignore") + ending
 
@@ -55,7 +59,7 @@ def check_ending(path: Path, ending: str) -> None:
 def check_room(path: Path) -> None:
     """Raises OSError like check_file, or if the folder accepts no new files."""
     check_file(path)
-    # Not tempfile: if Windows denies access, it tries 10,000 names.
+    # Does not use tempfile, which tries 10,000 names if Windows denies access.
     trial = path.resolve().with_name(f".wirewarp-{os.getpid()}")
     with trial.open("xb"):
         pass

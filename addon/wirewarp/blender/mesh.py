@@ -12,7 +12,7 @@ from ..solve.chains import next_corners
 
 HAS_UV_ATTRIBUTES = bpy.app.version >= (3, 5, 0)
 HAS_ATTRIBUTES = bpy.app.version >= (4, 0, 0)
-SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"  # absent if no edge is a seam
+SEAM = "uv_seam" if bpy.app.version >= (4, 5, 0) else ".uv_seam"  # the attribute is absent if no edge is a seam
 
 
 def read(collection: bpy.types.bpy_prop_collection, name: str, dtype: type, columns: int = 1) -> np.ndarray:
@@ -33,7 +33,7 @@ _VALUES = {
 
 
 def read_attribute(mesh: bpy.types.Mesh, name: str, data_type: str, domain: str) -> np.ndarray | None:
-    """Return the values of an attribute, (k,), (k,3) or (k,4); None if there is none of this type on this domain.
+    """Return the values (k,), (k,3) or (k,4) of an attribute; None if the mesh has none of this type and domain.
 
     The mesh is not in Edit Mode.
     """
@@ -78,7 +78,7 @@ def face_sizes(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def triangle_corners(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return (m,3) int32. For this and the next two functions, the mesh must have calculated triangles."""
+    """Return the triangles (m,3) int32. This and the next two functions need a mesh with calculated triangles."""
     return _indices(mesh.loop_triangles, "loops", 3)
 
 
@@ -113,7 +113,10 @@ def selected_edges(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str) -> np.ndarray:
-    """Read the attribute, which is absent if no edge has the flag, or the slower property of each edge."""
+    """Read the attribute if there is one; it is absent if no edge has the flag.
+
+    Otherwise read the slower property of each edge.
+    """
     if not HAS_ATTRIBUTES:
         return read(mesh.edges, name, bool)
     flags = read_attribute(mesh, attribute, "BOOLEAN", "EDGE")
@@ -126,7 +129,7 @@ def read_uv(layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
 
 
 def write_edited_uv(mesh: bpy.types.Mesh, name: str, places: np.ndarray) -> None:
-    """Write (l,2) float32 to this UV map of a mesh in Edit Mode, a new one if there is none."""
+    """Write (l,2) float32 to this UV map of a mesh in Edit Mode, and create the map if it is missing."""
     edit = bmesh.from_edit_mesh(mesh)
     layer = edit.loops.layers.uv.get(name) or edit.loops.layers.uv.new(name)
     corners = (corner for face in edit.faces for corner in face.loops)
@@ -144,7 +147,7 @@ def write_uv(layer: bpy.types.MeshUVLoopLayer, places: np.ndarray) -> None:
 
 
 def write_edges(mesh: bpy.types.Mesh, vertices: np.ndarray) -> None:
-    """Write (e,2) int32. This and all functions below need a mesh in Object Mode."""
+    """Write the edges (e,2) int32. This and all functions below need a mesh in Object Mode."""
     mesh.edges.foreach_set("vertices", vertices.ravel().view(np.uint32))
 
 
@@ -188,7 +191,7 @@ def _set_edge_flags(mesh: bpy.types.Mesh, attribute: str, name: str, edges: np.n
         found = mesh.attributes.get(attribute) or mesh.attributes.new(attribute, "BOOLEAN", "EDGE")
         found.data.foreach_set("value", flags)
     else:
-        for edge in edges.tolist():  # if few change, because writing all takes longer
+        for edge in edges.tolist():  # faster than writing all if few change
             setattr(mesh.edges[edge], name, flag)
 
 
@@ -218,11 +221,11 @@ def next_loops(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def element_counts(mesh: bpy.types.Mesh) -> dict[str, int]:
-    """Return the counts by which a report detects that its mesh has changed."""
+    """Return the numbers of elements, by which a report detects that its mesh has changed."""
     return {"vertices": len(mesh.vertices), "edges": len(mesh.edges), "faces": len(mesh.polygons)}
 
 
-_copies: dict[int, bpy.types.Mesh] = {}  # copies in use, by the addresses of their objects
+_copies: dict[int, bpy.types.Mesh] = {}  # copies in use, by the memory addresses of their objects
 
 
 @contextmanager
@@ -250,7 +253,10 @@ def current_mesh(target: bpy.types.Object) -> Iterator[bpy.types.Mesh]:
 
 @contextmanager
 def evaluated_mesh(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Iterator[bpy.types.Mesh]:
-    """Yield the mesh as modifiers leave it. Do not nest this for one object: the inner end frees the mesh of both."""
+    """Yield the mesh with its modifiers applied.
+
+    Do not nest this for one object, because the inner end frees the mesh of both.
+    """
     evaluated = source.evaluated_get(depsgraph)
     try:
         yield evaluated.to_mesh(preserve_all_data_layers=True, depsgraph=depsgraph)

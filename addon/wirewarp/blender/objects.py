@@ -14,7 +14,7 @@ LONGEST = 255 if bpy.app.version >= (5, 0, 0) else 63  # bytes; Blender cuts lon
 
 
 def remove_object(target: bpy.types.Object) -> None:
-    """Remove the object with its data, unless other objects, such as the user's copies, use that too."""
+    """Remove the object with its data, unless another object, such as the user's copy, also uses that data."""
     data = target.data
     bpy.data.objects.remove(target)
     if data.users == 0:
@@ -22,7 +22,10 @@ def remove_object(target: bpy.types.Object) -> None:
 
 
 def name_with(name: str, ending: str) -> str:
-    """Return the name, cut so that the ending fits: users and scripts recognize the object by it."""
+    """Return the name with the ending, shortened so that the ending fits.
+
+    Users and scripts recognize the object by the ending.
+    """
     room = LONGEST - len(ending.encode())
     return name.encode()[:room].decode(errors="ignore") + ending
 
@@ -110,7 +113,7 @@ def meters_per_blender_unit(scene: bpy.types.Scene) -> float:
     return scene.unit_settings.scale_length if scene.unit_settings.system != "NONE" else 1.0
 
 
-SMALLEST, LARGEST = 0.02, 5.0  # meters, from a doll's glove to the cover of a sofa
+SMALLEST, LARGEST = 0.02, 5.0  # sizes that can be sewn, in meters: from a doll's glove to the cover of a sofa
 # Possible lengths of one Blender unit, in meters: the usual units of files, and factors for models that were scaled
 # down by 10, 100 or 1000 when they were imported.
 # MakeHuman uses decimeters.
@@ -120,7 +123,7 @@ SHOWN = 3  # number of possible units shown
 
 
 def strange_size(target: bpy.types.Object, scene: bpy.types.Scene) -> str:
-    """Return a sentence on a very large or very small model; "" for others."""
+    """Return a sentence about a very large or very small model; "" for others."""
     largest = max(target.dimensions) * meters_per_blender_unit(scene)
     if largest == 0 or SMALLEST <= largest <= LARGEST:
         return ""
@@ -141,5 +144,5 @@ def unit_of_height(target: bpy.types.Object, height: float) -> float | None:
 
 
 def unit_text(target: bpy.types.Object, unit: float) -> str:
-    """Return the unit, and the model's size with it."""
+    """Return text for the unit and the size that the model then has."""
     return f"{UNITS[unit]}: {LengthText('cm', 100.0).rough(max(target.dimensions) * unit)}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Object Mode and Edit Mode, undo from either, and selecting given elements."""
+"""Switches between Object Mode and Edit Mode, makes undo work in both, and selects given elements."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -100,7 +100,7 @@ def select_elements(context: bpy.types.Context, target: bpy.types.Object, elemen
 
 
 def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np.ndarray) -> None:
-    """Move the 3D view that has the button, or the largest one. Without a window, do nothing."""
+    """Move the 3D view in which the button was pressed, or the largest one. Do nothing without a window."""
     area = work_area(context)
     if area is None or bpy.app.background:  # in the background the views are not drawn and cannot be turned
         return
@@ -109,7 +109,7 @@ def _frame(context: bpy.types.Context, target: bpy.types.Object, vertex_mask: np
     places = read(target.data.vertices, "co", np.float32, 3)[vertex_mask] @ linear.T + matrix[:3, 3]
     normals = read(target.data.vertices, "normal", np.float32, 3)[vertex_mask]
     if not target.dimensions.z:
-        normals = np.abs(normals)  # flat pieces are viewed from above, mirrored or not
+        normals = np.abs(normals)  # flat pieces are viewed from above, even if they are mirrored
     normals = normals @ np.linalg.pinv(linear)
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(np.float32).tiny)
     show_place(context, area, places, normals, LEAST_SHARE * max(target.dimensions))

@@ -9,18 +9,19 @@ import bpy
 import numpy as np
 from mathutils import Quaternion, Vector
 
-LEGEND_WIDTH = 180  # width of the legend with the usual names of lines and its margin, in pixels at interface scale 1
-TEXTS_HEIGHT = 50  # height of the name of the view and of the object, with their margin, as LEGEND_WIDTH
-MOST_COVERED = 0.8  # largest share of the view that is left free for them; a wider legend hides part of the place
+LEGEND_WIDTH = 180  # usual width of the legend with its margin, in pixels at interface scale 1
+TEXTS_HEIGHT = 50  # height of the names of view and object with their margin, in the same pixels
+# largest share of the view that is kept free for these texts; a wider legend hides part of the place shown
+MOST_COVERED = 0.8
 MARGIN = 1.15  # size of the visible area, as a multiple of the extent of the points
-ONE_SIDE = 0.3  # shortest mean normal of a surface with one visible side; a ring around a body has nearly zero
-SEEN = 0.3  # smallest cosine between that normal and the direction to the eye of a visible surface
+ONE_SIDE = 0.3  # shortest mean normal of a surface with a front; a ring around a body has a mean normal near zero
+SEEN = 0.3  # smallest cosine between the mean normal and the direction to the eye if the surface counts as visible
 LEAST_ELEVATION, ELEVATION = math.radians(15), math.radians(40)  # elevation of the eye above flat pieces
-_legend_width = 0.0  # pixels of the screen, of the legend that was last drawn, with its margin
+_legend_width = 0.0  # width of the legend as last drawn, with its margin, in pixels of the screen
 
 
 def note_legend(width: float) -> None:
-    """Keep the width of a legend in a 3D view, so that places are shown beside it: a map makes it wider."""
+    """Keep the width of a legend in a 3D view, so that places are shown beside it. A map makes the legend wider."""
     global _legend_width
     _legend_width = width
 
@@ -67,7 +68,8 @@ class Projection:
 def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
     """Return the point to look at (3,), and the distance to it; for orthographic views, the zoom factor.
 
-    From there all points (n,3) are visible beside the covered parts, as large and as central as possible.
+    From there all points (n,3) are visible in the part of the view that nothing covers, as large and as central as
+    possible.
     """
     x, y, z = (points @ view.axes).T
     middle = (z.min() + z.max()) / 2
@@ -79,7 +81,7 @@ def fit(points: np.ndarray, view: Projection) -> tuple[np.ndarray, float]:
 
 
 class _Sides:
-    """The two sides of the view, left and right or lower and upper, between which all points are."""
+    """The limits of the view in one direction, left and right or bottom and top, between which all points must be."""
 
     def __init__(self, places: np.ndarray, nearer: np.ndarray, covered: float) -> None:
         """places (n,): of the points, at distance 1 in units of half the view; covered: share of the view, at its end.
@@ -92,7 +94,7 @@ class _Sides:
         self.distance = (self._last + self._first) / (2 * self._free)
 
     def center(self, distance: float) -> float:
-        """Return the place to look at, with equal room on both sides."""
+        """Return the place to look at, which has equal room on both sides."""
         return (self._last - self._first) / 2 + self._covered * distance
 
 
@@ -122,7 +124,7 @@ def show_place(
 
 
 def _free_view(area: bpy.types.Area) -> bpy.types.RegionView3D:
-    """Return the view of the area, after switching it out of the camera."""
+    """Return the view of the area, after leaving the camera view."""
     view = area.spaces.active.region_3d
     if view.view_perspective == "CAMERA":
         view.view_perspective = "PERSP"
@@ -150,7 +152,7 @@ def _look_at(context: bpy.types.Context, area: bpy.types.Area, points: np.ndarra
 
 
 def _rise(view: bpy.types.RegionView3D) -> None:
-    """Look down on flat pieces, which are lines in a view from the side (Numpad 1 or 3)."""
+    """Look down on flat pieces, because a view from the side (Numpad 1 or 3) shows them as lines."""
     right, _, toward = view.view_rotation.to_matrix().col
     elevation = math.asin(max(-1.0, min(1.0, toward.z)))
     if abs(elevation) < LEAST_ELEVATION:

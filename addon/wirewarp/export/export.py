@@ -11,7 +11,7 @@ from ..core import FlattenError, pattern
 from ..issues import object_error
 from ..solve.steps import Steps, T, in_one_go, in_slices, reported_as
 
-Stages = Generator[tuple[str, float], None, T]  # steps of the library: the stage, and its completed share
+Stages = Generator[tuple[str, float], None, T]  # each step of the library yields the stage and its completed share
 
 
 Grain = Literal["one way", "both ways", "free"]
@@ -20,7 +20,7 @@ GRAINS: dict[str, Grain] = {"ONE_WAY": "one way", "BOTH_WAYS": "both ways", "FRE
 
 @dataclass(frozen=True)
 class Cloth:
-    """Fabric on which pieces are nested; lengths are in millimeters."""
+    """The fabric on which pieces are nested; lengths are in millimeters."""
 
     width: float
     gap: float  # space between pieces
@@ -55,7 +55,7 @@ class PatternParts:
     allowances: Allowances
     units: Literal["metric", "imperial"]
     date: str
-    measures: Sequence[tuple[str, float]] = ()  # names and lengths on the model of rigid wires, millimeters
+    measures: Sequence[tuple[str, float]] = ()  # names of rigid wires, and their lengths on the model in millimeters
     kept: KeptMarker | None = None
 
     @property
@@ -105,7 +105,7 @@ def laid_on_kept(made: pattern.Pattern, kept: KeptMarker | None, cloth: Cloth) -
         return None
 
 
-SEARCH = 0.9  # share of the progress of the run for the search for a marker, which takes seconds
+SEARCH = 0.9  # share of the whole run's progress that the search for a marker gets; the search takes seconds
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,7 @@ class ExportChoices:
     in_rows: bool = False  # otherwise the pieces keep their places
     cloth: Cloth | None = None  # fabric on which the pieces are nested instead
     seconds: float = 0.0  # seconds to search for a marker
-    anew: bool = False  # search even if a marker is stored
+    anew: bool = False  # whether to search even if a marker is stored
 
 
 @dataclass(frozen=True)
@@ -134,8 +134,8 @@ def made_pattern(parts: PatternParts, choices: ExportChoices) -> pattern.Pattern
 def export(parts: PatternParts, choices: ExportChoices, path: Path) -> Steps[Exported]:
     """Writes the file completely or not at all.
 
-    Raises ObjectError, FlattenError, OSError and RuntimeError like the library. The file is then unchanged, also if the
-    steps are closed.
+    Raises ObjectError, FlattenError, OSError and RuntimeError like the library. After an error, or if the steps are
+    closed early, the file is unchanged.
     """
     has_search = choices.cloth is not None
     return in_slices(reported_as(_exporting(parts, choices, path), lambda step: _share(*step, has_search)))

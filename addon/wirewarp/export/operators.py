@@ -73,7 +73,8 @@ class OBJECT_OT_wirewarp_export(PatternExport, PatternSettings, bpy.types.Operat
         return super().invoke(context, event)
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        ending = Path(bpy.path.abspath(self.filepath)).suffix[1:].upper()  # on Windows, // begins the name of a server
+        # on Windows, a path that begins with // names a server
+        ending = Path(bpy.path.abspath(self.filepath)).suffix[1:].upper()
         if not self.properties.is_property_set("format") and ending in FORMATS:
             self.format = ending
         if self._has_dialog:

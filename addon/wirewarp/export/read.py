@@ -30,13 +30,13 @@ def keep_marker(source: bpy.types.Object, kept: KeptMarker) -> None:
 
 
 def kept_marker(text: str) -> KeptMarker | None:
-    """Return the marker of a stored text; None if another version wrote it."""
+    """Return the marker stored in this text; None if another version wrote it."""
     stored = unsealed(text)
     if stored is None:
         return None
     try:
         return KeptMarker(Cloth(**stored["cloth"]), pattern.Marker.from_dict(stored["marker"]))
-    except (KeyError, TypeError):  # another version stores other data
+    except (KeyError, TypeError):  # another version stored different data
         return None
 
 
@@ -46,7 +46,7 @@ EDITED = "The flat pieces were edited by hand, and a seam of the model is missin
 def read_pattern(scene: bpy.types.Scene, source: bpy.types.Object) -> PatternParts:
     """Return the pattern data of a model in Object Mode.
 
-    Raise ObjectError if pieces are missing or outdated.
+    Raises ObjectError if pieces are missing or outdated.
     """
     report, flat = current_pieces(source)
     return _parts(scene, source, report, flat, bpy.context.evaluated_depsgraph_get())
@@ -117,7 +117,10 @@ def _pieces(
 
 
 def _closed_slits(chains: Sequence[pattern.Chain], outline: set[tuple[int, int]]) -> set[tuple[int, ...]]:
-    """Return both sides of seams inside a piece that are one edge long: these split no vertex, so they open nothing."""
+    """Return both sides of each seam that is a single edge inside a piece.
+
+    Such a seam splits no vertex, so it opens nothing.
+    """
     single = {tuple(chain.sources.tolist()) for chain in chains if len(chain.sources) == 2}
     return {side for side in single if side[::-1] in single and not {side, side[::-1]} & outline}
 
@@ -141,7 +144,7 @@ def _inner_wires(
 def _allowances(
     source: bpy.types.Object, report: ObjectReport, millimeters: float, depsgraph: bpy.types.Depsgraph
 ) -> Allowances:
-    """Return the marks of the flattened mesh. Marks inside pieces have no effect."""
+    """Return the marks of the flattened mesh. Marks on edges inside pieces have no effect."""
     flattened = evaluated_mesh(source, depsgraph) if report.with_modifiers else current_mesh(source)
     with flattened as mesh:
         marked = read_allowances(mesh)
@@ -165,7 +168,7 @@ def _allowances(
 
 
 def pieces_over_others(pieces: Sequence[pattern.PatternPiece]) -> list[str]:
-    """Return the names of pieces that the user has placed over others."""
+    """Return the names of pieces that the user has moved onto others."""
     lines = [[line.points for line in piece.of_role("cut", "inner_cut")] for piece in pieces]
     low, high = np.array([piece.bounds for piece in pieces]).transpose(1, 0, 2)
     meet = np.triu(np.all((low[:, None] < high) & (low < high[:, None]), axis=2), 1)

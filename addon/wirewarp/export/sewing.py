@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Copies the flat pieces for cloth simulation: with sewing edges between seam sides and with flat and worn shapes."""
+"""Copies the flat pieces for cloth simulation: with sewing edges along seams, and keys for flat and worn shapes."""
 
 from collections.abc import Iterable, Iterator
 
@@ -22,7 +22,7 @@ OURS = (*MARKS, *OF_ELEMENTS, SEAM, FLAT_LENGTH)
 
 
 def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
-    """Add an object in the place of the flat pieces, for a model in Object Mode.
+    """Add an object at the place of the flat pieces, for a model in Object Mode.
 
     Raises ObjectError like current_pieces.
     """
@@ -41,7 +41,7 @@ def add_sewing_object(source: bpy.types.Object) -> bpy.types.Object:
         target.shape_key_add(name=FLAT, from_mix=False)
         key = target.shape_key_add(name=WORN, from_mix=False)
         key.data.foreach_set("co", worn.astype(np.float32).ravel())
-        key.value = 0.0  # Blender 5 starts at 1
+        key.value = 0.0  # Blender 5 creates keys with the value 1
         for collection in flat.users_collection:
             collection.objects.link(target)
     except BaseException:
@@ -70,7 +70,7 @@ def _joining(sides: dict[tuple[int, int], list[tuple[int, int]]], edge: tuple[in
     own = sides[edge]
     for first, second in zip(own[:-1], own[1:], strict=True):
         for a, b in zip(first, second, strict=True):
-            if a != b:  # equal at the tip of a dart
+            if a != b:  # the same vertex at the tip of a dart
                 yield min(a, b), max(a, b)
 
 
@@ -116,8 +116,8 @@ class OBJECT_OT_wirewarp_sewing(OnMesh, bpy.types.Operator):
     def execute(self, context: bpy.types.Context) -> set[str]:
         with in_object_mode(context):
             target = add_sewing_object(model_or_self(context.active_object))
-        context.view_layer.update()  # so that it knows the new object
-        if target.name not in context.view_layer.objects:  # if this view layer excludes their collection
+        context.view_layer.update()  # so that the view layer knows the new object
+        if target.name not in context.view_layer.objects:  # not there if the view layer excludes the collection
             context.scene.collection.objects.link(target)
         for each in context.selected_objects:
             each.select_set(False)

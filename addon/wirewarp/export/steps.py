@@ -51,7 +51,7 @@ def crossing_sentence(made: pattern.Pattern) -> str:
 
 
 def copies_sentences(made: pattern.Pattern) -> list[str]:
-    """Return sentences on pieces that are drawn once for all their copies, and on halves."""
+    """Return sentences about pieces that are drawn once for all their copies, and on halves."""
     drawn: dict[str, list[str]] = {}
     for piece in made.pieces:
         if piece.copied_names:
@@ -66,14 +66,14 @@ def copies_sentences(made: pattern.Pattern) -> list[str]:
 def copies_of_piece(made: pattern.Pattern, name: str) -> str:
     """Return the other pieces that equal this one, and whether it is symmetric; "" if neither.
 
-    made: with pairs and halves drawn once.
+    made: the pattern with pairs and halves drawn once.
     """
     for piece in made.pieces:
         names = [piece.name, *piece.copied_names]
         if name not in names:
             continue
         others = names.copy()
-        others.remove(name)  # once: pieces may have the same name
+        others.remove(name)  # removes one entry only, because pieces may have the same name
         hidden = [f"{len(others) - SHOWN_NAMES} more"] if len(others) > SHOWN_NAMES else []
         equal = [f"{piece.quantity_text}, with {', '.join(others[:SHOWN_NAMES] + hidden)}"] if others else []
         return ". ".join(equal + ["Can be cut on the fold"] * piece.on_fold)
@@ -85,13 +85,13 @@ def size_sentences(made: pattern.Pattern, size: np.ndarray) -> list[str]:
 
 
 def largest_sentence(made: pattern.Pattern) -> str:
-    """Return a sentence on the piece with the largest box, for which a sheet must have room."""
+    """Return a sentence about the piece with the largest box, for which a sheet must have room."""
     largest = max(made.pieces, key=lambda piece: float(piece.size.prod()))
     return f"Largest piece: {largest.name}, {_size_text(made, *largest.size)}."
 
 
 def _size_text(made: pattern.Pattern, width: float, height: float) -> str:
-    """Return millimeters, also in inches for scenes that use them."""
+    """Return the text for a length in millimeters, and in inches for scenes that use them."""
     inches = f" ({width / INCH:.1f} × {height / INCH:.1f} in)" if made.units.name == "imperial" else ""
     return f"{width:.0f} × {height:.0f} mm{inches}"
 
@@ -100,7 +100,7 @@ FAULTS = (ObjectError, FlattenError, OSError, RuntimeError)  # errors whose text
 
 
 class _Beforehand(NamedTuple):
-    """Sentences of the dialog, and the settings they are valid for."""
+    """Sentences of the dialog, and the settings for which they are valid."""
 
     settings: tuple
     sentences: list[tuple[str, str]]  # with their icons
@@ -109,7 +109,7 @@ class _Beforehand(NamedTuple):
 class PatternExport(OnMesh, WindowSteps, ExportHelper):
     """Mixin of operators, which define filename_ext, choices() and size_sentences()."""
 
-    # Not kept with the other settings, because the next model has its own name.
+    # Not remembered like the other settings, because the next model has its own name.
     filepath: StringProperty(name="File Path", description="The file to write", subtype="FILE_PATH", options=OPTIONS)
     report_path: StringProperty(
         name="Report File",
@@ -154,7 +154,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
             self._beforehand = _Beforehand(key, self.beforehand(self._parts))
 
     def beforehand(self, parts: PatternParts) -> list[tuple[str, str]]:
-        """Return the size with the present settings and their faults: sentences with their icons."""
+        """Return sentences with their icons: the size with the present settings, and the faults of the settings."""
         try:
             choices = self.choices()
             made = made_pattern(parts, replace(choices, seconds=0.0))
@@ -181,7 +181,10 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
                 column.label(text=f"That is {getattr(self, name) / INCH:.2f} in")
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """Read the model again, because it may have changed behind the dialog. A script waits for the end."""
+        """Read the model again, because it may have changed while the dialog was open.
+
+        A script waits for the end of the run.
+        """
         if window_run.is_running():
             self.report({"ERROR"}, window_run.busy_sentence())
             return {"CANCELLED"}
@@ -226,7 +229,7 @@ class PatternExport(OnMesh, WindowSteps, ExportHelper):
 
     def _tell(self, exported: Exported) -> set[str]:
         made, written, cloth = exported.made, exported.written, exported.cloth
-        source = bpy.data.objects.get(self._source_name)  # unless it was deleted or renamed during the run
+        source = bpy.data.objects.get(self._source_name)  # absent if it was deleted or renamed during the run
         if made.marker and source is not None and source.library is None:
             keep_marker(source, KeptMarker(cloth, made.marker))
         only, settings = self._notes

@@ -28,7 +28,8 @@ from .operators import FlattenSteps
 from .read import find_source
 
 WATCH = "wm.wirewarp_watch"
-EDIT_LIMIT = 20_000  # vertices; larger models wait for the end of Edit Mode, where reading and writing them is slow
+# vertices; larger models are updated after Edit Mode, because reading and writing them there is slow
+EDIT_LIMIT = 20_000
 
 
 def forget_change(scene: bpy.types.Scene) -> None:
@@ -37,7 +38,7 @@ def forget_change(scene: bpy.types.Scene) -> None:
 
 
 def take_changed(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return the models that differ from their flat pieces, and never return a model twice in the same state.
+    """Return the models that differ from their flat pieces, each state of a model only once.
 
     After an undo, return no models, because an update would restore what was undone.
     """
@@ -121,23 +122,26 @@ def attach() -> Callable[[], None]:
 
 
 LABEL = "Update Flat Pieces"
-JOINING = "OBJECT_OT_wirewarp_update_{}"  # names of the operators of updating_in, by number
-MOST = 32  # more than the kinds of operators in a session; beyond that, updates have their own undo steps
+JOINING = "OBJECT_OT_wirewarp_update_{}"  # names of the numbered operators of updating_in
+MOST = 32  # more than the kinds of operators used in a session; further updates get their own undo steps
 
 
 class UpdateSteps(FlattenSteps):
-    """Mixin of the operators that update: one for each undo step that an update has joined, see updating_in."""
+    """Mixin of the operators that update.
+
+    There is one operator for each kind of undo step that an update has joined, see updating_in.
+    """
 
     bl_label = LABEL
     bl_options = {"INTERNAL", "UNDO_GROUPED"}
     tries_uv_seams = False
 
-    # It starts with a movement of the mouse that no tool has used, and ends the same way: see auto_update.
+    # The run starts with a mouse movement that no tool has consumed, and ends with another one: see auto_update.
     ends_on = "MOUSEMOVE"
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Forbid a second run in the window, also for scripts, because the first would not end."""
+        """Forbid a second run in the window, even from a script, because the first would not end."""
         return context.mode in WORKING_MODES and not window_run.is_running()
 
     def invoke(self, context: bpy.types.Context, _event: bpy.types.Event) -> set[str]:
@@ -146,14 +150,14 @@ class UpdateSteps(FlattenSteps):
         return self.begin_run(context, sources) if sources else {"CANCELLED"}
 
     def lets_pass(self, _event: bpy.types.Event) -> bool:
-        """Let every event pass: if the user continues marking, this run ends without a result."""
+        """Let every event pass. If the user continues marking, this run ends without a result."""
         return True
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
         """Show nothing: the user is working in this view."""
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
-        """Make a model due again if it could not be written. If it has changed, it is due already."""
+        """Make a model due again if it could not be written. A model that has changed is due already."""
         if code == "elsewhere":
             sources = filter(None, map(find_source, self._models))
             put_back(list(sources), bpy.data.scenes.get(self._scene, context.scene))

@@ -80,7 +80,7 @@ def _in_unit_square(vertices: np.ndarray) -> tuple[np.ndarray, float]:
 
 
 def _pairs(places: np.ndarray) -> np.ndarray:
-    """Return rows (k,2) of float32 as complex numbers (k,), because indexing these is much faster."""
+    """Return rows (k,2) of float32 as complex numbers (k,), because indexing complex numbers is much faster."""
     return places.view(np.complex64)[:, 0]
 
 
@@ -90,14 +90,14 @@ def write_flat_maps(mesh: bpy.types.Mesh, flat: FlatMesh, arrays: MeshArrays) ->
         _write_new(mesh, name, _pairs(places)[flat.source_corner])
     places, _ = _in_unit_square(flat.vertices)
     _write_new(mesh, UV_LAYER, _pairs(places)[flat.loop_vertices])
-    mesh.uv_layers.active = mesh.uv_layers[0]  # the source's own maps come first
+    mesh.uv_layers.active = mesh.uv_layers[0]  # the source's own maps are the first ones
 
 
 def _write_new(mesh: bpy.types.Mesh, name: str, pairs: np.ndarray) -> None:
     write_layer(mesh.uv_layers.new(name=name, do_init=False), pairs.view(np.float32).reshape(-1, 2))
 
 
-OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # with a suffix in a second scene, or beside a linked one
+OUR_NAMES = re.compile(rf"{COLLECTION}(\.\d+)?")  # has a suffix in a second scene, or if a linked object has the name
 RED = (0.8, 0.02, 0.02, 1.0)
 
 
@@ -155,7 +155,10 @@ def _is_shared(flat: bpy.types.Object) -> bool:
 
 
 def show_flat_object(view_layer: bpy.types.ViewLayer, target: bpy.types.Object) -> list[Note]:
-    """Open the eye in the Outliner. Return notes on why the object is still not shown in actual size."""
+    """Make the object visible in the Outliner.
+
+    Return notes on why the object is still hidden, or not in actual size.
+    """
     notes = []
     if target in view_layer.objects.values():
         target.hide_set(False)
@@ -231,7 +234,10 @@ def our_collection(scene: bpy.types.Scene) -> bpy.types.Collection:
 
 
 def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatMesh, arrays: MeshArrays) -> None:
-    """Assign the model's materials to its faces, and the add-on's to failed ones. Without both, keep the user's."""
+    """Assign the model's materials to its faces, and the add-on's to failed ones.
+
+    If there are neither, keep the user's.
+    """
     kept = [material for material in mesh.materials if not (material and material.name == FAILED_MATERIAL)]
     own = [slot.material for slot in source.material_slots]
     shown = own or kept
@@ -242,7 +248,7 @@ def _write_materials(mesh: bpy.types.Mesh, source: bpy.types.Object, flat: FlatM
     mesh.materials.clear()
     for material in shown:
         mesh.materials.append(material)
-    if slots.any():  # new faces have the first material
+    if slots.any():  # new faces already use the first slot
         indices = mesh.attributes.get("material_index") or mesh.attributes.new("material_index", "INT", "FACE")
         indices.data.foreach_set("value", slots.astype(np.int32))
 
@@ -254,8 +260,9 @@ def _new_material() -> bpy.types.Material:
 
 
 def follow_name(source: bpy.types.Object, earlier: str) -> None:
-    """Rename the pieces with the model, unless the user has renamed them. earlier: the model's former name."""
+    """Rename the flat object after the model, unless the user has renamed it. earlier: the model's former name."""
     flat = find_flat_object(source)
-    for each in (flat, flat.data) if flat and earlier != source.name else ():  # the mesh has the object's name
+    # the mesh has the same name as the object
+    for each in (flat, flat.data) if flat and earlier != source.name else ():
         if each.name == flat_name(earlier) and each.library is None:
             each.name = flat_name(source.name)

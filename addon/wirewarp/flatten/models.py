@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solves the models that were read, without Blender."""
+"""Flattens models that were read earlier, without using Blender."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
@@ -40,8 +40,8 @@ class Model:
     known: KnownPieces | None = None
     seams: KnownSeams | None = None
     solved: Cache | None = None  # wirewarp.Cache, the pieces of the last run
-    solved_by_map: Cache | None = None  # pieces of the last trial of UV seams
-    issue: Issue | None = None  # why it cannot be flattened
+    solved_by_map: Cache | None = None  # pieces of the last attempt with UV seams
+    issue: Issue | None = None  # why the model cannot be flattened
 
 
 @dataclass
@@ -63,10 +63,10 @@ def solve_models(
 ) -> Steps[list[Outcome]]:
     """Flattens every model. meters: in a Blender unit; tries_uv_seams: whether to try UV seams if the marked ones fail.
 
-    Canceling the trial of UV seams keeps the pieces.
+    Canceling the attempt with UV seams keeps the pieces.
     """
     outcomes: list[Outcome] = []
-    # Edges that modifiers make cannot be marked.
+    # Edges created by modifiers cannot be marked.
     readable = [model for model in models if tries_uv_seams and model.arrays and not model.facts.with_modifiers]
     with_map = [model for model in readable if len(new_seams(model.arrays))]
 
@@ -95,7 +95,7 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
         if model.issue:
             raise ObjectError(model.issue)
         result = yield from flatten_arrays(library, model.arrays, choices, model.solved)
-        yield 1.0  # the remaining work is one step
+        yield 1.0  # the rest of the work is one step
     except ObjectError as error:
         outcome = Outcome(model, failed_report(model, error.issue))
     else:
@@ -108,7 +108,8 @@ def _solve(library: ModuleType, model: Model, choices: FlattenChoices, meters: f
             outcome.report.notes.append(note(NO_ANGLE))
         outcome.report.options = asdict(used) | {"grain_wire": model.arrays.grain_wire}
     outcome.report.notes += model.notes
-    if model.arrays and not choices.mirror and faces_inward(model.arrays):  # mirrored pieces show the outside
+    # mirroring makes the pieces show the outside
+    if model.arrays and not choices.mirror and faces_inward(model.arrays):
         outcome.report.notes.append(warning(INWARD))
     if model.arrays:
         outcome.report.hints += torn_hints(model.arrays.vertices, model.arrays.outline)

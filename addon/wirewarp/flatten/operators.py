@@ -45,7 +45,7 @@ HARMLESS_KINDS = ("TIMER", "WHEEL", "TRACKPAD", "NDOF", "WINDOW")
 class FlattenSteps(WindowSteps, FlattenSettings):
     """Mixin of operators that flatten."""
 
-    tries_uv_seams = True  # whether to try UV seams, which takes as long as the run
+    tries_uv_seams = True  # whether to try UV seams; the attempt takes as long as the run
 
     @property
     def report_file(self) -> Path | None:
@@ -61,9 +61,9 @@ class FlattenSteps(WindowSteps, FlattenSettings):
         return self.begin(context, window_run.FLATTEN, what, self._solving(context, self._models))
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Return whether the event passes; others would be lost or invalidate the result."""
+        """Return whether the event may pass. Other events would be lost or invalidate the result."""
         if event.type == "LEFTMOUSE":
-            return is_over_sidebar(event)  # the button Cancel is there
+            return is_over_sidebar(event)  # the sidebar has the button Cancel
         return event.type in HARMLESS or event.type.startswith(HARMLESS_KINDS)
 
     def flatten_now(self, context: bpy.types.Context, sources: list[bpy.types.Object]) -> set[str]:
@@ -107,18 +107,18 @@ class FlattenSteps(WindowSteps, FlattenSettings):
             hold_whole_file()
             return {"FINISHED"}
         self.show(context, outcomes)
-        return self._tell(context, outcomes, "WARNING")  # the popup of an error would cover Flatten and its sentence
+        return self._tell(context, outcomes, "WARNING")  # an error would open a popup over Flatten and its sentence
 
     def show(self, context: bpy.types.Context, outcomes: list[Outcome]) -> None:
-        """Show results that are outside the view."""
+        """Move the view if it does not show all results."""
         sources = [find_source(outcome.model) for outcome in outcomes if outcome.is_elsewhere]
         area = work_area(context)
-        # In Edit Mode the user works on edges in this view.
+        # In Edit Mode the view stays, because the user works on edges in it.
         if sources and area and preferences(context).moves_view and context.mode == "OBJECT":
             show_objects(context, area, [each for source in sources for each in (source, find_flat_object(source))])
 
     def give_up(self, context: bpy.types.Context, code: str, sentence: str, level: str) -> set[str]:
-        """End a run that writes nothing but the report file."""
+        """End a run that writes only the report file."""
         redraw_views()
         self._write_report(context, [failed_report(model, Issue(code, sentence)) for model in self._models])
         self.message(level, sentence)
@@ -130,7 +130,7 @@ class FlattenSteps(WindowSteps, FlattenSettings):
 
     def _tell(self, context: bpy.types.Context, outcomes: list[Outcome], failed: str = "ERROR") -> set[str]:
         """Report the results. failed: the level of the message if pieces failed."""
-        redraw_views()  # Blender redraws by itself only after a run that changed data
+        redraw_views()  # Blender redraws on its own only if the run changed data
         reports = [outcome.report for outcome in outcomes]
         self._write_report(context, reports)
         level, text = run_message(reports)
@@ -153,7 +153,10 @@ class FlattenSteps(WindowSteps, FlattenSettings):
 
 
 def _place(context: bpy.types.Context) -> tuple[str, str]:
-    """Return the names of scene and view layer for the results, because undo may replace the scene."""
+    """Return the names of the scene and the view layer for the results.
+
+    They are kept by name, because undo may replace the scene.
+    """
     return context.scene.name_full, context.view_layer.name
 
 
@@ -178,7 +181,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     @classmethod
     def description(cls, _context: bpy.types.Context, properties: bpy.types.OperatorProperties) -> str:
-        if properties.only_active:  # the button Lay Out Again
+        if properties.only_active:  # set by the button Lay Out Again
             return "Flatten this model again and lay out all its pieces again, also those that you moved"
         return cls.__doc__
 
@@ -199,7 +202,7 @@ class OBJECT_OT_wirewarp_flatten(FlattenSteps, bpy.types.Operator):
 
     @reporting_refusals
     def execute(self, context: bpy.types.Context) -> set[str]:
-        """Flatten at once, in a script and for Adjust Last Operation."""
+        """Flatten without a modal run, for scripts and Adjust Last Operation."""
         return self.flatten_now(context, self._sources(context))
 
     def _sources(self, context: bpy.types.Context) -> list[bpy.types.Object]:

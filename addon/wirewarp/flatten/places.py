@@ -21,7 +21,7 @@ from ..state.owners import model_of
 from ..state.record import layout_of, read_record
 
 GAP = 0.1  # share of the model's largest dimension
-LARGE = 5.0  # largest size of an obstacle, as a multiple of the model's size: pieces may lie in a room or a landscape
+LARGE = 5.0  # largest size of an obstacle, as a multiple of the model's size: a room or a landscape is not an obstacle
 SOLID = {"MESH", "CURVE", "SURFACE", "META"}
 Box = np.ndarray  # (2,3), the lowest and the highest corner
 TURNED = 0.999  # cosine of 2.5 degrees: a larger change counts as another direction up
@@ -56,7 +56,7 @@ def _rises(box: Box, floor: float, gap: float) -> bool:
 
 
 def _clear_of(obstacles: Sequence[Box], place: np.ndarray, size: np.ndarray, gap: float) -> np.ndarray:
-    """Return the place (3,), or the next one to its right without an obstacle below or above."""
+    """Return the place (3,) if there is no obstacle above or below it, otherwise the next such place to its right."""
     for low, high in sorted(obstacles, key=lambda box: box[0, 0]):
         if np.all((low[:2] < place[:2] + size) & (high[:2] > place[:2])):
             place = np.array([high[0] + gap, *place[1:]])
@@ -81,7 +81,7 @@ def pieces_in_place(flat: FlatMesh, earlier: bpy.types.Object | None, spacing: f
 
 
 def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
-    """Return whether these options lay out pieces differently from the run that made the flat object `earlier`."""
+    """Return whether these options give a different layout from the run that made the flat object `earlier`."""
     record = read_record(earlier.data)
     return record is None or record.layout != layout_of(options)
 
@@ -89,7 +89,7 @@ def wants_new_layout(options: dict, earlier: bpy.types.Object) -> bool:
 def places_of_absent(
     flat: FlatMesh, earlier: bpy.types.Object | None, identities: Sequence[PieceIdentity]
 ) -> np.ndarray:
-    """Return the places in the flat object `earlier` of pieces without a flat shape now, (k,4), see NONE_AWAY."""
+    """Return the places (k,4) in the flat object `earlier` of pieces that have no flat shape now, see NONE_AWAY."""
     present = set(np.unique(flat.piece_id).tolist())
     absent = [identity.piece_id for identity in identities if identity.piece_id not in present]
     known = _read(earlier.data) if earlier and absent else None
@@ -103,7 +103,7 @@ def present_up(source: bpy.types.Object) -> np.ndarray:
 
 
 def up_when_laid_out(flat: bpy.types.Object, now: np.ndarray) -> np.ndarray:
-    """Return the upward direction (3,) when the pieces were laid out; the present one if none was stored."""
+    """Return the upward direction (3,) at the time when the pieces were laid out; the present one if none is stored."""
     record = read_record(flat.data)
     return np.array(record.up) if record else now
 
@@ -125,7 +125,7 @@ def _read(mesh: bpy.types.Mesh) -> FlatPieces | None:
         return None
     try:
         pieces = read_flat_pieces(mesh)
-    except ObjectError:  # the name of an attribute is taken
+    except ObjectError:  # something else has the name of an attribute
         return None
     return pieces if np.isfinite(pieces.vertices).all() else None
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads objects into models that need no Blender, and checks whether they are still the same."""
+"""Reads objects into models that work without Blender, and checks whether the objects are still the same."""
 
 from collections.abc import Collection, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
@@ -32,7 +32,10 @@ CONVERTIBLE = {"CURVE", "SURFACE", "META", "FONT"}
 
 
 def mesh_targets(context: bpy.types.Context) -> list[bpy.types.Object]:
-    """Return every selected mesh and mesh in Edit Mode, or the active mesh; for flat pieces, their model."""
+    """Return all meshes that are selected or in Edit Mode, or the active mesh.
+
+    Flat pieces are replaced by their model.
+    """
     edited = list(context.objects_in_mode) if context.mode == "EDIT_MESH" else []
     models = (_model(context, each) for each in [*edited, *context.selected_objects])
     chosen = list(dict.fromkeys(filter(None, models)))
@@ -54,14 +57,14 @@ def _model(context: bpy.types.Context, target: bpy.types.Object) -> bpy.types.Ob
 
 
 def check_sources(context: bpy.types.Context, sources: list[bpy.types.Object]) -> None:
-    """Raises ObjectError if another run is under way, or nothing can be flattened."""
+    """Raises ObjectError if another run is in progress, or nothing can be flattened."""
     refusal = window_run.busy_sentence() or _nothing_to_flatten(context, sources)
     if refusal:
         raise object_error("nothing", refusal)
 
 
 def _nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Object]) -> str:
-    """Return the sentence; empty if something can be flattened."""
+    """Return the sentence about why nothing can be flattened; empty if something can."""
     if context.scene.library:
         return (
             f'Nothing to flatten: the scene "{context.scene.name}" is linked from another file and cannot get flat '
@@ -83,7 +86,7 @@ def _nothing_to_flatten(context: bpy.types.Context, sources: list[bpy.types.Obje
 
 
 class RunSettings(Protocol):
-    """Settings of the panel or operator that reading and writing need."""
+    """Settings of the panel or operator that are needed for reading and writing."""
 
     use_modifiers: bool
     keep_places: bool
@@ -106,7 +109,7 @@ def in_suitable_mode(
 
 
 def _needs_object_mode(source: bpy.types.Object, settings: RunSettings, edited: Collection[bpy.types.Mesh]) -> bool:
-    """Return whether Edit Mode hides data that a run reads, or the run replaces a mesh that is edited."""
+    """Return whether the run reads data that are hidden in Edit Mode, or replaces a mesh that is being edited."""
     if settings.use_modifiers:
         return True
     flat = find_flat_object(source)
@@ -142,7 +145,7 @@ def check_target(target: bpy.types.Object, writes_model: bool, edited: Collectio
 
 
 def _check_users(target: bpy.types.Object) -> None:
-    """Raise ObjectError for objects of different scale with one mesh, because they cannot share a UV map."""
+    """Raise ObjectError if objects with different scales share a mesh, because they cannot share a UV map."""
     own = metric(target)
     for other in bpy.data.objects:
         shares = other.data == target.data and other.users_scene  # objects outside all scenes do not count
@@ -168,7 +171,7 @@ def read_models(context: bpy.types.Context, sources: list[bpy.types.Object], set
 
 
 def _one_copy(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> AbstractContextManager:
-    """Return a context in which all readers of a mesh in Edit Mode share one copy, which is slow to make."""
+    """Return a context in which all readers of a mesh in Edit Mode share one copy, which takes long to make."""
     return current_mesh(source) if source.data in edited else nullcontext()
 
 
@@ -207,7 +210,7 @@ def _read(
     settings: RunSettings,
     edited: Collection[bpy.types.Mesh],
 ) -> Model:
-    """Read a model. allowance: the default, in Blender units."""
+    """Read a model. allowance: the default allowance, in Blender units."""
     use_modifiers = settings.use_modifiers
     facts = Facts(
         object=source.name,
@@ -223,8 +226,8 @@ def _read(
         arrays = object_to_arrays(source, base, depsgraph if use_modifiers else None)
         widest = max(arrays.allowance, allowance)
         arrays = replace(arrays, allowance=widest, default_allowance=allowance, lengths=units)
-        # The model may lack this object's last ids: results with modifiers are not written to it, and objects that
-        # share a mesh overwrite each other's ids. The flat pieces always have them.
+        # The mesh of the model may lack the ids of this object's last run. Results with modifiers are not written to
+        # the mesh, and objects that share a mesh overwrite each other's ids. The flat pieces always have these ids.
         asks_flat_pieces = use_modifiers or source.data.users > 1
         flat = find_flat_object(source) if asks_flat_pieces else None
         known = known_pieces(source, arrays, flat, flattened_name(source))
@@ -238,7 +241,7 @@ def _read(
 
 
 def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dict[str, int]:
-    """Return the counts of the present elements. Reading a mesh that is edited elsewhere would crash Blender."""
+    """Return the present numbers of elements. Reading a mesh that is edited elsewhere would crash Blender."""
     if source.data not in edited:
         return element_counts(source.data)
     with current_mesh(source) as mesh:
@@ -246,7 +249,7 @@ def _counts(source: bpy.types.Object, edited: Collection[bpy.types.Mesh]) -> dic
 
 
 def solved_pieces(source: bpy.types.Object) -> tuple[core.Cache, core.Cache]:
-    """Return the object's Caches: for its pieces, and for the trial of its UV seams."""
+    """Return the object's Caches: one for its pieces, and one for the attempt with its UV seams."""
     state = state_of(source)
     if state.solved is None:
         state.solved, state.solved_by_map = core.library().Cache(), core.library().Cache()

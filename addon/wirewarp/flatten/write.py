@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the results once all of them exist."""
+"""Writes the results, after all of them have been computed."""
 
 import bpy
 import numpy as np
@@ -31,7 +31,7 @@ from .read import RunSettings, find_source
 
 
 def write_results(context: bpy.types.Context, outcomes: list[Outcome], settings: RunSettings) -> None:
-    """Writes UV layer, flat object, maps and report of every object that has a layout."""
+    """Writes the UV layer, flat object, maps and report of every object that has a layout."""
     models = [model for outcome in outcomes if (model := find_source(outcome.model))]
     for outcome in outcomes:
         source = find_source(outcome.model)
@@ -51,15 +51,15 @@ def _write_pieces(
     settings: RunSettings,
     models: list[bpy.types.Object],
 ) -> None:
-    """Write the flat object first, because it is the most likely to fail: nothing else has changed then.
+    """Write the flat object first, because it is the most likely to fail, and nothing else has changed then.
 
-    models: all of this run.
+    models: all models of this run.
     """
     arrays = outcome.arrays
     is_new, failed = not has_flat_object(source), [issue.piece for issue in outcome.report.issues]
     earlier = find_flat_object(source)
     if earlier and (not settings.keep_places or wants_new_layout(outcome.report.options, earlier)):
-        earlier = None  # all are laid out again
+        earlier = None  # all pieces are laid out again
     pieces, up = _place(source, outcome, earlier)
     away = places_of_absent(outcome.pieces, earlier, outcome.identities)
     record = new_record(outcome.report.options, up, away, outcome.pieces, pieces, arrays)

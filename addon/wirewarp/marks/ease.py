@@ -37,7 +37,7 @@ from ..state.marked_mesh import check_attributes, read_marks, write_marks
 
 
 def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
-    """Return the wire of this edge of the mesh. Raises ObjectError if the edge has none."""
+    """Return the wire to which this edge of the mesh belongs. Raises ObjectError if the edge has none."""
     for wire in find_wires(target):
         if edge in wire.edges:
             return wire
@@ -46,7 +46,10 @@ def wire_at(target: bpy.types.Object, edge: int) -> WireSummary:
 
 
 def change_wire(target: bpy.types.Object, edge: int, name: str, tolerance: float, ease: float | None) -> None:
-    """Change the wire of this edge; name "" and ease None keep its own. Raises ObjectError like wire_at."""
+    """Change the wire of this edge. An empty name and an ease of None leave those of the wire unchanged.
+
+    Raises ObjectError like wire_at.
+    """
     mesh = target.data
     rows = np.array(wire_at(target, edge).edges)
     marks = read_marks(mesh)
@@ -68,7 +71,7 @@ def change_grain(target: bpy.types.Object, edge: int) -> None:
 
 
 def repair_marks(target: bpy.types.Object) -> EdgeMarks:
-    """Give each wire its own id. Return the resulting marks."""
+    """Assign an id of its own to each wire. Return the resulting marks."""
     marks = read_marks(target.data)
     for row, wire_id in repair_names(target).items():
         marks.wire_ids[row] = wire_id
@@ -103,14 +106,14 @@ def edges_with_marks(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def loosen_wires(mesh: bpy.types.Mesh, wires: list[LooserWire]) -> int:
-    """Give the edges of each proposed wire its tolerance unless they have a wider one.
+    """Set the tolerance of each proposed wire on its edges, unless they have a larger one.
 
     Return the number of edges that changed.
     """
     marks = read_marks(mesh)
     before, tolerances = marks.tolerances.copy(), marks.tolerances
     for wire in wires:
-        rows = _mask(mesh, wire.edges) & marks.are_wires  # removed wires stay removed
+        rows = _mask(mesh, wire.edges) & marks.are_wires  # wires that the user has removed stay removed
         tolerances[rows] = np.maximum(tolerances[rows], np.float32(wire.tolerance))
     write_marks(mesh, marks)
     return int(np.count_nonzero(tolerances != before))
@@ -127,7 +130,7 @@ Amount = Callable[[float], float]  # ease of a line as a fraction, from its leng
 
 @dataclass(frozen=True)
 class Change:
-    """Planned change of one line; a cleared ease is 0."""
+    """A planned change of one line. A cleared ease is 0."""
 
     ratio: float
     length: float  # change of length, in Blender units
@@ -143,7 +146,7 @@ Planned = Callable[[], Eased]  # writes the change, and cannot fail
 
 
 def check_ease_attributes(mesh: bpy.types.Mesh) -> None:
-    """Raises ObjectError if an attribute of our name has another type or domain."""
+    """Raises ObjectError if an attribute with one of our names has another type or domain."""
     check_attributes(mesh)
     SIDE_EASES.check_attributes(mesh)
 
@@ -195,9 +198,9 @@ def plan_sides(target: bpy.types.Object, rows: np.ndarray, amount: Amount, side:
 
 
 def plan_corners(target: bpy.types.Object, corners: Collection[int], amount: Amount) -> Planned:
-    """Plan a longer length of the edges that begin at these corners, on the side of their faces only.
+    """Plan to lengthen the edges that begin at these corners, on the side of their faces only.
 
-    Raises ObjectError like plan_sides, and if both sides of an edge are among them.
+    Raises ObjectError like plan_sides, and if the corners include both sides of an edge.
     """
     mesh, chosen = target.data, set(corners)
     rows = np.unique(corner_edges(mesh)[list(chosen)])
@@ -246,8 +249,8 @@ def _plan(target: bpy.types.Object, lines: list[list[int]], amount: Amount, sele
 def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) -> list[tuple[list[int], list[int]]]:
     """Return the corners at which the edges of each line begin, on both sides.
 
-    rows: of edges on seams and outlines; places (n,3): of the vertices as displayed, by which lines continue straight.
-    An edge without a single face on a side has no corner there.
+    rows: the edges on seams and outlines; places (n,3): the displayed places of the vertices, which decide how lines
+    continue straight. A side of an edge has no corner unless it has exactly one face.
     """
     edges, starts, loop_edges = edge_vertices(mesh), corner_vertices(mesh), corner_edges(mesh)
     corners_of: dict[tuple[int, int], list[int]] = {}
@@ -267,7 +270,7 @@ def _sides_of_lines(mesh: bpy.types.Mesh, rows: np.ndarray, places: np.ndarray) 
 def _is_larger(areas: np.ndarray, one: list[int], other: list[int]) -> bool:
     """Return whether the piece on the first side of a line is larger; False for equal ones and outlines.
 
-    areas: from _piece_areas(); one, other: corners.
+    areas: from _piece_areas(); one, other: corners on the two sides.
     """
     return bool(one and other) and areas[one[0]] > (1 + SAME_AREA) * areas[other[0]]
 
@@ -280,7 +283,7 @@ def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
     joined = np.flatnonzero(inside[corner_edges(mesh)])
     pairs = np.stack([faces[joined], first_at[corner_edges(mesh)[joined]]])
     piece = np.arange(len(mesh.polygons))
-    while True:  # each face takes the lowest number around it, then the number of the face with that number
+    while True:  # each face takes the lowest number among its neighbors, then the number of the face with that number
         least = piece[pairs].min(axis=0)
         lower = piece.copy()
         for side in pairs:
@@ -294,7 +297,7 @@ def _piece_areas(mesh: bpy.types.Mesh) -> np.ndarray:
 
 
 def _outline_rows(mesh: bpy.types.Mesh, rows: np.ndarray) -> np.ndarray:
-    """Return the edges that are on a seam or outline, which have sides."""
+    """Return the edges on seams and outlines; only these have sides."""
     counts = faces_at_edges(mesh)[rows]
     return rows[(counts == 1) | (read_seams(mesh)[rows] & (counts > 0))]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators below Ease, for lines that are sewn to shorter or longer lines."""
+"""Operators under Ease, for lines that are sewn to shorter or longer lines."""
 
 from collections.abc import Callable
 from dataclasses import replace

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks and clears edges of the model, which are selected on it or on its flat pieces."""
+"""Marks and clears edges of the model. The user selects them on the model or on its flat pieces."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -41,14 +41,14 @@ from .ease import repair_marks
 
 class Marked(NamedTuple):
     wires: int
-    lost_eases: int  # number of wires whose edges had several eases, which are removed
+    lost_eases: int  # number of wires whose edges had different eases; these eases are removed
 
 
 def plan_wires(target: bpy.types.Object, tolerance: float) -> Callable[[], Marked]:
-    """Plan to make the selected edges wires, one per chain, also along seams and outlines.
+    """Plan to make the selected edges wires, one per chain, even along seams and outlines.
 
-    A chain that contains all edges of one wire, and of no other, is that wire: it keeps its id and name and only
-    changes its tolerance. Raises ObjectError for an edge without a face and for attributes that are not ours.
+    A chain that contains all edges of one wire and none of another is that wire. It keeps its id and name and changes
+    only its tolerance. Raises ObjectError for an edge without a face and for attributes of others with our names.
     """
     mesh = target.data
     check_attributes(mesh)
@@ -105,7 +105,7 @@ def plan_clear(target: bpy.types.Object) -> Callable[[], int]:
 
 
 def seams_from_uv(targets: Sequence[bpy.types.Object]) -> tuple[int, list[str]]:
-    """Mark the borders of the islands of each object's map; existing seams stay.
+    """Mark the island borders of each object's map as seams; existing seams stay.
 
     Return the number of new seams, and the names of the maps. Raises ObjectError, with nothing marked, if an object has
     no UV map.
@@ -122,7 +122,7 @@ def has_new_seams(mesh: bpy.types.Mesh) -> bool:
 
 
 def _find_map(target: bpy.types.Object) -> bpy.types.MeshUVLoopLayer:
-    """Return the user's own map; without one, the map of the flat pieces."""
+    """Return the user's own map, or the map of the flat pieces if there is none."""
     found = own_uv_map(target.data) or target.data.uv_layers.active
     if found is None:
         raise object_error("no_uv_map", f'"{target.name}" has no UV map: unwrap it first (UV > Unwrap).')
@@ -149,7 +149,7 @@ WITH_MODIFIERS = (
 
 @dataclass(frozen=True)
 class SelectedSides:
-    """Edges of the model, and the face on the selected side of each."""
+    """Edges of the model, each with the face on its selected side."""
 
     model: bpy.types.Object
     edges: np.ndarray  # (k,)

@@ -34,7 +34,7 @@ DESCRIPTIONS = {identifier: description for identifier, _, description in KINDS}
 
 
 class WireKind:
-    """Mixed into operators."""
+    """Mixin of operators: the kind of wire to mark."""
 
     kind: EnumProperty(name="Kind", description="How strictly the wire keeps its length", items=KINDS, default="RIGID")
     tolerance: number(
@@ -156,7 +156,7 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
         return {"FINISHED"}
 
     def _allowance(self) -> str:
-        """Return what was marked."""
+        """Return the words for the marked allowance."""
         return {
             "WIDTH": f"allowance of {self.width:g} mm",
             "HEM": f"hem of {self.hem:g} mm",
@@ -172,7 +172,10 @@ class MESH_OT_wirewarp_allowance(bpy.types.Operator):
 
 
 def _plan_allowance(target: bpy.types.Object, width: float) -> Callable[[], tuple[int, int]]:
-    """Plan all sides on a model, one side on flat pieces; the plan returns the numbers of marked and ignored edges."""
+    """Plan allowances, on all sides for a model and on one side for flat pieces.
+
+    The plan returns the numbers of marked and ignored edges.
+    """
     sides = selected_sides(target) if model_of(target) else None
     mesh = sides.model.data if sides else target.data
     check_allowances(mesh)
@@ -310,7 +313,10 @@ class SCENE_OT_wirewarp_set_unit(bpy.types.Operator):
 
 
 def _keep_lengths(scene: bpy.types.Scene, factor: float) -> None:
-    """Scale marked lengths in Blender units by this factor so that they stay. Raises ObjectError before any change."""
+    """Scale the marked lengths by this factor, because they are in Blender units and must not change.
+
+    Raises ObjectError before any change.
+    """
     models = [each for each in scene.objects if each.type == "MESH" and each.data.library is None]
     for model in models:
         check_not_edited(model)

@@ -11,7 +11,7 @@ from ..ui.layout import SidebarPanel, draw_sentence
 from ..ui.settings import draw_ease
 
 SIDES = (("ALL", "All Sides"), ("NONE", "Clear Ease"), ("ONE", "One Side"), ("OTHER", "Other Side"))
-OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # buttons if a side of a flat piece is selected
+OF_PIECES = (("ONE", "Ease"), ("NONE", "Clear Ease"))  # buttons shown if a side of a flat piece is selected
 
 
 class VIEW3D_PT_wirewarp_mark(OnMesh, SidebarPanel, bpy.types.Panel):
@@ -61,7 +61,7 @@ class VIEW3D_PT_wirewarp_mark(OnMesh, SidebarPanel, bpy.types.Panel):
 def _draw_ease(
     layout: bpy.types.UILayout, context: bpy.types.Context, title: str, buttons: Sequence[tuple[str, str]]
 ) -> None:
-    """Draw the ease. buttons: side and text of each, two in a row."""
+    """Draw the ease. buttons: the side and the text of each button, two in a row."""
     layout.label(text=title)
     column = layout.column(align=True)
     draw_ease(column, context.scene.wirewarp)

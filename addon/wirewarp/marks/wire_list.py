@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the list of wires with name, kind and length, and its operators for the chosen wire."""
+"""Draws the list of wires with name, kind and length, and operators for the chosen wire."""
 
 import math
 
@@ -71,7 +71,7 @@ class MESH_OT_wirewarp_change_wire(WireKind, WireOperator, bpy.types.Operator):
 
     @reporting_refusals
     def _ask(self, context: bpy.types.Context) -> set[str]:
-        """Open the dialog with the settings of the wire as it is."""
+        """Open the dialog with the present settings of the wire."""
         wire = wire_at(context.active_object, self.edge)
         self.name = next(name for name, each in listed_wires(context.active_object) if self.edge in each.edges)
         if wire.tolerance == 0:
@@ -152,14 +152,14 @@ SHOWN_UNLISTED = 3
 
 
 def shown_wires(target: bpy.types.Object) -> list[tuple[str, WireSummary]]:
-    """Return listed_wires, but do not read a large mesh in Edit Mode at every redraw, which would be slow."""
+    """Return listed_wires, but without reading a large mesh in Edit Mode at every redraw, because that is slow."""
     names = [(entry.wire_id, entry.name) for entry in target.data.wirewarp_names]
     made_of = stamp(target.data), target.data.is_editmode, names
     return kept_drawing(target, "wires", made_of, lambda: listed_wires(target))
 
 
 class WIREWARP_UL_wires(bpy.types.UIList):
-    """Entries of the mesh's list of names."""
+    """The list of wires, with the entries of the mesh's list of names."""
 
     def draw_item(
         self,
@@ -186,7 +186,7 @@ class WIREWARP_UL_wires(bpy.types.UIList):
     def filter_items(
         self, context: bpy.types.Context, mesh: bpy.types.Mesh, entries_name: str
     ) -> tuple[list[int], list[int]]:
-        """Hide removed wires."""
+        """Hide the entries of removed wires."""
         entries, helper = getattr(mesh, entries_name), bpy.types.UI_UL_list
         there = [self.bitflag_filter_item * (_wire_of(context.active_object, entry) is not None) for entry in entries]
         if self.filter_name:
@@ -205,7 +205,7 @@ def _wire_of(target: bpy.types.Object, entry: bpy.types.PropertyGroup) -> WireSu
 
 
 def _figures(context: bpy.types.Context, wire: WireSummary, *, is_wide: bool = True) -> str:
-    """Return kind and length; in a narrow sidebar a short length, which leaves room for the name."""
+    """Return kind and length. In a narrow sidebar the length is shortened, to leave room for the name."""
     length = wire.length(np.array(context.active_object.matrix_world, dtype=np.float64)[:3, :3])
     units = length_text(context.scene)
     return f"{wire_text(wire.tolerance, wire.ease)}  {units(length)}" if is_wide else units.rough(length)
@@ -254,7 +254,10 @@ def _draw_buttons(layout: bpy.types.UILayout, mesh: bpy.types.Mesh, wire: WireSu
 def _draw_unlisted(
     context: bpy.types.Context, layout: bpy.types.UILayout, wires: list[tuple[str, WireSummary]]
 ) -> None:
-    """Draw wires without an entry, such as copied, cut or joined ones. A click on a wire adds its entry."""
+    """Draw wires without an entry, for example after copying, cutting or joining meshes.
+
+    A click on a wire adds its entry.
+    """
     column = layout.column(align=True)
     for name, wire in wires[:SHOWN_UNLISTED]:
         button = column.operator("mesh.wirewarp_change_wire", text=f"{name}  {_figures(context, wire)}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sends arrays to the GPU when they change, and draws them in the current matrix."""
+"""Sends arrays to the GPU when they change, and draws them with the current matrix."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -31,7 +31,7 @@ class Layer(Enum):
 def draw_lines(
     owner: bpy.types.Object, space: str, lines: Lines | None, failed: Failures | None, unit: float, layer: Layer
 ) -> None:
-    """Draw one layer of the lines. unit: pixels in a pixel at interface scale 1."""
+    """Draw one layer of the lines. unit: pixels of the screen per pixel at interface scale 1."""
     is_rim = layer == Layer.RIMS
     shader = gpu.shader.from_builtin(LINES)
     shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
@@ -41,7 +41,7 @@ def draw_lines(
         if (kind in CORES) != (layer == Layer.CORES):
             continue
         shader.uniform_float("color", (*style.rim, RIM_ALPHA) if is_rim else (*style.color, 1.0))
-        # Dashes come first: of two lines at the same depth, the later one shows only in spots.
+        # Dashes come first. If two lines have the same depth, only spots of the later one are visible.
         for what, arrays, width in ((f"{kind} dashes", dashes, style.width), (kind, places, style.line_width)):
             if kind in arrays:
                 batch = _batch(owner, f"{space} {what}", arrays[kind], LINES, "LINES", pos=arrays[kind])

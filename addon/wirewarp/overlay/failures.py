@@ -27,7 +27,7 @@ class Failures:
 
     @property
     def kinds(self) -> set[str]:
-        """Return the kinds for the legend. A closed piece has tinted faces, because it has no outline."""
+        """Return the kinds of line for the legend. A closed piece has no outline, so its faces are tinted."""
         return {*self.lines, "failed"} if len(self.triangles) else set(self.lines)
 
 
@@ -66,7 +66,7 @@ def _elements(target: bpy.types.Object) -> _Elements | None:
         if not has_attributes(mesh, SOURCE_VERTEX, SOURCE_FACE):
             return None
         source = find_values(mesh, SOURCE_VERTEX)
-    # A closed model has not failed.
+    # A closed model does not count as failed.
     closed = [issue for issue in report.issues if issue.code == CLOSED_CODE]
     issues = [] if len(closed) == len(report.pieces) else report.issues
     faces = _failed_faces(mesh, issues)
@@ -85,9 +85,9 @@ def _failed_faces(mesh: bpy.types.Mesh, issues: list[Issue]) -> np.ndarray:
 
 
 def _failed_edges(mesh: bpy.types.Mesh, pairs: np.ndarray, issues: list[Issue], faces: np.ndarray) -> np.ndarray:
-    """Return a mask of the named edges, the edges at named vertices, and the edges around named faces.
+    """Return a mask of the listed edges, the edges at listed vertices, and the edges around listed faces.
 
-    Edges between named faces are left out, so that wires and proposed seams stay visible on the tinted faces.
+    Edges between listed faces are left out, so that wires and proposed seams stay visible on the tinted faces.
     """
     failed = _named(pairs, [edge for issue in issues for edge in issue.edges])
     failed |= np.isin(pairs, [vertex for issue in issues for vertex in issue.vertices]).any(axis=1)
@@ -107,7 +107,7 @@ NO_LINES = np.zeros((0, 3), dtype=np.float32)
 
 
 def with_cut(failed: Failures | None, ends: np.ndarray) -> Failures | None:
-    """Return the failures with the lines of the suggested cut, given by their ends (2k,3)."""
+    """Return the failures together with the lines of the suggested cut, whose ends (2k,3) are given."""
     if not len(ends):
         return failed
     failed = failed or Failures({}, NO_LINES)
@@ -140,7 +140,7 @@ def uv_suggested_lines(model: bpy.types.Object) -> np.ndarray:
 
 
 def _segments(target: bpy.types.Object) -> Segments | None:
-    """Return the segments of the chosen cut; None if they cannot be shown, as on a mesh that modifiers shape."""
+    """Return the segments of the chosen cut; None if they cannot be shown, for example on a mesh with modifiers."""
     source = model_or_self(target)
     found = current_suggestions(source)
     if found is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the data that the overlay shows of an object into arrays, from the displayed mesh or from its map."""
+"""Reads the data that the overlay shows for an object into arrays, from the displayed mesh or from its map."""
 
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
@@ -47,7 +47,7 @@ class Triangles:
 class ColoredTriangles:
     places: np.ndarray  # (3m,3) float32
     colors: np.ndarray  # (3m,4) float32, as the screen shows them, sRGB
-    highest: float | None  # the largest value of the map, which may be beyond its scale of colors
+    highest: float | None  # the largest value of the map, which may be beyond the color scale
 
 
 def colored(triangles: Triangles, corner_colors: np.ndarray, highest: float | None) -> ColoredTriangles:
@@ -59,7 +59,8 @@ def colored(triangles: Triangles, corner_colors: np.ndarray, highest: float | No
 def on_model(flat_colors: np.ndarray, source_corner: np.ndarray, count: int) -> np.ndarray:
     """Return the colors (count,4) at the model's corners, from those at the flat pieces' corners."""
     colors = np.tile(NO_LAYOUT, (count, 1))
-    inside = (source_corner >= 0) & (source_corner < count)  # corners made by hand have no place on the model
+    # corners that the user has created have no place on the model
+    inside = (source_corner >= 0) & (source_corner < count)
     colors[source_corner[inside]] = flat_colors[inside]
     return colors
 
@@ -78,7 +79,7 @@ def gather_lines(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> Li
 
 
 def shown_mesh(target: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> AbstractContextManager[bpy.types.Mesh]:
-    """Return the mesh with modifiers and shape keys, or as edited, also through another object with this mesh."""
+    """Return the mesh with modifiers and shape keys, or as edited, even if it is edited through another object."""
     is_modified = not target.data.is_editmode and (target.modifiers or target.data.shape_keys)
     return evaluated_mesh(target, depsgraph) if is_modified else current_mesh(target)
 
@@ -156,7 +157,7 @@ def gather_uv_lines(target: bpy.types.Object) -> LineEdges:
 
 
 def uv_places(mesh: bpy.types.Mesh) -> np.ndarray:
-    """Return the place of each corner in the map, (l,3) float32, for a mesh in Object Mode."""
+    """Return the place (l,3) float32 of each corner in the map, for a mesh in Object Mode."""
     places = np.zeros((len(mesh.loops), 3), dtype=np.float32)
     places[:, :2] = read(mesh.uv_layers[UV_LAYER].data, "uv", np.float32, 2)
     return places

@@ -12,7 +12,8 @@ from ..solve.chains import EdgeMarks, chains_of_marks
 ALONG = (0.25, 0.5, 0.75)  # places for the name of a line, as shares of its edges
 HEAD = 0.25  # share of half an arrow's length
 _TURNS = [np.array([[np.cos(a), -np.sin(a)], [np.sin(a), np.cos(a)]]) for a in np.radians(range(0, 90, 15))]
-VIEW_SIZE = 800  # usual width or height of an object in pixels: dashes have the length of their style at this size
+# usual width or height of an object in pixels: at this size, dashes have exactly the length of their style
+VIEW_SIZE = 800
 
 
 @dataclass(frozen=True)
@@ -40,8 +41,8 @@ def _hex(text: str) -> tuple[float, float, float]:
 
 
 THIN = 1.0  # pixels
-RIM, RIM_ALPHA = 1.5, 0.6  # pixels by which a rim is wider than its line; opacity of the rim
-# In drawing order: a wire is visible on a seam or a failed area.
+RIM, RIM_ALPHA = 1.5, 0.6  # extra width of a rim beyond its line, in pixels; opacity of the rim
+# In drawing order, so that a wire is visible on a seam or a failed area.
 STYLES = {
     "failed": LineStyle("Failed", _hex("#d8001f"), 4.0),
     "proposed": LineStyle("Suggestion", _hex("#890089"), 6.0),
@@ -57,12 +58,12 @@ STYLES = {
     "rigid": LineStyle("Rigid wire", _hex("#0048e8"), 2.5),
     "selected": LineStyle("Selected", _hex("#ffffff"), 1.2),
 }
-CORES = {"selected"}  # drawn on another line, which is visible on both sides
+CORES = {"selected"}  # drawn over a wider line, which stays visible on both sides
 
 
 @dataclass(frozen=True)
 class WireRun:
-    """A wire in all places where it is drawn. On flat pieces, an edge on a seam has a row on each side."""
+    """A wire with all the places where it is drawn. On flat pieces, an edge on a seam has a row on each side."""
 
     wire_id: int
     tolerance: float
@@ -101,7 +102,7 @@ def wire_runs(vertices: np.ndarray, ends: np.ndarray, marks: EdgeMarks) -> list[
 
 
 def cut_into_dashes(ends: np.ndarray, offsets: np.ndarray, dash: float, gap: float) -> np.ndarray:
-    """Return the ends (2m,3) of the dashes on lines (k,2,3) that begin at these distances (k,) from the first dash."""
+    """Return the ends (2m,3) of the dashes on lines (k,2,3), which begin at distances (k,) from the first dash."""
     period = dash + gap
     lengths = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     first = np.floor(offsets / period).astype(np.int64)
@@ -118,12 +119,12 @@ def cut_into_dashes(ends: np.ndarray, offsets: np.ndarray, dash: float, gap: flo
 
 @dataclass(frozen=True)
 class LineEdges:
-    """Every edge that is a seam, part of an outline or part of a wire."""
+    """All edges that are seams or parts of outlines or wires."""
 
     ends: np.ndarray  # (k,2,3) float32, in the object's own space
     normals: np.ndarray  # (k,3) float32, of the surface
     vertices: np.ndarray  # (k,2) int32, of the model
-    pieces: np.ndarray  # (k,) int32, on the flat pieces; 0 on the model
+    pieces: np.ndarray  # (k,) int32, index on the flat pieces; 0 on the model
     seams: np.ndarray  # (k,) bool
     seam_ids: np.ndarray  # (k,) int32, of the seams of the edges in the last run; 0 none
     outlines: np.ndarray  # (k,) bool, has one face only
@@ -138,7 +139,7 @@ class Name:
     texts: tuple[str, ...]  # alternatives: the first text that fits is written
     places: np.ndarray  # (c,3) possible places, the best first
     normals: np.ndarray  # (c,3)
-    reach: float  # distance from the best place to the farthest end of the named line
+    reach: float  # distance from the best place to the farther end of the named line
     piece: int = 0  # piece on which the name needs room
     room: float = np.inf  # the square root of that piece's area; infinite on models
     around: np.ndarray | None = None  # (c,3) outermost points of the piece; the name is beside it if it does not fit
@@ -151,7 +152,7 @@ def lines_by_kind(lines: LineEdges) -> dict[str, np.ndarray]:
 
 
 def dashes_by_kind(lines: LineEdges, runs: Sequence[WireRun]) -> dict[str, np.ndarray]:
-    """Return the ends (2m,3) of the dashes of each kind with dashes."""
+    """Return the ends (2m,3) of the dashes, for each kind of line that has dashes."""
     if not len(lines.ends):
         return {}
     pixel = np.ptp(lines.ends.reshape(-1, 3), axis=0).max() / VIEW_SIZE
@@ -198,7 +199,7 @@ def wire_line_names(lines: LineEdges, runs: Sequence[WireRun], names: Sequence[s
 def seam_line_names(
     lines: LineEdges, numbers: np.ndarray, texts: Callable[[int, int], tuple[str, ...]], rooms: Rooms
 ) -> list[Name]:
-    """Return the names of each seam, in all its pieces. numbers (k,): seam of each edge, 0 if it has no name.
+    """Return the names of each seam, one in each of its pieces. numbers (k,): seam of each edge, 0 if it has no name.
 
     texts: returns the texts of the seam with this number in a piece, see Name.
     """
@@ -209,7 +210,7 @@ def seam_line_names(
 
 
 def piece_rooms(lines: LineEdges) -> Rooms:
-    """Return the rooms of pieces in a plane, by the smallest box around each, level or turned."""
+    """Return the room of each piece in a plane, from the smallest box around it, upright or turned."""
     rooms = {}
     for piece in np.unique(lines.pieces).tolist():
         points = lines.ends[lines.pieces == piece].reshape(-1, 3)[:, :2]
@@ -219,7 +220,7 @@ def piece_rooms(lines: LineEdges) -> Rooms:
 
 
 def arrow(lines: LineEdges, piece: int, middle: np.ndarray, direction: np.ndarray, length: float) -> np.ndarray | None:
-    """Return the ends (6,3) of an arrow of at most this length, beside the name in the middle (2,) of a flat piece.
+    """Return the ends (6,3) of an arrow of at most this length, beside the name at the middle (2,) of a flat piece.
 
     direction: a unit vector (2,). Returns None if there is no room.
     """
@@ -264,14 +265,14 @@ def _name_on_line(texts: tuple[str, ...], lines: LineEdges, rows: np.ndarray, ro
     )
 
 
-SHARE = 0.25  # length of an arrow, as a share of the eased line
+SHARE = 0.25  # length of an arrow as a share of the eased line
 LONGEST = 0.12  # greatest length of an arrow, as a share of the object's size
 BEYOND = 2.2  # distance from the edge to the middle of the text, in lengths of the arrow: the arrow stays visible
 
 
 @dataclass(frozen=True)
 class SideEases:
-    """Edges, each in the direction of the face on the eased side."""
+    """Eased edges, each in the direction in which the face on the eased side runs."""
 
     vertices: np.ndarray  # (k,2) int32
     ends: np.ndarray  # (k,2,3)
@@ -283,7 +284,7 @@ class SideEases:
 
 
 def ease_arrows(eases: SideEases) -> tuple[np.ndarray, list[Name]]:
-    """Return the ends (2k,3) of the strokes of an arrow in the middle of each line, and its ease at the tip."""
+    """Return the ends (2k,3) of the strokes of an arrow in the middle of each line, and a name with the ease."""
     strokes, names = [np.empty((0, 3), dtype=np.float32)], []
     for rows in _lines(eases):
         lengths = np.linalg.norm(eases.ends[rows, 1] - eases.ends[rows, 0], axis=1)
@@ -300,7 +301,7 @@ def ease_arrows(eases: SideEases) -> tuple[np.ndarray, list[Name]]:
 
 
 def _lines(eases: SideEases) -> Iterator[list[int]]:
-    """Yield runs of rows with one ratio, in order along the outline of the side."""
+    """Yield runs of rows with the same ratio, in order along the outline of the side."""
     begins = {(int(start), float(ratio)): row for row, (start, ratio) in enumerate(_keys(eases, 0))}
     after = [begins.get((int(end), float(ratio)), -1) for end, ratio in _keys(eases, 1)]
     waiting = dict.fromkeys([*sorted(set(range(len(after))) - set(after)), *range(len(after))])

@@ -42,8 +42,8 @@ from .lines import (
     wire_runs,
 )
 
-# Unit vectors (2,32). A vertex that 32 directions miss is farther out than the found ones by at most 1 - cos(pi / 32),
-# 0.5% of the piece's radius. No vector is along an axis, so both ends of a straight side are outermost somewhere.
+# Unit vectors (2,32). Vertices that these directions miss are at most 1 - cos(pi / 32) = 0.5% of the piece's radius
+# farther out than the found ones. No vector is along an axis, so both ends of a straight side are found.
 DIRECTIONS = np.array([[np.cos(angle), np.sin(angle)] for angle in np.pi * (np.arange(32) + 0.5) / 16]).T
 ARROW = 0.4  # length of a grain arrow as a share of the size of its piece
 
@@ -83,7 +83,7 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
     if report and report.pieces:
         texts = partial(_seam_texts, report, model_of(target) is not None)
         names += seam_line_names(edges, _seams_of_report(edges, report), texts, rooms)
-    else:  # if the model has changed or was refused, the name of the seam lacks the joined pieces
+    else:  # if the model has changed or was refused, the name of the seam does not list the joined pieces
         given = seam_names(model_or_self(target))
         numbers = np.where(edges.seams & np.isin(edges.seam_ids, list(given)), edges.seam_ids, 0)
         names += seam_line_names(edges, numbers, lambda seam_id, _: (given[seam_id],), rooms)
@@ -92,7 +92,7 @@ def lines_of(target: bpy.types.Object, edges: LineEdges, in_plane: bool) -> Line
 
 
 def _wire_names(target: bpy.types.Object, wire_ids: list[int], report: ObjectReport | None) -> list[str]:
-    """Return the names; on flat pieces, the names in the report, because copies of wires have their own ids there."""
+    """Return the names; on flat pieces, the names in the report, because copies of wires have different ids there."""
     names = chain_names(model_or_self(target).data, wire_ids)
     given = {wire.wire_id: wire.name for wire in report.wires} if report and model_of(target) else {}
     return [given.get(wire_id, name) for wire_id, name in zip(wire_ids, names, strict=True)]
@@ -115,14 +115,14 @@ def is_modified(source: bpy.types.Object) -> bool:
 
 
 def _seams_of_report(edges: LineEdges, report: ObjectReport) -> np.ndarray:
-    """Return the numbers (k,) of the seams from 1; 0 for edges without a seam."""
+    """Return the numbers (k,) of the seams, counted from 1; 0 for edges without a seam."""
     numbers = {(min(edge), max(edge)): seam.index + 1 for seam in report.seams for edge in seam.edges}
     pairs = np.sort(edges.vertices, axis=1).tolist()
     return np.array([numbers.get((a, b), 0) for a, b in pairs], dtype=np.int32)
 
 
 def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) -> tuple[str, ...]:
-    """Return the seam's name with the joined pieces (on a flat piece, with the other one), and the name alone."""
+    """Return the seam's name with the joined pieces (on a flat piece, only the other one), and the name alone."""
     seam = report.seams[number - 1]
     joined = joined_pieces(report, [each for each in seam.pieces if not on_flat or each != piece])
     return (f"{seam.name}: {joined}", seam.name) if joined and len(set(seam.pieces)) > 1 else (seam.name,)
@@ -130,7 +130,7 @@ def _seam_texts(report: ObjectReport, on_flat: bool, number: int, piece: int) ->
 
 @dataclass(frozen=True)
 class _Middle:
-    """The middle of a flat piece."""
+    """The middle of a flat piece, for its name."""
 
     piece_id: int
     place: np.ndarray  # (3,) the face nearest to its middle
@@ -139,7 +139,7 @@ class _Middle:
 
 
 def _middles(mesh: bpy.types.Mesh) -> dict[int, _Middle]:
-    """Return the middles by index of the piece in the report."""
+    """Return the middle of each piece, by its index in the report."""
     pieces, ids = find_values(mesh, PIECE_INDEX), find_values(mesh, PIECE)
     centers, corners = read(mesh.polygons, "center", np.float32, 3), corner_vertices(mesh)
     piece_of_corner, places = np.repeat(pieces, face_sizes(mesh)), vertex_places(mesh)
@@ -175,7 +175,7 @@ def _piece_names(flat: bpy.types.Object, middles: Mapping[int, _Middle], rooms: 
 
 
 def _grain_arrows(flat: bpy.types.Object, edges: LineEdges, middles: Mapping[int, _Middle]) -> dict[str, np.ndarray]:
-    """Return the ends (2k,3) of the arrows, by kind of line: lighter if no grain was chosen."""
+    """Return the ends (2k,3) of the grain arrows by kind of line. The kind is a lighter one if no grain was chosen."""
     report, rooms = pieces_report(model_of(flat)), piece_rooms(edges)
     directions = grains(flat.data, vertex_places(flat.data)[:, :2])
     arrows: dict[str, list[np.ndarray]] = {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Computes cutting lines of flat pieces and their pages as arrays, without the GPU."""
+"""Computes the cutting lines and the pages of flat pieces as arrays, without the GPU."""
 
 from dataclasses import dataclass, field
 
@@ -18,9 +18,9 @@ INSET = np.array([0.06, 0.05])  # place of a page's name, in its corner
 
 @dataclass(frozen=True)
 class CutLines:
-    """Cutting lines of the pieces in their places, in millimeters."""
+    """The cutting lines of the pieces in their places, in millimeters."""
 
-    made: pattern.Pattern | None  # None if the pieces make no pattern: Export reports why
+    made: pattern.Pattern | None  # None if the pieces cannot make a pattern; Export reports why
     has_allowance: bool
 
 
@@ -37,7 +37,7 @@ class PagePreview:
 def outlines(
     scene: bpy.types.Scene, source: bpy.types.Object, flat: bpy.types.Object, depsgraph: bpy.types.Depsgraph
 ) -> PatternParts | None:
-    """Return the outlines of flat pieces outside Edit Mode, with allowances; None if they make no pattern."""
+    """Return the outlines of flat pieces outside Edit Mode, with allowances; None if they cannot make a pattern."""
     try:
         return read_outlines(scene, source, flat, depsgraph)
     except ObjectError:
@@ -58,20 +58,23 @@ def cut_lines(parts: PatternParts | None, allowance: float, **options: object) -
 
 
 def cut_places(cut: CutLines, millimeters: float) -> np.ndarray:
-    """Return (2k,3) float32 in Blender units. millimeters: per unit. Empty if nothing is added to the pieces."""
+    """Return the ends (2k,3) float32 of the lines in Blender units; empty if nothing is added to the pieces.
+
+    millimeters: in a Blender unit.
+    """
     return _in_space(_outlines(cut.made) if cut.made and cut.has_allowance else [], np.zeros(2), millimeters)
 
 
 @dataclass(frozen=True)
 class PageChoices:
-    paper: str | float  # for the library: a name, or the width of a roll in millimeters
+    paper: str | float  # paper for the library: a name, or the width of a roll in millimeters
     arrangement: str  # "IN_ROWS", "AS_LAID_OUT" or "MARKER"
     cloth: Cloth  # the fabric of a marker
     marker: str  # the stored marker, see export.read
 
 
 def page_preview(cut: CutLines, drawn: CutLines, choices: PageChoices, millimeters: float) -> PagePreview:
-    """Return the pages over the pieces, or below them if the file will have the pieces in other places.
+    """Return the pages over the pieces, or below them if the pieces are elsewhere in the file.
 
     The library lays the pages out as for a PDF. drawn: the cutting lines in the file; millimeters: in a Blender unit.
     """

@@ -30,7 +30,7 @@ class Box:
     bottom: float
     right: float
     top: float
-    color: tuple[float, ...]  # sRGB, with or without alpha
+    color: tuple[float, ...]  # sRGB, with optional alpha
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ def lay_out(
     unit: float,
     text_width: Callable[[str], float],
 ) -> Legend:
-    """Lay out the legend with its lower right corner at `corner`. unit: pixels in a pixel at interface scale 1.
+    """Lay out the legend with its lower right corner at `corner`. unit: pixels for a pixel at interface scale 1.
 
     From top to bottom: a sample of each line, the notes, the scale of colors.
     """
@@ -85,7 +85,7 @@ def lay_out(
 
 
 def _title(color_map: ColorMap, highest: float | None) -> str:
-    """Return the title with the largest value, because the scale may end before it."""
+    """Return the title with the largest value, because this may be beyond the scale."""
     return color_map.label if highest is None else f"{color_map.label}: up to {color_map.number(highest, digits=3)}"
 
 
@@ -126,7 +126,7 @@ MAX_NAMES = 150
 NAME_TO_LINE = 1.3  # largest length of a name, as a multiple of its line
 SAME = 1.0  # pixels: points this close to the lowest point count as lowest
 COVERED = 0.25  # maximum share of a piece that all its labels may hide
-LONG_COVERED = 0.03  # maximum share that one label may hide with more than its short text
+LONG_COVERED = 0.03  # maximum share of a piece that one label may hide with a text longer than its shortest
 LABEL, NAME_COLOR, LEGEND_COLOR = (0.08, 0.08, 0.08, 0.65), (1.0, 1.0, 1.0), (0.9, 0.9, 0.9)
 TEXT_MARGIN = LABEL_MARGIN = 0.3  # margin around each text, in text heights
 ABOVE, BELOW = 0.5, -1.5  # distance from a point to the lower edge of its text, in text heights
@@ -141,7 +141,7 @@ class PlacedName(NamedTuple):
 
     texts: tuple[str, ...]  # alternatives: the first text that fits is written
     points: np.ndarray  # (c,2) possible places, the best first
-    reach: float  # as in Name, in pixels
+    reach: float  # as in lines.Name, in pixels
     owner: tuple[str, int]  # object and piece on which the name needs room
     room: float  # square root of the area of the piece
     around: np.ndarray | None  # (c,2) outermost points of the piece; the name is beside it if it does not fit inside
@@ -178,9 +178,9 @@ def write_names(names: Iterable[PlacedName], unit: float, span: Span = EVERYWHER
 
 
 def arrange(names: Iterable[PlacedName], size_of: Callable[[str], Size], span: Span = EVERYWHERE) -> list[Text]:
-    """Place the names that fit: a name must not be much longer than its line, meet another name or hide its piece.
+    """Place the names that fit. A name must not be much longer than its line, touch another name or hide its piece.
 
-    span: the columns of pixels that nothing covers. A name whose point is in the span stays in the span.
+    span: the columns of pixels that no sidebar covers. A name whose point is in the span stays in the span.
     """
     wanted = list(names)
     boxes = [_box(name.around).ravel() for name in wanted if name.around is not None]
@@ -291,7 +291,7 @@ class Taken:
     """Boxes that texts occupy."""
 
     def __init__(self, pieces: np.ndarray, span: Span = EVERYWHERE) -> None:
-        """pieces (p,4): boxes around flat pieces, left, bottom, right, top, which names of others must not cover."""
+        """pieces (p,4): boxes around flat pieces (left, bottom, right, top) that names of others must not cover."""
         self._pieces, self._texts, self._span = pieces, np.empty((0, 4)), span
 
     def place(self, points: np.ndarray, size: Size) -> Corner | None:
@@ -307,17 +307,20 @@ class Taken:
         return self._take(np.column_stack([left, bottom]), size, self._texts)
 
     def _within(self, middles: np.ndarray, size: Size) -> np.ndarray:
-        """Return the left ends of texts with these middles, moved into the span if the middle is in it."""
+        """Return the left ends of texts centered on these middles.
+
+        Texts whose middle is in the span are moved into it.
+        """
         (width, height), (low, high) = size, self._span
         aside = LABEL_MARGIN * height
         pushed = np.clip(middles - width / 2, low + aside, max(low, high - width) - aside)
         return np.where((middles >= low) & (middles <= high), pushed, middles - width / 2)
 
     def place_beside(self, around: np.ndarray, size: Size) -> Corner | None:
-        """Return a place below, above, right or left of a piece, and on no other piece.
+        """Return a place below, above, to the right or left of a piece, but not on another piece.
 
-        around (c,2): its outermost points. The text is beside its lowest point. The middle of a box around the piece
-        would not do, because it may be far from a piece that the view shows at an angle.
+        around (c,2): its outermost points. The text is beside its lowest point. It is not beside the middle of the box
+        around the piece, because a slanted piece may be far from there.
         """
         (width, height), room = size, TEXT_MARGIN * size[1]
         low, high = _box(around)
@@ -331,7 +334,7 @@ class Taken:
         return self._take(np.array(corners), size, np.concatenate([self._texts, self._pieces]))
 
     def _take(self, corners: np.ndarray, size: Size, others: np.ndarray) -> Corner | None:
-        """Return the first of the lower left corners (c,2) at which the text does not meet the others (k,4)."""
+        """Return the first of the lower left corners (c,2) at which the text does not touch the others (k,4)."""
         room = TEXT_MARGIN * size[1] * (1 - 1e-9)  # so that a text right beside a piece does not touch it
         boxes = np.column_stack([corners - room, corners + size + room])
         overlap = (boxes[:, None, :2] < others[:, 2:]) & (others[:, :2] < boxes[:, None, 2:])

@@ -31,7 +31,8 @@ from .pages import CutLines, PageChoices, PagePreview, cut_lines, cut_places, ou
 
 MODES = {"OBJECT", "EDIT"}
 STRETCH_MAPS = (STRETCH, ASPECT_RATIO)
-ONE_FIGURE = (*STRETCH_MAPS, *CLOTH_MAPS)  # the legend shows the figure of the list of pieces, and no other
+# maps for which the legend shows the figure of the list of pieces instead of the largest value
+ONE_FIGURE = (*STRETCH_MAPS, *CLOTH_MAPS)
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ def shown_map(context: bpy.types.Context) -> ColorMap | None:
 
 
 def missing_maps(shown: Sequence[Drawing], color_map: ColorMap) -> list[str]:
-    """Return sentences on why the chosen map is missing on some objects."""
+    """Return sentences about why the chosen map is missing on some objects."""
     missing = [each.target for each in shown if each.surface is None]
     without = [target for target in missing if not _is_edited(target)]
     reports = [last_report(model_or_self(target)) for target in without]
@@ -95,7 +96,7 @@ def _has_cloth(report: ObjectReport) -> bool:
 
 
 def highest_value(shown: Sequence[Drawing], color_map: ColorMap) -> float | None:
-    """Return the largest value of the map on all objects, if the legend shows it."""
+    """Return the largest value of the map on any object; None if the legend does not show it."""
     if color_map in ONE_FIGURE:
         return None
     found = [each.surface.highest for each in shown if each.surface]
@@ -162,7 +163,7 @@ def _drawing(context: bpy.types.Context, target: bpy.types.Object, color_map: Co
 
 
 def _or_none(build: Callable[..., Lines], *given: object) -> Lines:
-    """Return the lines; no lines if an attribute of our name is foreign. The list of wires reports that fault."""
+    """Return the lines; none if an attribute of others has one of our names. The list of wires reports that fault."""
     try:
         return build(*given)
     except ObjectError:
@@ -202,7 +203,10 @@ def _cut_lines(
 
 
 def shown_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> list[str]:
-    """Return sentences on pieces that are drawn once for all their copies. The flat object is not in Edit Mode."""
+    """Return sentences about pieces that are drawn once for all their copies.
+
+    The flat object must not be in Edit Mode.
+    """
     settings = context.scene.wirewarp
     made = _cut_lines(context, source, flat, settings.pairs, settings.on_fold).made
     return copies_sentences(made) if made else []
@@ -226,11 +230,12 @@ def piece_copies(context: bpy.types.Context, source: bpy.types.Object, flat: bpy
 
 
 def shown_pages(context: bpy.types.Context, source: bpy.types.Object, flat: bpy.types.Object) -> PagePreview:
-    """Return the pages of the flat object, which is not in Edit Mode."""
+    """Return the pages of the flat object, which must not be in Edit Mode."""
     settings, millimeters = context.scene.wirewarp, 1000 * meters_per_blender_unit(context.scene)
     cut = _cut_lines(context, source, flat)
     drawn = _cut_lines(context, source, flat, settings.pairs, settings.on_fold)
-    cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain or "ONE_WAY"])  # "": see reset_unknown
+    # the grain may be "": see reset_unknown
+    cloth = Cloth(settings.cloth_width, settings.gap, GRAINS[settings.grain or "ONE_WAY"])
     paper = library_paper(settings.paper or "A4", settings.roll_width)
     chosen = PageChoices(paper, settings.arrangement or "IN_ROWS", cloth, stored_text(source, MARKER))
     made_of = Same(cut), Same(drawn), chosen, millimeters

@@ -17,15 +17,16 @@ from .batches import Layer, blending, draw_colored, draw_failed, draw_lines
 from .screen import MAX_NAMES, PlacedName, write_over
 from .shown import Drawing, UvDrawing, drawings, highest_value, map_notes, shown_map, uv_drawings
 
-# Layers are drawn nearer to the eye by these shares of its distance, so that a surface does not hide its lines.
+# Layers are drawn closer to the eye by these shares of the distance, so that a surface does not hide its lines.
 SURFACE_NEARER = 0.0005
 NEARER = {Layer.RIMS: 0.002, Layer.LINES: 0.0025, Layer.CORES: 0.003}
-# Two steps of a 24-bit depth buffer. A difference in depth shows if it is larger than this share of the distance,
-# multiplied by the ratio of the distance to that of the near plane.
+# Two steps of a 24-bit depth buffer. A difference in depth is visible if it exceeds this share of the distance times
+# the ratio of the distance to that of the near plane.
 DEPTH_STEP = 2 / 2**24
 HIDDEN_BY = 0.005  # share of the distance from the eye: a surface closer to a place does not hide it
-EDITED_LIMIT = 20_000  # faces; in Edit Mode, names show through larger models, because each change reads all faces
-MOST_APART = 8.0  # largest factor of _apart, because lines on the back of a cushion must stay hidden
+# most faces that are tested in Edit Mode; names show through larger models, because each change reads all faces
+EDITED_LIMIT = 20_000
+MOST_APART = 8.0  # largest value of _apart: with more, lines on the back of a cushion would be visible
 
 
 def draw_space() -> None:
@@ -48,7 +49,7 @@ def draw_space() -> None:
 
 @contextmanager
 def _hidden_by_what_is_in_front() -> Iterator[None]:
-    """Draws behind closer surfaces, and restores the state afterwards."""
+    """Lets closer surfaces hide what is drawn, and restores the state afterwards."""
     before = gpu.state.depth_test_get()
     gpu.state.depth_test_set("LESS_EQUAL")
     try:
@@ -60,7 +61,7 @@ def _hidden_by_what_is_in_front() -> Iterator[None]:
 def _apart(context: bpy.types.Context) -> float:
     """Return the factor by which layers are drawn farther apart than usual, so that a distant view distinguishes them.
 
-    Models whose unit is a centimeter or a millimeter need this.
+    Models in centimeters or millimeters need this.
     """
     if not context.region_data.is_perspective:
         return 1.0
@@ -178,8 +179,8 @@ def _are_behind(
 def _rays(
     context: bpy.types.Context, target: bpy.types.Object
 ) -> Callable[[Sequence[float], Sequence[float], float], bool]:
-    """Return a test of whether a ray from a point in a direction meets the surface within a distance."""
-    if target.mode == "EDIT":  # the evaluated surface is still that from before Edit Mode
+    """Return a function that tests whether a ray from a point in a direction meets the surface within a distance."""
+    if target.mode == "EDIT":  # the evaluated surface is still the one from before Edit Mode
         tree = kept(target.data, "faces to hide names", _edited_faces)
         return lambda begin, along, most: tree.ray_cast(Vector(begin), Vector(along), most)[0] is not None
     surface = target.evaluated_get(context.view_layer.depsgraph)
@@ -195,7 +196,7 @@ def _edited_faces(mesh: bpy.types.Mesh) -> BVHTree:
 
 
 def _chosen_piece(target: bpy.types.Object) -> int | None:
-    """Return the flat piece that is chosen in the list. All its names are written, even on a small piece."""
+    """Return the flat piece that is chosen in the list. All names on it are written, even if it is small."""
     model = model_of(target)
     return model.wirewarp_active_piece if model else None
 
@@ -236,7 +237,7 @@ def draw_map_names() -> None:
 
 
 def _names_in_region(context: bpy.types.Context, drawing: UvDrawing) -> Iterator[PlacedName]:
-    """Return texts with their places, as far as these are in the region."""
+    """Return texts with their places, except those outside the region."""
     region, to_region = context.region, context.region.view2d.view_to_region
     origin = np.array(to_region(0, 0, clip=False))
     pixels = (np.array(to_region(1000, 1000, clip=False)) - origin) / 1000  # view_to_region rounds

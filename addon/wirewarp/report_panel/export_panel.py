@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Export, with its allowance and pages."""
+"""Draws the export button with its settings and the page preview."""
 
 import bpy
 
@@ -29,7 +29,7 @@ class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
         if not draw_progress(row, EXPORT, "object.wirewarp_export"):
             row.operator("object.wirewarp_export", icon="EXPORT")
             row.prop(settings, "show_pages", text="", icon="DOCUMENTS")
-        # Below the button, so that no choice moves the button.
+        # Drawn below the button, so that settings do not move it.
         flat = find_flat_object(shown_source(context))
         if (settings.pairs or settings.on_fold) and flat is not None and not flat.data.is_editmode:
             for sentence in shown_copies(context, shown_source(context), flat):
@@ -39,7 +39,7 @@ class VIEW3D_PT_wirewarp_export(SidebarPanel, bpy.types.Panel):
 
 
 def draw_pages(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
-    """Draw the settings and the sentence of the page preview."""
+    """Draw the settings of the page preview, and its sentence."""
     settings, column = context.scene.wirewarp, layout.column(align=True)
     column.prop(settings, "arrangement", text="")
     if settings.arrangement == "MARKER":

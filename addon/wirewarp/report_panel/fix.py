@@ -25,7 +25,8 @@ from ..ui.settings import draw_settings
 from .operators import PROPOSALS, check_flattened, take_proposals
 
 KINDS = [(fault.kind, fault.many.capitalize(), f"All {fault.many} of the model") for fault in FAULTS]
-NOT_UNASKED = "INTERIOR"  # interior walls may be intended, and some look like faces of the shell
+# not selected by default: interior walls may be intended, and some look like faces of the shell
+NOT_UNASKED = "INTERIOR"
 WIDTH = 340  # width of the dialog, in pixels at interface scale 1
 
 
@@ -38,7 +39,7 @@ def _chosen_by_default(fault: Fault) -> object:
 
 
 class Repairs:
-    """Mixin of operators with a switch for each kind of fault, named like the kind in lower case."""
+    """Mixin of operators with a switch for each kind of fault. The switch has the name of the kind in lower case."""
 
     __annotations__ = {fault.kind.lower(): _chosen_by_default(fault) for fault in FAULTS}  # noqa: RUF012
 
@@ -74,7 +75,7 @@ class OBJECT_OT_wirewarp_check(BetweenRuns, Repairs, bpy.types.Operator):
         source = model_or_self(context.active_object)
         check_local(source, source.data)
         if context.mode == "EDIT_MESH" and source.mode != "EDIT":
-            bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
+            bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would restore only the edited meshes
         with in_object_mode(context):
             check_not_edited(source)
             self._counts = _counts(source)
@@ -125,9 +126,9 @@ def _counts(source: bpy.types.Object) -> dict[str, int]:
     return {kind: len(each.vertices) + len(each.edges) + len(each.faces) for kind, each in found}
 
 
-WORTH_WORDS = 0.001  # smallest reported change of the outlines' length: a millimeter on a meter
+WORTH_WORDS = 0.001  # smallest reported change of the outlines' length: a millimeter per meter
 SUGGEST_AGAIN = "Suggest Darts, Suggest Seams or Simplify Seams"
-NOTHING = {  # sentences by kind of fix
+NOTHING = {  # sentences for fixes that changed nothing, by kind of fix
     "SEAMS": "Already marked. Flatten again.",
     "SUGGESTION": "Already marked. Flatten again.",
     "UV_SEAMS": "Already marked. Flatten again.",
@@ -189,7 +190,7 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
         return {"FINISHED"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
-        """Keep the fix even if the run fails, because undo removes it."""
+        """Keep the fix even if the run fails; the user can undo it."""
         result = super().modal(context, event)
         return {"FINISHED"} if result == {"CANCELLED"} else result
 
@@ -210,12 +211,12 @@ class OBJECT_OT_wirewarp_mend(BetweenRuns, FlattenSteps, bpy.types.Operator):
             if abs(change) >= WORTH_WORDS:
                 longer = "longer" if change > 0 else "shorter"
                 self.report({"WARNING"}, f"Subdivision makes the outlines {percent_text(abs(change))} {longer}.")
-        elif self.what == "FABRIC":  # so that the fabric gets its own maximum stretch
+        elif self.what == "FABRIC":  # removes the former maximum stretch, so that the fabric uses its own
             settings.cloth = self.cloth
             self.gives_across = self.gives_along = settings.gives_across = settings.gives_along = 0.0
         else:
             if context.mode == "EDIT_MESH" and source.mode != "EDIT":
-                bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
+                bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would restore only the edited meshes
             with in_object_mode(context):
                 if self._change(source) == 0:
                     raise object_error("nothing", NOTHING[self.what].format(source.name))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flatten, its result, and the next steps: together, at the top of the sidebar."""
+"""Draws Flatten, its result and the next steps together at the top of the sidebar."""
 
 import bpy
 
@@ -38,7 +38,8 @@ from .next_step import (
 ICON = "MATCLOTH"
 FAR_ENOUGH = "These stretch far enough for the present pieces"
 TO_TRY = "Other fabrics: each changes the pieces, so flatten to see"
-EVERYDAY = {"fleece", "jersey", "swim"}  # sold for clothes; woven fabrics are never offered, because they stretch 3%
+# fabrics sold for clothes; woven fabrics are left out, because they stretch only 3%
+EVERYDAY = {"fleece", "jersey", "swim"}
 
 
 def fabrics_to_choose(report: ObjectReport, present: str = "") -> tuple[list[str], list[str]]:
@@ -117,7 +118,7 @@ class VIEW3D_PT_wirewarp_flatten(SidebarPanel, bpy.types.Panel):
 
 
 def _draw_size(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object) -> None:
-    """Warn about a model of impossible size, which has usually lost its unit in a file."""
+    """Warn about a model of implausible size, whose unit was usually lost in a file."""
     sentence = strange_size(source, context.scene)
     if not sentence:
         return
@@ -150,7 +151,7 @@ def _draw_state(
         return
     left_out = _left_out(context, source, report)
     verdict = as_seen(report.tables.verdict, left_out)
-    # The last run counts, even if it kept the earlier pieces: flattening again would change nothing.
+    # Judged by the last run, even if it kept the earlier pieces, because flattening again would change nothing.
     changed = settings_sentence(source, report, context.scene.wirewarp) if has_flat_object(source) else ""
     if changed:
         draw_sentence(context, layout, changed, "INFO")
@@ -159,14 +160,16 @@ def _draw_state(
     step = next_step(report, left_out)
     if report.issues and verdict.kind is not Kind.CLOSED:
         draw_sentence(context, layout, failure_text(report, step), "INFO")
-    is_looked_at = step is not None and step.operator == SHOW  # drawn after steps that change the model
+    # a step that only shows something is drawn after steps that change the model
+    is_looked_at = step is not None and step.operator == SHOW
     if step and not is_looked_at:
         below = layout.column()
         # Only one button marks seams. It keeps its place, so that the buttons of the search do not move.
         below.enabled = not (marks_seams(step) and are_shown(context))
         _draw_step(context, below, step)
     kinds = {line.kind for line in verdict.lines}
-    if Kind.NEEDS_STRETCH in kinds and context.scene.wirewarp.cloth == "NONE":  # a chosen fabric is not replaced
+    # the panel does not replace a chosen fabric
+    if Kind.NEEDS_STRETCH in kinds and context.scene.wirewarp.cloth == "NONE":
         _draw_fabric(layout, report)
     if kinds & FABRIC_HELPS:
         layout.menu(VIEW3D_MT_wirewarp_fabrics.__name__, icon=ICON)
@@ -185,7 +188,7 @@ def _draw_state(
 
 
 def _draw_fabric(layout: bpy.types.UILayout, report: ObjectReport) -> None:
-    """Draw the button for the everyday fabric that is just enough, if there is one.
+    """Draw the button for the everyday fabric that just stretches far enough, if there is one.
 
     Leather, foam and other special materials are in the menu below it.
     """
@@ -200,7 +203,7 @@ def _draw_fabric(layout: bpy.types.UILayout, report: ObjectReport) -> None:
 
 
 def _may_use_uv_seams(source: bpy.types.Object) -> bool:
-    """Return whether nothing is marked yet and the model's own UV map has islands; False in Edit Mode."""
+    """Return whether nothing is marked yet although the model's own UV map has islands; False in Edit Mode."""
     mesh = source.data
     if mesh.is_editmode or source.library or mesh.library:
         return False
@@ -219,7 +222,7 @@ def _draw_step(context: bpy.types.Context, layout: bpy.types.UILayout, step: Nex
 
 
 def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> int | None:
-    """Return the piece for which the panel has Suggest Darts and Suggest Seams."""
+    """Return the piece for which the panel shows Suggest Darts and Suggest Seams."""
     if untrue_sentence(context.active_object, source, report):
         return None
     left_out = _left_out(context, source, report)
@@ -227,7 +230,7 @@ def offered_piece(context: bpy.types.Context, source: bpy.types.Object, report: 
 
 
 def _left_out(context: bpy.types.Context, source: bpy.types.Object, report: ObjectReport) -> list[str]:
-    """Return the note on modifiers as they are now if that is known, otherwise as they were in the run."""
+    """Return the note about modifiers: about the present ones if they are known, otherwise about those of the run."""
     if report.with_modifiers or not shows_modified(source):
         return report.left_out
     if not source.modifiers and not source.data.shape_keys:

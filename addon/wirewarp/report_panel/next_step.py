@@ -81,7 +81,7 @@ class OBJECT_OT_wirewarp_open_sample(bpy.types.Operator):
 
 
 def _free_place(scene: bpy.types.Scene, model: bpy.types.Object) -> float:
-    """Return the x at which the sample is beside the scene's meshes, with half its width between them."""
+    """Return the x at which the sample is beside the scene's meshes, with a gap of half its width."""
     meshes = [each for each in scene.objects if each.type == "MESH"]
     right = max(world_box(each)[1, 0] for each in meshes)
     edges = [corner[0] * model.scale.x for corner in model.bound_box]
@@ -139,7 +139,7 @@ FAULTY_CODES = {
     "non_manifold_edge",
     "repeated_face",
     "repeated_vertex_in_face",
-}  # faults that Check and Repair finds and fixes
+}  # for faults that Check and Repair finds and fixes
 OF_CODES = {"zero_area_face": "DISSOLVE", "loose_faces": "MERGE", "inconsistent_orientation": "NORMALS"}
 
 
@@ -154,7 +154,8 @@ class NextStep(NamedTuple):
 def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
     """Return the step. Return None if the pieces can be cut, or if the buttons of suggestions below are the next step.
 
-    left_out: see as_seen(); for the model as it is now.
+    Return None if the pieces can be cut, or if the buttons of suggestions below are the next step. left_out: see
+    as_seen(), for the model as it is now.
     """
     remedies = [remedy_of(issue) for issue in report.issues]
     if report.with_modifiers and any(remedies):
@@ -178,7 +179,10 @@ def next_step(report: ObjectReport, left_out: list[str]) -> NextStep | None:
 
 
 def uv_step(found: UvSeams | None) -> NextStep:
-    """Return the step that marks the seams of the UV map, with the result of trying them; None before the first run."""
+    """Return the step that marks the seams of the UV map.
+
+    found: the result of trying them; None before the first run.
+    """
     sentence = ""
     if found:
         beyond = ", more than this fabric has" if found.is_beyond_fabric else ""
@@ -215,7 +219,10 @@ def _shown(report: ObjectReport, entries: Sequence[Issue]) -> list[int]:
 
 
 def _strained_places(report: ObjectReport) -> list[int]:
-    """Return the strained places of the worst piece, the largest first: the most strained may be a single face."""
+    """Return the strained places of the worst piece.
+
+    The largest is first, because the most strained may be a single face.
+    """
     hints = report.hints
     places = [index for index in _shown(report, hints) if hints[index].code in {STRAINED, BEYOND_FABRIC}]
     own = [index for index in places if hints[index].piece == hints[places[0]].piece]
@@ -223,7 +230,7 @@ def _strained_places(report: ObjectReport) -> list[int]:
 
 
 def remedy_of(issue: Issue) -> str | None:
-    """Return the kind of fix."""
+    """Return the kind of fix for the issue; None if there is no fix."""
     if issue.proposed_seams:
         return "SEAMS"
     return "TOLERANCES" if issue.proposed_tolerances else OF_CODES.get(issue.code)
@@ -239,7 +246,10 @@ def is_shown(report: ObjectReport, entry: Issue) -> bool:
 
 
 def failure_text(report: ObjectReport, step: NextStep | None) -> str:
-    """Return the fault that the step is about, or else the first one, without the remedy. There is at least one."""
+    """Return the text of the step's fault, or else of the first fault, without the remedy.
+
+    There is at least one fault.
+    """
     what = step.settings.get("what") if step else None
     found = [report.issues[step.settings["index"]]] if step and what == "ISSUE" else []
     found += [issue for issue in report.issues if what and remedy_of(issue) == what]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Operators beside the report: select and show its elements, apply its suggestions, copy it, and view all."""
+"""Operators of the report: they select and show its elements, apply its suggestions, copy it, and show everything."""
 
 import bpy
 from bpy.props import EnumProperty, IntProperty
@@ -156,7 +156,7 @@ class MESH_OT_wirewarp_select_result(ReportOperator, bpy.types.Operator):
         return {"FINISHED"}
 
     def _lies_flat(self, report: ObjectReport, elements: Elements) -> bool:
-        """Return whether there is a flat piece; a failed piece or model has none."""
+        """Return whether there is a flat piece; a failed piece or a failed model has none."""
         if self.what != "ISSUE":
             return True
         return elements.piece is not None and report.pieces[elements.piece].has_layout
@@ -198,7 +198,7 @@ class MESH_OT_wirewarp_take_proposal(ReportOperator, bpy.types.Operator):
             self.report({"INFO"}, "Already done. Flatten again")
             return {"CANCELLED"}
         if edits_others:
-            bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would bring back the edited meshes only
+            bpy.ops.object.mode_set(mode="OBJECT")  # in Edit Mode, undo would restore only the edited meshes
         redraw_views()
         done = "marked as seam" if self.what == "SEAMS" else "loosened"
         self.report({"INFO"}, f"{counted(count, 'edge')} {done}: flatten again")

@@ -44,7 +44,7 @@ def draw_table(
     rows: list[ReportRow],
     names: Mapping[int, bpy.types.PropertyGroup],
 ) -> None:
-    """Draw the table. names: by the id of each seam, the item with its name, so that the user can change it."""
+    """Draw the table. names: by the id of each seam, the item with its name, which the user can edit."""
     units, meters = length_text(context.scene), meters_per_blender_unit(context.scene)
     column = layout.column(align=True)
     wide = is_wide(context)
@@ -151,7 +151,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
         _draw_entry(context, layout, issue_text(report, issue), "ISSUE", index, is_shown(report, issue))
         if not report.with_modifiers and (
             len(issues) > 1 or issue.code == CLOSED_CODE
-        ):  # otherwise the panel has the button
+        ):  # drawn here only if the panel Flatten has no such button
             _draw_proposals(context, layout, index, issue)
     if len(issues) > SHOWN_ROWS:
         layout.label(text=f"and {len(issues) - SHOWN_ROWS} more")
@@ -163,7 +163,7 @@ def draw_issues(context: bpy.types.Context, layout: bpy.types.UILayout, report: 
 
 
 def draw_hints(context: bpy.types.Context, layout: bpy.types.UILayout, report: ObjectReport) -> None:
-    """Draw the places below the advice that concerns them."""
+    """Draw the advice, and below each item the places that it is about."""
     is_there = not report.with_modifiers or report.flat_object is not None
     for code, advice in ADVICE.items():
         hints = [(index, hint) for index, hint in enumerate(report.hints) if hint.code == code]
@@ -226,7 +226,8 @@ class VIEW3D_PT_wirewarp_report(SidebarPanel, bpy.types.Panel):
             draw_sentence(context, layout, f"Method: {report.method_name}")
         if report.issues:
             box = layout.box()
-            # Gray after a change. The buttons still work: several suggestions can be marked before the next run.
+            # The text is gray after a change. The buttons still work, so that several suggestions can be marked before
+            # the next run.
             box.active = not has_changed_since(source, report)
             draw_issues(context, box, report)
         if report.hints:
@@ -261,7 +262,7 @@ class ReportSection(SidebarPanel):
         return mark_of(all(each.ok for each in rows))
 
     def summary(self, context: bpy.types.Context, rows: list) -> str:
-        """Return the largest difference, and the number of rows if there is room."""
+        """Return the text for the header: the largest difference, and the number of rows if there is room."""
         largest = largest_difference(rows)
         text = "" if largest is None else length_text(context.scene)(largest)
         return f"{len(rows)}, largest difference {text}" if text and is_wide(context) else f"±{text}" if text else ""

@@ -15,13 +15,13 @@ from ..ui.settings import settings_sentence, shown_report, shown_source, untrue_
 from .flatten_panel import offered_piece
 from .panel import draw_select
 
-NO_STRAIN = 5e-4  # shown as 0.0%
-MOST_ROWS = 16  # more would get a scroll bar, which leaves less room for the names
+NO_STRAIN = 5e-4  # smaller values are shown as 0.0%
+MOST_ROWS = 16  # most rows: more would get a scroll bar, which leaves less room for the names
 WORTH_A_CUT = 0.005  # smallest strain for which the library proposes cuts
 
 
 class WIREWARP_UL_pieces(bpy.types.UIList):
-    """Entries of the report's pieces, in the order of the report."""
+    """The list of the report's pieces, with its entries in the order of the report."""
 
     def draw_item(
         self,
@@ -44,13 +44,14 @@ class WIREWARP_UL_pieces(bpy.types.UIList):
         if row.has_layout:
             figure = columns.row()
             figure.alignment = "RIGHT"
-            figure.label(text=percent_text(row.needed) if row.needed < 1 else ">100%")  # fits the column
+            # a longer text would not fit the column
+            figure.label(text=percent_text(row.needed) if row.needed < 1 else ">100%")
             draw_select(line, "PIECE", index)
 
     def filter_items(
         self, context: bpy.types.Context, source: bpy.types.Object, entries_name: str
     ) -> tuple[list[int], list[int]]:
-        """Return the flags of shown entries (empty: all are shown), and the place of each."""
+        """Return the flags of the entries to show (empty: all are shown), and the place of each entry."""
         entries, helper = getattr(source, entries_name), bpy.types.UI_UL_list
         shown = []
         if self.filter_name:
@@ -75,7 +76,7 @@ def _row_of(context: bpy.types.Context, index: int) -> PieceRow | None:
 
 
 def _is_current(context: bpy.types.Context) -> bool:
-    """Return whether the panel above shows the verdict on these pieces, without a change since the run."""
+    """Return whether the panel above shows the verdict on these pieces, and nothing has changed since the run."""
     source, report = shown_source(context), shown_pieces(context)
     if report is not shown_report(context) or untrue_sentence(context.active_object, source, report):
         return False
@@ -99,7 +100,8 @@ class VIEW3D_PT_wirewarp_pieces(SidebarPanel, bpy.types.Panel):
         chosen = _row_of(context, source.wirewarp_active_piece)
         if chosen:  # buttons first, so that their results are in view
             report = shown_report(context)
-            offered = offered_piece(context, source, report) if report else None  # the piece with buttons below Flatten
+            # the piece that has buttons below Flatten
+            offered = offered_piece(context, source, report) if report else None
             has_seams = bool(report and report.seams)
             if chosen.ok and chosen.needed >= WORTH_A_CUT and offered != chosen.index:
                 draw_suggest(self.layout, context.scene.wirewarp, "PIECES", chosen.index, has_seams=has_seams)
@@ -134,7 +136,7 @@ def draw_figures(context: bpy.types.Context, layout: bpy.types.UILayout, row: Pi
 
 
 def draw_copies(context: bpy.types.Context, layout: bpy.types.UILayout, source: bpy.types.Object, name: str) -> None:
-    """Draw how the piece of this name can be cut with others or on the fold, as Equal Pieces and On the Fold do it."""
+    """Draw how this piece can be cut with its copies or on the fold, as Equal Pieces and On the Fold do it."""
     flat = find_flat_object(source)
     if flat is None or flat.data.is_editmode:
         return

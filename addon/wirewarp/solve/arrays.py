@@ -8,7 +8,7 @@ import numpy as np
 from ..core import LengthText
 from .chains import WireChain, next_corners
 
-# If the sum of a surface's area vectors is a larger share of its area, the surface is too open to have an inside.
+# A surface is too open to have an inside if the sum of its area vectors is a larger share of its area.
 ALL_ROUND = 0.3
 INWARD = (
     "Normals point inward, so pieces show their inside. In Edit Mode use Mesh > Normals > Recalculate Outside, then "
@@ -43,7 +43,7 @@ class MeshArrays:
     Triangles are counterclockwise seen from outside, also for mirrored objects.
     """
 
-    vertices: np.ndarray  # (n,3) float64, Blender units, the object's rotation, scale and shear applied
+    vertices: np.ndarray  # (n,3) float64, Blender units, with the object's rotation, scale and shear applied
     triangles: np.ndarray  # (m,3) int32, as Blender shows the faces
     triangle_loops: np.ndarray  # (m,3) int32, the loop at each corner
     triangle_polygons: np.ndarray  # (m,) int32, ascending
@@ -57,7 +57,8 @@ class MeshArrays:
     seam_ids: np.ndarray  # (k,) int32, the seam of each seam edge in the last run; 0 none
     outline: np.ndarray  # (k,2) int32, edges of one face
     wires: list[NamedWire]
-    side_eases: np.ndarray  # (l,) float32, ease of the edge that begins at each corner, on the side of its face; 0 none
+    # (l,) float32, ease of the edge that begins at each corner, on the side of the corner's face; 0: none
+    side_eases: np.ndarray
     grain_wire: int  # id of the wire that is upright in its pieces; 0: no wire was chosen
     piece_ids: np.ndarray  # (f,) int32, the piece of each polygon in the last run; 0 none
     regions: FaceRegions
@@ -74,7 +75,10 @@ class MeshArrays:
 
 
 def area_vectors(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
-    """Return (3,m): along each triangle's normal, with its area as length. vertices (n,3), triangles (m,3)."""
+    """Return the area vectors (3,m): each along its triangle's normal, with the area as its length.
+
+    vertices (n,3), triangles (m,3).
+    """
     x, y, z = (np.ascontiguousarray(column)[triangles] for column in vertices.T)  # (m,3), one per corner
     ux, uy, uz = (each[:, 1] - each[:, 0] for each in (x, y, z))
     vx, vy, vz = (each[:, 2] - each[:, 0] for each in (x, y, z))
@@ -88,14 +92,17 @@ def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def edge_lengths(points: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """Return the lengths (k,) between points (n,2) or (n,3), by coordinate because gathering short rows is slow."""
+    """Return the lengths (k,) between points (n,2) or (n,3).
+
+    Works by coordinate, because gathering short rows is slow.
+    """
     a, b = edges.T
     columns = (np.ascontiguousarray(column) for column in points.T)
     return np.sqrt(sum((column[a] - column[b]) ** 2 for column in columns))
 
 
 def faces_inward(arrays: MeshArrays) -> bool:
-    """Return whether faces that surround the model, like a bodice, a sleeve or a ball, point to its middle."""
+    """Return whether the faces of a model with an inside, such as a bodice, a sleeve or a ball, point inward."""
     vectors = area_vectors(arrays.vertices, arrays.triangles)
     areas = np.linalg.norm(vectors, axis=0)
     if len(areas) == 0 or np.linalg.norm(vectors.sum(axis=1)) > ALL_ROUND * areas.sum():

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-# At a vertex of three or another odd number of edges, a line continues only if it turns less than this.
+# At a vertex with three or another odd number of edges, a line continues only if it turns less than this.
 STRAIGHT_COSINE = np.cos(np.radians(45.0))
 
 
@@ -26,10 +26,10 @@ def next_corners(sizes: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Chain:
-    """One connected run of edges; a closed run repeats its first vertex."""
+    """A connected run of edges; a closed run repeats its first vertex."""
 
     edges: list[int]  # rows of the edge array, in order along the run
-    vertices: list[int]  # one more than edges
+    vertices: list[int]  # one more than the number of edges, in order
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class EdgeMarks:
         return np.flatnonzero(self.wire_ids)
 
     def take(self, rows: np.ndarray) -> "EdgeMarks":
-        """Return the marks of these edges, by their numbers or by a mask."""
+        """Return the marks of these edges. rows: their numbers, or a mask."""
         return EdgeMarks(self.wire_ids[rows], self.tolerances[rows], self.eases[rows])
 
     def without(self, mask: np.ndarray) -> "EdgeMarks":
@@ -71,7 +71,7 @@ class WireChain:
     tolerance: float
     ease: float
     edges: list[int]  # rows of the edge array, in order along the run
-    vertices: list[int]  # one more than edges
+    vertices: list[int]  # one more than the number of edges, in order
 
 
 def split_into_chains(edges: np.ndarray, positions: np.ndarray) -> list[Chain]:
@@ -106,18 +106,19 @@ def chains_of_marks(edges: np.ndarray, marks: EdgeMarks, positions: np.ndarray) 
 def shortest_double(value: np.float32) -> float:
     """Return the float32 0.03 as the double 0.03, not 0.029999999329, because the user entered 0.03."""
     number = float(str(np.float32(value)))
-    return math.nan if math.isnan(number) else number  # always the same NaN, so that equal edges belong to one wire
+    # always the same NaN object, so that equal edges belong to one wire
+    return math.nan if math.isnan(number) else number
 
 
 def _shortest_doubles(values: np.ndarray) -> list[float]:
-    """Return equal numbers as the same object, NaN too, so that equal edges belong to one wire."""
+    """Return the same object for equal numbers, even for NaN, so that equal edges belong to one wire."""
     kinds, kind_of_value = np.unique(values, return_inverse=True)
     doubles = [shortest_double(kind) for kind in kinds]
     return [doubles[kind] for kind in kind_of_value.ravel().tolist()]
 
 
 def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """Return for each side 2e+s (edge e at its vertex edges[e,s]) the next side of its chain, -1 at the end."""
+    """Return the next side of the chain for each side 2e+s (edge e at its vertex edges[e,s]); -1 at the end."""
     vertex_of_side = edges.ravel()
     following = np.full(len(vertex_of_side), -1, dtype=np.int64)
     order = np.argsort(vertex_of_side, kind="stable")
@@ -133,7 +134,10 @@ def _pair_sides(edges: np.ndarray, positions: np.ndarray) -> np.ndarray:
 
 
 def _straightest_pairs(sides: np.ndarray, edges: np.ndarray, positions: np.ndarray) -> list[tuple[int, int]]:
-    """Return pairs of edge sides at one vertex, the straightest first; of an odd number, one side remains."""
+    """Return pairs of edge sides at one vertex, the straightest first.
+
+    If their number is odd, one side stays single.
+    """
     here, there = edges.ravel()[sides], edges.ravel()[sides ^ 1]
     directions = positions[there] - positions[here]
     directions = directions / np.maximum(np.linalg.norm(directions, axis=1), np.finfo(float).tiny)[:, None]

@@ -30,7 +30,7 @@ class Segments:
 @dataclass(frozen=True)
 class DividedTriangle:
     corners: tuple[int, int, int]
-    across: Pairs  # new edges between corners and points on the sides
+    across: Pairs  # new edges, between corners and points on the sides
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class DividedPolygon:
 
 @dataclass(frozen=True)
 class Division:
-    """How lines divide a mesh. The surface stays the same: faces that lines cross are divided into triangles."""
+    """How lines divide a mesh. Faces that lines cross are divided into triangles; the surface stays the same."""
 
     polygons: dict[int, DividedPolygon]
     edges: list[list[tuple[int, float]]]  # points along each divided edge, with their share of its length
@@ -79,7 +79,7 @@ def segments_along(edges: np.ndarray, arrays: MeshArrays) -> Segments:
 
 
 def places_on(segments: Segments, polygons: np.ndarray, vertices: np.ndarray, places: np.ndarray) -> np.ndarray:
-    """Return the ends (2k,3) of the segments; the mesh may lack some of their faces.
+    """Return the ends (2k,3) of the segments, except on faces that the mesh lacks.
 
     The arrays describe each corner of the mesh: its face and vertex (l,), numbered as in the segments, and its place
     (l,3).
@@ -122,7 +122,7 @@ def divide(library: ModuleType, arrays: MeshArrays, paths: Sequence[SurfacePath]
 
 
 def _check_crossings(edges: np.ndarray, sources: CutSources, arrays: MeshArrays) -> None:
-    """Raises ObjectError if two sections of lines cross inside a triangle, at a vertex that is on no edge."""
+    """Raises ObjectError if two sections of lines cross at a point inside a triangle."""
     placed = [np.arange(len(arrays.vertices)), *sources.divided_edges]
     crossings = np.setdiff1d(edges, np.concatenate(placed))
     if len(crossings):

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Words the library's errors for Blender's users: with faces, display units, wire names and Blender's commands.
+"""Rewrites the library's errors for users of Blender: with faces, display units, wire names and Blender's commands.
 
-Elements are counted, because a button selects them. Reports put the name of the piece in front.
+The sentences count elements instead of listing them, because a button selects them. Reports begin each with the name of
+the piece.
 """
 
 import math
@@ -11,7 +12,7 @@ from typing import Any
 
 from ..core import FlattenError, LengthText, counted, quoted
 
-MOST_LISTED = 5  # nobody reads longer lists
+MOST_LISTED = 5  # most names listed, because nobody reads longer lists
 
 
 @dataclass(frozen=True)
@@ -30,7 +31,7 @@ class ErrorFacts:
         return self.error.arguments[name]
 
     def get(self, name: str) -> Any:  # noqa: ANN401
-        """Return the argument; None if the error has none of this name."""
+        """Return the argument; None if the error has no argument of this name."""
         return self.error.arguments.get(name)
 
     @property
@@ -47,16 +48,16 @@ class ErrorFacts:
 
     @property
     def proposed(self) -> str:
-        """Return ", such as the suggested one"; nothing without a proposal."""
+        """Return ", such as the suggested one"; "" without a proposal."""
         return ", such as the suggested one" if self.error.proposed_seams else ""
 
     def wire_text(self, indices: list[int]) -> str:
-        """Return 'wire "Hip"', 'wires "Hip" and "Bust"'."""
+        """Return the names of wires, such as 'wire "Hip"' or 'wires "Hip" and "Bust"'."""
         return f"wire{'s' if len(indices) > 1 else ''} {_listed([quoted([self.wires[index]]) for index in indices])}"
 
 
 def _listed(words: list[str]) -> str:
-    """Return "a, b and c"; of more than five, "a, b, c, d, e and 2 more"."""
+    """Return "a, b and c" for three texts, and "a, b, c, d, e and 2 more" for more than five."""
     more = len(words) - MOST_LISTED
     *first, last = [*words[:MOST_LISTED], f"{more} more"] if more > 0 else words
     return f"{', '.join(first)} and {last}" if first else last
@@ -68,7 +69,7 @@ def percent(fraction: float) -> str:
 
 
 def error_sentence(facts: ErrorFacts) -> str:
-    """Return fault, place, remedy. An error that only scripts can cause keeps the library's sentence."""
+    """Return the fault, its place and the remedy. An error that only scripts can cause keeps the library's sentence."""
     sentence = SENTENCES.get(str(facts.error.code))
     return sentence(facts) if sentence else facts.error.message
 
@@ -115,7 +116,7 @@ def _infeasible_lengths(facts: ErrorFacts) -> str:
 
 
 def _looser(facts: ErrorFacts) -> str:
-    """Return 'a tolerance of 0.3% to 1.2% on wires "Hip" and "Bust" and with wire "Arm" free'."""
+    """Return words such as 'a tolerance of 0.3% to 1.2% on wires "Hip" and "Bust" and with wire "Arm" free'."""
     proposed = facts.error.proposed_tolerances
     elastic = {wire: tolerance for wire, tolerance in proposed if not math.isinf(tolerance)}
     free = [wire for wire, tolerance in proposed if math.isinf(tolerance)]
@@ -158,7 +159,7 @@ def _wrong_option(facts: ErrorFacts) -> str:
 
 
 def _also(flipped: int, overlapping: int) -> str:
-    """Return ", has 3 flipped faces and overlaps itself at 1 face"."""
+    """Return words such as ", has 3 flipped faces and overlaps itself at 1 face"."""
     faults = [f"has {counted(flipped, 'flipped face')}"] if flipped else []
     faults += [f"overlaps itself at {counted(overlapping, 'face')}"] if overlapping else []
     return f", {' and '.join(faults)}" if len(faults) > 1 else f", and {faults[0]}" if faults else ""

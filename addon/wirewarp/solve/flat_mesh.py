@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes one mesh of the flat pieces, with its measures.
+"""Makes one mesh from the flat pieces, with its measures.
 
-The flat mesh has the source's own faces, quads and n-gons included, so that it has no edges but
-the source's. Measures of triangles are combined by face: energies are added, and the worst ratio counts.
+The flat mesh has the source's faces, including quads and n-gons, so that it has only edges of the source. Measures of
+triangles are combined for each face: energies are added, and of ratios the worst is kept.
 """
 
 from collections.abc import Sequence
@@ -24,7 +24,8 @@ def edge_length_variation(
     """Return the variation of the flat edges, (e,) float32.
 
     flat (e,2): the edges as vectors; places (e,2): the piece of each edge, and its edge on the model. Edges of outlines
-    and wires have the library's value. Other edges are compared including the built-in stretch of the fabric.
+    and wires have the library's value. Other edges are compared with the model's, with the fabric's built-in stretch
+    included.
     """
     worn = (choices.cloth.worn_across, choices.cloth.worn_along) if choices.cloth else (0.0, 0.0)
     spatial = _model_lengths(result, arrays, choices)[places[:, 1]]
@@ -36,7 +37,7 @@ def edge_length_variation(
 
 
 def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
-    """Return ascending keys of piece and model edge on wires and outlines, and their E_L, the worse of two sides."""
+    """Return ascending keys of piece and model edge on wires and outlines, and their E_L (the worse of two sides)."""
     pieces = np.repeat(np.arange(len(result.pieces)), [len(piece.metrics.wire_edges) for piece in result.pieces])
     pairs = [np.reshape(piece.metrics.wire_edges, (-1, 2)) for piece in result.pieces]
     keys = pieces * len(arrays.edges) + _edges_at(np.concatenate(pairs), arrays)
@@ -47,10 +48,10 @@ def _on_lines(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, np
 
 
 def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenChoices) -> np.ndarray:
-    """Return the lengths (k,) of the model's edges, for thick materials in the middle of the thickness.
+    """Return the lengths (k,) of the model's edges; for thick materials, the lengths in the middle of the thickness.
 
-    An edge is as long as dx f_u + dy f_v, where (dx, dy) is the flat edge. The measures of threads give the lengths of
-    f_u and f_v and the angle between them.
+    An edge is as long as dx f_u + dy f_v, where (dx, dy) is the flat edge. The lengths of f_u and f_v and the angle
+    between them follow from the measures of the threads.
     """
     lengths = edge_lengths(arrays.vertices, arrays.edges)
     if choices.thickness == 0 or choices.surface == "middle":
@@ -61,7 +62,7 @@ def _model_lengths(result: FlattenResult, arrays: MeshArrays, choices: FlattenCh
     )
     towards = -1 if choices.mirror else 1  # shear is measured from outside
     dx, dy = (np.roll(result.corner_uv, -1, axis=1) - result.corner_uv).transpose(2, 0, 1)  # (m,3), the sides
-    with np.errstate(invalid="ignore"):  # triangles without a layout or an area
+    with np.errstate(invalid="ignore"):  # triangles without a layout or without area
         across, along = (1 + weft) * dx, (1 + warp) * dy
         worn = np.sqrt(across**2 + along**2 + 2 * towards * np.sin(shear) * across * along).ravel()
     rows = _edges_at(np.stack([arrays.triangles, np.roll(arrays.triangles, -1, axis=1)], axis=-1), arrays)
@@ -89,7 +90,7 @@ def _edges_at(pairs: ArrayLike, arrays: MeshArrays) -> np.ndarray:
 
 @dataclass(frozen=True)
 class FlatMesh:
-    """Pieces with a layout, as one mesh."""
+    """The pieces that have a layout, as one mesh."""
 
     vertices: np.ndarray  # (p,2) float64, Blender units
     source_vertex: np.ndarray  # (p,) int32
@@ -109,19 +110,20 @@ class FlatMesh:
     arap_energy: np.ndarray  # (f,) float32, Eq. (6)
     energy_density: np.ndarray  # (f,) float32, Eq. (6) by 3D area
     aspect_ratio: np.ndarray  # (f,) float32
-    stretch: np.ndarray  # (f,) float32: 0.1 is fabric stretched by 10% on the model, as the mean of all directions
-    length_variation: np.ndarray  # (e,) float32: 0.1 is an edge that is 10% off its target length
+    # (f,) float32: mean stretch over all directions; 0.1 if the fabric is stretched by 10% on the model
+    stretch: np.ndarray
+    length_variation: np.ndarray  # (e,) float32: 0.1 if an edge differs by 10% from its target length
     threads: "Threads | None"  # None without a fabric
     piece_areas: np.ndarray  # (n,) by index of the piece; below 0 for a flipped piece
 
 
 @dataclass(frozen=True)
 class Threads:
-    """Measures of threads by face, (f,) float32, from its worst triangle."""
+    """Measures of threads for each face, (f,) float32, from its worst triangle."""
 
     weft_strain: np.ndarray  # 0.1: the threads across the grain are stretched by 10%
     warp_strain: np.ndarray
-    shear_angle: np.ndarray  # radians by which they differ from a right angle; without sign
+    shear_angle: np.ndarray  # radians by which the angle of the threads differs from a right angle, at least 0
 
 
 def flat_mesh(
@@ -184,7 +186,7 @@ def flat_mesh(
 
 
 def _threads(result: FlattenResult, first_triangle: np.ndarray, kept: np.ndarray) -> Threads:
-    """Return the measures. first_triangle (f,), kept (f,): for the polygons of the model."""
+    """Return the measures. first_triangle (f,), kept (f,): one entry per polygon of the model."""
     count = sum(len(piece.source_face) for piece in result.pieces)
     measures = []
     for name in ("face_weft_strain", "face_warp_strain", "face_shear_angle"):
@@ -199,7 +201,7 @@ def _threads(result: FlattenResult, first_triangle: np.ndarray, kept: np.ndarray
 
 
 def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray, ...]:
-    """Return all pieces' vertices in one numbering, and per input triangle: corners, piece, energy and aspect ratio."""
+    """Return the vertices of all pieces, and of each input triangle its corners, piece, energy and aspect ratio."""
     count = len(arrays.triangles)
     flat_triangles = np.full((count, 3), -1, dtype=np.int32)
     piece_of_triangle = np.zeros(count, dtype=np.int32)
@@ -229,7 +231,7 @@ def _join_pieces(result: FlattenResult, arrays: MeshArrays) -> tuple[np.ndarray,
 
 
 def _model_areas(result: FlattenResult, arrays: MeshArrays) -> np.ndarray:
-    """Return the areas (m,) of the flattened triangles, for thick materials in the middle of the thickness.
+    """Return the areas (m,) of the flattened triangles on the model; for thick materials, in their middle.
 
     The map from flat to model multiplies areas by p q cos γ. Flat triangles without area have the model's area.
     """
@@ -244,7 +246,7 @@ def _model_areas(result: FlattenResult, arrays: MeshArrays) -> np.ndarray:
 
 
 def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
-    """Return the loops of the kept polygons, one polygon after the other; backwards for mirrored objects."""
+    """Return the loops of the kept polygons, one polygon after the other; in reverse order for mirrored objects."""
     sizes = arrays.polygon_sizes[kept]
     starts = np.repeat(arrays.polygon_starts[kept], sizes)
     step = np.arange(sizes.sum()) - np.repeat(np.cumsum(sizes) - sizes, sizes)
@@ -254,7 +256,7 @@ def _loops_of(arrays: MeshArrays, kept: np.ndarray) -> np.ndarray:
 def _edge_corners(source_corner: np.ndarray, sizes: np.ndarray, arrays: MeshArrays) -> np.ndarray:
     """Return for each corner (l,) the source's corner at which its side begins.
 
-    In reversed faces, a side begins where it ends on the source.
+    In reversed faces, a side begins at its end on the source.
     """
     return source_corner[next_corners(sizes)] if arrays.mirrored else source_corner
 
@@ -271,7 +273,7 @@ def _edges(
     ends = loop_vertices, loop_vertices[following]
     low, high = np.minimum(*ends), np.maximum(*ends)
     first = np.empty(len(arrays.edges), dtype=np.int64)
-    first[source_edge] = np.arange(len(source_edge))  # any corner of each edge
+    first[source_edge] = np.arange(len(source_edge))  # one corner of each edge, any of them
     first = first[source_edge]
     other = np.flatnonzero((low != low[first]) | (high != high[first]))  # corners on the other side of seams
     _, rows, inverse = np.unique(
@@ -292,7 +294,7 @@ def _signed_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class FlatMarks:
-    """Marks of the flat edges, from the edges of the model."""
+    """Marks of the flat edges, copied from the edges of the model."""
 
     seams: np.ndarray  # (e,) bool
     seam_ids: np.ndarray  # (e,) int32, 0 none

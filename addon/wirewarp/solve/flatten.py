@@ -32,12 +32,12 @@ from .steps import Steps
 
 EASE_AGAIN = "Mark the ease again: anything above -100%, 0 for none."
 Result = TypeVar("Result")
-_ending: list[Job] = []  # canceled jobs, which are kept because deleting one waits for it
+_ending: list[Job] = []  # canceled jobs; they are kept, because deleting a job waits for its end
 
 
 @dataclass(frozen=True)
 class ClothChoice:
-    """A fabric of the library by its name, or a custom one."""
+    """A fabric of the library, chosen by its name, or a custom fabric."""
 
     name: str  # "woven" and so on, or "custom"
     gives_across: float  # maximum stretch as a fraction; 0 for unknown
@@ -54,7 +54,7 @@ LAYS_OUT = {"lays_out": True}
 
 @dataclass(frozen=True)
 class FlattenChoices:
-    """The operator's settings, with the names of the core library."""
+    """The operator's settings, with the names that the core library uses."""
 
     method: str
     fairness: float
@@ -69,14 +69,16 @@ class FlattenChoices:
     mirror: bool = field(metadata=LAYS_OUT)
 
 
-# Options in a report that require a new layout if they change.
+# Return those options of a report that require a new layout if they change.
 LAYOUT_OPTIONS = (*(each.name for each in fields(FlattenChoices) if each.metadata), "grain_wire")
 
 
 def flatten_arrays(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, solved: Cache | None = None
 ) -> Steps[FlattenResult]:
-    """Return the library's FlattenResult. solved: a Cache with pieces that need no new solution.
+    """Return the library's FlattenResult.
+
+    solved: a Cache of earlier pieces, which are not solved again if they are unchanged.
 
     Raises ObjectError if the mesh as a whole is refused. The library continues to work between steps.
     """
@@ -112,18 +114,18 @@ def result_of(job: "Job[Result]") -> Steps[Result]:
 
 
 def _let_end(job: Job) -> None:
-    """Let the job end without waiting, which takes seconds for half a million faces."""
+    """Let the job end without waiting for it, because that takes seconds for half a million faces."""
     job.cancel()
     _ending[:] = [each for each in (*_ending, job) if not each.is_done()]
 
 
 def drop_jobs(*_: object) -> None:
-    """Wait until none of our jobs runs."""
+    """Wait until none of our jobs is running."""
     _ending.clear()
 
 
 def _library_options(library: ModuleType, choices: FlattenChoices, arrays: MeshArrays) -> Options:
-    """Return the options. The gap becomes a share of the side of a square with the area of all pieces."""
+    """Return the options. The gap is converted to a share of the side of a square with the area of all pieces."""
     options = asdict(choices)
     side, gap = _side(arrays), gap_between(arrays, options.pop("spacing"))
     options |= {"gap": gap / side if side > 0 else 0.0, "grain": _grain_index(arrays)}
@@ -140,7 +142,7 @@ def library_cloth(cloth: ClothChoice) -> Cloth:
 
 
 def maximum_stretch(cloth: ClothChoice) -> tuple[float | None, float | None]:
-    """Return the stretch across and along the grain, as given or from the preset; None if unknown."""
+    """Return the stretch across and along the grain, from the settings or the preset; None if unknown."""
     across, along = _without_stretch(cloth).limits or (None, None)
     return cloth.gives_across or across, cloth.gives_along or along
 
@@ -155,7 +157,7 @@ def _without_stretch(cloth: ClothChoice) -> Cloth:
 
 
 def gap_between(arrays: MeshArrays, spacing: float) -> float:
-    """Return the gap between pieces for `spacing` between their cutting lines; at most the library's limit."""
+    """Return the gap between pieces that leaves `spacing` between their cutting lines, at most the library's limit."""
     return min(spacing + 2 * arrays.allowance, _side(arrays))
 
 
@@ -167,7 +169,7 @@ def _side(arrays: MeshArrays) -> float:
 def used_choices(choices: FlattenChoices, arrays: MeshArrays) -> FlattenChoices:
     """Return the choices.
 
-    Without a grain wire, pieces are upright as on the model: the first wires are often waist and hip.
+    Without a grain wire, pieces are upright as on the model, because the first wires are often waist and hip.
     """
     if choices.orientation == "wire" and _grain_index(arrays) == -1:
         return replace(choices, orientation="up")
@@ -199,7 +201,7 @@ def _library_eases(library: ModuleType, arrays: MeshArrays) -> list[Ease]:
 
 
 def eased_half_edges(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
-    """Return the sides (k,2) with an ease of their own as vertices with the face on the left, and the eases (k,)."""
+    """Return the sides (k,2) that have their own ease, as vertices with the face on the left, and the eases (k,)."""
     corners = np.flatnonzero(arrays.side_eases)
     starts = arrays.loop_vertices[corners]
     ends = arrays.edges[arrays.loop_edges[corners]].sum(axis=1, dtype=np.int32) - starts
@@ -209,14 +211,14 @@ def eased_half_edges(arrays: MeshArrays) -> tuple[np.ndarray, np.ndarray]:
 def _library_ease(library: ModuleType, half_edges: np.ndarray, ratio: float) -> Ease:
     try:
         return library.Ease(half_edges, ratio)
-    except library.FlattenError as error:  # the library's error does not know its place
+    except library.FlattenError as error:  # the library's error does not name the place
         edges = [tuple(pair) for pair in half_edges.tolist()]
         sentence = f"The ease of one side is invalid along {counted(len(edges), 'edge')}. {EASE_AGAIN}"
         raise ObjectError(Issue(str(error.code), sentence, edges=edges)) from error
 
 
 def issue_of_piece(piece: Piece, index: int, arrays: MeshArrays) -> Issue:
-    """Return the error of a failed piece with all its faces that break a guarantee."""
+    """Return the error of a failed piece, with all of the piece's faces that break a guarantee."""
     flipped = polygons_of(arrays, piece.metrics.flipped_faces)
     overlapping = polygons_of(arrays, piece.metrics.overlapping_faces)
     issue = issue_of_error(piece.error, arrays, len(flipped), len(overlapping))
@@ -270,7 +272,7 @@ def seams_on_edges(proposed: Iterable[tuple[int, int]], arrays: MeshArrays) -> l
 
 
 def polygons_across(diagonals: np.ndarray, arrays: MeshArrays) -> np.ndarray:
-    """Return the polygon whose diagonal each pair of vertices (k,2) is."""
+    """Return, for each pair of vertices (k,2), the polygon of which it is a diagonal."""
     count = len(arrays.vertices)
     sides = edge_keys(arrays.triangles[:, [0, 1, 1, 2, 2, 0]], count)
     order = np.argsort(sides)
@@ -296,7 +298,7 @@ def looser_wires(proposed: Iterable[tuple[int, float]], arrays: MeshArrays) -> l
 
 
 def round_up(tolerance: float) -> float:
-    """Round up to the three digits that the panel shows, so that the tolerance suffices. inf (free) stays."""
+    """Round up to the three digits that the panel shows, so that the tolerance is large enough. inf (free) stays."""
     if math.isinf(tolerance):
         return tolerance
     step = 10.0 ** (math.floor(math.log10(tolerance)) - 2)

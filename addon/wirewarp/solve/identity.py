@@ -17,20 +17,22 @@ from ..core import FlattenResult, SeamReport
 from .arrays import FaceRegions, MeshArrays, Region, area_vectors, edge_lengths, faces_inward
 from .chains import edge_keys
 
-# Names of the negative and positive side by axis, as of a person who faces Blender's front (-Y): the left hand is at
+# Names of the negative and positive side of each axis, for a person who faces Blender's front (-Y): the left hand is at
 # +X.
 SIDES = (("Right", "Left"), ("Front", "Back"), ("Bottom", "Top"))
-HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # for two pieces on the same side
+HALVES = (("Right", "Left"), ("Front", "Back"), ("Lower", "Upper"))  # distinguish two pieces on the same side
 FACES_ONE_WAY = (
-    0.3  # shortest mean normal of a piece that faces one side; others, such as sleeves, are named by their place
+    0.3  # shortest mean normal of a piece that faces one side; others, such as sleeves, are named after their place
 )
-BESIDE = 0.05  # share of the model's size; a piece around the middle (a ball) has no side
-ROUNDED = 3  # compared digits of offsets, because models are seldom exactly mirrored
+BESIDE = 0.05  # share of the model's size; a piece closer to the middle, such as a ball, has no side
+ROUNDED = 3  # digits of offsets that are compared, because models are seldom exactly symmetric
 NO_SIDE = "Around"
 
 
 def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
-    """Return "Front", or "Front Left" beside "Front Right". Several pieces may have the same name.
+    """Return a name for each piece, such as "Front", or "Front Left" if there is a "Front Right".
+
+    Several pieces may have the same name.
 
     normals (p,3): the mean normal of each piece, of length 1 if it is flat. offsets (p,3): from the middle of the
     model to that of the piece, as a share of the model's size.
@@ -44,7 +46,7 @@ def side_names(normals: np.ndarray, offsets: np.ndarray) -> list[str]:
 
 
 def region_side_names(regions: Sequence[str | None], normals: np.ndarray, offsets: np.ndarray) -> list[str | None]:
-    """Return the names of regions, with the side if pieces share one: "Left Sleeve" beside "Right Sleeve"."""
+    """Return the names of regions. If pieces share a region, add the side: "Left Sleeve" and "Right Sleeve"."""
     names = list(regions)
     for region in filter(None, dict.fromkeys(regions)):
         own = [index for index, name in enumerate(regions) if name == region]
@@ -65,7 +67,7 @@ def _side(normal: np.ndarray, offset: np.ndarray) -> str:
 
 
 def _halves(side: str, offsets: np.ndarray) -> list[str]:
-    """Return words that distinguish pieces on one side: two by their relative place, more by left and right; else "".
+    """Return words that distinguish pieces on one side: two by their relative place, more by left and right; or "".
 
     Names of a mirrored pair therefore differ only in the side.
     """
@@ -75,20 +77,20 @@ def _halves(side: str, offsets: np.ndarray) -> list[str]:
         return ["" if abs(x) < BESIDE else HALVES[0][int(x > 0)] for x in offsets[:, 0]]
     apart = offsets[1] - offsets[0]
     axis = int(np.argmax(np.abs(apart)))
-    if np.abs(apart[axis]) < BESIDE or side in SIDES[axis]:  # a piece is inside or behind the other
+    if np.abs(apart[axis]) < BESIDE or side in SIDES[axis]:  # one piece is inside or behind the other
         return ["", ""]
     lower, upper = HALVES[axis]
     return [lower, upper] if apart[axis] > 0 else [upper, lower]
 
 
 def from_top(offsets: np.ndarray) -> list[int]:
-    """Return the pieces from top to bottom and front to back, which gives mirrored pairs the same numbers."""
+    """Return the pieces from top to bottom and front to back, so that mirrored pairs get the same numbers."""
     x, y, z = offsets.T.round(ROUNDED)
     return np.lexsort((x, np.abs(x), y, -z)).tolist()
 
 
 def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
-    """Return the names, with numbers for names that several pieces want or that are in use."""
+    """Return the names, with numbers if several pieces would have the same name, or if it is in use."""
     used, asked = set(taken), Counter(wanted)
     following: dict[str, int] = {}
     names = []
@@ -106,7 +108,7 @@ def numbered(wanted: Sequence[str], taken: Sequence[str]) -> list[str]:
 
 
 def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegions) -> list[str | None]:
-    """Return the region with most faces of each piece; None if no region distinguishes pieces."""
+    """Return, for each piece, the region that contains most of its faces; None if no region distinguishes pieces."""
     faces_in_piece = np.bincount(piece_of_face[regions.sample], minlength=piece_count)
     names: list[str | None] = [None] * piece_count
     for kind in (regions.materials, regions.groups):  # groups come last, because they are more specific
@@ -118,7 +120,10 @@ def region_names(piece_of_face: np.ndarray, piece_count: int, regions: FaceRegio
 def _names_by(
     regions: Sequence[Region], piece_of_face: np.ndarray, faces_in_piece: np.ndarray
 ) -> list[tuple[int, str]]:
-    """Return (piece, name). If a piece has several regions, the one with the fewest other pieces names it."""
+    """Return pairs (piece, name).
+
+    If a piece has several regions, it is named after the one with the fewest other pieces.
+    """
     if not regions:
         return []
     counts = np.array([np.bincount(piece_of_face[each.faces], minlength=len(faces_in_piece)) for each in regions])
@@ -136,7 +141,7 @@ MAX_ID = 2**31 - 1  # largest value of an INT attribute
 class KnownPieces:
     """Ids and names of pieces before a run."""
 
-    ids: np.ndarray  # (f,) int32, one per face of the model; 0 on faces that were in no piece yet
+    ids: np.ndarray  # (f,) int32, one per face of the model; 0 on faces that have not been in a piece yet
     names: Mapping[int, str]  # names of the pieces of the last run, by id
     model_name: str  # former name of the model
 
@@ -149,7 +154,7 @@ class PieceIdentity:
 
 @dataclass(frozen=True)
 class _Shape:
-    """Measures of the pieces' shapes, one row each, and of their triangles."""
+    """Measures of the pieces' shapes, one row per piece, and of their triangles."""
 
     triangle_areas: np.ndarray  # (m,)
     normals: np.ndarray  # (p,3), the mean over the area
@@ -168,7 +173,8 @@ def identify_pieces(
     ids = assign_ids(piece_of_triangle, known.ids[arrays.triangle_polygons], shape.triangle_areas, count, set())
     old = [known.names.get(piece_id, "") for piece_id in ids]
     if list(known.names.values()) == [known.model_name]:
-        old = [""] * count  # a piece that was the whole model may be a part now, or the model was renamed
+        # a piece that was the whole model may now be only a part, or the model may have been renamed
+        old = [""] * count
     names = _first_of_each(old)
     new = [index for index in from_top(shape.offsets) if not names[index]]
     outward = -shape.normals if faces_inward(arrays) else shape.normals
@@ -192,7 +198,9 @@ def ids_by_face(result: FlattenResult, arrays: MeshArrays, identities: Sequence[
 
 
 def assign_ids(owners: np.ndarray, ids: np.ndarray, weights: np.ndarray, count: int, taken: set[int]) -> list[int]:
-    """Return for each owner the id with most of its weight; of two owners with one id, the heavier keeps it.
+    """Return, for each owner, the id with the largest share of its weight.
+
+    Of two owners with the same id, the heavier keeps it.
 
     owners (k,) from 0 to count - 1, ids (k,), 0 or less for none, and weights (k,) of the elements; taken: further ids
     that new ones must not repeat.
@@ -228,7 +236,7 @@ def _measure(piece_of_triangle: np.ndarray, count: int, arrays: MeshArrays) -> _
     centers = arrays.vertices[arrays.triangles].mean(axis=1)
     low, high = centers.min(axis=0), centers.max(axis=0)
     size = max(float(np.linalg.norm(high - low)), np.finfo(float).tiny)
-    divided = np.maximum(areas, np.finfo(float).tiny)  # a piece without area is refused but still has a name
+    divided = np.maximum(areas, np.finfo(float).tiny)  # a piece without area fails but still has a name
 
     def mean(rows: np.ndarray) -> np.ndarray:
         return np.array([np.bincount(piece_of_triangle, row, minlength=count) / divided for row in rows]).T
@@ -237,27 +245,27 @@ def _measure(piece_of_triangle: np.ndarray, count: int, arrays: MeshArrays) -> _
 
 
 def _first_of_each(names: list[str]) -> list[str]:
-    """Return the names, with repeated ones emptied: the user may have named two pieces alike."""
+    """Return the names, with "" for repeated ones, because the user may have used a name twice."""
     first = {name: index for index, name in reversed(list(enumerate(names)))}
     return [name if first[name] == index else "" for index, name in enumerate(names)]
 
 
-KINDS = ("Seam", "Dart")  # each has numbers of its own
-GIVEN = re.compile(rf"({'|'.join(KINDS)}) (\d+)")  # a name that the user has not changed
+KINDS = ("Seam", "Dart")  # each kind is numbered separately
+GIVEN = re.compile(rf"({'|'.join(KINDS)}) (\d+)")  # matches a name that the user has not changed
 
 
 @dataclass(frozen=True)
 class KnownSeams:
     """Ids and names of seams before a run."""
 
-    ids: np.ndarray  # (k,) int32, one per seam edge of the model; 0 on edges that were in no seam yet
+    ids: np.ndarray  # (k,) int32, one per seam edge of the model; 0 on edges that have not been in a seam yet
     names: Mapping[int, str]  # names of all present and former seams by id
 
 
 @dataclass(frozen=True)
 class SeamIdentity:
     seam_id: int  # random, 31 bits
-    name: str  # no other seam of the object has it
+    name: str  # unique among the seams of the object
     is_dart: bool
 
 
@@ -274,7 +282,7 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
     identities = []
     for seam_id, is_dart in zip(ids, darts, strict=True):
         kind, given = KINDS[is_dart], GIVEN.fullmatch(names.get(seam_id, ""))
-        # The seam is new, the user has cleared its name, or it became a dart or stopped being one.
+        # The seam needs a new name: it is new, the user has cleared its name, or it became a dart or stopped being one.
         if not names.get(seam_id) or (given and given[1] != kind):
             numbers[kind] += 1
             names[seam_id] = f"{kind} {numbers[kind]}"
@@ -283,7 +291,7 @@ def identify_seams(result: FlattenResult, arrays: MeshArrays, known: KnownSeams)
 
 
 def _highest_number(kind: str, names: Mapping[int, str], kinds: Mapping[int, str]) -> int:
-    """Return the highest number of a kind among present and removed seams, also of those that the user has renamed.
+    """Return the highest number of a kind among present and removed seams, including those that the user has renamed.
 
     A seam that becomes a dart, or a dart that is cut through, leaves its number to the next one.
 
@@ -325,7 +333,7 @@ def _ends_at(arrays: MeshArrays) -> np.ndarray:
 
 
 def _is_dart(seam: SeamReport, edges_at: np.ndarray) -> bool:
-    """Return whether both sides are in one piece, and an end is inside it."""
+    """Return whether the seam is a dart: both sides are in one piece, and an end is inside it."""
     if len(set(seam.pieces)) > 1:
         return False
     vertices, counts = np.unique(np.asarray(seam.edges), return_counts=True)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Maps values to colors that differ in lightness, or as warm and cold, so that color-blind people can read them."""
+"""Maps values to colors that differ in lightness or between warm and cold, so that color-blind people can read them."""
 
 import math
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ import numpy as np
 _RISING = ((0.93, 0.93, 0.90), (0.98, 0.80, 0.35), (0.93, 0.42, 0.10), (0.65, 0.07, 0.08), (0.18, 0.01, 0.09))
 # From compressed through unchanged to stretched: blue, near white, orange.
 _TWO_SIDED = ((0.002, 0.08, 0.33), (0.10, 0.33, 0.66), (0.92, 0.90, 0.86), (0.89, 0.35, 0.05), (0.38, 0.05, 0.002))
-STEPS = 4096  # steps of a scale, more than a screen can show
+STEPS = 4096  # steps of a scale, more than the eye can distinguish
 
 
 @cache
@@ -56,7 +56,7 @@ WEFT = ColorMap("weft_strain_color", "Across the grain", -0.1, 0.1, is_percent=T
 WARP = ColorMap("warp_strain_color", "Along the grain", -0.1, 0.1, is_percent=True, stops=_TWO_SIDED)
 SHEAR = ColorMap(
     "shear_angle_color", "Shear", 0.0, math.radians(45), is_angle=True
-)  # woven fabric locks at a larger shear
+)  # the threads of woven fabric lock at a larger shear
 CLOTH_MAPS = (WEFT, WARP, SHEAR)
 COLOR_MAPS = (ASPECT_RATIO, STRETCH, LENGTH_VARIATION, ARAP_ENERGY, *CLOTH_MAPS)
-NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # not a color of the scales
+NO_LAYOUT = np.array([0.16, 0.18, 0.22, 1.0], dtype=np.float32)  # differs from all colors of the scales

@@ -10,7 +10,7 @@ from .chains import EdgeMarks, edge_keys, next_corners
 
 @dataclass(frozen=True)
 class FlatPieces:
-    """A flat mesh, as WireWarp made it or as users have changed it."""
+    """A flat mesh, as WireWarp made it or as the user has changed it."""
 
     vertices: np.ndarray  # (n,2) float64
     source_vertex: np.ndarray  # (n,) int32, vertex of the model
@@ -51,7 +51,8 @@ def outline_edges(
 ) -> OutlineEdges:
     """Return the outline edges of vertices (n,2).
 
-    Corners (l,), face by face, have a vertex and the edge to the next corner; faces have a size and a piece.
+    For each corner (l,), face by face, the vertex and the edge to the next corner are given; for each face, its size
+    and its piece.
     """
     a, b = _face_sides(loop_vertices, face_sizes)
     lonely = np.flatnonzero(np.bincount(loop_edges)[loop_edges] == 1)
@@ -64,7 +65,7 @@ def outline_of(flat: FlatPieces) -> OutlineEdges:
 
 
 def number_edges(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> np.ndarray:
-    """Return a number for the edge from each corner to the next (l,), for meshes without numbers of edges."""
+    """Return a number for the edge from each corner to the next (l,), for meshes whose edges have no numbers."""
     sides = np.column_stack(_face_sides(loop_vertices, face_sizes))
     return np.unique(edge_keys(sides, int(loop_vertices.max(initial=0)) + 1), return_inverse=True)[1]
 
@@ -75,15 +76,18 @@ def signed_areas(vertices: np.ndarray, outline: OutlineEdges) -> np.ndarray:
 
 
 def _face_sides(loop_vertices: np.ndarray, face_sizes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the vertices (l,) at the start and (l,) at the end of each side of each face."""
+    """Return the vertices (l,) at the start and those (l,) at the end of each side of each face."""
     return loop_vertices, loop_vertices[next_corners(face_sizes)]
 
 
 def _areas(vertices: np.ndarray, a: np.ndarray, b: np.ndarray, piece: np.ndarray) -> np.ndarray:
-    """Return the signed areas (p,) of the pieces 0, 1, ... from their edges a (k,) to b (k,) of the pieces (k,)."""
+    """Return the signed areas (p,) of the pieces 0, 1, ...
+
+    a, b (k,): ends of outline edges; pieces (k,): the piece of each.
+    """
     origin = np.zeros(piece.max(initial=-1) + 1, dtype=np.int64)
     origin[piece] = a
-    # Shoelace formula relative to a point of each piece, because pieces may be far from the origin.
+    # The shoelace formula is used relative to a point of each piece, because pieces may be far from the origin.
     sides = []
     for column in map(np.ascontiguousarray, vertices.T):
         origins = column[origin][piece]

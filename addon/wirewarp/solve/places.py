@@ -11,17 +11,18 @@ from ..core import pattern
 from .flat_mesh import FlatMesh
 from .outlines import FlatPieces, OutlineEdges, number_edges, outline_edges, outline_loops, piece_of_vertices
 
-SAMPLE = 100  # number of points that store the place of a piece
-# Points of pieces that have a place but at present no shape: rows (k,4) of piece id, source vertex and place.
+SAMPLE = 100  # number of points by which the place of a piece is stored
+# Points of pieces that have a place but no shape at present. Rows (k,4): piece id, source vertex, place (2).
 NONE_AWAY = np.empty((0, 4))
-LIKE = 0.7  # smallest correlation of a piece with its earlier shape, point by point, at which it keeps its place
+# smallest correlation between the points of a piece and of its earlier shape at which the piece keeps its place
+LIKE = 0.7
 
 
 @dataclass(frozen=True)
 class Motion:
-    """A rotation about the origin followed by a translation. Points of the plane are complex numbers."""
+    """A rotation about the origin followed by a translation. Points of the plane are treated as complex numbers."""
 
-    turn: complex = 1.0  # rotation, a number of length 1
+    turn: complex = 1.0  # rotation, as a complex number of length 1
     shift: complex = 0.0
 
     def __call__(self, points: np.ndarray) -> np.ndarray:
@@ -72,7 +73,7 @@ class _Pieces:
         return piece_id in self._vertices or piece_id in self._away
 
     def is_away(self, piece_id: int) -> bool:
-        """Return whether the piece has a place but no shape."""
+        """Return whether the piece has a place but no shape at present."""
         return piece_id not in self._vertices
 
     def points(self, piece_id: int) -> np.ndarray:
@@ -82,7 +83,7 @@ class _Pieces:
         return self._pieces.vertices[self._vertices[piece_id]]
 
     def sources(self, piece_id: int) -> np.ndarray:
-        """Return the vertex (k,) of the model of each point."""
+        """Return, for each point, the vertex (k,) of the model."""
         if self.is_away(piece_id):
             return self._away[piece_id][:, 1].astype(np.int64)
         return self._pieces.source_vertex[self._vertices[piece_id]]
@@ -106,7 +107,7 @@ class _Pieces:
 
 
 def points_of(earlier: FlatPieces, away: np.ndarray, piece_ids: Sequence[int]) -> np.ndarray:
-    """Return some points (k,4) of each of these pieces, also those without a shape; see NONE_AWAY."""
+    """Return some points (k,4) of each of these pieces, including those without a shape; see NONE_AWAY."""
     pieces = _Pieces(earlier, away)
     rows = [NONE_AWAY]
     for piece_id in piece_ids:
@@ -119,9 +120,9 @@ def points_of(earlier: FlatPieces, away: np.ndarray, piece_ids: Sequence[int]) -
 
 
 def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing: float) -> Places:
-    """Return the earlier places of pieces; new pieces are placed in the free room to their right.
+    """Return the places of pieces: earlier pieces keep theirs, and new pieces are placed to the right of them.
 
-    away: see NONE_AWAY; spacing: between pieces in the free room.
+    away: see NONE_AWAY; spacing: between the new pieces.
     """
     now, then = _Pieces(pieces), _Pieces(earlier, away)
     fits = {piece_id: _fit(now, then, piece_id) for piece_id in now if piece_id in then}
@@ -138,7 +139,7 @@ def find_places(pieces: FlatMesh, earlier: FlatPieces, away: np.ndarray, spacing
 
 
 def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
-    """Return the motion from vertices that occur once in both pieces; None if they are too few or fit badly."""
+    """Return the motion of vertices that occur once in both pieces; None if they are too few or fit badly."""
     rows = [_only_once(pieces.sources(piece_id)) for pieces in (now, then)]
     here, there = (pieces.sources(piece_id)[own] for pieces, own in zip((now, then), rows, strict=True))
     _, first, second = np.intersect1d(here, there, assume_unique=True, return_indices=True)
@@ -151,7 +152,7 @@ def _fit(now: _Pieces, then: _Pieces, piece_id: int) -> Motion | None:
 
 
 def _only_once(sources: np.ndarray) -> np.ndarray:
-    """Return rows of vertices that no cut has doubled within the piece."""
+    """Return the rows of vertices that occur only once in the piece, because no cut has doubled them."""
     _, first, count = np.unique(sources, return_index=True, return_counts=True)
     return first[count == 1]
 
@@ -187,7 +188,7 @@ def _close(kept: dict[int, Motion], now: _Pieces) -> dict[int, set[int]]:
 
 
 def _beside(kept: dict[int, Motion], homeless: list[int], now: _Pieces, room: float) -> dict[int, Motion]:
-    """Place pieces right of the kept ones, in columns of the same height, the tallest first."""
+    """Place pieces to the right of the kept ones, in columns of the same height, the tallest first."""
     boxes = np.array([now.box(piece_id, motion) for piece_id, motion in kept.items()])
     corner, top = np.array([boxes[:, 1, 0].max() + room, boxes[:, 0, 1].min()]), boxes[:, 1, 1].max()
     motions = {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report of one object: the library's, with the add-on's facts, and one fix for both of two mirrored pieces.
+"""The report of one object: the library's, with the add-on's facts, and one fix for both pieces of a mirrored pair.
 
 Also the message of a run.
 """
@@ -39,7 +39,7 @@ SHOWN_SENTENCES = 4
 
 @dataclass(frozen=True, kw_only=True)
 class Facts:
-    """Facts about an object before it is flattened."""
+    """Facts about an object that are known before it is flattened."""
 
     object: str
     mesh: str
@@ -50,7 +50,7 @@ class Facts:
 
 @dataclass(frozen=True, kw_only=True)
 class UvSeams:
-    """The result of flattening with the seams of the model's own UV map, which was tried because the marked ones fail.
+    """The result of flattening with the seams of the model's own UV map, which are tried if the marked seams fail.
 
     It is not kept: if the user wants it, the seams are marked and the model is flattened again.
     """
@@ -58,7 +58,7 @@ class UvSeams:
     pieces: int
     failed: int
     stretch: float  # largest Piece.stretch of the good pieces
-    is_beyond_fabric: bool = False  # whether the chosen fabric does not stretch that far
+    is_beyond_fabric: bool = False  # whether this is more than the chosen fabric stretches
 
     @property
     def is_good(self) -> bool:
@@ -67,7 +67,10 @@ class UvSeams:
 
 @dataclass(kw_only=True)
 class ObjectReport(Report):
-    """The library's report with the add-on's fields. Defaults are for stored reports that a user has changed."""
+    """The library's report with the add-on's fields.
+
+    The defaults are needed for stored reports that a user has changed.
+    """
 
     mesh: str = ""
     with_modifiers: bool = False
@@ -133,7 +136,7 @@ def object_report(
 
 
 def uv_seams(result: FlattenResult, arrays: MeshArrays, meters: float, cloth: ClothChoice | None) -> UvSeams:
-    """Return the result. arrays: with the seams of the UV map."""
+    """Return the result. arrays: the model with the seams of the UV map."""
     pieces = _library_report(result, arrays, meters, cloth).pieces
     good = [piece for piece in pieces if piece.ok]
     return UvSeams(
@@ -220,7 +223,7 @@ def with_mirror_images(issues: Sequence[Issue], result: FlattenResult, arrays: M
 
 
 def _measures(piece: Piece, arrays: MeshArrays) -> np.ndarray:
-    """Return the root of the area, and the lengths of the outline's sections in their order."""
+    """Return the square root of the area, and the lengths of the outline's sections in their order."""
     area = triangle_areas(arrays.vertices, arrays.triangles[piece.source_face]).sum()
     return np.array([np.sqrt(area), *sorted(chain.length_3d for chain in piece.boundaries)])
 
@@ -235,7 +238,8 @@ def _mirrored(issue: Issue, piece: Piece, other: Piece, arrays: MeshArrays) -> I
     wanted = [*issue.proposed_seams, *(edge for wire in issue.proposed_tolerances for edge in wire.edges)]
     own = np.intersect1d(np.unique(piece.source_vertex), np.array(wanted).ravel())
     places, others = arrays.vertices[np.unique(piece.source_vertex)], np.unique(other.source_vertex)
-    for axis in range(3):  # most models are symmetric in X; others lie down or face sideways
+    # most models are symmetric in X; the other axes are for models that lie down or face sideways
+    for axis in range(3):
         image = _images(arrays.vertices[own], places, arrays.vertices[others], axis)
         if image is None:
             continue
@@ -277,7 +281,7 @@ def _are_edges(pairs: Pairs, arrays: MeshArrays) -> bool:
 
 
 def _mirrored_wire(wire: LooserWire, image_of: dict[int, int], arrays: MeshArrays) -> LooserWire | None:
-    """Return the wire along the mirror image of the part of `wire` in the piece."""
+    """Return the wire that contains the mirror image of the part of `wire` in the piece."""
     image = _mirrored_edges([edge for edge in wire.edges if edge[0] in image_of and edge[1] in image_of], image_of)
     wanted = set(image or ())
     for each in arrays.wires:
@@ -292,7 +296,7 @@ def _joined(first: Pairs, second: Pairs) -> Pairs:
 
 
 def _widest(wires: Sequence[LooserWire]) -> list[LooserWire]:
-    """Return each wire once, with its widest tolerance."""
+    """Return each wire once, with its largest tolerance."""
     widest: dict[str, LooserWire] = {}
     for wire in wires:
         if wire.name not in widest or wire.tolerance > widest[wire.name].tolerance:

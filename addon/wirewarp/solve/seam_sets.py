@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sets of seams: which seams a model can do without, and how narrow the pieces of a set are. No Blender in here."""
+"""Sets of seams: which seams a model can do without, and how narrow the pieces of a set are. Does not use Blender."""
 
 import math
 from collections.abc import Sequence
@@ -18,7 +18,7 @@ from .flatten import FlattenChoices, issue_of_error, library_arguments, result_o
 from .steps import CanceledError, Steps, of_all, reported_as
 from .suggest import Cut, from_few_pieces
 
-LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric allows the first, plush and knits the last
+LIMITS = (0.05, 0.1, 0.2)  # accepted stretches: woven fabric stretches by the first, plush and knits by the last
 
 
 def limits_up_to(most: float | None) -> list[float]:
@@ -81,7 +81,7 @@ def _row(arrays: MeshArrays, cleared: np.ndarray, length: float, strain: float, 
     )
 
 
-SEARCH = 0.8  # share of the progress for the search
+SEARCH = 0.8  # share of the progress that the search gets; measuring widths gets the rest
 
 
 def with_widths(
@@ -129,7 +129,7 @@ def _narrowest(
         vertices, faces, changed = arrays.vertices, arrays.triangles, np.array(cut.cleared)
         arguments["seams"] = arrays.seams[~np.isin(edge_keys(arrays.seams, count), edge_keys(changed, count))]
     else:
-        # Lines of a set divide no edges of seams and wires, and vertices keep their numbers.
+        # The lines of a set do not divide edges of seams and wires, and vertices keep their numbers.
         vertices, faces, changed, _ = library.cut_mesh(arrays.vertices, arrays.triangles, cut.paths)
         arguments["seams"] = np.concatenate([arrays.seams, changed])
     result = yield from result_of(library.start(vertices, faces, **arguments, cache=solved))

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs work in steps, between which the window responds: generators that yield the completed share of the work.
 
-To stop the steps, throw CanceledError into them: an optional part then ends with the result so far. To discard
+To stop the steps, throw CanceledError into them. An optional part then ends with the result so far. To discard
 the steps, close them; files do not change. The caller always closes them, because the traceback of an error would
-keep them alive. Python threads are not used, because Blender does not allow them; the core has its own threads. The
-module does not use Blender.
+keep them alive. Python threads are not used, because Blender does not allow them; the core has its own threads. Does
+not use Blender.
 """
 
 import time
@@ -13,8 +13,8 @@ from contextlib import closing
 from functools import partial
 from typing import TypeVar
 
-SLICE = 0.04  # seconds of work between two updates of the window, which is drawn 20 times a second
-POLL = 0.001  # seconds until the end of a job is noticed
+SLICE = 0.04  # seconds of work between two updates of the window, so that it is drawn 20 times a second
+POLL = 0.001  # longest time in seconds until the end of a job is noticed
 S = TypeVar("S")
 T = TypeVar("T")
 Steps = Generator[float, None, T]  # yields the completed share, from 0 to 1
@@ -25,7 +25,10 @@ class CanceledError(Exception):
 
 
 def reported_as(steps: Generator[S, None, T], share: Callable[[S], float]) -> Steps[T]:
-    """Return the same steps. share: converts a yielded value to the completed share of the whole."""
+    """Return the same steps with converted shares.
+
+    share: converts a yielded value to the completed share of the whole.
+    """
     with closing(steps):
         go_on = partial(next, steps)
         while True:

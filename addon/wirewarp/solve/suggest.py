@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cuts that the core library proposes, as lines on the mesh, and in words. No Blender in here."""
+"""Cuts that the core library proposes, as lines on the mesh and in words. Does not use Blender."""
 
 import math
 from collections.abc import Sequence
@@ -18,7 +18,8 @@ from .cut_faces import Pairs, Segments, segments_of
 from .flatten import FlattenChoices, issue_of_error, library_arguments, polygons_across, result_of
 from .steps import CanceledError, Steps
 
-ROOM = 2.4  # allowances that a piece must be wide: both sides, and a fifth more to turn it right side out
+# smallest width of a piece in allowances: two for both sides, and a fifth more to turn the piece right side out
+ROOM = 2.4
 WORTH_PIECES = 0.95  # share of the stretch; smaller gains are not felt in fabric, and more pieces take longer to sew
 PAINTED = f' Seams are also not allowed where "{NO_SEAM}" is painted.'
 
@@ -81,7 +82,7 @@ class SearchOptions:
     kind: str  # DARTS or SEAMS; FEWER for seams to clear
     piece: int | None = None  # None for any
     target: Target | None = None
-    is_smooth: bool = False  # whether darts and cut sets may cross faces; not used with a target
+    is_smooth: bool = False  # whether darts and cut sets may cross faces; ignored if there is a target
     names: dict[int, str] = field(default_factory=dict)  # names of pieces by their ids
 
     def piece_text(self, arrays: MeshArrays, triangles: np.ndarray) -> str:
@@ -93,7 +94,7 @@ class SearchOptions:
 def suggest_cuts(
     library: ModuleType, arrays: MeshArrays, choices: FlattenChoices, options: SearchOptions, no_seam: NoSeam
 ) -> Steps[list[Cut]]:
-    """Return cuts, the best first, or the steps to a target. Cut sets are in no order.
+    """Return cuts, the best first, or the steps to a target. Cut sets are not sorted.
 
     If canceled, the cut sets found so far are returned. Raises ObjectError, also if there is nothing to gain.
     """
@@ -119,7 +120,7 @@ def suggest_cuts(
 
 
 def _found_by_then(library: ModuleType, job: "Job[list[DartProposal]]") -> Steps[list[DartProposal]]:
-    """Return the cut sets that a canceled job has found. Raises CanceledError if there are none."""
+    """Return the cut sets that a canceled job has found. Raises CanceledError if it has found none."""
     while not job.is_done():
         yield job.progress()[1]
     try:
@@ -159,7 +160,10 @@ def diagonals(arrays: MeshArrays) -> np.ndarray:
 
 
 def _forbidden_edges(arrays: MeshArrays, no_seam: NoSeam) -> np.ndarray:
-    """Return edges (k,2) with both ends painted, or with painted faces only: a cut may run around painted faces."""
+    """Return the edges (k,2) whose ends are both painted or whose faces are all painted.
+
+    A cut may run around painted faces.
+    """
     counts = np.bincount(arrays.loop_edges, minlength=len(arrays.edges))
     is_forbidden = (counts > 0) & (painted_at_edges(arrays, no_seam) == counts)
     return arrays.edges[is_forbidden | no_seam.vertices[arrays.edges].all(axis=1)]
@@ -178,7 +182,7 @@ def _forbidden_diagonals(across: np.ndarray, arrays: MeshArrays, no_seam: NoSeam
 
 
 def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> list[Cut]:
-    """Return cuts in the library's order. Mirror images become one cut, unless one image alone gains as much."""
+    """Return cuts in the library's order. Mirror images become one cut, unless one of them alone gains as much."""
     cuts = []
     for index, proposal in enumerate(proposals):
         if proposal.twin is not None and proposal.twin < index:
@@ -192,9 +196,10 @@ def _with_mirror_images(proposals: list[DartProposal], arrays: MeshArrays) -> li
 
 
 def from_few_pieces(sets: Sequence[Cut], limit: float) -> list[Cut]:
-    """Return cut sets by their number of pieces, without those that stretch about as far with more pieces.
+    """Return cut sets by their number of pieces, without those that have more pieces but about the same stretch.
 
-    A small gain counts if it reaches the limit, the maximum stretch. Narrow sets never replace others.
+    A small gain counts if it reaches the limit, which is the maximum stretch. Sets with narrow pieces never replace
+    others.
     """
     kept: list[Cut] = []
     for each in sorted(sets, key=lambda cut: (cut.num_pieces, cut.strain, cut.lengths[0])):
@@ -205,7 +210,7 @@ def from_few_pieces(sets: Sequence[Cut], limit: float) -> list[Cut]:
 
 
 def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
-    """Return which set to show: the fewest pieces within the first limit that a set keeps, otherwise the least stretch.
+    """Return the set to show: the fewest pieces within the first limit that a set keeps, otherwise the least stretch.
 
     limits: maximum stretches of the fabric, the smaller direction first. A set with narrow pieces is shown only if
     all sets have narrow pieces.
@@ -216,9 +221,9 @@ def set_for(sets: Sequence[Cut], limits: Sequence[float]) -> int:
 
 
 def _steps_of(plan: list[DartProposal], arrays: MeshArrays, piece: int | None) -> list[Cut]:
-    """Return the steps of a plan; mirror images are one step. piece: the one to cut; None for any."""
+    """Return the steps of a plan; mirror images are one step. piece: the piece to cut; None for any."""
     first = plan[0]
-    # If any piece may be cut, a piece that stays as it is may be strained more than the first one to cut.
+    # If any piece may be cut, a piece that is not cut may have more strain than the first piece to cut.
     before = first.strain_before if piece is not None else max(first.strain_before, first.strain_left)
     ends = [index + 1 for index, each in enumerate(plan) if each.twin is None or each.twin < index]
     return [_cut(plan[:end], plan[end - 1].strain_left, before, arrays) for end in ends]
@@ -247,7 +252,7 @@ WORDS = {"DARTS": ("dart", "darts"), "SEAMS": ("seam", "seams")}
 
 
 def found_words(kind: str, cuts: list[Cut]) -> str:
-    """Return "1 dart", "3 seams", "2 sets of seams", "2 ways to simplify"."""
+    """Return the number and kind of the cuts, such as "1 dart", "2 sets of seams" or "2 ways to simplify"."""
     if cuts[0].is_first:
         return counted(len(cuts), "set of seams", "sets of seams")
     if cuts[0].cleared:
@@ -269,7 +274,7 @@ def step_text(kind: str, cut: Cut, text: LengthText) -> str:
 
 
 def row_text(kind: str, cut: Cut, target: Target | None, text: LengthText) -> str:
-    """Return the text of a button in the list, which fits a narrow sidebar."""
+    """Return the text of a button in the list. It fits a narrow sidebar."""
     if cut.cleared:
         return f"{counted(cut.num_pieces, 'piece')}, {percent_text(cut.strain)}, −{text.rough(cut.lengths[0])}"
     if target is None and cut.is_first:

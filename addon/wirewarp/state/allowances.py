@@ -47,7 +47,7 @@ class SidedMark:
     corner: Mark  # FLOAT, on corners: values that scripts write, of the edge that begins there
 
     def check_attributes(self, mesh: bpy.types.Mesh) -> None:
-        """Raises ObjectError if an attribute of our name has another type or domain."""
+        """Raises ObjectError if an attribute with one of our names has another type or domain."""
         for attribute in (self.value, self.side, FACE, self.corner):
             check_attribute(mesh, attribute)
 
@@ -90,7 +90,7 @@ class SidedMark:
         return np.where(is_set(corners) | (marked == 0), corners, marked)
 
     def mark(self, mesh: bpy.types.Mesh, corners: Sequence[int] | np.ndarray, values: np.ndarray | float) -> None:
-        """Sets these values on the sides that begin at these corners, one for each edge, and clears the other sides."""
+        """Sets these values on the sides that begin at these corners, one per edge, and clears the other sides."""
         rows, faces = corner_edges(mesh)[corners], faces_of_corners(mesh)[corners]
         self.clear(mesh, rows)
         numbers = number_faces(mesh, faces)
@@ -177,13 +177,13 @@ class MarkedAllowances:
 
 
 def check_allowances(mesh: bpy.types.Mesh) -> None:
-    """Raises ObjectError if an attribute of our name has another type or domain."""
+    """Raises ObjectError if an attribute with one of our names has another type or domain."""
     check_attribute(mesh, ALLOWANCE)
     SIDE_ALLOWANCES.check_attributes(mesh)
 
 
 def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
-    """Give this width to the edges that are on seams and outlines: NONE for none, 0 for the default.
+    """Set this width on the edges that are on seams and outlines: NONE for no allowance, 0 for the default.
 
     Return the number of changed edges.
     """
@@ -196,7 +196,7 @@ def mark_edges(mesh: bpy.types.Mesh, rows: np.ndarray, width: float) -> int:
 
 
 def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
-    """Give this width, as in mark_edges, to the sides of edges that begin at these corners.
+    """Set this width, as in mark_edges, on the sides of edges that begin at these corners.
 
     Return the number of changed sides. Edges of more than two faces do not change, because their sides have one width.
     """
@@ -210,7 +210,7 @@ def mark_sides(mesh: bpy.types.Mesh, corners: np.ndarray, width: float) -> int:
     first = beside[np.searchsorted(loop_edges[beside], rows)]
     last = beside[np.searchsorted(loop_edges[beside], rows, side="right") - 1]
     own, shared = np.where(widths[first] != 0, first, last), np.where(widths[first] != 0, last, first)
-    both[rows] = widths[shared]  # more than two faces can share only the default
+    both[rows] = widths[shared]  # edges of more than two faces stay unchanged: their sides share only the default
     write_marked(mesh, ALLOWANCE, both)
     SIDE_ALLOWANCES.clear(mesh, rows)
     one_sided = own[widths[own] != widths[shared]]

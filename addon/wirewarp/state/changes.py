@@ -15,7 +15,7 @@ SHAPE, FACES, MARKS, SCALE = "shape", "faces", "marks", "metric"
 MATRIX, LENGTHS = "matrix", "lengths"  # keys to recognize an applied transformation
 MODIFIED = "modified"  # key of the state with modifiers
 BLOCKS = 64  # number of blocks of vertices, each with one sum per axis
-ROUNDING = 1e-6  # relative rounding of single-precision coordinates after transformations
+ROUNDING = 1e-6  # relative rounding error of single-precision coordinates after transformations
 
 
 def model_state(source: bpy.types.Object, base: MarkedMesh, with_modifiers: bool) -> dict:
@@ -41,7 +41,7 @@ def _state(source: bpy.types.Object, digests: dict, with_modifiers: bool, take: 
 def has_changed(source: bpy.types.Object, state: dict | None, take: Take = kept) -> bool:
     """Return whether geometry, seams, wires or scale differ from a report's model_state. take: kept, or read_anew.
 
-    For a report with modifiers, also whether their result differs, if Blender evaluates them: see shows_modified.
+    For a report with modifiers, their result must not differ either, if Blender evaluates them: see shows_modified.
     """
     return state is not None and bool(_changes(source, state, take))
 
@@ -65,7 +65,7 @@ def _changes(source: bpy.types.Object, then: dict, take: Take) -> set[str]:
         return {SCALE} if _is_scaled(source, then) else set()
     try:
         now = present_state(source, MODIFIED in then, take)
-    except ObjectError:  # a user or another add-on made an attribute of this name since
+    except ObjectError:  # since then, a user or another add-on has made an attribute with one of our names
         return {SHAPE, MARKS}
     changes = {part for part in (SHAPE, MARKS) if then.get(part) != now[part]}
     if _is_scaled(source, then):
@@ -120,7 +120,9 @@ def _length_sums(mesh: MarkedMesh, linear: np.ndarray) -> dict:
 
 
 def _modified_state(source: bpy.types.Object) -> dict:
-    """Return the state from the existing evaluated mesh; evaluated_mesh would evaluate again for unneeded layers.
+    """Return the state from the existing evaluated mesh.
+
+    evaluated_mesh is not used, because it would evaluate again to get more layers.
 
     Coordinates are summed and not hashed: if a modifier refers to another object, moving both changes their rounding.
     Up to Blender 3.6, threads also sum normals in varying order, which changes coordinates along normals.
@@ -169,7 +171,7 @@ def _marks(mesh: MarkedMesh) -> list[np.ndarray]:
 
 
 def place_sums(points: np.ndarray) -> list[float]:
-    """Return sums of the points (n,3) that change by at least half as much as any single point."""
+    """Return sums of the points (n,3). If a single point moves, they change by at least half as much."""
     numbers = np.arange(len(points))
     blocks = numbers * BLOCKS // max(len(points), 1)
     wave = np.cos(2.4 * numbers)
@@ -181,7 +183,7 @@ def place_sums(points: np.ndarray) -> list[float]:
 
 
 def rounding_of_sums(points: np.ndarray, distance: float) -> float:
-    """Return the largest change of the sums of points (n,3) by rounding.
+    """Return the largest change of the sums of points (n,3) that rounding can cause.
 
     distance: distance of the object from the world's origin.
     """

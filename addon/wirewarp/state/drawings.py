@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Keeps drawings until their data change, so that a redraw is free."""
+"""Keeps drawings until their data change, so that a redraw costs nothing."""
 
 import time
 from collections.abc import Callable
@@ -13,10 +13,10 @@ from ..blender.views import redraw_views
 from .memory import all_states, state_of
 
 T = TypeVar("T")
-IDLE_SHARE = 9  # pause after a build as a multiple of its time, so that building takes a tenth of all time
+IDLE_SHARE = 9  # pause after a build as a multiple of the time it took, so that building takes a tenth of all time
 MAX_IDLE = 1.0  # seconds; the longest pause, because a drawing older than this is outdated
 FELT = 0.03  # seconds; a slower drawing is built one redraw later, so that the view follows the mouse
-SOON = 0.01  # seconds until that redraw
+SOON = 0.01  # seconds until the redraw after a slow drawing
 REST = 0.2  # seconds without a change before a build in Edit Mode, where the user may be dragging
 
 
@@ -39,7 +39,7 @@ class _Entry:
     rests_until: float  # seconds of the monotonic clock
     is_slow: bool
     awaited: tuple | None = None  # data of the postponed drawing
-    since: float = 0.0  # time of postponing, on the monotonic clock
+    since: float = 0.0  # time when it was postponed, on the monotonic clock
 
 
 def kept_drawing(
@@ -65,7 +65,7 @@ def kept_drawing(
             return entry.value
     value = build()
     if entry:
-        value = reused(entry.value, value)  # unchanged parts are not built again after a selection in Edit Mode
+        value = reused(entry.value, value)  # after a selection in Edit Mode, unchanged parts are not built again
     done = time.monotonic()
     drawings[what] = _Entry(made_of, value, done + min(IDLE_SHARE * (done - now), MAX_IDLE), done - now > FELT)
     return value
@@ -84,7 +84,7 @@ def reused(old: Any, new: Any) -> Any:  # noqa: ANN401
 
 
 def is_same(first: Any, second: Any) -> bool:  # noqa: ANN401
-    """Return whether the values are equal, also arrays in dataclasses, dicts and lists."""
+    """Return whether the values are equal. Compares arrays, even those in dataclasses, dicts and lists."""
     if type(first) is not type(second):
         return False
     if isinstance(first, np.ndarray):

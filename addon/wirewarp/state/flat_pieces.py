@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads a flat mesh: its elements on the model, and whether it is still valid."""
+"""Reads a flat mesh: which elements of the model its elements are, and whether it is still valid."""
 
 import bpy
 import numpy as np
@@ -22,7 +22,7 @@ from .reports import pieces_report
 
 
 def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
-    """Return the elements on the flat pieces; an edge along a seam exists once per side."""
+    """Return these elements of the model as elements of the flat pieces; an edge along a seam exists once per side."""
     in_piece = np.full(len(flat.face_piece), True) if elements.piece is None else flat.face_piece == elements.piece
     if elements.whole_piece:
         return Elements(faces=np.flatnonzero(in_piece))
@@ -39,19 +39,26 @@ def on_flat(elements: Elements, flat: FlatPieces) -> Elements:
 
 
 OF_ELEMENTS = (SOURCE_VERTEX, SOURCE_CORNER, SOURCE_FACE, PIECE_INDEX, PIECE)  # attributes that a flat mesh always has
-# Relative to the length and to the largest coordinate in single precision, because pieces may have been moved.
+# Tolerance relative to the length, and to the largest coordinate in single precision, because pieces may have been
+# moved.
 LENGTH_ERROR, PLACE_ERROR = 1e-5, 1e-6
 
 
 def is_flat_mesh(mesh: bpy.types.Mesh) -> bool:
-    """Return whether the mesh contains only flat pieces, even if their model changed. Not in Edit Mode."""
+    """Return whether the mesh contains only flat pieces, even if their model has changed.
+
+    The mesh is not in Edit Mode.
+    """
     if not len(mesh.polygons) or not has_attributes(mesh, *OF_ELEMENTS):
         return False
     return not vertex_places(mesh)[:, 2].any()
 
 
 def read_flat_pieces(mesh: bpy.types.Mesh, scale: float = 1.0) -> FlatPieces:
-    """Return the pieces in Blender units times `scale`, None for missing ones, in Object Mode. Raises ObjectError."""
+    """Return the pieces in Blender units times `scale`, with None for missing ones. The object is in Object Mode.
+
+    Raises ObjectError.
+    """
     return FlatPieces(
         vertices=vertex_places(mesh)[:, :2].astype(np.float64) * scale,
         source_vertex=find_values(mesh, SOURCE_VERTEX),
@@ -71,7 +78,7 @@ def no_pieces_sentence(source: bpy.types.Object) -> str:
 
 
 def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bpy.types.Object, FlatPieces]:
-    """Return the flat object of the model in Object Mode. Raises ObjectError if the report has none."""
+    """Return the flat object of a model that is in Object Mode. Raises ObjectError if the report has none."""
     flat = find_flat_object(source)
     if (
         not has_flat_object(source)
@@ -83,7 +90,7 @@ def pieces_of_report(source: bpy.types.Object, report: ObjectReport) -> tuple[bp
 
 
 def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
-    """Return whether all elements still exist, no edge has another length, and no piece is flipped.
+    """Return whether all elements still exist, no edge has changed its length, and no piece is flipped.
 
     The mesh has the attributes of flat pieces.
     """
@@ -95,7 +102,7 @@ def has_kept_shape(mesh: bpy.types.Mesh) -> bool:
     now, then = signed_areas(pieces.vertices, outline_of(pieces)), np.array(record.areas)
     size = float(np.abs(pieces.vertices).max(initial=0))
     if len(now) != len(then) or np.any(np.abs(now - then) > np.abs(then) + PLACE_ERROR * size**2):
-        return False  # a mirrored piece differs by twice its area
+        return False  # the signed area of a flipped piece differs by twice the area
     difference = np.abs(edge_lengths(pieces.vertices, pieces.edges) - laid_out)
     return bool(np.all(difference <= LENGTH_ERROR * laid_out + PLACE_ERROR * size))
 
@@ -128,7 +135,7 @@ def current_pieces(source: bpy.types.Object) -> tuple[ObjectReport, bpy.types.Ob
 
 
 def _is_edited(mesh: bpy.types.Mesh, report: ObjectReport) -> bool:
-    """Return whether anything but the places of whole pieces differs from the layout."""
+    """Return whether anything differs from the layout except the places of whole pieces."""
     if not has_attributes(mesh, PIECE_INDEX, SOURCE_VERTEX):
         return True
     pieces = find_values(mesh, PIECE_INDEX)

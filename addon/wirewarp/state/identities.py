@@ -42,7 +42,7 @@ def names_of(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> dict[int, str]:
 
 
 def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
-    """Return the name of each wire. Wires with the same id or name become Bust, Bust (2) and so on."""
+    """Return the name of each wire. Wires with the same id or name are named Bust, Bust (2) and so on."""
     names, taken = names_of(mesh, wire_ids), dict[str, None]()
     for wire_id in wire_ids:
         taken[_numbered(names[wire_id], taken)] = None
@@ -52,7 +52,7 @@ def chain_names(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> list[str]:
 def present_names(mesh: bpy.types.Mesh, report: Report) -> dict[int, str]:
     """Return the present name of each wire of a report, by its own id. Copies have the original's name with a number.
 
-    mesh: of the model.
+    mesh: the model's.
     """
     listed = {entry.wire_id: entry.name for entry in mesh.wirewarp_names}
     names: dict[int, str] = {}
@@ -65,7 +65,7 @@ def present_names(mesh: bpy.types.Mesh, report: Report) -> dict[int, str]:
 
 
 def update_names(mesh: bpy.types.Mesh, wire_ids: Iterable[int]) -> None:
-    """Make one entry for each id on the mesh, and remove the entries of other wires."""
+    """Make one entry in the list of names for each id on the mesh, and remove all other entries."""
     write_names(mesh, names_of(mesh, wire_ids))
 
 
@@ -81,7 +81,10 @@ def write_names(mesh: bpy.types.Mesh, names: Mapping[int, str]) -> None:
 
 
 def _names_elsewhere(mesh: bpy.types.Mesh, wire_ids: Sequence[int]) -> dict[int, str]:
-    """Return names of joined objects. Joining keeps one list; the other meshes exist until the file is saved."""
+    """Return the names of wires from joined objects.
+
+    Joining keeps only one object's list, but the meshes of the others exist until the file is saved.
+    """
     return {
         entry.wire_id: entry.name
         for other in bpy.data.meshes
@@ -131,7 +134,10 @@ class WireSummary:
 
 
 def wires_of(target: bpy.types.Object) -> list[WireSummary]:
-    """Return the wires in the order of the mesh. Raises ObjectError for foreign attributes."""
+    """Return the wires in the order of the mesh.
+
+    Raises ObjectError if others made an attribute with one of our names.
+    """
     return kept(target.data, "wires", lambda _: find_wires(target, kept))
 
 
@@ -161,7 +167,7 @@ def find_wires(target: bpy.types.Object, take: Take = read_anew) -> list[WireSum
 
 
 def repair_names(target: bpy.types.Object) -> dict[int, int]:
-    """Write the names in either mode, and return the ids that must still be written, by edge."""
+    """Write the names in either mode. Return the ids that must still be written, one per edge."""
     wires, mesh = find_wires(target), target.data
     ids = [wire.wire_id for wire in wires]
     own = own_ids(ids)
@@ -187,11 +193,11 @@ def known_pieces(
 
 
 def _ids_of_flat_pieces(mesh: bpy.types.Mesh, face_count: int) -> np.ndarray:
-    """Return the ids (face_count,) for the model; zeros if it is not, face by face, the flattened model."""
+    """Return the ids (face_count,) for the model; zeros if its faces are not those of the flattened model."""
     ids, record = np.zeros(face_count, dtype=np.int32), read_record(mesh)
     if record and record.source_faces == face_count and has_attributes(mesh, SOURCE_FACE, PIECE):
         faces = find_values(mesh, SOURCE_FACE)
-        inside = (faces >= 0) & (faces < face_count)  # faces made by hand have no id or any id
+        inside = (faces >= 0) & (faces < face_count)  # faces that the user has made may have any id, or none
         ids[faces[inside]] = find_values(mesh, PIECE)[inside]
     return ids
 
@@ -211,7 +217,10 @@ def write_pieces(
     identities: Sequence[PieceIdentity],
     on_model: bool,
 ) -> None:
-    """Write ids and names of pieces. on_model: the arrays belong to the base mesh, which may be written."""
+    """Write ids and names of pieces.
+
+    on_model: whether the arrays belong to the base mesh, so that it may be written.
+    """
     source.wirewarp_pieces.clear()
     for identity in identities:
         entry = source.wirewarp_pieces.add()
@@ -234,7 +243,7 @@ def known_seams(source: bpy.types.Object, arrays: MeshArrays, flat: bpy.types.Ob
 
 
 def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.ndarray:
-    """Return the ids (k,) of the model's seam edges; zeros if it is not, face by face, the flattened model."""
+    """Return the ids (k,) of the model's seam edges; zeros if its faces are not those of the flattened model."""
     ids, found = np.zeros(len(arrays.seams), dtype=np.int32), find_values(mesh, SEAM)
     record = read_record(mesh)
     is_same = record is not None and record.source_faces == len(arrays.polygon_starts)
@@ -243,7 +252,7 @@ def _seam_ids_of_flat_pieces(mesh: bpy.types.Mesh, arrays: MeshArrays) -> np.nda
     marked = np.flatnonzero(found)
     count = len(arrays.vertices)
     sources = find_values(mesh, SOURCE_VERTEX)[edge_vertices(mesh)[marked]]
-    inside = ((sources >= 0) & (sources < count)).all(axis=1)  # edges made by hand may have any id
+    inside = ((sources >= 0) & (sources < count)).all(axis=1)  # edges that the user has made may have any id
     keys, own = edge_keys(sources[inside], count), edge_keys(arrays.seams, count)
     keys, first = np.unique(keys, return_index=True)
     if len(keys):
@@ -257,10 +266,10 @@ def write_seams(
 ) -> None:
     """Write ids and names of seams. Names that the user has changed since the model was read stay.
 
-    arrays: the model with the new ids; on_model: the arrays belong to the base mesh, which may be written.
+    arrays: the model with the new ids; on_model: whether the arrays belong to the base mesh, so that it may be written.
     """
     places = {entry.seam_id: place for place, entry in enumerate(source.wirewarp_seams)}
-    for identity in identities:  # by index, because add() moves the entries in memory
+    for identity in identities:  # accessed by index, because add() moves the entries in memory
         place = places.get(identity.seam_id)
         entry = source.wirewarp_seams.add() if place is None else source.wirewarp_seams[place]
         if not entry.name or GIVEN.fullmatch(entry.name):

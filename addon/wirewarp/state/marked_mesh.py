@@ -27,7 +27,7 @@ OF_WIRES = (WIRE, TOLERANCE, EASE)
 
 
 def check_attributes(mesh: bpy.types.Mesh) -> None:
-    """Raises ObjectError if an attribute of our name has another type or domain."""
+    """Raises ObjectError if an attribute with one of our names has another type or domain."""
     for attribute in OF_WIRES:
         check_attribute(mesh, attribute)
 
@@ -97,7 +97,7 @@ class MarkedMesh:
 
 
 def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
-    """Read a mesh that is not in Edit Mode. Raises ObjectError if an attribute of our name is foreign."""
+    """Read a mesh that is not in Edit Mode. Raises ObjectError if others made an attribute with one of our names."""
     return MarkedMesh(
         vertex_places(mesh),
         edge_vertices(mesh),
@@ -111,7 +111,7 @@ def read_marked(mesh: bpy.types.Mesh) -> MarkedMesh:
 
 
 def marked_mesh(target: bpy.types.Object, take: Take = read_anew) -> MarkedMesh:
-    """Return the object's own mesh in either mode, like read_marked. take: read_anew, or kept."""
+    """Return the object's own mesh as read_marked does, but in either mode. take: read_anew, or kept."""
 
     def gather(_mesh: bpy.types.Mesh) -> MarkedMesh:
         with current_mesh(target) as mesh:

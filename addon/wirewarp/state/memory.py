@@ -15,7 +15,7 @@ from ..blender.views import send_mouse_move
 
 T = TypeVar("T")
 Owner = TypeVar("Owner", bpy.types.Mesh, bpy.types.Object)
-Take = Callable[[bpy.types.ID, str, Callable], Any]  # kept or read_anew
+Take = Callable[[bpy.types.ID, str, Callable], Any]  # the type of kept and read_anew
 Place = tuple[str, str | None]  # name and library, by which bpy.data.objects finds an object
 
 
@@ -31,7 +31,7 @@ class ObjectState:
     failed_after: str = ""  # the report stored before that run; "" if there was none
     suggestions: Any = None  # see state.suggestions
     solved: Any = None  # the wirewarp.Cache of its solved pieces; see flatten.read
-    solved_by_map: Any = None  # the Cache for the trial of its UV seams
+    solved_by_map: Any = None  # the Cache for the attempt with its UV seams
     tried: dict | None = None  # state of the model when Auto last took it; see flatten.auto_update
     is_due: bool = False  # for a scene: Auto has to look for changes; see note_change
     is_undone: bool = False  # for a scene: the last change was an undo
@@ -41,7 +41,7 @@ class ObjectState:
 class _Memory:
     states: dict[object, ObjectState] = field(default_factory=dict)  # states by _key
     counts: tuple[int, ...] = ()  # counts of objects and meshes when states of removed ones were last dropped
-    ours: set[Place] | None = None  # the objects of interest; None: find_objects checks all objects
+    ours: set[Place] | None = None  # objects found by find_objects; None: it has to check all objects
     updated: set[Place] = field(default_factory=set)  # the objects that find_objects checks again
 
 
@@ -49,7 +49,7 @@ _memory = _Memory()
 
 
 def state_of(owner: bpy.types.ID) -> ObjectState:
-    """Returns the state of this data-block, a new one if there is none."""
+    """Returns the state of this data-block; makes a new one if there is none."""
     key, name = _key(owner), owner.name_full
     state = _memory.states.get(key)
     if state is None:
@@ -71,7 +71,10 @@ def _key(owner: bpy.types.ID) -> object:
 
 
 def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
-    """Returns gather(owner), or its last result if the geometry is unchanged. A new selection may count as a change."""
+    """Returns gather(owner), or its last result if the geometry is unchanged.
+
+    A changed selection may count as a change of geometry.
+    """
     found = state_of(owner).gathered
     if what not in found:
         found[what] = gather(owner)
@@ -79,7 +82,7 @@ def kept(owner: Owner, what: str, gather: Callable[[Owner], T]) -> T:
 
 
 def read_anew(owner: Owner, _what: str, gather: Callable[[Owner], T]) -> T:
-    """Returns a new gather(owner), because scripts may change a mesh without Blender's notice."""
+    """Returns a new gather(owner), because scripts may change a mesh without Blender noticing."""
     return gather(owner)
 
 
@@ -89,7 +92,7 @@ def stamp(owner: bpy.types.Mesh | bpy.types.Object) -> object:
 
 
 def find_objects(concerns_us: Callable[[bpy.types.Object], bool]) -> list[bpy.types.Object]:
-    """Returns all objects of the file for which concerns_us holds. It must be the same function each time."""
+    """Returns all objects of the file for which concerns_us() is true. It must be the same function each time."""
     if _memory.ours is not None:
         asked = {place: bpy.data.objects.get(place) for place in _memory.updated}
         _memory.ours -= asked.keys()
@@ -112,7 +115,7 @@ def _place(target: bpy.types.Object) -> Place:
 
 
 def note_updates(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
-    """Handler after an update of the depsgraph. Also drops the states of removed data-blocks."""
+    """Handler that runs after an update of the depsgraph. It also drops the states of removed data-blocks."""
     _memory.updated.update(_place(update.id) for update in depsgraph.updates if isinstance(update.id, bpy.types.Object))
     drop_changed(scene, depsgraph)
     counts = len(bpy.data.objects), len(bpy.data.meshes)
@@ -124,7 +127,7 @@ def note_updates(scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None
 
 
 def drop_changed(_scene: bpy.types.Scene, depsgraph: bpy.types.Depsgraph) -> None:
-    """Handler after an update or a change of frame: during playback only animated objects are read again."""
+    """Handler that runs after an update or a change of frame. During playback, only animated objects are read again."""
     for update in depsgraph.updates:
         changed = update.id.original
         if isinstance(changed, bpy.types.Mesh):
@@ -140,7 +143,7 @@ def _drop(owner: bpy.types.ID) -> None:
 
 
 def drop_gathered(*_: object) -> None:
-    """Handler after undo and redo, which may change anything."""
+    """Handler that runs after undo and redo, which may change anything."""
     for state in all_states():
         state.gathered.clear()
     _memory.ours = None
@@ -153,7 +156,7 @@ def forget(*_: object) -> None:
         bpy.app.timers.unregister(_nudge)
 
 
-SECONDS = 0.2  # between two checks: short enough to feel immediate, and it does not disturb a running tool
+SECONDS = 0.2  # seconds between two checks: short enough to feel immediate, and without disturbing a running tool
 
 
 def is_due(scene: bpy.types.Scene) -> bool:

@@ -25,7 +25,7 @@ def model_of(target: bpy.types.Object) -> bpy.types.Object | None:
 
 
 def model_or_self(target: bpy.types.Object) -> bpy.types.Object:
-    """Return the model of flat pieces, or any other object itself."""
+    """Return the model of flat pieces; return any other object itself."""
     return model_of(target) or target
 
 
@@ -37,7 +37,7 @@ def is_deleted(model: bpy.types.Object) -> bool:
 def find_flat_object(source: bpy.types.Object) -> bpy.types.Object | None:
     """Return the object that points to `source`. Of several copies, the one with the add-on's name comes first."""
     named = bpy.data.objects.get(flat_name(source.name))
-    if named and model_of(named) == source:  # found without checking all objects, of which there may be thousands
+    if named and model_of(named) == source:  # found by name first, because checking all objects may mean thousands
         return named
     return next((candidate for candidate in bpy.data.objects if model_of(candidate) == source), None)
 
@@ -47,7 +47,7 @@ def flat_name(model_name: str) -> str:
 
 
 def has_flat_object(source: bpy.types.Object) -> bool:
-    """Return whether there are flat pieces that the user has not deleted."""
+    """Return whether the model has flat pieces that the user has not deleted."""
     flat = find_flat_object(source)
     return flat is not None and bool(flat.users_scene)
 
@@ -66,8 +66,8 @@ def earlier_sentence(target: bpy.types.Object) -> str:
 def check_not_edited(target: bpy.types.Object, handled: Collection[bpy.types.Mesh] = ()) -> None:
     """Raises ObjectError if the mesh of the model or of its pieces is in Edit Mode, which hides attributes.
 
-    in_object_mode leaves the Edit Mode of one view layer; other scenes and windows have theirs. handled: meshes that
-    the caller reads and writes in Edit Mode.
+    in_object_mode leaves only the Edit Mode of one view layer, and other scenes and windows have their own. handled:
+    meshes that the caller reads and writes in Edit Mode.
     """
     for each in filter(None, [target, find_flat_object(target)]):
         if each.data.is_editmode and each.data not in handled:

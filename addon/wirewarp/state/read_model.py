@@ -27,7 +27,7 @@ from .allowances import SIDE_EASES, corner_widths, widest_allowance
 from .identities import chain_names
 from .marked_mesh import MarkedMesh, own_ids, read_ids, read_marked
 
-LEVELS = 2  # two levels divide a turn of 60 degrees, the largest in a curve, into four of 15
+LEVELS = 2  # two levels divide a turn of 60 degrees, the largest that counts as a curve, into four turns of 15 degrees
 MOST_LEVELS = 4  # each level has four times as many faces
 ROUNDING = 1e-5  # as a share of the model's size: error of single-precision matrices of an armature at rest
 
@@ -49,9 +49,10 @@ def left_out(source: bpy.types.Object, arrays: MeshArrays | None, use_modifiers:
 
 
 def shaped_by(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> list[str]:
-    """Return "modifiers" and "shape keys" if these make the object differ from its base mesh. In Object Mode.
+    """Return "modifiers" and "shape keys" if these make the object differ from its base mesh.
 
-    Only the evaluated shape counts: an armature at rest changes nothing, nor does a modifier of normals.
+    The object is in Object Mode. Only the evaluated shape counts, so an armature at rest or a modifier of normals does
+    not matter.
     """
     makers = ["modifiers"] if any(modifier.show_viewport for modifier in source.modifiers) else []
     makers += ["shape keys"] if source.data.shape_keys else []
@@ -72,7 +73,10 @@ def subdivide(source: bpy.types.Object, is_used: bool) -> None:
 
 
 def outline_change(source: bpy.types.Object, depsgraph: bpy.types.Depsgraph) -> float:
-    """Return the relative change of the outlines' length by modifiers, below 0 for shorter, in Object Mode."""
+    """Return the relative change of the outlines' length by modifiers, below 0 if they become shorter.
+
+    The object is in Object Mode.
+    """
     before = _outline_length(source.data)
     with evaluated_mesh(source, depsgraph) as mesh:
         return _outline_length(mesh) / before - 1 if before else 0.0
@@ -102,7 +106,7 @@ def apply_modifiers(source: bpy.types.Object) -> None:
 
 
 def _is_same_shape(base: bpy.types.Mesh, seen: bpy.types.Mesh) -> bool:
-    """Return whether the shapes are the same; a modifier that splits edges repeats places."""
+    """Return whether the shapes are the same, even if a modifier has split edges, which repeats places."""
     if len(base.polygons) != len(seen.polygons):
         return False
     places, seen_places = (vertex_places(mesh) for mesh in (base, seen))
@@ -119,7 +123,7 @@ CARRIED = 0.5  # weight from which a vertex is in its group
 
 
 def object_to_arrays(source: bpy.types.Object, base: MarkedMesh, depsgraph: bpy.types.Depsgraph | None) -> MeshArrays:
-    """Return the object's base mesh or, with a depsgraph, the mesh with modifiers. Raises ObjectError."""
+    """Return the object's base mesh as arrays or, with a depsgraph, the mesh with modifiers. Raises ObjectError."""
     linear = linear_part(source)
     if depsgraph is None:
         with current_mesh(source) as mesh:
@@ -153,12 +157,12 @@ def _to_arrays(
     edges, sizes = marked.edges, marked.face_sizes
     face_count = np.bincount(marked.corner_edges, minlength=len(edges))
     in_face = face_count > 0
-    seams = np.flatnonzero(marked.seams & in_face)  # a loose edge does not cut a face
+    seams = np.flatnonzero(marked.seams & in_face)  # leaves out loose edges, which do not cut faces
     return MeshArrays(
         vertices=vertices,
         triangles=marked.corner_vertices[loops],
         triangle_loops=loops,
-        # Blender keeps the triangles in the order of their polygons: n - 2 of each.
+        # Blender stores triangles in the order of their polygons, n - 2 for each polygon.
         triangle_polygons=np.repeat(np.arange(len(sizes), dtype=np.int32), sizes - 2),
         loop_vertices=marked.corner_vertices,
         loop_edges=marked.corner_edges,
@@ -188,7 +192,7 @@ def _to_arrays(
 def own_uv_map(mesh: bpy.types.Mesh) -> bpy.types.MeshUVLoopLayer | None:
     """Return the user's active UV map; None if there is only the map of the flat pieces.
 
-    If that map is active, as after Flatten, return the user's map that renders, or the first.
+    If that map is active, as after Flatten, return the user's map that is active for rendering, or the first one.
     """
     active, others = mesh.uv_layers.active, [each for each in mesh.uv_layers if each.name != UV_LAYER]
     if active is None or active.name != UV_LAYER:
@@ -197,7 +201,7 @@ def own_uv_map(mesh: bpy.types.Mesh) -> bpy.types.MeshUVLoopLayer | None:
 
 
 def _name_wires(named: bpy.types.Mesh, chains: list[WireChain]) -> list[NamedWire]:
-    """Give each wire a name and an id of its own."""
+    """Assign a name and an id of its own to each wire."""
     ids = [chain.wire_id for chain in chains]
     return [
         NamedWire(name, replace(chain, wire_id=own), chain.wire_id)
@@ -232,7 +236,7 @@ def _groups(source: bpy.types.Object, mesh: bpy.types.Mesh, sample: np.ndarray) 
                 elements = mesh.vertices[vertex].groups
                 groups_of[vertex] = {element.group for element in elements if element.weight >= CARRIED}
         for group in set.intersection(*(groups_of[vertex] for vertex in corners)):
-            if group < len(members):  # weights may refer to a removed group
+            if group < len(members):  # a weight may refer to a group that was removed
                 members[group].append(face)
     named = zip(source.vertex_groups, members, strict=True)
     return [Region(group.name, np.array(faces, dtype=np.int64)) for group, faces in named if faces]

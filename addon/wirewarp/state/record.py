@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the layout of pieces and measures as maps on a flat mesh, and reads them."""
+"""Writes the layout of the pieces, and the measures as maps, on a flat mesh, and reads them."""
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
@@ -20,7 +20,7 @@ VALUES = {"arap_energy": "FACE", "aspect_ratio": "FACE", "stretch": "FACE", "len
 
 
 def write_maps(mesh: bpy.types.Mesh, flat: FlatMesh) -> None:
-    """Write the maps on a mesh without these attributes."""
+    """Write the maps on a mesh that does not have these attributes yet."""
     for name, domain in VALUES.items():
         mesh.attributes.new(name, "FLOAT", domain).data.foreach_set("value", getattr(flat, name))
     measures = map_values(flat)
@@ -43,7 +43,7 @@ def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorM
     ends = flat.edges.ravel()
     edges_at = np.maximum(np.bincount(ends, minlength=len(mesh.vertices)), 1)
     sums = np.bincount(ends, np.repeat(flat.length_variation, 2), minlength=len(mesh.vertices))
-    at_vertex = sums / edges_at  # the mean of the vertex's edges
+    at_vertex = sums / edges_at  # the mean over the edges of the vertex
     face = np.repeat(np.arange(len(flat.face_sizes)), flat.face_sizes)  # face of each corner
     # A color of four float32 has the size of one complex number, and taking these is far faster than taking rows. All
     # maps use the same memory, because new memory is slower still.
@@ -53,7 +53,7 @@ def _write_colors(mesh: bpy.types.Mesh, flat: FlatMesh, measures: Mapping[ColorM
         (LENGTH_VARIATION, at_vertex, flat.loop_vertices),
     ):
         own = color_map.colors(values).view(np.complex128).ravel()
-        np.take(own, at_corner, out=taken, mode="clip")  # the default mode allocates memory
+        np.take(own, at_corner, out=taken, mode="clip")  # the default mode would allocate memory
         attribute = mesh.color_attributes.new(color_map.attribute, "FLOAT_COLOR", "CORNER")
         attribute.data.foreach_set("color", taken.view(np.float32))
 

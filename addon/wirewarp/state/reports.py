@@ -2,8 +2,9 @@
 """Stores two reports of each object: of the run that made its flat pieces, and of a later run that wrote nothing.
 
 A run that wrote pieces stores its report on the object, so that the file keeps it. A run that wrote nothing does not
-change the file: its report stays in memory until the next such run or file, and is the last report while the stored
-one is unchanged. A report that anything else changed is not shown, because it may be wrong or unsafe to read.
+change the file. Its report stays in memory until the next such run or file, and counts as the last report while the
+stored one is unchanged. A report that something else has changed is not shown, because it may be wrong or unsafe to
+read.
 """
 
 import json
@@ -18,7 +19,8 @@ from ..solve.report import ObjectReport, failure_report
 from .identities import piece_names, present_names, seam_names
 from .memory import all_states, note, state_of
 
-HAS_CHANGED = "has changed"  # key of an answer that the panel keeps until another report is stored
+# key under which the panel keeps its answer until another report is stored
+HAS_CHANGED = "has changed"
 
 
 def store(source: bpy.types.Object, report: ObjectReport) -> None:
@@ -82,7 +84,7 @@ def _read(source: bpy.types.Object) -> ObjectReport | None:
         return None
     stored, state = (stored_text(source, REPORT), stored_text(source, REPORT_SEAL)), state_of(source)
     if state.parsed is None or state.parsed[0] != stored:
-        state.parsed = stored, _parse(*stored)  # so that drawing the panel need not do it
+        state.parsed = stored, _parse(*stored)  # done here, so that drawing the panel does not have to do it
     return state.parsed[1]
 
 
@@ -95,7 +97,7 @@ def _parse(text: str, seal: str) -> ObjectReport:
 
 
 def forget_incomparable(*_: object) -> None:
-    """Forget reports after undo, except reports on the present model."""
+    """Forget reports after undo, except those that describe the present model."""
     for state in all_states():
         if state.failure and state.failure.model_state is None:
             state.failure = None

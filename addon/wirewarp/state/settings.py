@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Converts the settings of a run and a search, from the scene or the operator, for the solver."""
+"""Converts the settings of a run and of a search, from the scene or the operator, for the solver."""
 
 import math
 from collections.abc import Callable
@@ -20,7 +20,7 @@ def number(name: str, description: str, values: tuple[float, ...], **others: Any
 
 
 def in_percent(field: str) -> dict[str, Any]:
-    """Return arguments of a property that shows another field, a fraction, in percent."""
+    """Return the arguments of a property that shows another property, which is a fraction, in percent."""
     return {
         "subtype": "PERCENTAGE",
         "precision": 2,
@@ -59,7 +59,7 @@ CUSTOM = 1000  # Files store this number, or the index of a preset in the librar
 
 
 def fabric_label(name: str) -> str:
-    """Return "Jersey, 50 / 25%", with the maximum stretch across and along the grain."""
+    """Return the text of a preset, such as "Jersey, 50 / 25%", with the maximum stretch across and along the grain."""
     limits = dict.fromkeys(f"{100 * limit:.0f}" for limit in Cloth.preset(name).limits)
     return f"{Cloth.about(name)['label']}, {' / '.join(limits)}%"
 
@@ -203,7 +203,7 @@ class FlattenSettings:
         "Gap (mm)",
         "Space between the cutting lines of the pieces, with the widest allowance. "
         "If you change allowances later, pieces move only when you press Lay Out Again",
-        (0.0, 10.0, 200.0),  # room for the scissors
+        (0.0, 10.0, 200.0),  # default: room for the scissors
         step=100,
     )
     keep_places: BoolProperty(
@@ -238,7 +238,7 @@ def _cloth_of(settings: FlattenSettings, _meters: float) -> ClothChoice | None:
 
 @dataclass(frozen=True)
 class Setting:
-    """Data of a setting of Flatten beside its property."""
+    """Data of a setting of Flatten, in addition to its property."""
 
     name: str  # name of the property
     choice: str = ""  # name of the field of FlattenChoices; "": no field
@@ -246,9 +246,10 @@ class Setting:
     to_choice: Callable[[FlattenSettings, float], Any] | None = None
     is_advanced: bool = False  # rarely needed
     is_in_front: Callable[[FlattenSettings], bool] = lambda _: False  # shown above Flatten
-    is_wide: bool = False  # the name does not fit in half a narrow sidebar
+    is_wide: bool = False  # whether the name is too long for half a narrow sidebar
     is_shown: Callable[[FlattenSettings], bool] = lambda _: True
-    is_used: Callable[[FlattenSettings], bool] = lambda _: True  # otherwise it is gray
+    # whether the setting has an effect; it is gray otherwise
+    is_used: Callable[[FlattenSettings], bool] = lambda _: True
 
     def part(self, settings: FlattenSettings) -> str:
         """Return the part of the panel, one of PARTS, in which the setting is drawn."""
@@ -328,7 +329,7 @@ class TargetSettings:
     aim_stretch: number(
         "Max Stretch",
         "Target: the stretch that 99% of a piece may have. A piece that meets it gets no further cuts",
-        (0.0, 5.0, 25.0, 100.0),  # the library's default
+        (0.0, 5.0, 25.0, 100.0),  # default: that of the library
         subtype="PERCENTAGE",
     )
     aim_cuts: IntProperty(
@@ -337,7 +338,7 @@ class TargetSettings:
         min=1,
         max=100,
         soft_max=10,
-        default=4,  # one dart at the bust and one at the waist on each side
+        default=4,  # default: one dart at the bust and one at the waist on each side
     )
     aim_length: FloatProperty(
         name="Max Length",

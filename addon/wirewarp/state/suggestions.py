@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested cuts of each object, kept until it changes, and areas without cuts."""
+"""Keeps the suggested cuts of each object until it changes, and reads areas without cuts."""
 
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -20,7 +20,7 @@ OTHER_KIND = (
     'The attribute "{}" of mesh "{}" is not of type BOOLEAN, INT8, INT or FLOAT on faces. '
     "Rename or delete it under Object Data > Attributes."
 )
-LEAST_WEIGHT = 0.5  # weight from which a vertex is in the group: painted with half the strength
+LEAST_WEIGHT = 0.5  # weight from which a vertex counts as painted: half the full strength
 
 
 def read_no_seam(source: bpy.types.Object, modified: bpy.types.Mesh | None = None) -> NoSeam:
@@ -51,9 +51,9 @@ Place = Literal["FLATTEN", "PIECES"]  # panel with the button that was pressed, 
 @dataclass(frozen=True)
 class Suggestions:
     kind: str  # DARTS, SEAMS or FEWER
-    cuts: list[Cut]  # for a target, each includes all earlier ones
+    cuts: list[Cut]  # for a target, each cut includes all earlier ones
     target: Target | None
-    names: list[str]  # name of the piece that each cut is in
+    names: list[str]  # name of the piece that contains each cut
     choices: FlattenChoices  # settings of the search
     grain_wire: int  # id on the mesh; 0 for none
     wire_ids: set[int]  # ids of the wires during the search
@@ -99,5 +99,5 @@ def are_current(source: bpy.types.Object, found: Suggestions, take: Take = kept)
         return True
     try:
         return found.no_seam.is_same(take(source, "no seam", read_no_seam))
-    except ObjectError:  # the attribute could be read during the search
+    except ObjectError:  # the attribute has changed, because it could be read during the search
         return False

@@ -48,7 +48,7 @@ SOFT = 0.2  # maximum stretch of plush and knits, of which most closed models ar
 
 @dataclass(frozen=True)
 class Search:
-    """A search under way for one model, as it was read."""
+    """A search in progress for one model, as it was read."""
 
     options: SearchOptions
     model: Model
@@ -85,7 +85,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
     )
     if piece is not None and not is_true:
         raise changed_error(source.name)
-    known = report if is_true else last_report(source)  # a closed model, for example, has no flat pieces
+    known = report if is_true else last_report(source)  # for example, a closed model has no flat pieces
     is_known = known is not None and (is_true or not has_changed(source, known.model_state))
     pieces = known.pieces if is_known else []
     choices = choices_of(settings, meters_per_blender_unit(context.scene))
@@ -110,7 +110,7 @@ def begin_search(context: bpy.types.Context, source: bpy.types.Object, kind: str
 
 
 def _accepted(choices: FlattenChoices) -> list[float]:
-    """Return the known maximum stretches of the fabric; if none is known, the stretch of soft fabrics."""
+    """Return the known maximum stretches of the fabric; if none is known, the stretches of soft fabrics."""
     return known_stretch(choices.cloth) or [SOFT]
 
 
@@ -197,7 +197,7 @@ class SuggestCuts(OnMesh, WindowSteps):
         return {"CANCELLED"}
 
     def _read(self, context: bpy.types.Context) -> None:
-        """Raises ObjectError if there is nothing to search."""
+        """Read the model for the search. Raises ObjectError if there is nothing to search."""
         check_sources(context, active_target(context))
         source = model_or_self(context.active_object)
         for settings in (FlattenSettings, TargetSettings):
@@ -231,7 +231,7 @@ class SuggestCuts(OnMesh, WindowSteps):
 
 
 class SuggestForPiece(SuggestCuts):
-    """Mixin of operators that cut one piece or any."""
+    """Mixin of operators that suggest cuts of one piece, or of any piece."""
 
     piece: IntProperty(
         name="Piece",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The buttons that suggest darts and seams, and the list of results. The chosen one is drawn in the views."""
+"""Draws the buttons that suggest darts and seams, and the list of results. The views show the chosen one."""
 
 from collections.abc import Sequence
 
@@ -123,7 +123,7 @@ def draw_suggestions(context: bpy.types.Context, layout: bpy.types.UILayout, pla
 
 
 def _explained(cuts: Sequence[Cut]) -> str:
-    """Return the sentence that explains rows of sets; empty for other cuts."""
+    """Return the sentence that explains the rows of cut sets; empty for other cuts."""
     if not cuts[0].is_set:
         return ""
     columns = COLUMNS.format("cleared seams" if cuts[0].cleared else "seams")
@@ -136,7 +136,7 @@ def are_shown(context: bpy.types.Context) -> bool:
 
 
 def _shown(context: bpy.types.Context) -> Suggestions | None:
-    """Return the suggestions for the active model, or for the model of active flat pieces; None if it has changed."""
+    """Return the suggestions for the active model or the model of active flat pieces; None if that has changed."""
     source = shown_source(context)
     found = suggestions_of(source) if source else None
     if found is None:

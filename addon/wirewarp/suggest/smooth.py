@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Cuts lines into the mesh: suggested lines, and smooth lines instead of seams along edges.
 
-The surface stays, and so do marks, maps and attributes: new elements get the attributes of the faces and edges that
-they divide.
+The surface does not change, and marks, maps and attributes stay: new elements get the attributes of the faces and edges
+that they divide.
 """
 
 from collections.abc import Iterator, Sequence
@@ -37,7 +37,7 @@ from ..ui.editing import OnModel, reporting_refusals
 def take_lines(source: bpy.types.Object, paths: Sequence[SurfacePath], with_modifiers: bool) -> int:
     """Cut the lines into the mesh as edges, and mark these as seams. Return the number of new seams.
 
-    with_modifiers: whether the lines are on the mesh that modifiers make. The modifiers are then applied. Raises
+    with_modifiers: whether the lines are on the mesh with modifiers, which are then applied. Raises
     ObjectError, with nothing changed.
     """
     depsgraph = bpy.context.evaluated_depsgraph_get() if with_modifiers else None
@@ -72,7 +72,7 @@ def cut_lines(mesh: bpy.types.Mesh, division: Division) -> Pairs:
         return division.lines
     with _edited(mesh) as edited:
         vertices, faces = dict(enumerate(edited.verts)), list(edited.faces)
-        filled = []  # each triangle that fills a divided face, with the edges across it
+        filled = []  # triangles that fill the divided faces, each with the edges across it
         for polygon, divided in division.polygons.items():
             parts = [faces[polygon]]
             _split_along(edited, parts, divided.diagonals, vertices)
@@ -89,7 +89,7 @@ def cut_lines(mesh: bpy.types.Mesh, division: Division) -> Pairs:
 
 @contextmanager
 def unchanged_on_error(mesh: bpy.types.Mesh) -> Iterator[None]:
-    """Restore the mesh if an error occurs, so that all lines are cut or none."""
+    """Restore the mesh if an error occurs, so that either all lines are cut or none."""
     before = bmesh.new()
     try:
         before.from_mesh(mesh)
@@ -127,7 +127,7 @@ def _split_along(
         face = next(each for each in parts if {first, second} <= set(each.verts))
         new, corner = bmesh.utils.face_split(face, first, second)
         parts.append(new)
-        for loop in corner.edge.link_loops:  # Blender copied the values from corners at which other edges begin
+        for loop in corner.edge.link_loops:  # Blender has copied the values from corners at which other edges begin
             for side in _side_layers(edited):
                 loop[side] = 0.0
 
@@ -154,8 +154,8 @@ def _side_layers(edited: bmesh.types.BMesh) -> list[bmesh.types.BMLayerItem]:
 def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
     """Replace each line of these seam edges by a smooth seam with the same ends.
 
-    The new lines meet each other, other seams and wires in the same places, and do not enter painted faces. Vertices
-    keep their indices. Returns the edges of the smooth lines. Raises ObjectError, with no change.
+    The new lines meet each other, other seams and wires at the same places as before, and do not enter painted faces.
+    Vertices keep their indices. Returns the edges of the smooth lines. Raises ObjectError, with no change.
     """
     mesh, seams = source.data, []
     places = object_to_arrays(source, marked_mesh(source), None).vertices
@@ -164,7 +164,7 @@ def cut_smooth_lines(source: bpy.types.Object, edges: Pairs) -> Pairs:
         _check_ends(source, path)
     with unchanged_on_error(mesh):
         for index, path in enumerate(paths):
-            clear_seams(mesh, list(pairwise(path)))  # before the line cuts some of these edges in two
+            clear_seams(mesh, list(pairwise(path)))  # done now, because the line cuts some of these edges in two
             arrays = object_to_arrays(source, marked_mesh(source), None)
             kept = [pair for other in paths[index + 1 :] for pair in pairwise(other)]
             line = _smooth_line(arrays, path, kept, read_no_seam(source))
@@ -182,7 +182,9 @@ def _check_ends(source: bpy.types.Object, path: list[int]) -> None:
 
 
 def _smooth_line(arrays: MeshArrays, path: list[int], kept: Pairs, no_seam: NoSeam) -> SurfacePath:
-    """Return a smooth line beside a path of vertices inside a piece, with the same ends and crossings of kept edges.
+    """Return a smooth line beside a path of vertices inside a piece, with the same ends.
+
+    It crosses kept edges at the same places.
 
     It enters only painted faces that the path enters. Edges of the path must not be seams. Raises ObjectError.
     """
@@ -199,7 +201,7 @@ def _smooth_line(arrays: MeshArrays, path: list[int], kept: Pairs, no_seam: NoSe
 
 
 def _on_triangles(ends: np.ndarray, t: np.ndarray, arrays: MeshArrays) -> SurfacePath:
-    """Return points at ends[:, 0] + t (ends[:, 1] - ends[:, 0]) as points in triangles."""
+    """Return the points ends[:, 0] + t (ends[:, 1] - ends[:, 0]), each as a point in a triangle."""
     near = np.flatnonzero(np.isin(arrays.triangles, ends).any(axis=1))
     faces, coordinates = [], []
     for (first, second), share in zip(ends.tolist(), t.tolist(), strict=True):
@@ -238,7 +240,7 @@ class MESH_OT_wirewarp_smooth_seam(OnModel, bpy.types.Operator):
 
 
 def _selected_seams(target: bpy.types.Object) -> Pairs:
-    """Return the selected seams between two faces. Raises ObjectError if marks would be lost."""
+    """Return the selected seams between two faces. Raises ObjectError if smoothing would lose marks."""
     mesh = target.data
     rows = read_selected_edges(mesh) & read_seams(mesh) & (faces_at_edges(mesh) == 2)
     pairs = edge_vertices(mesh)

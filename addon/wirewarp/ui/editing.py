@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The common part of operators that change models: refuse flat pieces, report refusals, plan before writing."""
+"""Common parts of operators that change models: refusing flat pieces, reporting refusals, planning before writing."""
 
 from collections.abc import Callable
 from functools import wraps
@@ -20,8 +20,8 @@ Execute = Callable[[Operator, bpy.types.Context], set[str]]
 class OnMesh:
     """Mixin of operators and panels that need an active mesh."""
 
-    modes = frozenset[str]()  # in which the operator or panel works; empty: all
-    refusal = ""  # shown as the reason in any other case
+    modes = frozenset[str]()  # modes in which the operator or panel works; empty: all modes
+    refusal = ""  # reason shown if there is no such mesh
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -34,7 +34,10 @@ class OnMesh:
 
 
 class OnModel(OnMesh):
-    """Mixin of operators that refuse flat pieces. `on_model` of a subclass names the action for the model."""
+    """Mixin of operators that refuse flat pieces.
+
+    A subclass's `on_model` names the action that is possible on the model.
+    """
 
     on_model = ""
     modes = frozenset({"EDIT_MESH"})
@@ -67,7 +70,7 @@ def reporting_refusals(execute: Execute) -> Execute:
 
 
 def change_edited(context: bpy.types.Context, plan: Callable[[bpy.types.Object], Callable[[], T]]) -> list[T]:
-    """Plan for each object in Edit Mode, then write all plans: if one object is refused, none is changed.
+    """Plan changes for each object in Edit Mode, then write all of them. If one object is refused, none is changed.
 
     plan() and its results are called in Object Mode. If no edge is selected, nothing is planned. Raises ObjectError.
     """

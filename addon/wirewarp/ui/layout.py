@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sentences, tables, marks and progress in a narrow sidebar."""
+"""Draws sentences, tables, marks and progress in a narrow sidebar."""
 
 from collections.abc import Callable
 from functools import lru_cache
@@ -16,9 +16,9 @@ from .window_run import Task, shown_progress
 WIDE = 330  # pixels at interface scale 1; a new sidebar is half as wide
 BESIDE_TEXT = 90  # pixels of the sidebar's width that icon, margins and tabs take
 FONT = 0  # Blender's number of the interface font
-SIZE, THICKNESS = 64, 0.08  # size of a mark in pixels; half the width of its strokes, as a share of the size
+SIZE, THICKNESS = 64, 0.08  # size of a mark in pixels; half the width of its strokes as a share of the size
 Stroke = list[tuple[float, float]]  # y up
-# Strokes and color of marks that Blender has only in gray.
+# Strokes and colors of marks that exist in Blender only in gray.
 MARKS: dict[str, tuple[list[Stroke], tuple[float, float, float]]] = {
     "TICK": ([[(0.16, 0.50), (0.40, 0.25), (0.86, 0.76)]], (0.30, 0.78, 0.33)),
     "AMBER": (
@@ -61,7 +61,7 @@ def draw_cells(layout: bpy.types.UILayout, label: str, cells: list[str], label_s
 def broken(context: bpy.types.Context, text: str, reserved: int = 0) -> list[str]:
     """Return the text in lines that fit the region beside an icon.
 
-    reserved: more of Blender's own pixels to leave free.
+    reserved: further pixels to leave free, at interface scale 1.
     """
     unit = context.preferences.system.ui_scale
     points = context.preferences.ui_styles[0].widget.points
@@ -100,7 +100,7 @@ def draw_sentence(
 
 
 def mark_icon(name: str) -> int:
-    """Return its icon_value; 0, no icon, while the add-on is not registered and if Blender has no window."""
+    """Return the icon_value of the mark; 0 (no icon) if the add-on is not registered or Blender has no window."""
     return _previews[name].icon_id if _previews else 0
 
 
@@ -144,9 +144,10 @@ def _distance(points: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 
 def draw_progress(row: bpy.types.UILayout, task: Task, operator: str) -> bool:
-    """Draw progress, and return whether a run of this kind is under way. operator: of the button that runs.
+    """Draw progress, and return whether a run of this kind is in progress.
 
-    Before Blender 4.0 there is no bar, and the button is drawn gray.
+    operator: operator of the button that started the run. Before Blender 4.0 there is no progress bar, and the button
+    is drawn gray.
     """
     done = shown_progress(task)
     if done is None:

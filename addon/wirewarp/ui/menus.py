@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Our commands in Blender's menus, each under "WireWarp", because F3 also finds entries by their menus."""
+"""Adds our commands to Blender's menus, each under "WireWarp", because the search (F3) also uses the names of menus."""
 
 from collections.abc import Callable
 
@@ -62,7 +62,7 @@ def draw_edge_menu(menu: bpy.types.Menu, _context: bpy.types.Context) -> None:
 
 
 def draw_context_menu(menu: bpy.types.Menu, context: bpy.types.Context) -> None:
-    """Draw the menu of the right mouse button on selected edges."""
+    """Draw the context menu (right mouse button) of selected edges."""
     if context.tool_settings.mesh_select_mode[1]:
         draw_edge_menu(menu, context)
 
@@ -78,7 +78,7 @@ def draw_export_entry(menu: bpy.types.Menu, _context: bpy.types.Context) -> None
 
 
 def _asking_layout(menu: bpy.types.Menu) -> bpy.types.UILayout:
-    """Return a layout whose operators are invoked: Blender's own entries above may execute theirs, without settings."""
+    """Return a layout that invokes its operators. Blender's own entries above may execute theirs, without a dialog."""
     menu.layout.operator_context = "INVOKE_DEFAULT"
     return menu.layout
 

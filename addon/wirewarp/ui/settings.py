@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The settings of Flatten in the sidebar and after a run, and the report in the sidebar."""
+"""The settings of Flatten in the sidebar and after a run, and whether they match the report."""
 
 from dataclasses import asdict, replace
 
@@ -35,7 +35,7 @@ def shown_source(context: bpy.types.Context) -> bpy.types.Object | None:
 
 
 def untrue_sentence(active: bpy.types.Object, source: bpy.types.Object, report: ObjectReport) -> str:
-    """Return the reason why the report does not match the display; "" if it does."""
+    """Return why the report does not match the displayed model; "" if it does."""
     if has_changed_since(source, report):
         return CHANGED
     if report.flat_object is not None and not has_flat_object(source):
@@ -54,7 +54,7 @@ def has_changed_since(source: bpy.types.Object, report: ObjectReport) -> bool:
 
 
 def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
-    """Draw the amount and its unit."""
+    """Draw the amount of an ease and its unit."""
     row = layout.row(align=True)
     row.use_property_split = False
     in_percent = settings.ease_unit == "PERCENT"
@@ -63,14 +63,15 @@ def draw_ease(layout: bpy.types.UILayout, settings: EaseAmount) -> None:
 
 
 def draw_settings(layout: bpy.types.UILayout, settings: FlattenSettings, *parts: str) -> None:
-    """Draw the settings of these PARTS, or all; unused settings are gray."""
+    """Draw the settings of these PARTS, or all settings. Settings without effect are gray."""
     for setting in SETTINGS:
         if setting.part(settings) in (parts or PARTS) and setting.is_shown(settings):
             row = layout.row()
             row.use_property_split = not setting.is_wide
             row.use_property_decorate = False
             row.enabled = setting.is_used(settings)
-            if setting.name == "cloth" and parts:  # the items of the menu are long and explain themselves
+            # without a label, because the items of the menu are long and explain themselves
+            if setting.name == "cloth" and parts:
                 row.use_property_split = False
                 row.prop(settings, setting.name, text="", icon="MATCLOTH")
             else:
@@ -85,7 +86,7 @@ def known_choices(settings: WIREWARP_PG_settings) -> FlattenChoices | None:
 
 
 def settings_sentence(source: bpy.types.Object, report: ObjectReport, settings: WIREWARP_PG_settings) -> str:
-    """Return a sentence; empty if a run with the settings of the panel would make the same pieces."""
+    """Return a sentence about changed settings; empty if a run with the panel's settings would make the same pieces."""
     choices = known_choices(settings)
     if report.options is None or choices is None:
         return ""
@@ -97,7 +98,7 @@ def settings_sentence(source: bpy.types.Object, report: ObjectReport, settings: 
 
 
 def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIREWARP_PG_settings) -> str:
-    """Return a sentence; empty if a search with the settings of the panel would give the same cuts and figures."""
+    """Return a sentence about changed settings; empty if a search with them would give the same cuts and figures."""
     choices = known_choices(settings)
     if choices is None:
         return ""
@@ -110,7 +111,7 @@ def figures_sentence(source: bpy.types.Object, found: Suggestions, settings: WIR
 
 
 def _of_strain(choices: FlattenChoices) -> FlattenChoices:
-    """Return the choices without the fabric's maximum stretch, which no figure of a suggestion depends on."""
+    """Return the choices without the fabric's maximum stretch, because suggestions do not depend on it."""
     fabric = choices.cloth
     return replace(choices, cloth=replace(fabric, gives_across=0.0, gives_along=0.0)) if fabric else choices
 
@@ -125,12 +126,13 @@ def _changed_choices(
 ) -> list[str]:
     """Return the labels of changed settings that are used.
 
-    then: the options of a report; wire_ids: of the wires at that time.
+    then: the options of a report; wire_ids: ids of the wires at that time.
     """
     now = asdict(choices) | {"grain_wire": source.data.wirewarp_grain}
     had_grain = then["grain_wire"] in wire_ids
     if (now["orientation"], then["orientation"]) == ("wire", "up") and not had_grain:
-        ignored = ignored | {"orientation"}  # without a grain wire, pieces are upright as on the model
+        # wires do not matter: without a grain wire, pieces are upright as on the model
+        ignored = ignored | {"orientation"}
     compared = [each for each in SETTINGS if each.choice and each.choice not in ignored and each.is_used(settings)]
     changed = [each.label for each in compared if now[each.choice] != then[each.choice]]
     if "grain_wire" not in ignored and now["orientation"] == "wire" and then["grain_wire"] != now["grain_wire"]:

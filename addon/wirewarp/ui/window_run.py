@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one task that may run in the window: its steps, its timer, and its progress.
+"""The one task that may run in the window, with its steps, timer and progress.
 
-Every run ends in stop(): finished, canceled, by another file, or because the add-on is disabled.
+Every run ends in stop(): when it is finished or canceled, when another file is opened, or when the add-on is disabled.
 """
 
 import math
@@ -17,12 +17,12 @@ from ..blender.views import redraw_sidebars, send_mouse_move
 from ..solve.steps import CanceledError, Steps, T, in_one_go
 
 POLL_SECONDS = 0.02
-UNSEEN_SECONDS = 0.3  # a line that disappears at once would only flicker
+UNSEEN_SECONDS = 0.3  # seconds before the bar appears, because a line that disappears at once would only flicker
 
 
 @dataclass(frozen=True)
 class Task:
-    """The names of a kind of run: in sentences, and on the bar during the run and at its end."""
+    """The names of a kind of run: in sentences, and on the progress bar during the run and at its end."""
 
     name: str
     doing: str
@@ -36,7 +36,7 @@ _current: "WindowRun | None" = None
 
 
 def is_running(task: Task | None = None) -> bool:
-    """Return whether a run is under way. task: only of this kind."""
+    """Return whether a run is in progress. task: considers only runs of this kind."""
     return _current is not None and task in {None, _current.task}
 
 
@@ -54,13 +54,13 @@ def shown_progress(task: Task) -> float | None:
 
 
 def cancel() -> None:
-    """End the work of the current run, if there is one; its operator then ends the run."""
+    """End the work of the current run, if there is one. Its operator then ends the run."""
     if _current:
         _current.cancel()
 
 
 def begin(context: bpy.types.Context, task: Task, what: str, steps: Steps[T]) -> "WindowRun[T]":
-    """Start the work, if none is running. what: names its object or objects in the status bar."""
+    """Start the work, if none is running. what: name of its object or objects in the status bar."""
     global _current
     _current = run = WindowRun(context, task, what, steps)
     return run
@@ -103,7 +103,7 @@ class WindowRun(Generic[T]):
             self._result, self.is_done = end.value, True
         except CanceledError:
             self.is_done = self._is_cancelled = True
-        except Exception as error:  # result() raises it for the caller
+        except Exception as error:  # result() raises the error for the caller
             self._error, self.is_done = error, True
         else:
             self._show(math.floor(100 * fraction) / 100)
@@ -136,7 +136,7 @@ class WindowRun(Generic[T]):
 
 
 class WindowSteps:
-    """Mixin of operators that start a run with begin(), follow it in modal() and end in finish_run()."""
+    """Mixin of operators that start a run with begin(), follow it in modal() and end it in finish_run()."""
 
     ends_on = "TIMER"  # type of the event that finishes a completed run
 
@@ -162,7 +162,10 @@ class WindowSteps:
         stop()
 
     def lets_pass(self, event: bpy.types.Event) -> bool:
-        """Return whether Blender may handle this event during the run: all but Esc, because all data have been read."""
+        """Return whether Blender may handle this event during the run.
+
+        All events but Esc may pass, because all data have been read.
+        """
         return event.type != "ESC"
 
     def wait_for(self, context: bpy.types.Context, steps: Steps[T]) -> T:

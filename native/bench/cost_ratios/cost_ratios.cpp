@@ -74,7 +74,7 @@ FlattenInput nine_pieces(double tolerance) {
   return input;
 }
 
-/// Returns a small sheet with an elastic wire on every edge, whose eases contradict one another.
+/// Returns a small sheet with elastic wires on all edges, whose eases contradict one another.
 FlattenInput every_edge_a_wire() {
   FlattenInput input = bumpy_sheet(kSmallNet, 0, 0);
   std::set<VertexPair> edges;

@@ -9,7 +9,7 @@
 namespace wirewarp {
 
 /// Runs one of several methods. Returns an empty result if the caller stops it, or if a matrix has no factor in double
-/// precision; StopToken::is_stopped() says which.
+/// precision. StopToken::is_stopped() distinguishes the two.
 template <typename Solve>
 std::invoke_result_t<Solve> attempt(const Solve& solve) {
   try {

@@ -55,7 +55,8 @@ Cores cpu_quota(const Folder& root) {
   const Folder mount = root / "sys/fs/cgroup";
   Cores least;
   std::istringstream groups(text_of(root / "proc/self/cgroup"));
-  for (std::string line; std::getline(groups, line);) {  // "0::/user.slice" (version 2), "4:cpu,cpuacct:/docker/1a"
+  // Lines are, for example, "0::/user.slice" (version 2) or "4:cpu,cpuacct:/docker/1a" (version 1).
+  for (std::string line; std::getline(groups, line);) {
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (second == std::string::npos) continue;
     const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";

@@ -12,7 +12,7 @@
 namespace wirewarp {
 namespace {
 
-/// The arguments and elements of one error, and their words.
+/// The arguments and elements of one error, and the words for them.
 class Parts {
  public:
   Parts(const ErrorArguments& arguments, const ErrorElements& named) : elements(named), arguments_(arguments) {}
@@ -34,7 +34,7 @@ class Parts {
   std::string vertices() const { return name_elements("vertex", elements.vertices); }
   std::string seams() const { return such_as_along(elements.proposed_seams); }
 
-  /// Returns the wires of the arguments: "wire 2 (waist)".
+  /// Returns the wires in the arguments, such as "wire 2 (waist)".
   std::string wires() const { return name_wires(get<std::vector<int>>("wires"), names()); }
   const std::vector<std::string>& names() const { return get<std::vector<std::string>>("wire_names"); }
 
@@ -143,7 +143,7 @@ std::string handles(const Parts& parts) {
          ".";
 }
 
-/// Returns the fault and remedy, such as "mark a seam from one opening to the other".
+/// Returns the fault and the remedy, such as "mark a seam from one opening to the other".
 std::string fault_of_outlines(std::size_t num_loops) {
   if (num_loops == 1) return "cannot lie flat: mark another seam";
   if (num_loops == 2) return "is a tube: mark a seam from one opening to the other";

@@ -45,8 +45,8 @@ std::optional<std::future<void>> begin_thread(const Work& work) {
 }
 
 /// Calls work(0) to work(count - 1), started in this order, on at most num_threads threads. The calling thread does the
-/// first, continues with others, and calls meanwhile() from time to time once all work has started. After an exception
-/// no further work starts; the exception is rethrown.
+/// first, then continues with others. Once all work has started, it calls meanwhile() from time to time. After an
+/// exception no further work starts; the exception is rethrown.
 template <typename Work>
 void run_in_threads(
     std::size_t count, std::size_t num_threads, const Work& work, const std::function<void()>& meanwhile = [] {}) {
@@ -63,7 +63,7 @@ void run_in_threads(
   std::vector<std::future<void>> others;
   while (others.size() + 1 < std::min(count, num_threads)) {
     std::optional<std::future<void>> other = begin_thread([&] { begin_at(next++); });
-    if (!other) break;  // no more threads: the existing ones do all the work
+    if (!other) break;  // if no thread can be started, the existing ones do all the work
     others.push_back(std::move(*other));
   }
   begin_at(0);

@@ -10,9 +10,9 @@ namespace wirewarp {
 /// The point at which the refined method ends.
 enum class Target {
   minimum,  // when another step would gain nothing worthwhile
-  rough,    // when another step would gain little; the result is a start and determines the direction
-  /// After the first Newton step that decreases f; the result is a start. To continue would take a sixth more
-  /// factorizations in all.
+  rough,    // when another step would gain little; the result is a start for others, and determines the direction
+  /// After the first Newton step that decreases f; the result is a start for others. Continuing would increase the
+  /// total number of factorizations by a sixth.
   newton_step,
 };
 
@@ -24,7 +24,7 @@ struct InternalOptions : Options {
   std::size_t large_chart = 8'000;  // number of faces from which on a coarse start saves time
   bool with_proposals = true;  // whether to search for fixes of a failed piece, which takes far longer than the run
 
-  bool makes_injective = true;  // whether to search for an injective shape if a shape is flipped or overlaps itself
+  bool makes_injective = true;  // whether to search for an injective shape if faces are flipped or overlap
   Target target = Target::minimum;
 };
 

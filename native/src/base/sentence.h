@@ -16,35 +16,36 @@ inline constexpr std::size_t kMostNamed = 5;
 /// Returns "a", "a and b", "a, b and c", or "a, b and 7 more" if count is larger than the number of names.
 std::string listed(const std::vector<std::string>& names, std::size_t count);
 
-/// Returns "vertex 3", "vertices 3, 7 and 9", "faces 1, 2, 3, 4, 5 and 12 more". noun: "vertex", "edge" or "face".
+/// Returns text such as "vertex 3", "vertices 3, 7 and 9" or "faces 1, 2, 3, 4, 5 and 12 more". noun: "vertex", "edge"
+/// or "face".
 std::string name_elements(const std::string& noun, const std::vector<int>& indices);
 
-/// Returns the same for edges given by their ends: "edge 3-7".
+/// Returns the same for edges given by their ends, such as "edge 3-7".
 std::string name_elements(const std::string& noun, const std::vector<VertexPair>& edges);
 
-/// Returns ", such as along edges 3-7 and 7-9", or "" without edges.
+/// Returns text such as ", such as along edges 3-7 and 7-9"; "" without edges.
 std::string such_as_along(const std::vector<VertexPair>& edges);
 
-/// Returns "wires 2 and 5", or a single wire with its name if it has one: "wire 2 (waist)". names: one per index, may
-/// be "".
+/// Returns text such as "wires 2 and 5"; a single wire gets its name if it has one: "wire 2 (waist)". names: one per
+/// index, may be "".
 std::string name_wires(const std::vector<int>& indices, const std::vector<std::string>& names);
 
-/// Returns "the piece around face 3". faces: input faces of the piece.
+/// Returns text such as "the piece around face 3". faces: input faces of the piece.
 std::string name_piece(const std::vector<int>& faces);
 
-/// Returns "The piece around face 3 (12 triangles)".
+/// Returns text such as "The piece around face 3 (12 triangles)".
 std::string introduce_piece(const std::vector<int>& faces);
 
 /// Returns the sentence with a capital first letter.
 std::string capitalized(std::string sentence);
 
-/// Returns the fewest digits that round back to this number: "0.1", "1e-300", "nan".
+/// Returns the number with the fewest digits that identify it, such as "0.1", "1e-300" or "nan".
 std::string shortest(double value);
 
-/// Returns three digits: "3.25", "1.2e+06".
+/// Returns the number with three digits, such as "3.25" or "1.2e+06".
 std::string rounded(double value);
 
-/// Returns "3.25%", without a sign.
+/// Returns a percentage without a sign, such as "3.25%".
 std::string percent(double fraction);
 
 }  // namespace wirewarp

@@ -37,7 +37,7 @@ class StopToken {
     return !is_stopped();
   }
 
-  /// Throws Stopped if the work should stop. For places without a result to keep.
+  /// Throws Stopped if the work should stop. Used if there is no result to keep.
   void check() const {
     if (!may_go_on()) throw Stopped();
   }

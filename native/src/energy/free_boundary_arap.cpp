@@ -21,7 +21,7 @@ namespace wirewarp {
 namespace {
 
 constexpr double kSmallestDrop = 1e-6;  // relative decrease of E in a step; a start needs no more digits
-constexpr double kLongestStep = 8;      // over the direction's length; beyond, E is far from a parabola
+constexpr double kLongestStep = 8;      // over the direction's length; for longer steps, E is far from a parabola
 /// Share by which each diagonal entry is increased: far above rounding errors, so that the factorization does not fail
 /// on slivers.
 constexpr double kRegularization = 1e-12;
@@ -74,7 +74,7 @@ FreeBoundaryArap free_boundary_arap(const Chart& chart, int max_iterations, cons
   const GlobalStep global_step(shape_error.fixed_rotation_hessian(), flat.uv, stop);
   flat.factorizations = start ? 1 : 2;
 
-  Positions2 gradient, other_gradient = Positions2::Zero(flat.uv.rows(), 2);  // before and after a step
+  Positions2 gradient, other_gradient = Positions2::Zero(flat.uv.rows(), 2);  // the gradients before and after a step
   flat.energy = shape_error.energy_and_gradient(flat.uv, gradient);
   Positions2 direction = Positions2::Zero(flat.uv.rows(), 2);
   double decrease = 1;  // g·s

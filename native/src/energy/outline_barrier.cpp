@@ -14,8 +14,8 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kWeight = 1;   // κ: at about d = d̂/2, the force is as large as that of a strain of 1
-constexpr double kReach = 0.1;  // d̂ over the edge's length; the sides of a corner of more than 6° are no contact
+constexpr double kWeight = 1;  // κ: at about d = d̂/2, the force is as large as that of a strain of 1
+constexpr double kReach = 0.1;  // d̂ over the edge's length; the two sides of a corner of more than 6° are not a contact
 constexpr double kCovered = 8;  // contacts nearer than this times d̂ are in the Hessian, so that it lasts for some steps
 // Over the edge's length: a vertex that passes an edge's end at a smaller distance touches it.
 constexpr double kAside = 1e-9;

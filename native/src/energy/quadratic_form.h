@@ -26,7 +26,7 @@ class QuadraticForm {
     double weight;
 
     Eigen::Vector2d residual(const Positions2& uv) const {
-      // Computes differences first, because positions may be far larger than edges.
+      // Differences are computed first, because positions may be far larger than edges.
       Eigen::Vector2d sum = Eigen::Vector2d::Zero();
       for (std::size_t k = 1; k < kSize; ++k)
         sum += factors[k] * (uv.row(vertices[k]) - uv.row(vertices[0])).transpose();
@@ -65,7 +65,7 @@ class QuadraticForm {
     return error * error * sum / 2;
   }
 
-  /// Appends the pairs of vertices that the Hessian couples and that have perhaps no common face.
+  /// Appends those pairs of vertices coupled by the Hessian that may have no common face.
   void list_pairs(std::vector<VertexPair>& pairs) const {
     for (const Term& term : terms_) pairs.push_back({term.vertices[kSize - 2], term.vertices[kSize - 1]});
   }

@@ -11,7 +11,7 @@ namespace {
 /// halved because z and w are doubled.
 inline void add_to_corners(const ShapeError::Triangle& t, double r1, double r2, double s1, double s2,
                            Positions2& gradient) {
-  const double p11 = r1 + s1, p21 = r2 + s2, p12 = s2 - r2, p22 = r1 - s1;  // derivatives by J
+  const double p11 = r1 + s1, p21 = r2 + s2, p12 = s2 - r2, p22 = r1 - s1;  // derivatives with respect to J
   const double g1x = t.a * p11 + t.b * p12, g1y = t.a * p21 + t.b * p22;
   const double g2x = t.c * p12, g2y = t.c * p22;
   double* g0 = &gradient(t.vertices[0], 0);

@@ -14,7 +14,7 @@ namespace wirewarp {
 
 class VertexMatrix {
  public:
-  /// Indices of the values at which the two columns of a block begin.
+  /// Indices of the values at which the block's two columns begin.
   struct Block {
     int left, right;
   };

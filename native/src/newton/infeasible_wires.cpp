@@ -20,12 +20,12 @@ namespace {
 // Strains up to which a length counts as kept; smoothing leaves strains of 1e-4. Wires with a strain above the first
 // bound are freed; if that does not help, also wires with a strain above the second.
 constexpr double kKept = 5e-4, kPerhapsKept = 3e-5;
-constexpr double kUneven = 5e-3;  // a smaller strain_rms can vanish if other wires change more
+constexpr double kUneven = 5e-3;  // a smaller strain_rms may vanish if other wires change more
 // Proposed tolerances are multiples of 0.1%, and above 0.5% multiples of 0.5%, rounded up, because people type them.
 constexpr double kFineStep = 1e-3, kStep = 5e-3;
 constexpr double kLargest = 0.5;  // a wire that needs more is freed
 constexpr double kFreeTolerance = std::numeric_limits<double>::infinity();
-constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); coarse and sewn charts count, too
+constexpr int kMaxFreeFactorizations = 40;  // as in lies_flat(); factorizations of coarse and sewn charts count, too
 constexpr double kMostTrials = 30;          // number of trials with fewer wires, and of trials with lower tolerances
 constexpr std::size_t kFewWires = 8;  // up to 8 wires get individual tolerances; more wires share one, which is faster
                                       // to find and to type
@@ -121,7 +121,7 @@ class ToleranceSearch {
     });
   }
 
-  /// Replaces free wires, which are known to work, by as few wires as possible with tolerances as small as possible.
+  /// Replaces free wires, which are known to work, by as few wires as possible, with tolerances as small as possible.
   Tolerances on_few_wires(Tolerances tolerances) {
     trials_ = 0;
     drop_wires(tolerances);

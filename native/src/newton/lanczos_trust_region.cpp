@@ -13,7 +13,7 @@ namespace {
 constexpr double kExhausted = 1e-6;  // off-diagonal entry of T below which the basis spans an invariant space
 constexpr double kSolved = 0.01;  // residual of H d = -g over |g|; more digits are useless: the next step has a new H
 
-/// Returns |r| in the norm dual to G, for z = G⁻¹ r. Throws if it is not finite, because comparisons treat NaN as
+/// Returns |r| in the norm dual to G, for z = G⁻¹ r. Throws if the norm is not finite, because comparisons treat NaN as
 /// small.
 double dual_norm(const Eigen::VectorXd& r, const Eigen::VectorXd& z) {
   const double squared = r.dot(z);
@@ -32,7 +32,7 @@ LanczosTrustRegion::LanczosTrustRegion(const Operator& times_hessian,
   Eigen::VectorXd z = precondition(r);
   first_ = dual_norm(r, z);
   double norm = first_;
-  double residual = 1;  // of H d = -g over |g|, as in conjugate gradients; valid while H is positive
+  double residual = 1;  // residual of H d = -g over |g|, as in conjugate gradients; valid while H is positive
   double pivot = 1;     // of T
   bool is_positive = true;
   while (static_cast<int>(basis_.size()) < max_size && norm > (basis_.empty() ? 0 : kExhausted)) {
@@ -42,7 +42,7 @@ LanczosTrustRegion::LanczosTrustRegion(const Operator& times_hessian,
     diagonal.push_back(basis_.back().dot(r));
     for (std::size_t j = 0; j < basis_.size(); ++j) r -= basis_[j].dot(r) * dual[j];
     z = precondition(r);
-    for (std::size_t j = 0; j < basis_.size(); ++j) {  // orthogonalizing twice is enough
+    for (std::size_t j = 0; j < basis_.size(); ++j) {  // orthogonalization is repeated once, which is enough
       const double overlap = dual[j].dot(z);
       z -= overlap * basis_[j];
       r -= overlap * dual[j];

@@ -16,8 +16,8 @@ constexpr int kMaxFactorizations = 40;
 bool lies_flat(const Chart& chart, const InternalOptions& options, const StopToken& stop) {
   if (chart.error || is_outline_too_short(chart)) return false;
   InternalOptions brief = options;
-  brief.max_factorizations = kMaxFactorizations;  // not the user's limit, which is for the piece itself
-  brief.cloth.reset();                            // a chart that lies flat does so in any cloth
+  brief.max_factorizations = kMaxFactorizations;  // replaces the user's limit, which is for the piece itself
+  brief.cloth.reset();                            // a chart has a flat shape in every fabric or in none
   const Solution found = refine_chart(chart, brief, stop);
   return found.is_exact() && find_folded_faces(chart.mesh, found.shape.uv).empty();
 }

@@ -16,12 +16,12 @@ namespace wirewarp {
 
 /// Minimizes f from a start. A start with multipliers must be near the minimum. The lengths of other starts may be
 /// wrong by up to a half. The result is infeasible if the first step does not reach exact lengths, or if the budget is
-/// spent before. If the caller stops later, the current shape is returned. Gives up if allowed flips do not open for
-/// many steps.
+/// spent before. If the caller stops later, the current shape is returned. Gives up if allowed flips stay for many
+/// steps.
 Solution minimize(const Problem& problem, const Stage& stage, const Shape& start, const Control& control);
 
-/// Returns the shape with its f and length error. Takes no step, and does not check what the stage forbids. The
-/// solution is converged if the shape is isometric.
+/// Returns the shape with its f and length error. Takes no step, and does not check the injectivity that the stage
+/// requires. The solution is converged if the shape is isometric.
 Solution evaluate(const Problem& problem, const Stage& stage, const Shape& shape);
 
 }  // namespace wirewarp

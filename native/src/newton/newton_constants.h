@@ -24,7 +24,7 @@ struct NewtonConstants {
 
   // Newton steps.
 
-  /// Slope over f below which the Hessian hardly changes along a step, so that the next step can use the same factor.
+  /// Slope over f below which the Hessian hardly changes along a step, so that the next step can reuse the factor.
   /// With a tenth of this value, 1% more factorizations are needed.
   static constexpr double near_minimum = 1e-2;
   /// Largest slope of a step with an old factor, relative to the slope of the previous step. If the slope falls less, a

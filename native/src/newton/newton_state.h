@@ -43,7 +43,7 @@ struct Step {
 struct NewtonState {
   /// The problem must outlive the state.
   NewtonState(const Problem& the_problem, const Stage& the_stage, const Shape& start, const Control& the_control);
-  NewtonState(const NewtonState&) = delete;  // the system refers to the objective
+  NewtonState(const NewtonState&) = delete;  // not copied, because the system refers to the objective
   NewtonState& operator=(const NewtonState&) = delete;
 
   double length_error() const { return constraints.largest_error(constraints.residual(now.uv, now.variation)); }

@@ -67,8 +67,8 @@ bool take_steps_with_factor(NewtonState& state, double slope) {
   return false;
 }
 
-/// Takes more steps with the current factor from exact lengths to exact lengths, if they decrease f. slope: of the last
-/// step.
+/// Takes more steps with the current factor from exact lengths to exact lengths, if they decrease f. slope: slope of
+/// the last step.
 StepOutcome go_on_with_factor(NewtonState& state, double slope) {
   const Iterate begin = state.now;
   const Eigen::VectorXd multipliers = state.multipliers;
@@ -114,7 +114,7 @@ StepOutcome take_newton_step(NewtonState& state) {
     state.multipliers = step.multipliers;
   }
   if (is_last) return StepOutcome::converged;
-  if (!goes_down) return StepOutcome::rejected;  // a trust region chooses better among shorter steps
+  if (!goes_down) return StepOutcome::rejected;  // among shorter steps, a trust region chooses better
   const bool is_near = std::abs(step.slope) < NewtonConstants::near_minimum * state.now.value;
   return is_near ? go_on_with_factor(state, step.slope) : StepOutcome::accepted;
 }

@@ -181,7 +181,7 @@ void NewtonSystem::assemble(const Positions2& uv, const Eigen::VectorXd& multipl
     matrix_.add(edge_blocks_[e], -block);
   }
   add_elastic_springs(stiffness_share);
-  if (convexity.curvature == Curvature::none) return;  // the Laplacian resists rotation; a pin would dent it
+  if (convexity.curvature == Curvature::none) return;  // the Laplacian resists rotation; a pin would distort the step
   if (!constraints_.are_free_to_turn()) return;
   for (const VertexPair& pin : pinned_) {
     const Eigen::Vector2d arm = (uv.row(pin[1]) - uv.row(pin[0])).transpose().normalized();

@@ -7,7 +7,7 @@
 
 namespace wirewarp {
 
-inline constexpr int kMaxProjectFactorizations = 30;  // for a start near exact lengths; most starts take fewer than 10
+inline constexpr int kMaxProjectFactorizations = 30;  // for a start near exact lengths; most take fewer than 10
 
 /// Moves uv to exact lengths by Gauss-Newton steps on the lengths alone. Each step is the least change in the metric of
 /// the Laplacian; elastic parts may vary within their tolerances. The metric matters if the flat shape has more degrees

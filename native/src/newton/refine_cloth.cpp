@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kSpacing = kPi / 36;   // angle between two compared directions
 constexpr std::size_t kBestStarts = 3;  // enough, because the energy of most pieces has one minimum in a quarter turn
-constexpr int kMaxTurns = 15;           // samples take 3 to 6
+constexpr int kMaxTurns = 15;           // the samples take 3 to 6 turns
 constexpr double kShorter = 4;          // divisor of a turn that does not lower the energy, as in a line search
 
 /// Returns a layout rotated about the origin, counter-clockwise.
@@ -83,7 +83,7 @@ double ClothRefinement::slope_of(const Shape& shape) const {
   return shape.multipliers[shape.multipliers.size() - 1] * length / problem_.area();
 }
 
-/// Returns the best few of many directions.
+/// Compares many directions, and returns the best few.
 std::vector<ClothRefinement::Turn> ClothRefinement::best_turns(const Positions2& uv) const {
   const FairShapeError objective = problem_.objective({&*options_.cloth});
   const auto count = static_cast<int>(std::lround(period(*options_.cloth) / kSpacing));
@@ -152,7 +152,7 @@ GrainRow hold_upright(const Chart& chart, const Positions2& uv, const Options& o
 void refine_cloth(Problem& problem, const InternalOptions& options, const Control& control, Solution& solution) {
   const Chart& chart = problem.chart();
   stand_upright(solution.shape.uv, upright_direction(chart, solution.shape.uv, options));
-  solution.status = SolutionStatus::stalled;  // until the fabric's energy is minimal
+  solution.status = SolutionStatus::stalled;  // not converged until the fabric's energy is minimal
   if (!solution.injectivity) solution.injectivity = injectivity_of(chart, solution.shape.uv);
   if (solution.injectivity == Injectivity::none) return;
   if (control.stop.is_stopped() || !control.budget.allows()) return;

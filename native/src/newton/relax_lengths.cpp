@@ -11,7 +11,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kWeightOfExcess = 10;       // V over the square root of the area; far above the forces in wires
+constexpr double kWeightOfExcess = 10;       // V over the square root of the area; far larger than the forces in wires
 constexpr double kWeightOfUnevenness = 100;  // W of wire parts over the square root of the area
 constexpr double kWeightOfBoundary = 1000;   // W of boundary edges; much larger, so that outlines change last
 // Share of the tolerance that may be used, so that h stays within the tolerance in spite of smoothing.
@@ -21,8 +21,8 @@ constexpr int kMaxRelaxSteps = kMaxRelaxFactorizations / 3;  // number of steps 
 constexpr double kWorthwhile = 1e-5;                         // least predicted decrease over Φ
 constexpr double kShortestRelaxStep = 1e-3;                  // after ten halvings
 
-/// Makes all wire parts with several edges elastic, whatever their tolerance, because their edges share a variation. A
-/// part with one edge needs no variation, because its residual r is the variation.
+/// Makes all wire parts with several edges elastic, whatever their tolerance, because the edges of a part share a
+/// variation. A part with one edge needs no variation, because its residual r is the variation.
 Chart with_variations(Chart chart) {
   for (WirePart& part : chart.wire_parts) {
     if (part.kind != WireKind::elastic && part.kind != WireKind::rigid) continue;

@@ -20,7 +20,7 @@
 
 namespace wirewarp {
 
-inline constexpr int kMaxRelaxFactorizations = 60;  // at most, for all values of σ together
+inline constexpr int kMaxRelaxFactorizations = 60;  // maximum for all values of σ together
 
 struct RelaxedShape {
   Positions2 uv;                        // one row per chart vertex, scene units

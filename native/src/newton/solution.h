@@ -12,7 +12,7 @@ namespace wirewarp {
 /// A flat shape of a chart, or the start of a solver.
 struct Shape {
   Positions2 uv;                     // one row per chart vertex, scene units
-  Eigen::VectorXd variation = {};    // h, one per wire part of the chart; for free parts it is a result; empty: unknown
+  Eigen::VectorXd variation = {};    // h, one per wire part of the chart (for free parts, a result); empty: unknown
   Eigen::VectorXd multipliers = {};  // λ, one per row of the length constraints, near the minimum; empty: unknown
 };
 

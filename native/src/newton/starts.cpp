@@ -13,7 +13,7 @@
 namespace wirewarp {
 std::optional<Shape> flatten_wires_first(Problem& problem, const Control& control) {
   const Chart& chart = problem.chart();
-  const Options plain;  // options of Eq. (1), which the refined method does not use
+  const Options plain;  // options of Eq. (1), which do not apply to the refined method
   const StopToken stop = control.stop.in("start");
   stop.check();
   std::optional<Chart> split;

@@ -60,8 +60,8 @@ StepOutcome TrustRegion::take_step(NewtonState& state) {
   if (!is_stationary) return search(state, space, [&](double radius) { return model.step(radius); });
   const LanczosTrustRegion off_saddle = model_for(forces_across_symmetry(state));
   if (off_saddle.lowest_curvature() > -NewtonConstants::flat_curvature) return StepOutcome::converged;
-  // The gradient has almost vanished, so it gives no step length: the radius must be large enough for a worthwhile
-  // decrease.
+  // The gradient has almost vanished, so it does not define a step length. The radius must be large enough for a
+  // worthwhile decrease.
   radius_ = std::max(radius_, std::sqrt(2 * state.worthwhile_decrease() / -off_saddle.lowest_curvature()));
   return search(state, space, [&](double radius) { return off_saddle.step_along_lowest_curvature(radius); });
 }

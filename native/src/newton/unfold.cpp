@@ -15,8 +15,8 @@ namespace {
 /// Largest root mean square strain. Coordinates rounded to four digits reach it, and Newton steps correct it.
 constexpr double kMostStrain = 1e-4;
 
-/// A side at which a face can be laid. Longer sides come first; among sides of about the same length those that were
-/// met first, so that few faces lie between the first face and any other.
+/// A side at which a face can be laid. Longer sides come first; of sides with about the same length, those that were
+/// found first, so that few faces are between the first face and any other.
 struct OpenSide {
   OpenSide(double length, int place, HalfedgeHandle h) : magnitude(std::ilogb(length)), rank(place), half_edge(h) {}
   bool operator<(const OpenSide& other) const {
@@ -29,7 +29,7 @@ struct OpenSide {
 };
 
 /// Returns the place of the third vertex of the face on the left of h, measured from the nearer end of h. Both ends
-/// must have their places.
+/// must be placed already.
 Eigen::RowVector2d opposite_place(const HalfEdgeMesh& mesh, HalfedgeHandle h, const Positions2& uv) {
   const VertexHandle a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
   const VertexHandle c = mesh.to_vertex_handle(mesh.next_halfedge_handle(h));

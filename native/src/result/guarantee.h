@@ -13,8 +13,9 @@ namespace wirewarp {
 ///                      r the ease of its side, or |h - ease| > tolerance on an elastic part
 ///   flipped_faces      metrics.flipped_faces is not empty
 ///   overlapping_faces  metrics.overlapping_faces is not empty
-/// The message also mentions other broken guarantees; has_layout is true. uv, variation (h per wire part) and metrics:
-/// of the final layout. wires: the input's, for the names. proposed_seams: proposal for a flipped or overlapping piece.
+/// The error's sentence also mentions other broken guarantees, and its has_layout is true. uv, variation (h per wire
+/// part) and metrics: of the final layout. wires: the input's, for the names. proposed_seams: proposal for a flipped or
+/// overlapping piece.
 std::optional<FlattenError> check_guarantee(const Chart& chart, const WireNetwork& network,
                                             const std::vector<Wire>& wires, const Positions2& uv,
                                             const std::vector<double>& variation, const Metrics& metrics,

@@ -227,7 +227,7 @@ std::vector<double> fit_variation(const Chart& chart, const Positions2& uv) {
   struct Lengths {
     double asked = 0, flat = 0;
   };
-  std::map<std::pair<int, int>, Lengths> sides;  // of runs along the boundary: sums over all sides in a chart
+  std::map<std::pair<int, int>, Lengths> sides;  // for runs along the boundary: sums over all sides in the chart
   std::vector<Lengths> lengths;
   for (const WirePart& part : chart.wire_parts) {
     Lengths of_part;

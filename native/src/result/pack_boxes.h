@@ -8,8 +8,8 @@ namespace wirewarp {
 
 /// Places axis-parallel boxes without overlap, so that the box around them is nearly square. sizes: n by 2, width and
 /// height, not negative. gap: space between boxes, exact to a millionth of the side of a square of their area. Returns
-/// their lower-left corners, n by 2; the lowest and the leftmost coordinate are 0. Deterministic, also for sizes that
-/// differ by rounding. Throws Stopped.
+/// their lower-left corners, n by 2; the lowest and the leftmost coordinate are 0. Deterministic, even if sizes differ
+/// by rounding errors. Throws Stopped.
 Positions2 pack_boxes(const Positions2& sizes, double gap, const StopToken& stop = {});
 
 /// Places the same boxes side by side from left to right in their order, all at y = 0.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs every model in its own process: one that crashes, hangs or uses too much memory does not affect the others.
+"""Runs every model in its own process. One that crashes, hangs or uses too much memory does not affect the others.
 
-The pools of the standard library and of pebble share a pipe and a lock between their workers: a worker killed at the
-wrong moment takes the pool with it. psutil measures and ends the processes that a process has started.
+The pools of the standard library and of pebble share a pipe and a lock between their workers, so a worker that is
+killed at the wrong moment breaks the whole pool. psutil measures and ends the processes that a process has started.
 """
 
 import itertools
@@ -25,7 +25,7 @@ import psutil
 # process is never forked, because threads of libraries do not survive a fork.
 if sys.platform == "win32":
     CONTEXT = multiprocessing.get_context("spawn")
-    MOST = 60  # processes: Windows waits for at most 63 at once
+    MOST = 60  # number of processes: Windows can wait for at most 63 at once
 else:
     CONTEXT = multiprocessing.get_context("forkserver")
     MOST = sys.maxsize
@@ -53,14 +53,14 @@ class Stopped:
 def each_apart(
     work: Callable[[Item], Result], items: Iterable[Item], jobs: int, limits: Limits, modules: list[str]
 ) -> Generator[tuple[int, Result | Stopped], None, None]:
-    """Yield the number and the result of each item, as they end, with this many jobs at a time.
+    """Yield the index and the result of each item as it ends. At most this many jobs run at a time.
 
     work is a function of a module that other processes can import; modules are preloaded. All processes end if the
     caller stops asking for results or is killed.
     """
     CONTEXT.set_forkserver_preload(modules)
     if sys.platform != "win32":
-        resource_tracker.ensure_running()  # now, because its start unblocks Ctrl+C
+        resource_tracker.ensure_running()  # started now, because its start unblocks Ctrl+C
     waiting = enumerate(items)
     running: list[_Run[Result]] = []
     looked = time.monotonic()
@@ -89,7 +89,7 @@ def each_apart(
 
 @contextmanager
 def _ctrl_c_waits() -> Iterator[None]:
-    """Delay Ctrl+C to the end: otherwise, a process that is just starting or ending could be left behind.
+    """Delay Ctrl+C until the end. Otherwise, a process that is just starting or ending could be left behind.
 
     The server must ignore Ctrl+C: it starts with the first process, and inherits the mask.
     """
@@ -102,7 +102,7 @@ def _ctrl_c_waits() -> Iterator[None]:
         if masked is not None:
             signal.pthread_sigmask(signal.SIG_SETMASK, masked)
         signal.signal(signal.SIGINT, before)
-    if pressed and callable(before):  # not if it is ignored, as in the background of a shell
+    if pressed and callable(before):  # Ctrl+C stays ignored if it was, as in the background of a shell
         before(signal.SIGINT, None)
 
 
@@ -112,7 +112,7 @@ class _Run(Generic[Result]):
         self.results, sender = CONTEXT.Pipe(duplex=False)
         self._process = CONTEXT.Process(target=_do, args=(work, item, sender))
         self._process.start()
-        sender.close()  # close it here, so that the pipe ends with the process
+        sender.close()  # closed in this process, so that the pipe ends with the other process
 
     def ended(self) -> tuple[Result | Stopped] | None:
         try:
@@ -165,7 +165,10 @@ def _do(work: Callable[[Item], Result], item: Item, sender: Connection) -> None:
 
 
 def _end_with_parent() -> None:
-    """End with the parent, which cannot send a message if it is killed. The next run continues unfinished work."""
+    """End this process when its parent ends, because a killed parent cannot send a message.
+
+    The next run continues unfinished work.
+    """
     parent = multiprocessing.parent_process()
     if parent:
         parent.join()

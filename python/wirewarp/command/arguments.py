@@ -58,7 +58,8 @@ def parsed(words: Sequence[str]) -> Arguments:
     commands = parser.add_subparsers(required=True, metavar="flatten|batch|propose")
     flatten = commands.add_parser(
         "flatten",
-        parents=[_model_options(), _writing_options(), _running_options()],  # a separate instance: its defaults differ
+        # a separate instance, because its defaults differ
+        parents=[_model_options(), _writing_options(), _running_options()],
         help="flatten models, and write reports and patterns",
         description="Flattens models (OBJ, PLY, STL, glTF, Blender) and writes a report and a pattern for each. "
         + VERDICTS,
@@ -68,7 +69,8 @@ def parsed(words: Sequence[str]) -> Arguments:
     flatten.set_defaults(command=flatten, jobs=1, part=(1, 1))
     batch = commands.add_parser(
         "batch",
-        parents=[_model_options(), _writing_options(), _running_options()],  # a separate instance: its defaults differ
+        # a separate instance, because its defaults differ
+        parents=[_model_options(), _writing_options(), _running_options()],
         help="flatten folders and lists of models; a rerun continues where it stopped",
         description="Runs flatten --resume on all models of folders and lists: a rerun continues where it stopped, and "
         "repeats changed models. " + VERDICTS,
@@ -121,7 +123,7 @@ def parsed(words: Sequence[str]) -> Arguments:
 
 
 def _shape_options() -> argparse.ArgumentParser:
-    """Return the options that the flat pieces of a model depend on."""
+    """Return the options that affect the flat pieces of a model."""
     options = _Options(add_help=False, allow_abbrev=False)
     options.add_argument(
         "--seams",
@@ -295,7 +297,7 @@ def _check_fewer(parser: argparse.ArgumentParser, given: argparse.Namespace) -> 
 
 
 def _clashes(requests: Sequence[Request]) -> dict[int, str]:
-    """Return a sentence for each request, by number, that would write a file which another writes or reads."""
+    """Return a sentence for each request, by index, that would write a file which another one writes or reads."""
     clashes: dict[int, str] = {}
     writers: dict[Path, int] = {}
     for number, request in enumerate(requests):

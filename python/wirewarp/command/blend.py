@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens Blender files with the add-on in Blender without a window, by the marks and settings in the file."""
+"""Flattens Blender files with the add-on, in Blender without a window, by the marks and settings in the files."""
 
 import json
 import shutil
@@ -31,7 +31,7 @@ def flatten_blend(request: Request, folder: Path) -> tuple[Line, dict[str, Any]]
     options = ("--background", "--disable-autoexec", str(request.model.absolute()), "--python-exit-code", "1")
     with subprocess.Popen(
         [program, *options, "--python", str(SCRIPT), "--", json.dumps(job)],
-        # nothing is written to it: it closes when this process ends, and the script then ends Blender
+        # nothing is written to this pipe; it closes when this process ends, and the script then ends Blender
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -59,7 +59,7 @@ def _outcome(request: Request, answered: dict[str, Any]) -> tuple[Line, dict[str
             f"The add-on in Blender is of another version: install this one's zip there. {error}"
         ) from error
     for each in written:
-        del each["seconds"]  # the same model gives the same report again
+        del each["seconds"]  # without durations, the same model gives the same report again
     found = verdict(*reports)
     issues = [(report, issue) for report in reports for issue in report.issues]
     notes = [note_text(report, note) for report in reports for note in report.notes if note.is_warning]

@@ -32,7 +32,7 @@ def flatten_model(request: Request) -> Line:
     """Return the line. Faults of the model, of the folder or of a written file do not raise: they are in the line."""
     try:
         return _line(request)
-    except RuntimeError as error:  # the file read again differs from the pattern
+    except RuntimeError as error:  # the file, read again, differs from the pattern
         return unfinished(REFUSED, "read_back", str(error))
     except BlenderError as error:
         return unfinished(STOPPED, "crashed", str(error))
@@ -148,7 +148,8 @@ def _flattened(request: Request, model: Model, folder: Path) -> tuple[Line, dict
             marker = pattern.nested(**asdict(request.marker))
             laid = pattern.laid_on(marker)
             for kind in request.formats:
-                _note(laid.write(folder / request.marker_path(kind).name), line)  # PDF on a roll of the necessary width
+                # a PDF is on a roll of the necessary width
+                _note(laid.write(folder / request.marker_path(kind).name), line)
             line["marker"], report["marker"] = marker.sentence(laid.units), marker.to_dict()
     return line, report | _timeless(result.to_dict())
 
@@ -160,7 +161,7 @@ def _translated(lines: Lines, found: Repaired) -> Lines:
 
 
 def material_options(material: MaterialRequest, unit: str) -> Options:
-    """Return the options. unit: of the model."""
+    """Return the options. unit: the unit of the model."""
     thickness = material.thickness / MILLIMETERS[unit]
     cloth = Cloth.preset(material.cloth) if material.cloth else None
     if any(material.stretch):
@@ -178,7 +179,7 @@ def material_options(material: MaterialRequest, unit: str) -> Options:
 
 
 def _timeless(result: dict[str, Any]) -> dict[str, Any]:
-    """Return the data without durations: the same model gives the same bytes again."""
+    """Return the data without durations, so that the same model gives the same bytes again."""
     for each in (result, *result["pieces"]):
         del each["report"]["seconds"]
     return result

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs in Blender on its own file: flattens the marked objects, and exports them by the settings in the file.
+"""Runs in Blender on the open file: flattens the marked objects, and exports them by the settings in the file.
 
 Its last argument is a job as JSON; blend.py starts it and reads the answer.
 """
@@ -19,7 +19,10 @@ NOTHING_MARKED = "No visible mesh of the file has a seam or a wire: mark where t
 
 
 def end_with_caller() -> None:
-    """End with the caller: the standard input, to which nobody writes, ends with the process that started Blender."""
+    """End Blender when its caller ends.
+
+    Nobody writes to the standard input; it closes when the process that started Blender ends.
+    """
     sys.stdin.read()
     os._exit(1)
 
@@ -50,7 +53,7 @@ def file_name(text: str) -> str:
 
 
 def clash_sentence(models: list[bpy.types.Object]) -> str:
-    """Return a sentence if two models would write one file, also if file names ignore case; otherwise ""."""
+    """Return a sentence if two models would write one file, even if only because names ignore case; otherwise ""."""
     owners: dict[str, bpy.types.Object] = {}
     for model in models:
         other = owners.setdefault(file_name(model.name).casefold(), model)
@@ -89,7 +92,7 @@ def flatten(job: dict[str, Any]) -> dict[str, Any]:
 
 
 def export(job: dict[str, Any], models: list[bpy.types.Object], folder: Path) -> tuple[list[str], list[str]]:
-    """Return the names of the files, STEM.pdf for one model, STEM-OBJECT.pdf for each of several; and warnings."""
+    """Return warnings and the names of the files: STEM.pdf for one model, STEM-OBJECT.pdf for each of several."""
     files: list[str] = []
     warnings: list[str] = []
     report_path = folder / "export.part"
@@ -102,14 +105,14 @@ def export(job: dict[str, Any], models: list[bpy.types.Object], folder: Path) ->
             bpy.ops.object.wirewarp_export(**paths, **settings_of(bpy.ops.object.wirewarp_export))
             warnings += json.loads(report_path.read_text(encoding="utf-8"))["warnings"]
             report_path.unlink()
-    return files, list(dict.fromkeys(warnings))  # most apply to every format
+    return files, list(dict.fromkeys(warnings))  # without duplicates, because most apply to every format
 
 
 threading.Thread(target=end_with_caller, daemon=True).start()
 job = json.loads(sys.argv[-1])
 try:
     answer = flatten(job)
-except RuntimeError as error:  # from the export, with a sentence
+except RuntimeError as error:  # the export failed, with a sentence
     answer = {"refusal": str(error).strip().removeprefix("Error: ")}
 (Path(job["folder"]) / job["answer"]).write_text(json.dumps(answer), encoding="utf-8")
 sys.stdout.flush()

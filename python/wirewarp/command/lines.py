@@ -17,7 +17,7 @@ from .request import InputError
 SHARP = math.radians(30)  # as in Blender's Select Sharp Edges
 KEYS = {"vertices": {"vertices", "tolerance", "name", "ease"}, "side": {"side", "ease"}}
 LARGEST = np.iinfo(np.int64).max
-SAME_UV = 1e-6  # share of the unit square: files have about six decimals
+SAME_UV = 1e-6  # share of the unit square; files have about six decimals
 
 
 def seams_of(model: Model, wanted: str) -> np.ndarray:
@@ -76,7 +76,10 @@ def _add_wire(lines: Lines, entry: dict[str, Any]) -> None:
 
 
 def _add_ease(lines: Lines, entry: dict[str, Any]) -> None:
-    """Add the ease. Each step of the list is an edge in the direction of the triangle on that side."""
+    """Add the ease.
+
+    Each step of the list is an edge, in the direction in which the triangle on that side contains it.
+    """
     lines.eases.append(Ease(list(pairwise(entry["side"])), entry.get("ease", 0.0)))
 
 
@@ -97,7 +100,7 @@ def _is_vertex(value: object) -> bool:
 
 
 def _sides_at_edges(faces: np.ndarray) -> np.ndarray:
-    """Return corners (k,2,2), indices into the raveled faces: for two faces at an edge, its ends in the same order."""
+    """Return corners (k,2,2), indices into the raveled faces: the ends of edges of two faces, in both in one order."""
     starts = np.arange(faces.size)
     ends = starts - starts % 3 + (starts + 1) % 3
     corners, vertices = np.column_stack([starts, ends]), faces.ravel()

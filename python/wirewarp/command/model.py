@@ -12,8 +12,9 @@ import numpy as np
 
 from .request import READ_BY_TRIMESH, SUFFIXES, InputError
 
-# Remove names, comments and materials of text formats. Names may have any encoding; in Shift-JIS a letter may end in a
-# backslash, which joins two lines. trimesh would sort the faces by materials and renumber the vertices.
+# Lines with names, comments and materials in text formats, which are removed. Names may have any encoding; in Shift-JIS
+# a letter may end in a backslash, which joins two lines. trimesh would sort the faces by materials and renumber the
+# vertices.
 UNUSED = re.compile(rb"^[ \t]*(?:mtllib|usemtl)\b[^\r\n]*|[\x80-\xff][^\r\n]*", re.MULTILINE)
 STL_HEADER, STL_FACE = 84, 50  # bytes of a binary STL file before the faces, and of each face
 STL_END = 1000  # bytes at the end of a text STL file, enough for "endsolid" and a long name
@@ -43,7 +44,7 @@ def read_model(path: Path) -> Model:
         mesh = trimesh.load_mesh(path if is_gltf else _contents(path, kind), file_type=kind, process=False)
     except (InputError, MemoryError, OSError):
         raise
-    except Exception as error:  # any error for a damaged file; its words are for programmers
+    except Exception as error:  # trimesh raises any error for a damaged file, in the words of programmers
         raise InputError(f'"{path.name}" is damaged or is not {kind.upper()}. Export the model again.') from error
     if len(mesh.faces) == 0:
         raise InputError(f'"{path.name}" has no faces.')
@@ -72,7 +73,7 @@ def _contents(path: Path, kind: str) -> io.BytesIO:
 
 
 def _joined(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Merge vertices in one place: files repeat them for each UV or normal, STL for each face."""
+    """Merge vertices at the same place, because files repeat them for each UV or normal, and STL for each face."""
     _, first, inverse = np.unique(vertices, axis=0, return_index=True, return_inverse=True)
     order = np.argsort(first)
     rank = np.empty_like(order)

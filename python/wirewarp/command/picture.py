@@ -14,7 +14,7 @@ from ..pattern.sheet.drawing import LOOKS, WIRES
 LONGEST = 2000  # pixels, of the longer side
 SMOOTH = 2  # scale while drawing, for soft edges
 MARGIN = 60  # pixels
-LEAST = 0.01  # smallest strain of the strongest color: less is invisible
+LEAST = 0.01  # smallest strain that may have the strongest color, because less strain is invisible
 # colors from no strain to the largest
 COLORS = np.array([[255, 255, 255], [255, 221, 140], [235, 120, 50], [160, 20, 30]], dtype=float)
 LEGEND = 24  # pixels: height of its letters; numbers of pieces are twice as high
@@ -22,7 +22,10 @@ Point = tuple[float, float]
 
 
 def write_picture(path: Path, result: FlattenResult, vertices: np.ndarray, millimeters: float) -> bool:
-    """Write a PNG; False if no piece has a layout. vertices (n,3) of the model; millimeters: length of its unit."""
+    """Write a PNG; False if no piece has a layout.
+
+    vertices (n,3): vertices of the model; millimeters: length of its unit.
+    """
     pieces = {number: piece for number, piece in enumerate(result.pieces, start=1) if len(piece.vertices)}
     if not pieces:
         return False

@@ -10,13 +10,13 @@ from ..report import counted
 from .lines import Lines
 from .model import Model
 
-MOST_ROUNDS = 10  # closed parts need one round, handles another, short outlines a third: few models need four
+MOST_ROUNDS = 10  # closed parts need one round, handles another, short outlines a third; few models need four
 
 
 def with_proposals(
     model: Model, result: FlattenResult, seams: np.ndarray, lines: Lines, options: Options
 ) -> tuple[FlattenResult, Lines, list[str]]:
-    """Return the last result with its lines, and sentences on the applied proposals. Raises FlattenError."""
+    """Return the last result with its lines, and sentences about the applied proposals. Raises FlattenError."""
     marked = {(int(min(a, b)), int(max(a, b))) for a, b in seams}
     before, tolerances = len(marked), [wire.tolerance for wire in lines.wires]
     for _ in range(MOST_ROUNDS):

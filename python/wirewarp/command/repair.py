@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Repairs a triangle mesh, with a sentence on each repair.
+"""Repairs a triangle mesh, with a sentence about each repair. Vertices keep their numbers.
 
-Vertices keep their numbers. Lines that contain a merged vertex or a divided edge are translated. Unlike Check and
-Repair of the add-on, this keeps interior faces, and loose edges, which no file of triangles has.
+Lines that contain a merged vertex or a divided edge are converted. Unlike Check and Repair of the add-on, this keeps
+interior faces. Loose edges do not exist in files of triangles.
 """
 
 from collections import defaultdict
@@ -14,8 +14,8 @@ import numpy as np
 from ..report import counted
 from .model import Model
 
-CLOSE = 1e-5  # share of the model's size; files write coordinates to five or six digits
-OBLIQUE = np.array([0.3, 0.5, 0.81])  # a direction in which hardly any model has many vertices at one height
+CLOSE = 1e-5  # share of the model's size; files store coordinates with five or six digits
+OBLIQUE = np.array([0.3, 0.5, 0.81])  # a direction along which hardly any model has many vertices at the same position
 
 
 @dataclass(frozen=True)
@@ -129,7 +129,7 @@ def _close_pairs(vertices: np.ndarray, close: float) -> np.ndarray:
 
 
 def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[frozenset[int], int]]:
-    """Remove each face with a vertex on its opposite edge, and cut the face across that edge there.
+    """Remove each face with a vertex on its opposite edge, and cut the face on the other side of that edge there.
 
     Faces are treated one after the other, because the parts of a cut flat face are flat, too. Returns the number of
     flat faces, and the vertices that divide the cut edges.
@@ -156,7 +156,7 @@ def _without_flat_faces(model: Model, close: float) -> tuple[Model, int, dict[fr
         for other in sorted(by_edge[frozenset(long_edge)] - gone):
             gone.add(other)
             if tip in faces[other]:
-                continue  # the same three vertices: nothing remains
+                continue  # both faces have the same three vertices, so nothing remains
             for face, corners in _cut_at(model.vertices, faces[other], uv[other], long_edge, tip):
                 for side in pairwise((*face, face[0])):
                     by_edge[frozenset(side)].add(len(faces))

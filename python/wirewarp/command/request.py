@@ -57,14 +57,14 @@ class ModelRequest:
 class CutRequest(ModelRequest):
     """Where to cut. Lengths are in millimeters."""
 
-    no_seam: str  # a path, or "" for none
+    no_seam: str  # a path, or "" for no such edges
     kind: Literal["dart", "seam", "fewer"]
     piece: int | None  # from 1; None for any
     count: int | None  # None: the library's number
     strain: float | None  # None: the library's value
     longest: float | None
     narrowest: float | None  # None: any
-    together: int | None  # largest number of cuts made together; None: each by itself
+    together: int | None  # largest number of cuts made together; None: each cut is proposed by itself
 
 
 @dataclass(frozen=True)
@@ -81,11 +81,11 @@ class Request(ModelRequest):
     imperial: bool
     marker: MarkerRequest | None
     picture: bool
-    blender: str  # the program, for .blend files
+    blender: str  # the program to run for .blend files
     resume: bool
     repair: bool
     take_proposals: bool
-    refusal: str = ""  # why it conflicts with other requests
+    refusal: str = ""  # why this request conflicts with others
 
     @property
     def report_path(self) -> Path:
@@ -104,7 +104,7 @@ class Request(ModelRequest):
 
     @property
     def all_paths(self) -> list[Path]:
-        """Return all possible output files, except names of several objects, which only the Blender file knows."""
+        """Return all possible output files, except those of several objects, which only the Blender file names."""
         drawn = [path(kind) for kind in self.formats for path in (self.pattern_path, self.marker_path)]
         return [*drawn, self.picture_path, self.report_path]
 

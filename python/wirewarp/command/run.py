@@ -22,7 +22,7 @@ MODULES = ["trimesh", __name__]
 
 
 class PrintError(Exception):
-    """The standard output accepts no lines. str() is a sentence."""
+    """Lines cannot be written to the standard output. str() is a sentence."""
 
 
 def run(arguments: Arguments) -> int:
@@ -33,7 +33,7 @@ def run(arguments: Arguments) -> int:
     # Matrices are small and models many, so threads for each matrix would only slow the run down.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     for request in with_left([each for each in arguments.requests if isinstance(each, Request)]):
-        _remove_staged(request)  # now, because finished models are skipped below
+        _remove_staged(request)  # done now, because finished models are skipped below
     worst = 0
     # The bar is drawn where standard error is a terminal.
     with (
@@ -49,7 +49,7 @@ def run(arguments: Arguments) -> int:
 
 def _print(line: Line) -> None:
     try:
-        print(json.dumps(line), flush=True)  # ASCII, which every console can show
+        print(json.dumps(line), flush=True)  # written in ASCII, which every console can show
     except OSError as error:
         raise PrintError(f"The lines cannot be printed: {error.strerror or error}") from error
 
@@ -74,7 +74,7 @@ def _in_order(arguments: Arguments, bar: "tqdm[None]") -> Generator[Line, None, 
                 following += 1
     finally:
         results.close()
-        for request in begun.values():  # unfinished, if the run was stopped
+        for request in begun.values():  # those that are unfinished because the run was stopped
             _remove_staged(request)
 
 

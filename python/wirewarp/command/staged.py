@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""All files of a model are moved to their places together: a refused or stopped run changes nothing."""
+"""Moves all files of a model to their places together, so that a refused or stopped run changes nothing."""
 
 import hashlib
 import json
@@ -12,7 +12,7 @@ from pathlib import Path
 from .request import InputError, Request
 
 HIDDEN = ".wirewarp-"  # prefix of the names of staged folders
-EARLIER = ".earlier"  # folder in the staged one, for the files of the previous run
+EARLIER = ".earlier"  # folder in the staged folder for the files of the previous run
 
 
 @contextmanager
@@ -34,7 +34,7 @@ def remove_staged(request: Request) -> None:
 
 
 def with_left(requests: Sequence[Request]) -> list[Request]:
-    """Return the requests whose models have a folder that a killed run has left."""
+    """Return the requests whose models have a folder left behind by a killed run."""
     left = {folder: {path.name for path in folder.glob(f"{HIDDEN}*")} for folder in {r.folder for r in requests}}
     return [r for r in requests if any(name.startswith(_prefix(r)) for name in left[r.folder])]
 
@@ -45,7 +45,7 @@ def listed_files(report: Path) -> list[str]:
         names = json.loads(report.read_text(encoding="utf-8"))["line"]["files"]
         return [
             name for name in names if Path(name).name == name
-        ]  # only names beside the report, because others may have written it
+        ]  # accepts only names of files beside the report, because others may have written it
     except (FileNotFoundError, ValueError, KeyError, TypeError):
         return []
 
@@ -53,8 +53,8 @@ def listed_files(report: Path) -> list[str]:
 def take_places(staged: Path, request: Request) -> None:
     """Move the files to their places, and the earlier files into the staged folder, which is removed.
 
-    The report is removed first and placed last: if there is one, all files belong to it. Raises InputError if a file is
-    not ours.
+    The report is removed first and placed last, so that all files belong to it whenever it exists. Raises InputError if
+    a file is not ours.
     """
     earlier = listed_files(request.report_path)
     made = sorted((path.name for path in staged.iterdir()), key=lambda name: name == request.report_path.name)
@@ -94,5 +94,5 @@ def _put_back(staged: Path, request: Request) -> None:
 
 
 def _prefix(request: Request) -> str:
-    """Use a digest, because the name of a model may have the maximum length of the file system."""
+    """Use a digest, because the name of a model may already have the maximum length of the file system."""
     return f"{HIDDEN}{hashlib.blake2b(request.model.stem.encode(), digest_size=8).hexdigest()}-"

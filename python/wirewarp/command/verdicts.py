@@ -20,7 +20,7 @@ R = TypeVar("R", bound=AnyRequest)
 
 
 def word_of(verdict: Verdict) -> str:
-    """Return the word in the printed line for the report's verdict."""
+    """Return the word for the report's verdict in the printed line."""
     if verdict.is_ready:
         return READY
     return NEEDS_STRETCH if verdict.kind is Kind.NEEDS_STRETCH else FAILED

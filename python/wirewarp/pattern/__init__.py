@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From flat pieces to the cutting table: allowances, notches, and files to print, plot and cut.
+"""Turns flat pieces into patterns for the cutting table: allowances, notches, and files to print, plot and cut.
 
-Everything is in millimeters, y upwards. Needs pyclipper, and pydyf and uharfbuzz for PDF; markers are shorter if
+Everything is in millimeters, with y upwards. Needs pyclipper, and pydyf and uharfbuzz for PDF; markers are shorter if
 spyrrow is installed.
 """
 

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from .._errors import ErrorCode, FlattenError
 
-WIDEST = 1000.0  # millimeters: a wider value was given in another unit
+WIDEST = 1000.0  # millimeters; a larger width must have been given in another unit
 
 
 def problem(message: str, code: ErrorCode | str = "invalid_option") -> FlattenError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes files whole or not at all, with a reproducible date on request."""
+"""Writes files completely or not at all, with a reproducible date on request."""
 
 import datetime
 import os
@@ -16,9 +16,10 @@ def today() -> datetime.date:
 
 @contextmanager
 def replaced_file(path: Path) -> Iterator[Path]:
-    """Yield a temporary path beside this one. At the end, its file replaces this one, unless an error was raised.
+    """Yield a temporary path beside this one.
 
-    A full disk therefore does not damage the existing file. Raises OSError if no file can be there.
+    At the end, the temporary file replaces this one, unless an error was raised. A full disk therefore does not damage
+    the existing file. Raises OSError if no file can be created there.
     """
     path = path.resolve()  # the target of a link is replaced, and the link stays
     if not path.parent.is_dir():

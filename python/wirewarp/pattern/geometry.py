@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 import pyclipper
 
-GRID = 1e-4  # millimeters: finer than any cutter, and 100 m still fit Clipper's fast integers of 30 bits
-ON_LINE = 1e-3  # millimeters: a closer point is on the line; the grid of cut lines is 10 times finer
-DEPTH = 1e-4  # share of the diagonal of the smaller outline's box: shapes that overlap less deeply only touch
-STEPS, ROUNDS = 8, 3  # for the search for an innermost point
-SAMPLES = 100  # points on the outline from which distances are measured: enough for text
-PAIRS = 1_000_000  # points and sides compared at a time, to limit memory
+GRID = 1e-4  # millimeters; finer than any cutter, and 100 m still fit in Clipper's fast integers of 30 bits
+ON_LINE = 1e-3  # millimeters; a closer point counts as on the line; the grid of cut lines is 10 times finer
+DEPTH = 1e-4  # share of the diagonal of the smaller outline's box; shapes that overlap less deeply only touch
+STEPS, ROUNDS = 8, 3  # numbers of steps and rounds in the search for an innermost point
+SAMPLES = 100  # number of points on the outline from which distances are measured, enough for placing text
+PAIRS = 1_000_000  # number of pairs of points and sides compared at a time, to limit memory
 RESOLUTION = 2.0**30  # steps of the grid for overlaps, over both outlines: Clipper is exact and fast on it
 
 
@@ -46,7 +46,7 @@ def are_inside(points: np.ndarray, outlines: Sequence[np.ndarray]) -> np.ndarray
     a, b = _sides(outlines)
     x, y = points[:, :1], points[:, 1:]
     crosses = (a[:, 1] > y) != (b[:, 1] > y)
-    with np.errstate(divide="ignore", invalid="ignore"):  # no ray crosses level sides
+    with np.errstate(divide="ignore", invalid="ignore"):  # no ray crosses a horizontal side
         at = a[:, 0] + (y - a[:, 1]) * ((b - a)[:, 0] / (b - a)[:, 1])
     inside: np.ndarray = (crosses & (x < at)).sum(axis=1) % 2 == 1
     return inside
@@ -106,13 +106,13 @@ def crossings(point: np.ndarray, direction: np.ndarray, a: np.ndarray, b: np.nda
 
 
 class Rays:
-    """Casts rays from points to outlines."""
+    """Rays from points to outlines."""
 
     def __init__(self, outlines: Sequence[np.ndarray]) -> None:
         self._a, self._b = _sides(outlines)
 
     def length(self, point: np.ndarray, direction: np.ndarray) -> float:
-        """Return the length along the unit vector from the point to the nearest outline; infinite without one."""
+        """Return the length along the unit vector from the point to the nearest outline; infinite if there is none."""
         distances = crossings(point, direction, self._a, self._b)
         nearest = float(distances[distances > -ON_LINE].min(initial=math.inf))
         return nearest if nearest >= ON_LINE else 0.0
@@ -140,7 +140,7 @@ def overlap(first: Sequence[np.ndarray], second: Sequence[np.ndarray]) -> bool:
 
 
 def _is_thin(outline: np.ndarray, depth: float) -> bool:
-    """Return whether the shape is at most as wide as the depth on average, like a strip of that width."""
+    """Return whether the shape is on average at most as wide as the depth."""
     around = float(np.linalg.norm(np.roll(outline, -1, axis=0) - outline, axis=1).sum())
     return 2 * abs(signed_area(outline)) <= depth * around
 

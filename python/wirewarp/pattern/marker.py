@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A marker: the places of the pieces of a pattern on the fabric. It is saved, because each search ends differently."""
+"""A marker: the places of a pattern's pieces on the fabric. It can be saved, because each search ends differently."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -46,7 +46,7 @@ def size_of(piece: PatternPiece) -> Size:
 
 
 def at_corner(piece: PatternPiece) -> PatternPiece:
-    """Return the piece with the lower left corner of its cut lines at 0, 0, to which places of a marker refer."""
+    """Return the piece with the lower left corner of its cut lines at 0, 0, to which the places of a marker refer."""
     return piece.moved(-piece.bounds[0])
 
 
@@ -56,7 +56,7 @@ class Placement:
 
     piece: int  # number of the piece
     x: float  # across the fabric, millimeters: place of the origin of the piece
-    y: float  # along the fabric
+    y: float  # along the fabric, millimeters
     angle: float  # degrees counterclockwise
     mirrored: bool  # mirrored before it is turned
     sheet: int = 0  # always 0 on a roll
@@ -71,7 +71,7 @@ class Marker:
     sheet_length: float | None  # None on a roll
     gap: float  # smallest distance between pieces
     placements: tuple[Placement, ...]
-    efficiency: float  # share of the fabric that becomes pieces; sheets count whole
+    efficiency: float  # share of the fabric that becomes pieces; the last sheet counts as a whole
     by: str  # method: "spyrrow", or "slides" if it is not installed or found nothing shorter
     made_of: tuple[Size, ...]  # in the order of the pattern
     warnings: tuple[str, ...] = ()
@@ -91,7 +91,7 @@ class Marker:
         return Motion(np.array([placement.x, placement.y + above]), placement.angle, placement.mirrored)
 
     def sentence(self, units: UnitSystem) -> str:
-        """Return "12 pieces on 2.31 m of fabric 1.4 m wide, 71% of it used"."""
+        """Return a text such as "12 pieces on 2.31 m of fabric 1.4 m wide, 71% of it used"."""
         pieces, width = counted(len(self.placements), "piece"), units.text(self.width)
         if self.sheet_length is None:
             where = f"{units.text(self.length)} of fabric {width} wide"
@@ -105,7 +105,7 @@ class Marker:
 
     @classmethod
     def from_dict(cls, values: Mapping[str, Any]) -> "Marker":
-        """Return the marker of a to_dict(). Raises KeyError or TypeError for anything else."""
+        """Return the marker from the result of to_dict(). Raises KeyError or TypeError for anything else."""
         fields = dict(values)
         fields["placements"] = tuple(Placement(**each) for each in fields["placements"])
         fields["made_of"] = tuple(Size(**each) for each in fields["made_of"])

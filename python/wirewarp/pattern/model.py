@@ -27,7 +27,7 @@ NUMBERED = re.compile("^Seam (?=[0-9 /]+$)")
 
 
 def short_name(seam: str) -> str:
-    """Return "3" for "Seam 3". Other names stay whole, also "Dart 3", since darts have numbers of their own."""
+    """Return "3" for "Seam 3". Other names stay whole, even "Dart 3", because darts have their own numbers."""
     return NUMBERED.sub("", seam)
 
 
@@ -64,7 +64,7 @@ class Point:
 
     @property
     def stroke(self) -> np.ndarray:
-        """Return the cut (2,2) of a notch or clip, from the cut line inwards."""
+        """Return the ends (2,2) of a notch or clip, which is cut from the cut line inwards."""
         return np.array([self.at, self.at + self.depth * self.direction])
 
 
@@ -75,7 +75,7 @@ class Text:
     height: float  # height of the letters
     angle: float = 0.0  # degrees counterclockwise
     role: TextRole = "card"
-    is_beside: bool = False  # outside the piece, which has no room for it
+    is_beside: bool = False  # whether the text is outside the piece, which has no room for it
 
     def placed(self, motion: Motion) -> "Text":
         return replace(self, center=motion.points(self.center), angle=motion.text_angle(self.angle))
@@ -90,7 +90,7 @@ class PatternPiece:
     texts: list[Text]
     quantity: tuple[int, int] = (1, 0)  # copies to cut as drawn, and mirrored
     material: str = ""
-    on_fold: bool = False  # half of the piece is drawn; the other half is beyond the fold
+    on_fold: bool = False  # whether only half of the piece is drawn; the other half is beyond the fold
     area: float = 0.0  # square millimeters inside the stitching lines, of the whole piece
     copied_names: tuple[str, ...] = ()  # names of the pieces that its other copies replace
     deviation: float = 0.0  # millimeters: largest distance of a copy from the flattened shape
@@ -101,7 +101,7 @@ class PatternPiece:
 
     @property
     def quantity_text(self) -> str:
-        """Return the quantity in the words of makers."""
+        """Return the quantity in the words that makers use."""
         as_drawn, mirrored = self.quantity
         if mirrored == as_drawn:
             return "Cut 1 pair" if as_drawn == 1 else f"Cut {as_drawn} pairs"

@@ -13,7 +13,7 @@ from .geometry import RESOLUTION, signed_area
 if TYPE_CHECKING:
     from .._wirewarp import Piece
 
-SCRAP = 0.1  # share of the area: smaller parts, such as the tip of a tail, are cut off or stay unsewn
+SCRAP = 0.1  # share of the area; smaller parts, such as the tip of a tail, are cut off or stay unsewn
 MOST = 0.5  # least share of the area that disks must cover; they never reach into corners
 # Steps of the radius, each 1/24 of the widest disk: the search finds a waist that is narrower than the part behind it
 # by a step. Halving a step ten times gives 1/24,000 of the disk, less than a thread even in a piece a meter wide.
@@ -57,7 +57,7 @@ def narrowest_width(outlines: Sequence[np.ndarray]) -> float:
 def has_room(piece: "Piece", allowance: float, sides: ArrayLike = (), widths: ArrayLike = ()) -> bool:
     """Return whether the allowances of a piece with a flat shape have room beside each other inside its outline.
 
-    They have room if the piece stays in one part when a strip as wide as its allowance is taken off along each side.
+    They have room if the piece stays in one part after a strip as wide as the allowance is removed along each side.
     Parts below a tenth of the area do not count. allowance: width at all sides except `sides` (k,2), which have the
     widths (k,). A side is given by two vertices of the model, in the direction of its face. All widths are in scene
     units.
@@ -73,7 +73,7 @@ def has_room(piece: "Piece", allowance: float, sides: ArrayLike = (), widths: Ar
 
 
 def _is_whole_without(outlines: Sequence[np.ndarray], sides: np.ndarray, widths: np.ndarray) -> bool:
-    """Return whether a shape is one part without strips of these widths (k,) along the sides (k,2,2)."""
+    """Return whether a shape stays one part after strips of these widths (k,) along the sides (k,2,2) are removed."""
     points = np.concatenate(outlines)
     low = points.min(axis=0)
     size = float((points.max(axis=0) - low).max())
@@ -94,7 +94,7 @@ def _is_whole_without(outlines: Sequence[np.ndarray], sides: np.ndarray, widths:
 
 
 def _is_whole(paths: Sequence[Polygon], radius: float, area: float) -> bool:
-    """Return whether disks of this radius cover one part, which has at least MOST of the area; scraps do not count."""
+    """Return whether disks of this radius cover only one part, and at least MOST of the area. Scraps do not count."""
     left = _parts(_offset(paths, -radius, ARC))
     if len(left) == 1 and _area(left[0]) >= MOST * area:
         return True
@@ -132,7 +132,7 @@ def piece_width(piece: "Piece") -> float:
 
 
 def pieces_along(pieces: Iterable["Piece"], edges: ArrayLike) -> list["Piece"]:
-    """Return the pieces with a flat shape that contain any of these edges (k,2) of the model, also on their outline."""
+    """Return the pieces with a flat shape that contain any of these edges (k,2) of the model, even on the outline."""
     wanted = np.sort(np.reshape(edges, (-1, 2)), axis=1).astype(np.int64)
     found = []
     for piece in (piece for piece in pieces if not piece.error):
@@ -149,7 +149,7 @@ def piece_sides(piece: "Piece") -> np.ndarray:
 
 
 def outline_sides(piece: "Piece") -> np.ndarray:
-    """Return the sides (b,2) with one face, in its direction."""
+    """Return the sides (b,2) that have one face, in the direction of that face."""
     sides, count = piece_sides(piece), len(piece.vertices)
     return sides[~np.isin(sides @ [count, 1], sides @ [1, count])]
 

@@ -13,8 +13,8 @@ class PatternOptions(TypedDict, total=False):
     """Options of a pattern. Lengths are in millimeters, widths from 0 to 1000."""
 
     title: str
-    allowance: float  # outside of every seam (10)
-    hem: float | None  # outside of every outline that is not sewn; None: the allowance
+    allowance: float  # outside every seam (10)
+    hem: float | None  # outside every outline that is not sewn; None: same as allowance
     allowances: npt.ArrayLike | None  # (k,3) vertex, vertex of an edge of the model, and the width on all its sides
     # (k,3) width on one side of an edge: the side of the triangle in which it runs from the first vertex to the second
     side_allowances: npt.ArrayLike | None

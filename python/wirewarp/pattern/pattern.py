@@ -83,9 +83,10 @@ class Pattern(PatternData):
         progress: Progress | None = None,
         **options: Unpack[PatternOptions],
     ) -> "Pattern":
-        """Return the pattern of flat pieces from elsewhere, which keep their places. seam_names: by index of the seam.
+        """Return the pattern of flat pieces from elsewhere, which keep their places.
 
-        All are moved together, so that the lower left corner is at 0, 0.
+        seam_names: name of each seam by its index. All pieces are moved together, so that the lower left corner is at
+        0, 0.
         """
         return in_one_go(cls.making(pieces, seam_names, **options), progress)
 
@@ -248,7 +249,7 @@ class Pattern(PatternData):
         whole = [at_corner(with_card_anew(unfolded(piece), *card) if piece.on_fold else piece) for piece in self.pieces]
         if not marker.is_of(whole):
             raise problem("The pieces have changed since the marker was made: nest them again.")
-        # Texts beside a piece could be over other pieces.
+        # Texts beside a piece are removed, because they could be over other pieces.
         by_number = {piece.number: piece.without_texts_beside() for piece in whole}
         laid = [
             replace(by_number[placement.piece], quantity=(1, 0)).placed(marker.motion(placement))
@@ -257,7 +258,7 @@ class Pattern(PatternData):
         return replace(self, pieces=laid, marker=marker, warnings=[*self.warnings, *marker.warnings])
 
     def page_sizes(self, paper: str | float | None = None, **options: bool) -> list[np.ndarray]:
-        """Return width and height in millimeters of each page that write() would give to a PDF with these options.
+        """Return width and height in millimeters of each page of the PDF that write() would make with these options.
 
         Raises FlattenError for a pattern that does not fit on the paper.
         """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pieces of a pattern as data: everything that is drawn or written is read from here."""
+"""The pieces of a pattern as data, from which everything is drawn and written."""
 
 import math
 from collections.abc import Iterable
@@ -35,7 +35,7 @@ StepKind = Literal["dart", "flat", "ring", "all around", "closing"]
 
 @dataclass(frozen=True)
 class SewingStep:
-    """The sewing of one seam. "closing": no edge of its pieces stays open then."""
+    """A step of sewing: one seam. kind "closing": after it, no edge of its pieces is open."""
 
     seam: str
     kind: StepKind
@@ -77,7 +77,7 @@ class PatternData:
 
     @property
     def allowance_text(self) -> str:
-        """Return the allowance of the pieces: "10 mm", "10 mm to 30 mm" or "none"."""
+        """Return the allowance of the pieces as text: "10 mm", "10 mm to 30 mm" or "none"."""
         return self.units.range_of([width for piece in self.pieces for width in piece.allowances])
 
     @property
@@ -116,7 +116,7 @@ class PatternData:
         return replace(self, pieces=[piece.placed(motion) for piece in self.pieces])
 
     def with_only(self, kinds: Iterable[str]) -> Self:
-        """Return only cut lines, folds, and these kinds of the other lines, marks and texts.
+        """Return the pattern with only cut lines, folds, and these kinds of other lines, marks and texts.
 
         kinds: of "sew", "wires", "grain", "notches", "texts", "line names". Raises FlattenError for others.
         """

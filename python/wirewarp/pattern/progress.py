@@ -9,7 +9,7 @@ from typing import TypeVar
 from .._errors import FlattenError
 
 OFTEN = 0.1  # seconds between calls of progress: canceling takes at most 1 s, even if one step is slow
-Progress = Callable[[str, float], bool | None]  # gets the stage and the completed share; returns False to stop
+Progress = Callable[[str, float], bool | None]  # called with the stage and the completed share; returns False to stop
 STAGES = {  # start of each stage of making and writing a pattern, as a share of the time for a garment of 20 pieces
     "allowance": 0.0,
     "marks and lines": 0.2,

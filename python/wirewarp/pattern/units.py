@@ -8,11 +8,11 @@ from typing import Literal
 
 Units = Literal["metric", "imperial"]
 INCH = 25.4
-FINEST = 16  # parts of an inch on a tape measure
+FINEST = 16  # smallest fraction of an inch on a tape measure: a sixteenth
 
 
 def counted(count: int, noun: str) -> str:
-    """Return "1 piece", "2 pieces"."""
+    """Return the count with the noun, such as "1 piece" or "2 pieces"."""
     return f"{count} {noun}{'' if count == 1 else 's'}"
 
 
@@ -21,7 +21,7 @@ class UnitSystem:
     name: Units = "metric"
 
     def text(self, millimeters: float) -> str:
-        """Return "10 mm", or "3/8 in" to the nearest sixteenth."""
+        """Return a length such as "10 mm", or "3/8 in" to the nearest sixteenth."""
         if self.name == "metric":
             return f"{millimeters:.4g} mm" if millimeters < 1000 else f"{millimeters / 1000:.4g} m"
         sixteenths = Fraction(round(millimeters / INCH * FINEST), FINEST)
@@ -32,15 +32,15 @@ class UnitSystem:
         )
 
     def measured(self, millimeters: float) -> str:
-        """Return "430.2 mm" or "16.94 in", for comparisons."""
+        """Return a length such as "430.2 mm" or "16.94 in", for comparisons."""
         return f"{millimeters:.1f} mm" if self.name == "metric" else f"{millimeters / INCH:.2f} in"
 
     def difference_text(self, millimeters: float) -> str:
-        """Return "0.012 mm" or "0.0005 in", for lengths that should be equal."""
+        """Return a small length such as "0.012 mm" or "0.0005 in", for differences that should be zero."""
         return f"{millimeters:.3f} mm" if self.name == "metric" else f"{millimeters / INCH:.4f} in"
 
     def area_text(self, square_millimeters: float) -> str:
-        """Return "182.3 cm²" or "28.26 in²"."""
+        """Return an area such as "182.3 cm²" or "28.26 in²"."""
         if self.name == "imperial":
             return f"{square_millimeters / INCH**2:.4g} in²"
         square_meters = square_millimeters / 1e6
@@ -54,5 +54,5 @@ class UnitSystem:
 
     @property
     def square(self) -> tuple[float, str]:
-        """Return the side of the square to measure after printing, and its label."""
+        """Return the side length of the test square, which is measured after printing, and its label."""
         return (100.0, "100 mm") if self.name == "metric" else (4 * INCH, "4 in")

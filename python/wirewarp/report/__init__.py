@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report of a flattening: every length, the verdict, hints, and the rows and tables that show them.
+"""The report of a flattening: every length, the verdict, hints, and the rows of tables that show them.
 
-The Blender add-on and the command line use the same code.
+The Blender add-on and the command line share this code.
 """
 
 from .coarse import COARSE, COARSE_ADVICE, coarse_hints

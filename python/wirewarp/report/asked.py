@@ -7,7 +7,8 @@ import numpy as np
 
 from .. import BoundaryReport, Piece, WireReport
 
-# Lengths of chains include the rounding of their edges; the library itself checks every edge to 1e-9.
+# Lengths of chains include the rounding errors of their edges, so this is larger than the 1e-9 to which the library
+# checks every edge.
 LENGTH_LIMIT = 1e-8
 
 
@@ -27,7 +28,7 @@ def asked_of_wire(wire: WireReport, ease: float) -> float:
 def asked_of_outline(piece: Piece, vertices: np.ndarray, sides: dict[tuple[int, int], float]) -> list[float]:
     """Return the target length of each chain of the outline, with the change h of its wires.
 
-    vertices (n,3) of the model; sides: ease of directed edges with an ease on one side.
+    vertices (n,3): vertices of the model; sides: eases of directed edges that have an ease on one side.
     """
     if all(map(kept, piece.boundaries)):
         return [chain.length_2d for chain in piece.boundaries]

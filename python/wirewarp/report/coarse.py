@@ -14,16 +14,17 @@ COARSE_ADVICE = (
     "The model is coarse here, so curves are cut with corners. A Subdivision Surface modifier makes them smooth, with "
     "equal lengths on both sides of seams"
 )
-LEAST_TURN = np.radians(15.0)  # at one vertex: a smaller turn looks round on fabric
-LEAST_ERROR = 1e-3  # meters between the curve and the middle of its edge: scissors follow a line no better
-CORNER = np.radians(60.0)  # a larger turn is a corner: a curve of so few edges has no shape of its own
+LEAST_TURN = np.radians(15.0)  # radians at one vertex; a smaller turn looks round on fabric
+LEAST_ERROR = 1e-3  # meters between the curve and the middle of its edge; scissors follow a line no more closely
+# radians; a larger turn is a corner, because a curve of so few edges has no recognizable shape
+CORNER = np.radians(60.0)
 # On a curve, a neighbor of a vertex turns by at least this share of the turn in the same direction. Beside a corner,
 # the line is straight.
 ALIKE = 0.5
 
 
 def coarse_hints(pieces: Sequence[Piece], meters: float) -> list[Hint]:
-    """Return one hint, or none. pieces: those with a layout. meters: in a unit of the model."""
+    """Return one hint, or none. pieces: those with a layout. meters: meters in a unit of the model."""
     turns: dict[int, float] = {}
     for piece in pieces:
         for sources, points in _outlines(piece):
@@ -46,7 +47,7 @@ def _outlines(piece: Piece) -> Iterator[tuple[np.ndarray, np.ndarray]]:
     for chain in piece.boundaries:
         steps = [ends[step] for step in pairwise(chain.vertices.tolist())]
         rows = [steps[0][0], *(end for _, end in steps)]
-        if rows[0] == rows[-1]:  # a whole outline has no ends
+        if rows[0] == rows[-1]:  # a whole outline is closed and has no ends
             rows = [rows[-2], *rows, rows[1]]
         yield piece.source_vertex[rows], piece.vertices[rows]
 
@@ -61,7 +62,7 @@ def _curved(points: np.ndarray) -> Iterator[tuple[int, float]]:
     for row, turn in enumerate(turns):
         neighbors = np.array([beside[row], beside[row + 2]]) * np.sign(turn)
         is_curved = (neighbors >= ALIKE * abs(turn)) & (neighbors <= CORNER)
-        # An arc that turns by this angle from edge to edge is this far from the middle of an edge.
+        # Distance between the middle of an edge and the arc through its ends, if the arc turns by this angle per edge.
         error = max(lengths[row], lengths[row + 1]) * np.tan(abs(turn) / 4) / 2
         if LEAST_TURN < abs(turn) <= CORNER and error > LEAST_ERROR and is_curved.any():
             yield row + 1, float(abs(turn))

@@ -14,7 +14,7 @@ DIGITS = 6  # number of decimals
 
 
 def report_csv(report: Report, units: LengthText) -> str:
-    """Return a header, and a line for each side of a seam, each wire, each open section of outline and each piece."""
+    """Return a header, and a line for each side of a seam, each wire, each open section of outline, and each piece."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(_header(units))
@@ -93,12 +93,12 @@ def _piece_row(piece: Piece, units: LengthText) -> list[str]:
 
 
 def _plain(name: str) -> str:
-    """Return a text that spreadsheets do not read as a formula."""
+    """Return the text, changed if spreadsheets would read it as a formula."""
     return f"'{name}" if name.startswith(("=", "+", "-", "@", "\t", "\r")) else name
 
 
 def _number(value: float | None, factor: float = 1) -> str:
-    """Return the number, empty if there is none, as without a layout. Zero has no sign."""
+    """Return the number as text; empty if there is none, for example without a layout. Zero has no sign."""
     if value is None:
         return ""
     text = f"{value * factor:.{DIGITS}f}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From an entry of a report to its elements of the model."""
+"""Finds the elements of the model that an entry of a report is about."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Hints that would improve good pieces, and their places."""
+"""Hints on how to improve good pieces, with the places."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,9 +13,9 @@ from .strain import PieceStrain, connected_regions, edge_keys, percent_text, thr
 from .wording import needs_text, strain_text
 from .words import tolerance_text
 
-# Stretch above which a dart may help: stretch fabric reaches it, but pulls there.
+# Stretch above which a dart may help: stretch fabric can do it, but pulls there.
 STRAIN_LIMIT = 0.08
-LARGEST_SHARE = 0.25  # share of the area of a piece: if more is strained, only its worst part is a useful place
+LARGEST_SHARE = 0.25  # share of the area of a piece; if more is strained, only the worst part is a useful place
 MOST_PIECES = 4  # number of pieces with a place in the list
 MOST_REGIONS = 2  # number of places in one piece
 LEAST_AMOUNT = 0.1  # share of the largest amount in the piece: places with less are single faces
@@ -57,7 +57,7 @@ class Region:
 def strain_hints(
     pieces: Sequence[Piece], strains: Sequence[PieceStrain | None], figures: Sequence[float], places: Places
 ) -> list[Hint]:
-    """Return hints for the most strained places: the worst piece first, its worst place first.
+    """Return hints for the most strained places: the worst piece first, and its worst place first.
 
     strains: None for a piece that failed; figures: the stretch of each piece.
     """
@@ -67,7 +67,7 @@ def strain_hints(
         strain = strains[index]
         if strain is None or len({hint.piece for hint in hints}) == MOST_PIECES:
             continue
-        alike: dict[tuple[str, str], list[Region]] = {}  # one line for places with equal strain
+        alike: dict[tuple[str, str], list[Region]] = {}  # places with equal strain share one line
         for region in _worth_words(_regions(pieces[index], strain, places)):
             alike.setdefault((percent_text(region.stretch), percent_text(region.ease)), []).append(region)
         hints += [_strain_hint(index, regions, rank == 0, places) for rank, regions in enumerate(alike.values())]
@@ -75,7 +75,7 @@ def strain_hints(
 
 
 def _worth_words(regions: list[Region]) -> list[Region]:
-    """Return the regions with the largest amounts, and the one with the largest strain; the worst first."""
+    """Return the regions with the largest amounts and the region with the largest strain, the worst first."""
     ranked = sorted(regions, key=lambda region: -region.amount)
     chosen = [region for region in ranked[:MOST_REGIONS] if region.amount >= LEAST_AMOUNT * ranked[0].amount]
     worst = max(regions, key=lambda region: region.worst, default=None)
@@ -115,7 +115,7 @@ def _worst_part(strain: np.ndarray, areas: np.ndarray) -> float:
 
 
 def thread_hints(pieces: Sequence[Piece], threads: Sequence[Threads | None], places: Places) -> list[Hint]:
-    """Return hints where threads must stretch too far in a piece; the worst piece first.
+    """Return hints about places where threads must stretch too far, the worst piece first.
 
     threads: None for a piece that failed.
     """
@@ -137,7 +137,7 @@ def _limit(threads: Threads, way: str) -> float:
 
 
 def _thread_hint(index: int, piece: Piece, threads: Threads, places: Places) -> Hint:
-    """Return a hint at the place where a dart would have to remove most."""
+    """Return a hint about the place where a dart would have to remove most."""
     strains = thread_strains(piece.metrics)
     beyond = np.max([strain - _limit(threads, way) for way, strain in strains.items()], axis=0)
     amounts = beyond * places.areas[piece.source_face]
@@ -153,7 +153,7 @@ def _thread_hint(index: int, piece: Piece, threads: Threads, places: Places) -> 
 
 
 def wire_hints(wires: Sequence[Wire]) -> list[Hint]:
-    """Return hints for elastic wires at their tolerance; the largest change first."""
+    """Return hints about elastic wires that have reached their tolerance, the largest change first."""
     at_limit = [(index, wire) for index, wire in enumerate(wires) if wire.at_limit]
     at_limit.sort(key=lambda each: -abs(each[1].percent[0] or 0))
     return [
@@ -169,9 +169,9 @@ def wire_hints(wires: Sequence[Wire]) -> list[Hint]:
 
 
 def torn_hints(vertices: np.ndarray, outline: np.ndarray) -> list[Hint]:
-    """Return one hint, or none: edges may also be apart on purpose.
+    """Return one hint, or none, about edges at the same place that are not joined; they may be apart on purpose.
 
-    vertices (n,3) of the model; outline (k,2): its edges with one face.
+    vertices (n,3): vertices of the model; outline (k,2): its edges with one face.
     """
     edges = torn_edges(vertices, outline)
     pairs: Pairs = [(a, b) for a, b in edges.tolist()]
@@ -179,7 +179,7 @@ def torn_hints(vertices: np.ndarray, outline: np.ndarray) -> list[Hint]:
 
 
 def torn_edges(vertices: np.ndarray, outline: np.ndarray) -> np.ndarray:
-    """Return the outline edges (k,2) whose ends are both exactly at the ends of another outline edge."""
+    """Return the outline edges (k,2) whose ends are exactly at the ends of another outline edge."""
     numbers = _numbered(vertices[outline.ravel()])
     keys = edge_keys(numbers, len(numbers))
     _, inverse, counts = np.unique(keys, return_inverse=True, return_counts=True)
@@ -187,7 +187,7 @@ def torn_edges(vertices: np.ndarray, outline: np.ndarray) -> np.ndarray:
 
 
 def _numbered(points: np.ndarray) -> np.ndarray:
-    """Return one number (k,) for each position among points (k,3)."""
+    """Return a number for each of the points (k,3); points at the same position have the same number."""
     order = np.lexsort(points.T)
     is_new = np.any(np.diff(points[order], axis=0) != 0, axis=1)
     numbers = np.zeros(len(points), dtype=np.int64)

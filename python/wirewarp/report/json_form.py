@@ -23,7 +23,7 @@ AnyReport = TypeVar("AnyReport", bound=Report)
 
 
 class ReportError(ValueError):
-    """The data is not a report of this version. str() is a sentence."""
+    """Raised for data that is not a report of this version. str() is a sentence."""
 
 
 def to_dict(report: Report) -> dict[str, Any]:
@@ -32,7 +32,7 @@ def to_dict(report: Report) -> dict[str, Any]:
 
 
 def run_to_dict(version: str, units: dict[str, Any], reports: Sequence[Report]) -> dict[str, Any]:
-    """Return the reports of one run as a dict. version: of WireWarp."""
+    """Return the reports of one run as a dict. version: the version of WireWarp."""
     return {
         "schema": SCHEMA,
         "wirewarp": version,

@@ -29,7 +29,7 @@ from .strain import (
     wanted_strain,
 )
 
-AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would change further with a larger one
+AT_LIMIT = 1e-6  # an elastic wire this close to its tolerance would change more if the tolerance were larger
 UNUSED_TOLERANCES = "This method keeps every wire rigid, so tolerances were not used."
 
 
@@ -51,7 +51,7 @@ def make_report(
     """Return the report of flatten(vertices, faces, wires=wires, eases=eases, options=Options(cloth=cloth)).
 
     fabric: name of the preset of the cloth. limits: its maximum stretch across and along the grain, None if unknown; by
-    default the limits of the cloth. meters: length of a unit. name: of the model. polygons (m,): the face of each
+    default the limits of the cloth. meters: length of a unit. name: name of the model. polygons (m,): the face of each
     triangle, if faces of the model are larger than triangles. issues: one for each failed piece, if they replace the
     library's sentences.
     """
@@ -205,7 +205,8 @@ class _Maker:
     def _seam(self, index: int, seam: SeamReport, failed: set[int]) -> model.Seam:
         asked = [seam.length_3d * (1 + seam.variation) * (1 + ease) for ease in seam.eases]
         pairs = zip(seam.length_2d, asked, strict=True)
-        within = all(abs(length - wanted) <= LENGTH_LIMIT * seam.length_3d for length, wanted in pairs)  # false for NaN
+        # comparisons are false for NaN
+        within = all(abs(length - wanted) <= LENGTH_LIMIT * seam.length_3d for length, wanted in pairs)
         return model.Seam(
             index=index,
             name=f"Seam {index + 1}",

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The report as dataclasses. Lengths and areas are in the model's units, indices refer to its mesh.
 
-Names of fields are the keys of the JSON form (json_form.py). None is a missing number: without a layout there is no
-flat length.
+Names of fields are the keys of the JSON form (json_form.py). None stands in for missing numbers; for example, there is
+no flat length without a layout.
 """
 
 import math
@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 Pairs = list[tuple[int, int]]  # edges as vertex pairs
-ANY_FABRIC = 0.03  # a stretch that every fabric allows: the smallest in the core's table, of woven cotton
+ANY_FABRIC = 0.03  # a stretch that every fabric allows: the smallest in the core's table, that of woven cotton
 
 METHOD_NAMES = {"refined": "Refined", "wirewarp++": "WireWarping++", "wirewarping": "WireWarping, all wires rigid"}
 
@@ -62,7 +62,7 @@ class Wire(WirePart):
 
     vertices: list[int]
     wire_id: int = 0  # id of the mark in Blender; 0 elsewhere
-    marked_id: int = 0  # id on its edges: a copied wire shares it with its copies
+    marked_id: int = 0  # id on its edges, which a copied wire shares with its copies
 
 
 @dataclass(kw_only=True)
@@ -105,12 +105,12 @@ class Ways:
 
 @dataclass(kw_only=True)
 class Threads:
-    """Strain of a fabric with a grain in a piece: figures that 99% of the piece's area stays below."""
+    """Strain of a fabric with a grain in a piece. 99% of the piece's area stays below these figures."""
 
     cloth: str  # name of the fabric in sentences
     across: float  # stretch of the threads across the grain
     along: float
-    shear: float  # radians between the threads and the right angle
+    shear: float  # radians by which the angle between the threads differs from a right angle
     gives: Ways  # maximum stretch of the fabric
     worn: Ways  # built-in stretch, which is intended
 

@@ -10,17 +10,17 @@ from .model import Chain, Hint, Issue, Note, Report, Seam
 
 
 def piece_names(report: Report, indices: Iterable[int]) -> str:
-    """Return each piece once: "Front, Back"."""
+    """Return the names of the pieces, each once: "Front, Back"."""
     return ", ".join(report.pieces[index].name for index in dict.fromkeys(indices))
 
 
 def joined_pieces(report: Report, pieces: Iterable[int]) -> str:
-    """Return the pieces that a seam joins: "Front – Back"."""
+    """Return the names of the pieces that a seam joins: "Front – Back"."""
     return " – ".join(report.pieces[index].name for index in dict.fromkeys(pieces))
 
 
 def seam_name(report: Report, seam: Seam) -> str:
-    """Return "Seam 3: Front – Back", "Dart 4: Front"."""
+    """Return the name of a seam with its pieces, such as "Seam 3: Front – Back" or "Dart 4: Front"."""
     return f"{seam.name}: {joined_pieces(report, seam.pieces)}"
 
 
@@ -70,7 +70,7 @@ def note_text(report: Report, note: Note) -> str:
 
 
 def rename_wires(report: Report, names: Mapping[int, str]) -> None:
-    """Give the wires these names, by their ids in Blender."""
+    """Set the names of the wires, by their ids in Blender."""
     name_of = {wire.wire: names.get(wire.wire_id, wire.name) for wire in report.wires}
     renamed = {wire.name: name_of[wire.wire] for wire in report.wires}
     if all(old == new for old, new in renamed.items()):
@@ -90,7 +90,7 @@ def rename_wires(report: Report, names: Mapping[int, str]) -> None:
 
 
 def _renamed(sentence: str, renamed: Mapping[str, str]) -> str:
-    """Replace names of wires only where they follow the word, as in 'wires "Hip", "Bust" and "Waist"'."""
+    """Replace names of wires only after the word "wire" or "wires", as in 'wires "Hip", "Bust" and "Waist"'."""
     name = f'"({"|".join(map(re.escape, renamed))})"'
     named = re.compile(rf"\b[Ww]ires? {name}((, | and ){name})*")
     return named.sub(lambda found: re.sub(name, lambda old: f'"{renamed[old[1]]}"', found[0]), sentence)

@@ -9,7 +9,7 @@ from .names import joined_pieces, open_edges, piece_names, pieces_of_wires, side
 from .verdict import Verdict, verdict
 from .words import ease_text, tolerance_text
 
-LEAST = 5e-5  # smaller eases are not shown
+LEAST = 5e-5  # a share; smaller eases are not shown
 
 
 @dataclass(frozen=True)
@@ -19,7 +19,7 @@ class Side:
     length_2d: float | None  # None: no layout
     difference: float | None
     percent: float | None
-    length_asked: float | None  # None: unknown without a layout
+    length_asked: float | None  # target; None: unknown without a layout
 
     @property
     def off(self) -> float | None:
@@ -32,20 +32,20 @@ class ReportRow:
     name: str
     ok: bool
     sides: list[Side]
-    what: str | None = None  # kind of entry for the button that selects it; None: no button
+    what: str | None = None  # kind of the entry, for the button that selects it; None: no button
     index: int = 0
-    note: str = ""  # pieces of a seam; place, tolerance and result of a wire
+    note: str = ""  # for seams: the pieces; for wires: place, tolerance and result
     seam_id: int = 0  # id by which the list of names finds the seam
     at_limit: bool = False
 
     @property
     def badness(self) -> float:
-        """Return the key of the order: failures first, then the largest difference in percent."""
+        """Return the sort key: failures first, then by the difference in percent, the largest first."""
         worst = max(
             math.inf if side.off is None or not side.length_3d else abs(side.off) / side.length_3d
             for side in self.sides
         )
-        return math.inf if not self.ok else round(worst, 8)  # rounding errors do not affect the order
+        return math.inf if not self.ok else round(worst, 8)  # rounded, so that rounding errors do not affect the order
 
 
 @dataclass(frozen=True)

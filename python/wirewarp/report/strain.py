@@ -2,9 +2,9 @@
 """How far the fabric must stretch, as one figure for the verdict, the list of pieces and suggestions.
 
 The figure of a piece is the stretch that 99% of its area stays below, in the worst direction: for each triangle max(σ1,
-1/σ2) - 1, with the principal stretches of the map from flat to model. Compression therefore counts like the stretch
-that would undo it. DartProposal.strain, which ranks suggestions, is the same figure. Eases are intended: the piece is
-measured beyond them. With a fabric, the stretch along its threads counts (Threads).
+1/σ2) - 1, with the principal stretches of the map from flat to model. Compression therefore counts as much as the
+stretch that would undo it. DartProposal.strain, which ranks suggestions, is the same figure. Eases are intended: the
+piece is measured beyond them. With a fabric, the stretch along its threads counts (Threads).
 """
 
 import math
@@ -17,9 +17,9 @@ import numpy as np
 from .. import Cloth, Metrics, Piece
 from .model import Threads, Ways
 
-SHARE = 0.99  # share of the area: fabric does not notice single strained triangles in corners
+SHARE = 0.99  # share of the area; single strained triangles in corners do not matter in fabric
 Limits = tuple[float | None, float | None]  # across and along the grain; None: unknown
-NAMES = {"woven": "woven cotton", "swim": "swim knit"}  # for sentences, if the preset's name is not a noun
+NAMES = {"woven": "woven cotton", "swim": "swim knit"}  # names in sentences, for presets whose name is not a noun
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,7 @@ class PieceStrain:
     """Strain of each triangle of a piece with a layout, as a share of the flat length."""
 
     stretch: np.ndarray  # (q,) at least 0; inf where the flat triangle has no area
-    ease: np.ndarray  # (q,) from 0 to 1: compression of the fabric
+    ease: np.ndarray  # (q,) compression of the fabric, from 0 to 1
 
     def beyond(self, wanted: "Wanted") -> "PieceStrain":
         """Return the strain beyond the eases of the piece's lines."""
@@ -38,7 +38,7 @@ class PieceStrain:
 
 
 def piece_strain(metrics: Metrics) -> PieceStrain:
-    """Return the strain from the library's strain of threads, which measures thick material at mid-thickness.
+    """Return the strain from the library's strain of threads, which it measures in the middle of thick material.
 
     Threads of lengths p and q with g = p q sin γ between them have the metric (p², g; g, q²): its eigenvalues are the
     squares of the principal stretches of the map from flat to model.
@@ -57,7 +57,7 @@ def piece_strain(metrics: Metrics) -> PieceStrain:
 
 @dataclass(frozen=True)
 class Wanted:
-    """Factors from the eases of a piece's lines."""
+    """Intended factors between the model and the flat piece, from the eases of the piece's lines."""
 
     stretch: float = 1.0  # from negative ease: the fabric is this many times longer when worn
     compression: float = 1.0  # from ease and gathers: the flat line is this many times longer than on the model
@@ -84,7 +84,7 @@ def eases_of_piece(piece: Piece, wires: Sequence[float], sides: dict[tuple[int, 
 
 
 def stretch_figure(strain: PieceStrain, areas: np.ndarray) -> float:
-    """Return the figure of a piece. areas (q,): of its triangles on the model."""
+    """Return the figure of a piece. areas (q,): areas of its triangles on the model."""
     with np.errstate(divide="ignore"):
         undone = 1 / (1 - strain.ease) - 1
     return widespread(np.maximum(strain.stretch, undone), areas)
@@ -94,7 +94,8 @@ def widespread(values: np.ndarray, areas: np.ndarray) -> float:
     """Return the value that 99% of the area stays below."""
     order = np.argsort(values)
     below = np.cumsum(areas[order])
-    # Subtract the rounding error of sums of areas: among equal triangles, the choice does not depend on the numbering.
+    # The rounding error of sums of areas is subtracted, so that the choice among equal triangles does not depend on the
+    # numbering.
     return float(values[order[min(np.searchsorted(below, SHARE * (1 - 1e-9) * below[-1]), len(order) - 1)]])
 
 
@@ -136,12 +137,12 @@ def triangle_areas(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
 
 
 def triangles_around(piece: Piece, triangle: int) -> np.ndarray:
-    """Return the triangles (k,) of a piece that share a vertex with one of these, which are included."""
+    """Return the triangles (k,) of a piece that share a vertex with one of these, including these."""
     return np.flatnonzero(np.isin(piece.faces, piece.faces[triangle]).any(axis=1))
 
 
 def connected_regions(piece: Piece, members: np.ndarray) -> list[np.ndarray]:
-    """Return the triangles of the mask members (q,) in groups that edges of the piece connect."""
+    """Return the triangles of the mask `members` (q,) in groups that are connected across edges of the piece."""
     triangles = np.flatnonzero(members)
     neighbors = _neighbors(np.asarray(piece.faces)[triangles], len(piece.vertices))
     labels = np.arange(len(triangles))
@@ -158,7 +159,10 @@ def connected_regions(piece: Piece, members: np.ndarray) -> list[np.ndarray]:
 
 
 def _neighbors(faces: np.ndarray, vertex_count: int) -> np.ndarray:
-    """Return the triangle (t,3) across each side, itself if there is none; faces (t,3)."""
+    """Return the triangle (t,3) across each side of the triangles; the triangle itself if there is none.
+
+    faces: (t,3).
+    """
     keys = edge_keys(faces[:, [0, 1, 1, 2, 2, 0]], vertex_count)
     sides = np.argsort(keys, kind="stable")
     pairs = np.flatnonzero(keys[sides][1:] == keys[sides][:-1])
@@ -176,7 +180,7 @@ def edge_keys(pairs: np.ndarray, count: int) -> np.ndarray:
 
 
 def percent_text(share: float) -> str:
-    """Return "19%", "9.5%", "over 100%", "unlimited"."""
+    """Return a share as text, such as "19%", "9.5%", "over 100%" or "unlimited"."""
     if math.isinf(share):
         return "unlimited"
     if share >= 1:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which pieces can be cut, and from which fabric: the same in Blender and on the command line."""
+"""The verdict: which pieces can be cut, and from which fabric. It is the same in Blender and on the command line."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -23,10 +23,10 @@ class Level(StrEnum):
 
 
 class Kind(StrEnum):
-    """The worst first: a verdict has the first kind that applies to a piece."""
+    """Kinds of verdict, the worst first. A verdict has the first kind that applies to any piece."""
 
     NOT_FLATTENED = "not flattened"
-    FAILED = "failed"  # a guarantee is not met
+    FAILED = "failed"  # a guarantee is broken
     CLOSED = "closed"  # only closed pieces failed: they have no cut yet
     NO_FABRIC = "no fabric"  # a piece must stretch to more than twice its length
     BEYOND_FABRIC = "beyond fabric"  # the chosen fabric does not stretch as far
@@ -83,7 +83,7 @@ def verdict(*reports: Report) -> Verdict:
     by_kind: dict[Kind, list[_Entry]] = {}
     for entry in entries:
         by_kind.setdefault(_kind_of(entry), []).append(entry)
-    if Kind.FAILED in by_kind and Kind.CLOSED in by_kind:  # the issues name the closed pieces
+    if Kind.FAILED in by_kind and Kind.CLOSED in by_kind:  # the issues already name the closed pieces
         by_kind[Kind.FAILED] += by_kind.pop(Kind.CLOSED)
     if Kind.NEEDS_STRETCH in by_kind:  # the sentence is about all pieces, which are cut from one fabric
         by_kind[Kind.NEEDS_STRETCH] += by_kind.pop(Kind.READY_FOR_ANY, [])
@@ -124,7 +124,7 @@ def _kind_of(entry: _Entry) -> Kind:
 
 
 def _texts(kind: Kind, own: list[_Entry], entries: list[_Entry], with_objects: bool) -> list[str]:
-    """Return the sentences on the pieces of one kind, the worst first. entries: all pieces."""
+    """Return the sentences about the pieces of one kind, the worst first. entries: all pieces."""
     everything = len(own) == len(entries)
     names = _names(own, with_objects)
     match kind:
@@ -169,7 +169,7 @@ def _names(entries: Sequence[_Entry], with_objects: bool) -> str:
 
 
 def _listed(names: Iterable[str], between: str) -> str:
-    """Return each name once; of many, the first ones and the number of the others."""
+    """Return each name once. If there are many, return the first ones and the number of the others."""
     every = list(dict.fromkeys(names))
     shown, hidden = every[:SHOWN_NAMES], len(every) - SHOWN_NAMES
     if hidden > 0:
@@ -181,12 +181,12 @@ def _listed(names: Iterable[str], between: str) -> str:
 
 
 def kept_text(reports: Iterable[Report]) -> str:
-    """Return the sentence on lengths in reports without an issue."""
+    """Return the sentence about the lengths in reports without an issue."""
     loose = any(wire.tolerance != 0 for report in reports if report.method != "wirewarping" for wire in report.wires)
     return wording.TOLERATED if loose else wording.EXACT
 
 
 def place_name(report: Report, piece: int | None) -> str:
-    """Return the name of the object, and of the piece if there is one with another name."""
+    """Return the name of the object, and the name of the piece if it is different."""
     name = report.object if piece is None else report.pieces[piece].name
     return name if name == report.object else f"{report.object}, {name}"

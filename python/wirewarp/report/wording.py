@@ -8,14 +8,14 @@ from .model import Threads
 from .strain import percent_text
 from .words import counted
 
-LESSER = 0.5  # from this share of the larger figure, the smaller of stretch and compression is mentioned, too
+LESSER = 0.5  # the smaller of stretch and compression is mentioned, too, if it is at least this share of the larger
 NOT_FLATTENED = "Not flattened"
-BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # written once, after all pieces
+BEYOND_REMEDY = "Add a dart or seam, or choose another fabric."  # written once, after the sentences about all pieces
 EXACT, TOLERATED = "every length kept", "every length kept or within its tolerance"
 
 
 def closed(names: str, count: int) -> str:
-    """Return the sentence. names: of the closed pieces, or "" for a whole model."""
+    """Return the sentence about closed pieces. names: names of the pieces, or "" for a whole model."""
     what = "are closed: choose where to cut them" if count > 1 else "is closed: choose where to cut it"
     return f"{names or 'This model'} {what}"
 
@@ -25,7 +25,7 @@ def failed(count: int, of: int) -> str:
 
 
 def failed_models(names: str) -> str:
-    """Return the sentence. names: of the models without pieces because flattening failed."""
+    """Return the sentence about failed models. names: names of the models that have no pieces."""
     return f"Do not cut: {names} failed"
 
 
@@ -34,7 +34,7 @@ def no_fabric(names: str) -> str:
 
 
 def beyond_fabric(names: str, threads: Threads) -> str:
-    """Return "Front must stretch 7.6% along, but this denim stretches only 3.0%": only ways beyond the fabric."""
+    """Return "Front must stretch 7.6% along, but this denim stretches only 3.0%", naming only directions beyond it."""
     over = [way for way in ("across", "along") if threads.is_over(way) and getattr(threads.gives, way) is not None]
     needed = " and ".join(f"{percent_text(getattr(threads, way))} {way}" for way in over)
     known = [percent_text(getattr(threads.gives, way)) for way in over]
@@ -44,7 +44,10 @@ def beyond_fabric(names: str, threads: Threads) -> str:
 
 
 def needs_stretch(names: str, is_exact: bool, stretch: str) -> str:
-    """Return the sentence. names: of the pieces, "" for all; is_exact: no wire has a tolerance; stretch: in percent."""
+    """Return the sentence.
+
+    names: names of the pieces, "" for all; is_exact: no wire has a tolerance; stretch: in percent.
+    """
     which = f"Lengths of {names}" if names else "Lengths"
     kept = "exact" if is_exact else "exact or within their tolerance"
     return f"{which} are {kept}. Cut from fabric that stretches at least {stretch}."

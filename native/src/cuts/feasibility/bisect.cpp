@@ -105,8 +105,8 @@ struct FaceGeometry {
   Positions3 middle, area;
 };
 
-/// Divides faces by their position along an axis. All faces in the middle go to one side, for both directions of the
-/// axis. The tolerance covers the small rotation of axes that principal_axes() allows.
+/// Divides faces by their position along an axis. All faces in the middle are put on the same side, for either
+/// direction of the axis. The tolerance covers the small rotation of axes that principal_axes() allows.
 Sides sides_along(Eigen::VectorXd along) {
   const double middle = 1e-5 * along.cwiseAbs().maxCoeff();
   const auto first = std::find_if(along.begin(), along.end(), [&](double place) { return std::abs(place) > middle; });
@@ -116,8 +116,8 @@ Sides sides_along(Eigen::VectorXd along) {
   return side;
 }
 
-/// Divides the faces by planes through the center, across the principal axes, and by the direction of their normals
-/// along these axes.
+/// Divides the faces by planes through the center, perpendicular to the principal axes, and by the direction of their
+/// normals along these axes.
 std::vector<Sides> sides_of_axes(const HalfEdgeMesh& mesh) {
   const FaceGeometry faces(mesh);
   const Eigen::VectorXd areas = faces.area.rowwise().norm();
@@ -143,7 +143,7 @@ std::vector<Sides> sides_of_ends(const HalfEdgeMesh& mesh) {
   return {nearer_to(mesh, first, second), nearer_to(mesh, third, fourth)};
 }
 
-/// Moves each group of faces that share forbidden edges to the side with most of its faces.
+/// Moves each group of faces that share forbidden edges to the side that has most of them.
 void keep_together(const HalfEdgeMesh& mesh, const CutMask& forbidden, Sides& side) {
   DisjointSets groups(mesh.n_faces());
   for (const EdgeHandle e : mesh.edges()) {

@@ -8,8 +8,8 @@
 
 namespace wirewarp {
 
-/// Cuts a chart along edges, and returns the charts between them with their parts of its wires. Their sources are the
-/// chart's own vertices, faces and wire parts.
+/// Cuts a chart along edges, and returns the charts between them with their parts of its wires. The sources of these
+/// charts are the vertices, faces and wire parts of the given chart.
 std::vector<Chart> cut_apart(const Chart& chart, const CutMask& cut);
 
 /// Returns the chart with its vertices and faces in the given order.

@@ -25,7 +25,7 @@ std::vector<VertexPair> edges_of(const Chart& chart, const CutMask& cut);
 /// Returns the length of all cut edges in scene units.
 double length_of_cut(const HalfEdgeMesh& mesh, const CutMask& cut);
 
-/// Convert between (k, 2) pairs and a list.
+/// These two functions convert between (k, 2) pairs and a list.
 std::vector<VertexPair> as_list(const VertexPairs& pairs);
 VertexPairs as_pairs(const std::vector<VertexPair>& list);
 

@@ -11,8 +11,8 @@ namespace wirewarp {
 /// Makes cuts symmetric if a plane mirrors their chart onto itself.
 class MirroredCuts {
  public:
-  /// image: the mirror image of each vertex; empty if there is no such plane. Then no cut changes. An edge without a
-  /// mirror image counts as its own image.
+  /// image: the mirror image of each vertex; empty if there is no such plane, and then cuts do not change. An edge
+  /// without a mirror image counts as its own image.
   MirroredCuts(const Chart& chart, const std::vector<VertexHandle>& image);
 
   CutMask with_image(const CutMask& cut) const;

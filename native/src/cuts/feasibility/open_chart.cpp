@@ -222,7 +222,7 @@ CutMask OpeningSearch::open(const Chart& piece, int depth) const {
   CutMask cut = best->cut;
   for (const std::size_t p : failing) {
     const Chart& part = best->pieces[p];
-    const bool is_cut = !is_empty(map_.on_part(part, cut));  // the mirror image of an earlier cut did it
+    const bool is_cut = !is_empty(map_.on_part(part, cut));  // the mirror image of an earlier cut already divides it
     if (depth > 0 && !is_cut && part.mesh.n_faces() > 1) unite(cut, open(part, depth - 1));
   }
   return cut;

@@ -217,7 +217,7 @@ std::vector<DartProposal> best_cuts(const FlatPieces& pieces, CutKind kind, cons
       if (smooth.strain < kMostStrain && smooth.length <= cut_options.longest) sets[i] = std::move(smooth);
     }
   };
-  if (cut_options.is_smooth) was_stopped(smooth_all);  // the other sets then keep their edges
+  if (cut_options.is_smooth) was_stopped(smooth_all);  // if stopped, the other sets keep their edges
   for (DartProposal& set : sets) set.piece = static_cast<int>(*piece);
   progress.begin_part(0, 1);
   return sets;

@@ -6,8 +6,8 @@
 
 namespace wirewarp {
 
-/// Returns the chart with its vertices and faces numbered by its shape alone. Loops over them visit the same places in
-/// the same order, also if the input is renumbered, rotated or mirrored. A symmetric chart has several such numberings;
+/// Returns the chart with its vertices and faces numbered only by its shape. Loops over them visit the same places in
+/// the same order, even if the input is renumbered, rotated or mirrored. A symmetric chart has several such numberings;
 /// the function chooses one. Vertices and faces keep their sources. The wire index of a part becomes its index in the
 /// chart. Throws Stopped.
 Chart in_canonical_order(const Chart& chart, const StopToken& stop);

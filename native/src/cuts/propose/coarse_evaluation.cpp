@@ -28,7 +28,7 @@ InternalOptions brief(InternalOptions options) {
   options.max_factorizations = kMaxFactorizations;
   options.makes_injective = false;  // a cut that folds the piece is bad, and fixing folds takes as long as ten cuts
   options.target = Target::rough;
-  options.cloth.reset();  // a fabric takes about twice as long, and exact evaluations follow
+  options.cloth.reset();  // without the fabric, which takes about twice as long; exact evaluations follow
   return options;
 }
 

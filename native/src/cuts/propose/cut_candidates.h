@@ -37,7 +37,7 @@ std::vector<CutEnds> list_candidates(const Chart& chart, const SmoothPathFinder&
 /// Returns the cuts with one end moved to a neighboring vertex.
 std::vector<CutEnds> neighbors_of(const Chart& chart, const SmoothPathFinder& paths, CutEnds cut);
 
-/// Returns whether both ends of two cuts are near each other, so that a tailor would see one cut. size: root of the
+/// Returns whether both ends of two cuts are so near each other that a tailor would see one cut. size: root of the
 /// chart's area.
 bool are_beside(const HalfEdgeMesh& mesh, double size, CutEnds a, CutEnds b);
 

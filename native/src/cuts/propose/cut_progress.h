@@ -41,7 +41,7 @@ class CutProgress {
     enter(0, 1);
   }
 
-  /// Makes the following progress run between these shares of the part. Reported progress never decreases.
+  /// Maps the progress that follows to the range between these shares of the part. Reported progress never decreases.
   void enter(double from, double to) {
     from_ = part_from_ + (part_to_ - part_from_) * from;
     to_ = part_from_ + (part_to_ - part_from_) * to;

@@ -35,14 +35,14 @@ constexpr std::size_t kMostCuts = 40;
 constexpr int kPlaces = 2;
 constexpr std::size_t kMostTrials = 5;
 
-/// A cut must remove at least this share of its part's energy to be worth sewing, and a set must lower the strain by
-/// more than this share to be listed.
+/// A cut is worth sewing if it removes at least this share of its part's energy, and a set is listed if it lowers the
+/// strain by more than this share.
 constexpr double kWorthSewing = 0.02;
 
 /// Lower strains count as this strain, because their ratios are meaningless.
 constexpr double kFlat = 1e-4;
 
-/// Progress once the piece is open, and once it is cut finely enough, as measured on a cow and a penguin.
+/// Progress once the piece is open, and once it is cut finely enough, as measured on models of a cow and a penguin.
 constexpr double kOpened = 0.1, kCut = 0.5;
 
 /// Sets are merged for the target, then for strains in this ratio: 5% for woven fabric, then 10% and 20%. The number of
@@ -146,7 +146,7 @@ CutSetSearch::CutSet CutSetSearch::evaluate(const FlatPieces& before, const CutM
   return with_figures(cut, exact_.with_cut(before, edges_by_section(chart_, cut)));
 }
 
-/// Adds darts and seams of one part of the set.
+/// Adds candidates for one part of the set: darts and seams.
 void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   CutOptions cut_options;
   cut_options.count = kPlaces;
@@ -164,8 +164,9 @@ void CutSetSearch::add_lines(const CutSet& set, std::size_t part, std::vector<Ca
   }
 }
 
-/// Adds bisections of one part, which help if no single line helps. If a part folds in the coarse evaluation, its
-/// energy without a cut is unknown. Then the shortest bisections come first, and exact evaluations measure their gain.
+/// Adds candidates for one part: bisections, which help if no single line does. If a part folds in the coarse
+/// evaluation, its energy without a cut is unknown. Then the shortest bisections come first, and exact evaluations
+/// measure their gain.
 void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vector<Candidate>& found) const {
   const Chart& chart = set.pieces[set.parts[part]]->chart;
   const CoarseEvaluation trials(chart, exact_.options(), exact_.stop());
@@ -184,7 +185,7 @@ void CutSetSearch::add_bisections(const CutSet& set, std::size_t part, std::vect
                [](const Candidate& candidate) { return candidate.gain >= kWorthSewing; });
 }
 
-/// Returns the bisections of a part; if the piece has a mirror image, each in its two symmetric versions.
+/// Returns the bisections of a part. If a plane mirrors the piece onto itself, each has two symmetric versions.
 std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
   const Chart ordered = in_canonical_order(part, exact_.stop());
   std::vector<CutMask> cuts;
@@ -198,14 +199,14 @@ std::vector<CutMask> CutSetSearch::bisections_of(const Chart& part) const {
   return cuts;
 }
 
-/// Whether a set makes a narrow piece of a part that is as wide as it must be.
+/// Whether a set makes a narrow piece out of a part that is wide enough.
 bool CutSetSearch::makes_narrow(const CutSet& more, const FlatPiece& part) const {
   return has_room(part) && std::any_of(more.pieces.begin(), more.pieces.end(), [&](const auto& piece) {
            return is_part_of(piece->chart, part.chart) && !has_room(*piece);
          });
 }
 
-/// Prefers cuts that leave every piece as wide as it must be.
+/// Prefers cuts that leave every piece wide enough.
 std::optional<CutSetSearch::CutSet> CutSetSearch::cut_once_more(const CutSet& set) const {
   const auto has_less = [](const PieceFigures& a, const PieceFigures& b) { return a.strain < b.strain; };
   const auto worst = static_cast<std::size_t>(std::max_element(set.figures.begin(), set.figures.end(), has_less) -

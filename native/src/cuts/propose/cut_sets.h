@@ -33,8 +33,8 @@ class CutSetSearch {
   CutSetSearch(const FlatPieces& pieces, std::size_t piece, const CutOptions& cut_options, const ExactEvaluation& exact,
                CutProgress& progress);
 
-  /// Returns the sets, the longest first, without piece. If stopped, returns the sets found by then. Throws
-  /// no_proposal, and Stopped if no set was found.
+  /// Returns the sets, the longest first. DartProposal::piece is not set. If stopped, returns the sets found by then.
+  /// Throws no_proposal, and Stopped if no set was found.
   std::vector<DartProposal> search();
 
  private:
@@ -51,7 +51,7 @@ class CutSetSearch {
   /// A further cut.
   struct Candidate {
     CutMask cut;      // symmetric
-    double gain = 0;  // share of the part's energy that it removes
+    double gain = 0;  // share of the part's energy that the cut removes
     double gain_for_length = 0;
   };
 

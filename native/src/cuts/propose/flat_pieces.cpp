@@ -30,7 +30,7 @@ std::shared_ptr<const FlatPiece> as_flat_piece(Chart chart, const Piece& piece, 
     flat.strain = needed.of(piece);
     flat.uv = piece.vertices;
     flat.face_strain = needed.of_faces(piece);
-    const bool is_large = flat.chart.mesh.n_faces() >= options.large_chart;  // its coarse start has half of the limit
+    const bool is_large = flat.chart.mesh.n_faces() >= options.large_chart;  // its coarse start gets half of the limit
     const bool may_turn = options.cloth && options.orientation == Orientation::best;  // the limit ends the comparison
     flat.is_final = piece.report.termination == Termination::converged && !is_large && !may_turn;
   }
@@ -111,7 +111,7 @@ bool is_part_of(const Chart& part, const Chart& chart) {
   return std::binary_search(chart.source_face.begin(), chart.source_face.end(), part.source_face.front());
 }
 
-/// A choice of pieces, by index.
+/// A selection of pieces, by index.
 struct ExactEvaluation::Selection {
   std::vector<char> is_chosen;
 
@@ -201,7 +201,7 @@ FlatPieces ExactEvaluation::uncut() const {
   return flatten_along_seams(cut_into_charts(input_, edges, stop_));
 }
 
-/// Chooses the pieces that a cut runs through or that are beside an opened seam, and all pieces coupled with them.
+/// Selects the pieces that a cut runs through or that are beside an opened seam, and all pieces coupled with them.
 ExactEvaluation::Selection ExactEvaluation::changed_pieces(const FlatPieces& before,
                                                            const std::vector<VertexPair>& edges,
                                                            const std::vector<VertexPair>& opened) const {

@@ -105,7 +105,7 @@ class ExactEvaluation {
   StopToken stop_;
 };
 
-/// Runs a search for cuts with the evaluation of an input. Throws the errors of flatten(), and cancelled if the caller
+/// Runs a search for cuts with an evaluation of the input. Throws the errors of flatten(), and cancelled if the caller
 /// stops.
 template <typename Search>
 void search_cuts(const FlattenInput& input, const Options& options, const StopToken& stop, const Search& search) {

@@ -14,17 +14,18 @@
 namespace wirewarp {
 namespace {
 
-/// Grid points in the largest radius that is asked for. Whether two points are connected is wrong for at most 0.7 of
-/// their distance.
+/// Number of grid points along the largest requested radius. The connection of two points is judged wrongly for at most
+/// 0.7 of their distance.
 constexpr double kPointsPerRadius = 10;
 
-/// A shape more than this many grid points long has a coarser grid, so that huge shapes do not fill the memory.
+/// A shape that is more than this many grid points long gets a coarser grid, so that huge shapes do not fill the
+/// memory.
 constexpr double kMostPoints = 1500;
 
-/// The same shares of the area as in wirewarp.pattern.
+/// Shares of the area, the same as in wirewarp.pattern.
 constexpr double kScrap = 0.1, kMostArea = 0.5;
 
-/// Number of radii that are tried up to the largest, and of halvings between two of them.
+/// Number of radii that are tried up to the largest, and number of halvings between two of them.
 constexpr int kSteps = 8, kHalvings = 4;
 
 constexpr double kRounding = 1e-9;
@@ -32,7 +33,7 @@ constexpr double kRounding = 1e-9;
 /// Points of a flat shape on a regular grid, with their distance to its outline.
 class DistanceGrid {
  public:
-  /// reach: larger distances count as this one.
+  /// reach: larger distances are replaced by this one.
   DistanceGrid(const HalfEdgeMesh& mesh, const Positions2& uv, double reach) : reach_(reach) {
     const Eigen::Matrix<double, Eigen::Dynamic, 2> points = in_own_frame(mesh, uv);
     const Eigen::Array2d low = points.colwise().minCoeff(), high = points.colwise().maxCoeff();
@@ -47,7 +48,7 @@ class DistanceGrid {
     }
   }
 
-  /// Whether disks of this radius cover one part of the shape that is large enough, and no other that is no scrap.
+  /// Whether disks of this radius cover one part of the shape that is large enough, and otherwise only scraps.
   bool is_whole(double radius) const {
     const std::vector<Run> runs = runs_inside(radius);
     int num_parts = 0, num_kept = 0;
@@ -126,7 +127,7 @@ class DistanceGrid {
     const std::array<Point, 3> corners = corners_of(mesh, points, f);
     const Eigen::Array2d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
     const Eigen::Array2d high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
-    const double rounding = kRounding * step_ * step_;  // points on the side of two faces are inside
+    const double rounding = kRounding * step_ * step_;  // points on a side of two faces are inside
     for_each_cell(low - kRounding * step_, high + kRounding * step_, [&](const Cell& cell) {
       const Point p = point_of(cell);
       int num_left = 0, num_right = 0;
@@ -139,7 +140,7 @@ class DistanceGrid {
     });
   }
 
-  /// Lowers the distances of the points near a side of the outline.
+  /// Lowers the distances of points near a side of the outline.
   void approach(const Point& from, const Point& to) {
     const Point along = to - from;
     const double length2 = along.squaredNorm();
@@ -167,8 +168,8 @@ class DistanceGrid {
     return runs;
   }
 
-  /// Returns the number of each run's part. Runs are connected if points of theirs are beside each other, also
-  /// diagonally.
+  /// Returns the index of the part that contains each run. Runs are connected if some of their points are neighbors,
+  /// even diagonally.
   static std::vector<int> parts_of(const std::vector<Run>& runs, int& num_parts) {
     DisjointSets parts(runs.size());
     for (std::size_t i = 0, below = 0; i < runs.size(); ++i) {
@@ -186,7 +187,7 @@ class DistanceGrid {
     return count * step_ * step_;
   }
 
-  /// Returns the area that disks around the points of a part cover outside it.
+  /// Returns the area outside a part that disks around its points cover.
   double area_around(const std::vector<Run>& runs, double radius) const {
     std::vector<char> is_covered(distances_.size(), 0);
     for (const Run& run : runs)

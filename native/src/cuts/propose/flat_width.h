@@ -11,12 +11,12 @@ constexpr double kWidthError = 0.07;
 
 /// Returns the narrowest width of a flat shape, but at most `most`: the diameter of the largest disk that can move
 /// through it. Disks of this width and of all smaller ones cover at least half of the shape's area in one part. Other
-/// parts may only be scraps of less than a tenth of the area. This is wirewarp.pattern.piece_width(), to 7% of most.
-/// uv: one row per vertex. The result does not depend on how the shape is turned or mirrored, unless two vertices are
-/// equally far from the centroid.
+/// parts may only be scraps of less than a tenth of the area. The result differs from wirewarp.pattern.piece_width() by
+/// at most 7% of `most`. uv: one row per vertex. The result does not depend on how the shape is turned or mirrored,
+/// unless two vertices are equally far from the centroid.
 double flat_width(const HalfEdgeMesh& mesh, const Positions2& uv, double most);
 
-/// Returns whether a flat shape is as wide as it must be. narrowest: 0 for any width.
+/// Returns whether a flat shape is wide enough. narrowest: 0 for any width.
 bool has_room(const HalfEdgeMesh& mesh, const Positions2& uv, double narrowest);
 
 }  // namespace wirewarp

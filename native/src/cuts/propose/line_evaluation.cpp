@@ -63,7 +63,7 @@ FlattenInput with_mesh_of(const FlattenInput& input, const CutMesh& cut) {
   return {cut.vertices, cut.faces, input.seams, input.wires, input.eases};
 }
 
-/// Returns the piece on the cut mesh without its cut, only to be cut: its energy and strain are those on the original
+/// Returns the uncut piece on the cut mesh, as the start of a cut. Its energy and strain are those on the original
 /// mesh.
 FlatPiece on_cut_mesh(const FlatPiece& piece, const FlattenInput& input, const CutMesh& cut, const StopToken& stop) {
   const std::vector<int>& faces_before = piece.chart.source_face;

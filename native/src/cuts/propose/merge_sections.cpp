@@ -42,7 +42,7 @@ constexpr double kMostFolded = 0.025;
 /// Lower strains are rounding errors, because shapes are only exact to about this value.
 constexpr double kFlatStrain = 1e-6;
 
-/// Solidities that differ by less count as equal: half a ring has that of the whole ring.
+/// Solidities that differ by less count as equal: half a ring has the same solidity as the whole ring.
 constexpr double kSameSolidity = 1e-6;
 
 constexpr double kNoFlatShape = std::numeric_limits<double>::infinity();
@@ -254,7 +254,7 @@ bool SectionMerger::is_narrow(const std::shared_ptr<const FlatPiece>& piece) {
   return found->second;
 }
 
-/// Returns whether a piece is narrower than it must be, and clearly narrower than each narrow piece that it joins.
+/// Returns whether a piece is too narrow, and clearly narrower than each narrow piece that it joins.
 bool SectionMerger::is_too_narrow(const FlatPiece& piece, const FlatPieces& old) const {
   if (narrowest_ == 0) return false;
   const double width = flat_width(piece.chart.mesh, piece.uv, narrowest_);
@@ -266,7 +266,7 @@ bool SectionMerger::is_too_narrow(const FlatPiece& piece, const FlatPieces& old)
          });
 }
 
-/// Returns whether a piece has less solidity than it must have and than each piece that it joins.
+/// Returns whether a piece has too little solidity, and less than each piece that it joins.
 bool SectionMerger::has_long_arms(const FlatPiece& piece, const FlatPieces& old) const {
   if (least_solidity_ == 0) return false;
   const double share = solidity(piece);

@@ -44,7 +44,7 @@ class SectionMerger {
   struct Trial {
     double strain;   // the strain of the new pieces; a lower bound if they were not flattened
     CutState after;  // valid if the strain is allowed
-    bool is_final;   // whether the new pieces are: see FlatPiece
+    bool is_final;   // whether FlatPiece::is_final is true for all new pieces
   };
 
   struct Rejected {

@@ -44,7 +44,7 @@ class VerticesInOrder {
   }
 
  private:
-  /// A direction along which few vertices of a mesh coincide.
+  /// A direction along which few vertices of a mesh have the same position.
   static Eigen::Vector3d direction() { return Eigen::Vector3d(1, 0.618, 0.414).normalized(); }
 
   const Positions3& points_;
@@ -61,8 +61,8 @@ class MirrorSearch {
   }
 
   /// Returns the image by the plane that contains the longest edges. In a piece that is not flat, a plane through the
-  /// center cannot contain all corners of a face. Therefore each plane moves a corner of the first face, and the images
-  /// of these corners define all planes.
+  /// center cannot contain all corners of a face. Therefore each such plane moves a corner of the first face, and the
+  /// possible images of these corners define all planes.
   std::vector<VertexHandle> best_image(const StopToken& stop) const {
     std::vector<VertexHandle> best;
     double longest = -1;

@@ -246,7 +246,7 @@ std::vector<std::optional<PieceFigures>> PieceSearch::evaluate(const std::vector
 
 bool PieceSearch::is_worth_sewing(const PieceFigures& after) const {
   const bool has_less_energy = after.energy <= (1 - kLeastGain) * before_.energy;
-  if (effort_ == Effort::quick) return has_less_energy;  // strain may rise on the way to a set
+  if (effort_ == Effort::quick) return has_less_energy;  // the strain may rise on the way to a good set
   return has_less_energy && after.strain <= (1 - kLeastGain) * before_.strain && after.strain < kMostStrain;
 }
 

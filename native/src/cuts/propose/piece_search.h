@@ -42,10 +42,10 @@ class PieceSearch {
   PieceSearch(const FlatPieces& pieces, std::size_t piece, CutKind kind, Effort effort, const CutOptions& cut_options,
               const ExactEvaluation& exact);
 
-  /// Returns the best cuts first, without piece. Throws no_proposal.
+  /// Returns the cuts, the best first; DartProposal::piece is not set. Throws no_proposal.
   std::vector<DartProposal> search() const;
 
-  /// Returns the best of some chains first, without piece; empty if none helps.
+  /// Returns the cuts along these chains, the best first; DartProposal::piece is not set. Empty if none helps.
   std::vector<DartProposal> best_of(const std::vector<HalfEdgeChain>& chains) const;
 
   /// Throws no_proposal if the piece is flat enough.

@@ -79,7 +79,8 @@ class PlanOfCuts {
     return order;
   }
 
-  /// Throws Stopped, because a step of a plan must not depend on when the search was stopped.
+  /// Throws Stopped instead of returning a partial result, because a step of a plan must not depend on when the search
+  /// was stopped.
   std::vector<DartProposal> propose(const CutOptions& cut_options) const {
     std::vector<DartProposal> proposals = best_cuts(pieces_, kind_, cut_options, exact_, progress_);
     exact_.stop().check();

@@ -10,7 +10,7 @@
 namespace wirewarp {
 namespace {
 
-/// Positions of the moved points on an edge. None is at a vertex, where several edges of a line would meet.
+/// Positions of the moved points on an edge. They are never at a vertex, where several edges of a line would meet.
 constexpr double kShares[] = {0.25, 0.75};
 
 /// Share of the sum of the vectors to both neighbors by which a point moves. With 1/2, a zigzag would not fade.
@@ -50,7 +50,7 @@ double longest_edge_at(const HalfEdgeMesh& mesh, const SurfacePoint& point) {
   return longest;
 }
 
-/// Returns whether each point of a line has a face in common with the next one.
+/// Returns whether each point of a line shares a face with the next one.
 bool is_connected(const HalfEdgeMesh& mesh, const RelaxedLine& line) {
   std::vector<std::vector<FaceHandle>> faces;
   if (!line.is_closed) faces.push_back(faces_beside(mesh, line.start));
@@ -92,7 +92,8 @@ bool are_on_one_edge(const HalfEdgeMesh& mesh, const PathPoint& a, const PathPoi
   return !a.is_vertex() && !b.is_vertex() && mesh.edge_handle(a.half_edge) == mesh.edge_handle(b.half_edge);
 }
 
-/// Adds a point, and removes needless crossings: of an edge and back, or of an edge at whose end the line passes.
+/// Adds a point, and removes unnecessary crossings: of an edge that is crossed back at once, or of an edge whose end is
+/// on the line.
 void append(const HalfEdgeMesh& mesh, const PathPoint& point, MeshPath& path) {
   const VertexHandle v = near_vertex(mesh, point);
   if (!v.is_valid()) {
@@ -253,7 +254,7 @@ std::vector<std::optional<RelaxedLine>> LineNetwork::relax(const std::vector<int
   return relaxed;
 }
 
-/// Moves a point to a vertex or an edge nearby.
+/// Moves a point to a nearby vertex or edge.
 SurfacePoint LineNetwork::snapped(const SurfacePoint& point) const {
   if (point.vertex.is_valid()) return point;
   const HalfedgeHandle first = mesh_.halfedge_handle(point.face);

@@ -34,7 +34,7 @@ constexpr double kFirstMove = 0.1, kLastMove = 0.05;
 /// pair of a gathered skirt leaves a strain of 5.4% instead of 4.2%.
 constexpr std::size_t kMoved = 3;
 
-/// A move that lowers the strain by less than this share is not followed by another.
+/// After a move that lowers the strain by less than this share, no further move is tried.
 constexpr double kLeastMove = 0.01;
 
 /// The fabric around a tip may be strained as much as anywhere in the uncut piece, or by this strain, which every

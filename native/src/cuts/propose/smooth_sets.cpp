@@ -27,21 +27,25 @@ namespace wirewarp {
 namespace {
 
 /// The longest distance over which lines are smoothed: in edges of the lines, and over the root of the area. It is
-/// halved for each lower level. Zigzags of an edge need one edge or two; the rest is for lines with larger bends.
+/// halved for each lower level. Zigzags of single edges need one edge or two; longer distances are for lines with
+/// larger bends.
 constexpr double kEdges = 4, kOfSize = 0.04;
 constexpr int kLevels = 4;
 
-/// If a part has more strain than allowed by this factor, all lines around it are lowered at once, which saves trials.
+/// If a part has more strain than allowed by this factor, the levels of all lines around it are lowered at once, which
+/// saves trials.
 constexpr double kFarTooMuch = 1.1;
 
-/// A smooth set may have at most this share of the bends of the set along edges, otherwise the strain is not worth it.
+/// A smooth set may have at most this share of the bends of the set along edges, otherwise the additional strain is not
+/// worthwhile.
 constexpr double kMostBends = 0.5;
 
 /// A smooth set may leave more strain than the set along edges by this factor. Zigzags are longer than smooth lines,
-/// which helps a dome to lie flat, and lead through more of the vertices, where a coarse mesh has all its curvature.
+/// which helps to flatten a dome, and they pass through more of the vertices, where a coarse mesh has all its
+/// curvature.
 constexpr double kMostGrowth = 2;
 
-/// Strains below are rounding.
+/// Smaller strains are rounding errors.
 constexpr double kFlatFigure = 1e-6;
 
 /// Returns V - E of the lines and their number of ends, which show whether they meet elsewhere than before.
@@ -60,7 +64,7 @@ bool is_any(const std::vector<Number>& numbers) {
   return std::any_of(numbers.begin(), numbers.end(), [](Number each) { return each != 0; });
 }
 
-/// Returns the image of each line; of a line without an image, the line itself.
+/// Returns the image of each line; a line without an image is its own image.
 std::vector<std::size_t> images_of(const Chart& chart, const std::vector<VertexHandle>& image,
                                    const std::vector<HalfEdgeChain>& lines) {
   std::vector<std::size_t> line_at(chart.mesh.n_edges(), lines.size()), images(lines.size());
@@ -167,8 +171,8 @@ int SmoothSet::num_bends(const CutMesh& cut) const {
   return std::accumulate(bends.begin(), bends.end(), 0);
 }
 
-/// Lowers the levels of some lines and of their mirror images for good. If these follow their edges already, lowers
-/// those that meet them, and so on, because lines move their neighbors.
+/// Permanently lowers the levels of some lines and of their mirror images. If these already follow their edges, lowers
+/// the levels of lines that meet them, and so on, because lines move their neighbors.
 void SmoothSet::lower(std::vector<char> chosen) {
   while (is_any(levels_)) {
     for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -254,7 +258,8 @@ std::vector<SurfacePath> SmoothSet::lines() {
   }
 }
 
-/// Raises the levels of lines that turn sharply. Lowers those of lines that meet elsewhere than along their edges.
+/// Raises the levels of lines that turn sharply. Lowers those of lines that meet others at different places than their
+/// edges do.
 std::vector<SurfacePath> SmoothSet::smooth_enough() {
   while (true) {
     exact_.stop().check();
@@ -275,7 +280,7 @@ std::vector<SurfacePath> SmoothSet::smooth_enough() {
   }
 }
 
-/// Returns the lines that meet another one elsewhere than at an end of both, or that have no edges of their own.
+/// Returns the lines that meet another line at a point that is not an end of both, or that have no edges of their own.
 std::vector<char> SmoothSet::that_touch(const CutMesh& cut) const {
   const std::vector<int>& line_of = cut.sources.edge_paths;
   // Per vertex and line: the number of edges that do not begin or end the line there.
@@ -329,8 +334,8 @@ std::vector<char> SmoothSet::beside(const FlatPiece& part, const CutMesh& cut) c
   return lines;
 }
 
-/// Returns the one of these lines that is nearest to most of the area with too much strain, among those that do not
-/// follow their edges; all lines if there is none.
+/// Returns, of these lines, the line that is nearest to most of the area with too much strain. Ignores lines that
+/// follow their edges; returns all lines if no others are left.
 std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh& cut,
                                            const std::vector<char>& lines) const {
   std::vector<double> area(levels_.size(), 0);
@@ -359,7 +364,7 @@ std::vector<char> SmoothSet::most_strained(const FlatPiece& part, const CutMesh&
   return chosen;
 }
 
-/// Returns the set along these lines. Lowers some levels and returns nothing if it is not good enough.
+/// Returns the set along these lines. If the set is not good enough, lowers some levels and returns nothing.
 std::optional<DartProposal> SmoothSet::evaluate(const std::vector<SurfacePath>& paths, const CutMesh& cut) {
   const auto [before, after, length] = evaluation_.cut_along(cut);
   const Chart& chart = before[piece_]->chart;

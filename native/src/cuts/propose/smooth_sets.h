@@ -7,7 +7,7 @@
 namespace wirewarp {
 
 /// Returns a cut set whose seams and darts are smooth lines across triangles, as smooth as the strain of its parts and
-/// their width allow. Lines keep their edges where nothing smoother is allowed. set: a set of this piece along edges.
+/// their width allow. Lines stay on their edges if nothing smoother is allowed. set: a set of this piece along edges.
 /// most_strain: the smooth set leaves no more strain than that, and no more than twice the strain of the set. Throws
 /// Stopped.
 DartProposal smooth_set(const DartProposal& set, double most_strain, const FlatPieces& pieces, std::size_t piece,

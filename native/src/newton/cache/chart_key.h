@@ -11,7 +11,7 @@ namespace wirewarp {
 
 /// Returns everything that the solutions of a coupled group without errors depend on, bit for bit: meshes, outlines,
 /// slits, wire parts, which of these share a length, and the options of the solver. It uses the numbering within each
-/// chart, so that changes elsewhere in the input do not change it. Only the names in errors are missing, see
+/// chart, so that changes elsewhere in the input do not change it. Only the names that errors use are missing, see
 /// name_key().
 std::string solution_key(const std::vector<const Chart*>& group, const Options& options);
 

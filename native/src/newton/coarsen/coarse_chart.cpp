@@ -35,7 +35,7 @@ class Coarsening {
   std::vector<int> fine_nodes_;  // node at which each half-edge of the fine network arrives
 };
 
-/// Returns the coarse half-edges between the vertices of a fine chain that stay.
+/// Returns the coarse half-edges between those vertices of a fine chain that are kept.
 HalfEdgeChain Coarsening::coarse_chain(const HalfEdgeChain& chain, bool is_closed) const {
   std::vector<VertexHandle> left;
   const auto add = [&](VertexHandle v) {

@@ -113,7 +113,7 @@ Decimation::Decimation(const Chart& chart, const HeldNetwork& network, double ed
 }
 
 /// Fills the fan with the faces around the vertex where the half-edge `first` begins, counter-clockwise from `first` to
-/// the neighbor `last`. turn: the angle of the fan in the plane.
+/// the neighbor `last`. turn: set to the angle of the fan in the plane.
 void Decimation::lay_out(HalfedgeHandle first, VertexHandle last, double turn, Fan& fan) const {
   fan.rim.clear();
   fan.faces.clear();

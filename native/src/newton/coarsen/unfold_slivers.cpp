@@ -11,7 +11,7 @@ namespace wirewarp {
 namespace {
 
 constexpr double kThin = 0.3;    // largest determinant of a sliver's map; triangles of a good start have 0.7 to 1.3
-constexpr double kStill = 0.01;  // shortest move that counts, over the mean edge; a third of this saves no Newton step
+constexpr double kStill = 0.01;  // shortest move that counts, over the mean edge; a third saves no Newton step
 constexpr int kMaxSweeps = 100;  // sweeps over the moving vertices; 10 to 30 are usual
 
 class Slivers {
@@ -72,7 +72,7 @@ class Slivers {
   const HalfEdgeMesh& mesh_;
   const ShapeError shape_error_;
   Positions2& uv_;
-  std::vector<char> is_out_;  // not added to the next sweep: already there, or fixed
+  std::vector<char> is_out_;  // not added to the next sweep: already in it, or fixed
   std::vector<int> next_;
 };
 

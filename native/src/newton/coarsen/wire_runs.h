@@ -17,11 +17,11 @@ struct WireRun {
   std::vector<double> headings;  // direction of each unrolled edge relative to the chord
   double walked_length = 0;      // sum of the edges
   double chord_length = 0;
-  double one_sided[2] = {0, 0};  // turning of a side beyond the mean of both, for the first and last vertex
+  double one_sided[2] = {0, 0};  // how far a side turns more than the mean of both, at the first and the last vertex
 };
 
-/// Divides all wires into runs at the vertices that stay. Wires must not meet or end at other vertices. The runs are
-/// not unrolled yet. stays: one flag per chart vertex.
+/// Divides all wires into runs at the vertices that are kept. Wires must not meet or end at other vertices. The runs
+/// are not unrolled yet. stays: one flag per chart vertex.
 std::vector<WireRun> find_wire_runs(const Chart& chart, const WireNetwork& network, const std::vector<char>& stays);
 
 /// Sets all fields of a run from its half-edges. node_at_arrival: of the network.

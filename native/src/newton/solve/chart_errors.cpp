@@ -130,7 +130,7 @@ FlattenError needs_refinement(const Chart& chart) {
 
 namespace {
 
-/// The wires along the outline that have a tolerance, and their edges there.
+/// The wires along the outline that have a tolerance, and their edges on the outline.
 struct ElasticWires {
   std::set<int> wires;
   std::set<VertexPair> edges;

@@ -24,7 +24,7 @@ FlattenError outline_too_short(const Chart& chart, std::vector<VertexPair> propo
 FlattenError infeasible_wires(const Chart& chart, const std::vector<Wire>& wires, const Options& options,
                               std::vector<ProposedTolerance> tolerances, bool ran_out);
 
-/// Returns the error of a chart for which no tolerances of its wires help. proposed_seams: seams that help.
+/// Returns the error of a chart that no tolerances of its wires can make flat. proposed_seams: seams that help.
 FlattenError infeasible_outline(const Chart& chart, const Options& options, std::vector<VertexPair> proposed_seams,
                                 bool ran_out);
 

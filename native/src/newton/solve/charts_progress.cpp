@@ -53,7 +53,7 @@ void ChartsProgress::finish(std::size_t chart) {
     advance(chart, 1);
   }
   if (std::this_thread::get_id() == caller_)
-    report();  // because charts from the cache and failed charts may take no steps
+    report();  // reported here, because charts from the cache and failed charts may take no steps
 }
 
 bool ChartsProgress::report() {

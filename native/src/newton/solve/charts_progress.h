@@ -15,7 +15,8 @@
 
 namespace wirewarp {
 
-/// Collects the steps of all charts, and reports them in the thread that created this object, as callers expect.
+/// Collects the steps of all charts, and reports them in the thread that created this object, as callers of flatten()
+/// expect.
 class ChartsProgress {
  public:
   /// begin, end: range of the charts' work, as fractions of the run.

@@ -21,7 +21,7 @@ namespace wirewarp {
 struct GroupMember {
   Chart& chart;
   SolvedChart& solved;    // its layout from the previous stage, upright if there is a fabric
-  bool is_nominal;        // the group has elastic seams, and this chart can be solved with its seams at h = ease
+  bool is_nominal;        // whether the group has elastic seams and this chart can be solved with its seams at h = ease
   TargetLengths lengths;  // used if there is a fabric
 };
 
@@ -33,7 +33,7 @@ class GroupSolver {
 
   struct Outcome {
     bool is_solved = false;            // if false, the shapes from before the stage are kept
-    bool ran_out = false;              // the limit of factorizations ended a solver
+    bool ran_out = false;              // whether the limit of factorizations ended a solver
     std::vector<char> is_folded = {};  // per chart, if solved: flipped or overlapping
   };
 

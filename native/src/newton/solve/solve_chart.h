@@ -20,7 +20,7 @@ using ProposeSeams = std::function<std::vector<VertexPair>(const Chart& chart, c
 struct Run {
   const FlattenInput& input;
   const InternalOptions& options;
-  ProposeSeams propose_seams;  // empty if errors are not shown and need no seams
+  ProposeSeams propose_seams;  // empty if errors are not shown and therefore need no seams
 };
 
 /// Returns the layout of a chart with a mesh, or its error. budget: for all trials of the chart together; earlier

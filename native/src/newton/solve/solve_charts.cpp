@@ -125,7 +125,7 @@ class ChartsSolver {
     is_nominal_[c] = solved_[c].error ? 0 : 1;
     if (!solved_[c].error || stop.is_stopped()) return;
     solved_[c] = solve_chart(charts_[c], {run_.input, options, run_.propose_seams}, budget, stop);
-    solved_[c].report.factorizations = budget.spent();  // even if an error came first
+    solved_[c].report.factorizations = budget.spent();  // counted even if there is an error
   }
 
   void couple(const Group& group) {

@@ -8,7 +8,7 @@
 namespace wirewarp {
 
 #ifdef __x86_64__
-// Not __builtin_cpu_supports: the runtimes of some compilers do not implement it.
+// Does not use __builtin_cpu_supports, because the runtimes of some compilers do not implement it.
 bool has_avx2() {
   unsigned a = 0, b = 0, c = 0, d = 0;
   constexpr unsigned kNeeded = bit_FMA | bit_AVX | bit_OSXSAVE;

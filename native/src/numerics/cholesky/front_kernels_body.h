@@ -25,8 +25,8 @@ inline Lanes& column(Tile& tile, int j, int part) {
   return *reinterpret_cast<Lanes*>(tile.entries + kTile * j + kLanes * part);
 }
 
-/// c −= Σ a bᵀ over a run of tiles, for kRows row tiles c and a and one row tile b. With a diagonal tile of L, then c
-/// := c L⁻ᵀ.
+/// c −= Σ a bᵀ over a run of tiles, for kRows row tiles c and a and one row tile b. If a diagonal tile of L is given, c
+/// := c L⁻ᵀ follows.
 template <int kRows>
 inline void subtract_product(Tile* const (&c)[kRows], const Tile* const (&a)[kRows], const Tile* b, int num_tiles,
                              const Tile* diagonal) {

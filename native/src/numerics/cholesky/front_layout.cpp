@@ -61,7 +61,8 @@ class Builder {
     if (static_cast<std::size_t>(count) != num_vertices) refuse("a vertex is missing");
   }
 
-  /// Sorts the entries of the matrix by front. An entry belongs to the front of that vertex which is eliminated first.
+  /// Sorts the entries of the matrix by front. An entry belongs to the front of whichever of its two vertices is
+  /// eliminated first.
   void sort_entries_by_front() {
     entry_start_.assign(num_fronts() + 1, 0);
     const auto front_of = [this](int row, int column) {

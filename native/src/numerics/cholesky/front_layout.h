@@ -44,9 +44,9 @@ struct MatrixEntry {
 struct FrontLayout {
   int unknowns_per_vertex;
   Eigen::Index num_unknowns;
-  std::vector<Front> fronts;        // in postorder, then an entry that marks the end
-  std::vector<int> vertices;        // pivots and rows of all fronts, each in elimination order; rows that are
-                                    // not a front's own as indices into shared_vertices
+  std::vector<Front> fronts;  // in postorder, then an entry that marks the end
+  std::vector<int> vertices;  // pivots and rows of all fronts, each in elimination order; rows that are not a front's
+                              // own are indices into shared_vertices
   std::vector<int> rows_in_parent;  // parent's row of each unknown of each front's rows
   std::vector<int> children;        // fronts
   std::vector<MatrixEntry> entries;

@@ -47,7 +47,7 @@ class Dissection {
  private:
   using Iterator = std::vector<int>::iterator;
   struct Cut {
-    int lower = 0, upper = 0;  // number of vertices of each half with neighbors in the other half
+    int lower = 0, upper = 0;  // for each half, the number of vertices with neighbors in the other half
     int smaller() const { return std::min(lower, upper); }
   };
 

@@ -5,7 +5,8 @@
 
 namespace wirewarp {
 
-/// Fills all_fronts: subtrees of about equal work, split further at the top as long as that shortens the whole run.
+/// Fills all_fronts with subtrees of about equal work. Splits subtrees at the top as long as that shortens the whole
+/// run.
 void partition_subtrees(FrontLayout& layout);
 
 /// Fills Front::schur and schur_tiles. Each share of subtrees has two stacks, and so do the ancestors: a Schur

@@ -8,8 +8,8 @@ namespace wirewarp {
 VertexSeparator::VertexSeparator(const Graph& graph)
     : graph_(graph), partner_(graph.num_vertices(), -1), via_(partner_.size()), seen_(partner_.size(), 0) {}
 
-/// The vertices that a failed search visited cannot be reached by later searches. The edges between them are covered by
-/// their upper vertices, all other edges by the lower ones.
+/// The vertices that a failed search visited cannot be reached by later searches. Their upper vertices cover the edges
+/// between them, and the lower vertices cover all other edges.
 void VertexSeparator::separate(const std::vector<int>& cut, std::vector<Side>& side) {
   for (int v : cut) {
     if (side[v] != Side::lower_cut || match(v, side)) continue;

@@ -9,7 +9,7 @@
 namespace wirewarp {
 namespace {
 
-/// BFGS update, damped after Powell so that B stays positive definite.
+/// Applies a BFGS update, with Powell's damping, so that B stays positive definite.
 void update_hessian(const Eigen::VectorXd& step, Eigen::VectorXd change, Eigen::MatrixXd& b) {
   constexpr double kDamping = 0.2;  // Powell's value
   const Eigen::VectorXd b_step = b * step;

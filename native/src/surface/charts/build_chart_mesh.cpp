@@ -36,7 +36,8 @@ void add_vertices(const FlattenInput& input, const SurfaceCut& cut, Chart& chart
   }
 }
 
-/// Adds edges and faces without add_face: the sides are matched already, so the face order does not affect the result.
+/// Adds edges and faces without add_face: because the sides are matched already, the order of faces does not affect the
+/// result.
 void add_faces(const EdgeTable& edges, const SurfaceCut& cut, Chart& chart, ChartHandles& handles) {
   HalfEdgeMesh& mesh = chart.mesh;
   const auto vertex_of_corner = [&](int corner) { return handles.vertex_of_fan[cut.fan_of_corner[corner]]; };

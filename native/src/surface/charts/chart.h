@@ -15,7 +15,7 @@ namespace wirewarp {
 using HalfEdgeChain = std::vector<HalfedgeHandle>;
 
 /// The part of a user's wire between two vertices on seams or boundaries, inside this chart. A run of edges on the
-/// chart's boundary is a part of kind boundary. Each side of such a run in this chart is one part, and all its sides
+/// chart's boundary makes parts of kind boundary: one for each side of the run in this chart. All sides of the run
 /// share one h.
 struct WirePart {
   int wire_index = -1;

@@ -8,8 +8,8 @@
 
 namespace wirewarp {
 
-/// Partitions the charts into coupled groups, ordered by their first member; members ascend. A chart with an error is
-/// its own group.
+/// Partitions the charts into coupled groups, which are ordered by their first member. Members are in ascending order.
+/// A chart with an error is its own group.
 std::vector<std::vector<int>> group_by_elastic_seams(const std::vector<Chart>& charts);
 
 /// Returns h = ease for each wire part.

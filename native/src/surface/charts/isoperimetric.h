@@ -11,7 +11,7 @@ namespace wirewarp {
 double longest_length(const Chart& chart, const HalfEdgeChain& loop);
 
 /// Returns p, the largest possible flat area over the 3D area, with the longest outer loop that eases and tolerances
-/// allow. Values above 1 mean no bound, 0 a closed chart.
+/// allow. A value above 1 means that there is no bound; 0 means a closed chart.
 double isoperimetric_ratio(const Chart& chart);
 
 /// Returns the least E (Eq. 4) over the 3D area of a map that reduces the area to the share p: 1 - 2p for p <= 1/4,

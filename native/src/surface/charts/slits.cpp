@@ -62,8 +62,8 @@ HalfedgeHandle sewn_half_edge(const Chart& chart, const SewnChart& sewn, Halfedg
                                        sewn_end(chart.mesh.to_vertex_handle(h)));
 }
 
-/// Makes the outer loop of the chart the outer loop of the sewn chart, because another loop may turn more after
-/// vertices are merged.
+/// Makes the outer loop of the chart also the outer loop of the sewn chart. After merging vertices, another loop may
+/// turn more.
 void keep_outer_loop(const Chart& chart, SewnChart& sewn) {
   const HalfedgeHandle there = sewn_half_edge(chart, sewn, chart.boundary_loops.front().front());
   std::vector<HalfEdgeChain>& loops = sewn.chart.boundary_loops;

@@ -28,7 +28,8 @@ struct SewnChart {
 };
 
 /// Sews slits. Each becomes a rigid wire, after other wire parts and before elastic parts of the boundary. The outer
-/// loop stays the outer loop. Returns nullopt if the sewn surface is not a chart. All slits of one edge must be sewn.
+/// loop stays the outer loop. Returns nullopt if the sewn surface is not a chart. Slits that consist of one edge must
+/// all be sewn.
 std::optional<SewnChart> sew(const Chart& chart, const std::vector<Slit>& slits);
 
 }  // namespace wirewarp

@@ -24,7 +24,7 @@ struct SurfaceCut {
 SurfaceCut cut_along_seams(const Triangles& faces, const EdgeTable& edges, const VertexPairs& seams);
 
 /// Returns the fan of each corner on the uncut surface, across seams, too. If a vertex has two fans, faces touch there
-/// in a point only.
+/// only at a point.
 std::vector<int> fans_of_uncut_surface(const Triangles& faces, const EdgeTable& edges);
 
 }  // namespace wirewarp

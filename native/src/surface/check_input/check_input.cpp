@@ -45,7 +45,7 @@ void check_name(const Wire& wire) {
 bool leaves_length(double ease) { return std::isfinite(ease) && ease > -1; }
 
 /// Checks the number of vertices, the tolerance and the ease of a wire. named: arguments that identify the wire.
-/// vertices: of the mesh, for the error.
+/// vertices: vertices of the mesh, for the error.
 void check_chain_and_tolerance(const Wire& wire, ErrorArguments named, const std::vector<int>& vertices) {
   if (wire.vertices.size() < 2) throw FlattenError(ErrorCode::wire_too_short, std::move(named), {vertices, {}, {}});
   if (!(wire.tolerance >= 0)) {

@@ -55,7 +55,8 @@ void PathLines::divide_at(int face, Line line, int site) {
   draw(face, site, line[1]);
 }
 
-/// Returns whether a site divides a line. Accepts only parts that are shorter than the line, so that dividing ends.
+/// Returns whether a site divides a line. Accepts only parts that are shorter than the line, so that the division
+/// terminates.
 bool PathLines::is_between(int face, int site, const Line& line) const {
   const FacePoint a = point(face, line[0]), b = point(face, line[1]), c = point(face, site);
   const auto length = [](const FacePoint& from, const FacePoint& to) {

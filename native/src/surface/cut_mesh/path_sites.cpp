@@ -7,8 +7,8 @@
 namespace wirewarp {
 namespace {
 
-/// A site exactly at the reach counts as outside it, even with rounded coordinates, so that snapped paths do not move
-/// again.
+/// A site whose distance is exactly the reach counts as out of reach, even with rounded coordinates, so that snapped
+/// paths do not move again.
 constexpr double kRoundedReach = 1 - 1e-9;
 
 const std::vector<int> kNoSites;

@@ -50,7 +50,7 @@ class PathSites {
   /// Returns the faces with a site inside or on their border, ascending.
   std::vector<int> faces_at(int site) const;
 
-  /// Returns the edge that contains both sites, also as its ends; -1 if there is no such edge.
+  /// Returns the edge that contains both sites, possibly as its ends; -1 if there is no such edge.
   int common_edge(int a, int b) const;
 
   /// Returns the edges with sites between their ends, ascending.

@@ -175,7 +175,7 @@ bool do_cross(const FacePoint& a, const FacePoint& b, const FacePoint& c, const 
 
 std::vector<std::array<int, 3>> triangulate(const FaceToDivide& face) {
   std::vector<Triangle> triangles = Triangulation(face).triangles();
-  while (flip_any(face, triangles)) {  // ends, because each flip increases the smaller height of two triangles
+  while (flip_any(face, triangles)) {  // the loop ends, because each flip increases the smaller height of two triangles
   }
   return triangles;
 }

@@ -18,8 +18,8 @@ inline double doubled_area(const FacePoint& a, const FacePoint& b, const FacePoi
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// Three points count as collinear if twice their area is less, where the whole triangle has 1. Points 0.0001 apart,
-/// the least that callers allow, have at least 1e-8, or are collinear except for rounding errors.
+/// Three points count as collinear if twice their area is less, where the whole triangle has the value 1. Points 0.0001
+/// apart, the least that callers allow, have at least 1e-8, or are collinear except for rounding errors.
 inline constexpr double kInLine = 1e-12;
 
 /// Returns whether two segments cross inside both. False if an end of one segment is on the line of the other.

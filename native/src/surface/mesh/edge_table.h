@@ -37,7 +37,7 @@ class EdgeTable {
  private:
   const Triangles& faces_;
   std::vector<VertexPair> vertices_;
-  std::vector<int> edge_begin_;  // per vertex: its first edge as the smaller end
+  std::vector<int> edge_begin_;  // per vertex: the first edge of which it is the smaller end
   std::vector<int> side_begin_;
   std::vector<int> sides_;
   std::vector<int> edge_of_side_;

@@ -50,7 +50,7 @@ bool penetrate(const Corners& a, const Corners& b, double depth) {
   return reaches_behind_every_edge(a, b, depth) && reaches_behind_every_edge(b, a, depth);
 }
 
-/// Returns whether an edge has no length. Nothing penetrates such a face.
+/// Returns whether an edge of the face has no length. Nothing penetrates such a face.
 bool is_collapsed(const Corners& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 /// Marks the faces of all overlapping pairs (candidate, any face). Candidates are not collapsed.

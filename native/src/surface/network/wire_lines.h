@@ -10,7 +10,7 @@ namespace wirewarp {
 
 /// One side of a line at a vertex where it continues.
 struct LineBend {
-  WireNode node;        // α: total angle of the sectors on this side; ℓ: their mean
+  WireNode node;        // α: total angle of the sectors on this side; ℓ: mean of their ℓ
   int num_sectors = 1;  // more than one if other lines cross or meet the line on this side
 };
 

@@ -25,7 +25,7 @@ Eigen::Vector2d longest_straight_run(const std::vector<Eigen::Vector2d>& sides) 
   const std::size_t n = sides.size();
   Eigen::Vector2d best(0, 0);
   Eigen::Vector2d chord(0, 0);
-  std::vector<double> headings{0};  // accumulated, so that a full turn is not the same heading
+  std::vector<double> headings{0};  // accumulated, so that a full turn changes the heading
   std::multiset<double> in_run;
   std::size_t first = 0;
   for (std::size_t i = 0; i < 2 * n; ++i) {  // twice around, because a run may pass the first side

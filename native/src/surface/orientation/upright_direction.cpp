@@ -60,7 +60,7 @@ std::vector<Eigen::Vector2d> points_along(const Chart& chart, const HalfEdgeChai
 
 /// Returns whether the chord of a chain is long enough to define its direction.
 bool is_open(const std::vector<Eigen::Vector2d>& points) {
-  double length = 0;  // in the plane, where free wires have a different length
+  double length = 0;  // length in the plane, because free wires have a different length there
   for (std::size_t i = 1; i < points.size(); ++i) length += (points[i] - points[i - 1]).norm();
   return (points.back() - points.front()).norm() >= kShortChord * length;
 }

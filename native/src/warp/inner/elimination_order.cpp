@@ -70,7 +70,7 @@ std::vector<int> order_elimination(const Eq1& eq1, const WireNetwork& network) {
       for (int row : {0, 1}) order.push_back(eq1.num_edges() + 2 * loop + row);
     }
   }
-  for (int e = 0; e < eq1.num_edges(); ++e) append(e);  // edges on no loop
+  for (int e = 0; e < eq1.num_edges(); ++e) append(e);  // edges that are on no loop
   return order;
 }
 

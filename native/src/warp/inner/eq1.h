@@ -33,7 +33,7 @@ class Eq1 {
   int num_edges() const { return static_cast<int>(base_headings_.size()); }
   int num_closures() const { return 2 * static_cast<int>(loops_.size()); }
 
-  /// Returns the wire edges of closure rows 2 loop and 2 loop + 1.
+  /// Returns the wire edges in the closure rows 2 loop and 2 loop + 1.
   const std::vector<int>& loop_edges(int loop) const { return loops_[static_cast<std::size_t>(loop)].edges; }
 
   /// Returns a change of headings, #edges, that no symmetry of the network maps to itself, and that does not depend on

@@ -66,9 +66,9 @@ Eigen::VectorXd InnerProblem::total_derivative(const InnerSolution& solution, co
 
 /// Closes the loops by the paper's least-norm steps: the smallest weighted change of the current angles that closes the
 /// linearized loops. A step is shortened if edges would turn too far or the gap would not shrink. If the gap hardly
-/// shrinks, symmetry keeps a wire straight that must bend to fit between its ends. The linearized loops do not contain
-/// this bend, so the wire is bent once, in the direction of lowest curvature. Afterwards kkt_ contains the factor of
-/// the last step, or of the start if no loop was open.
+/// shrinks, a wire must bend to fit between its ends, but symmetry keeps it straight. The linearized loops do not
+/// contain this bend, so the wire is bent once, in the direction of lowest curvature. Afterwards kkt_ contains the
+/// factor of the last step, or of the start if no loop was open.
 bool InnerProblem::close_loops(const Eigen::VectorXd& lengths, Eigen::VectorXd& psi) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(eq1_.num_edges());
   Eigen::VectorXd gap = eq1_.closure(psi, lengths);

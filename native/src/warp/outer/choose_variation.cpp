@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-constexpr double kTolerance = 1e-6;     // smallest relative decrease for which another step is taken
+constexpr double kTolerance = 1e-6;     // smallest relative decrease after which another step is taken
 constexpr double kIsometry = 1e-14;     // shape error of strains of 1e-7, the rounding of single-precision meshes
 constexpr int kMaxEvaluations = 100;    // 6 to 25 are usual, for 4 to 232 wires
 constexpr std::size_t kManyParts = 50;  // with more parts, BFGS learns their interaction too slowly
@@ -35,7 +35,7 @@ OuterSolution evaluate(Warp& warp, const Eigen::VectorXd& variation) {
 }
 
 OuterSolution improve(Warp& warp, const VariationBounds& bounds, OuterSolution start) {
-  if (!start.shape.inner.is_minimum) {  // E has no gradient by h at this point
+  if (!start.shape.inner.is_minimum) {  // E has no gradient with respect to h at this point
     start.converged = false;
     return start;
   }
@@ -112,7 +112,7 @@ OuterSolution start_variation(const Chart& chart, Warp& warp, const VariationBou
     return std::tuple(!s.shape.inner.is_feasible, !s.shape.inner.is_minimum, s.shape_error);
   };
   OuterSolution start = std::move(rank(relaxed) <= rank(rigid) ? relaxed : rigid);
-  start.evaluations = 1;  // the evaluation of the start that is not used
+  start.evaluations = 1;  // counts the start that is not used
   start.inner_solves = inner_solves;
   start.free_factorizations = free.factorizations;
   return start;

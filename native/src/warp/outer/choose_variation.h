@@ -14,7 +14,7 @@ struct OuterSolution {
   Eigen::VectorXd variation;  // h, one per wire part
   double shape_error = 0;     // E over the 3D area
   int iterations = 0;
-  int evaluations = 0;          // evaluations of E; all but that of an unused start include the gradient
+  int evaluations = 0;          // evaluations of E; all except that of an unused start include the gradient
   int inner_solves = 0;         // all factorizations of Eq. (1)
   int free_factorizations = 0;  // factorizations of the free flattening that gives h0
   bool converged = true;

@@ -18,8 +18,8 @@ std::vector<HalfedgeHandle> wires_at(const SplitChart& split, VertexHandle v) {
   return wires;
 }
 
-/// Marks all wire vertices that a helper wire from a tail may reach: not the vertices of the tail's own wire, up to and
-/// including the first vertex where another wire meets it.
+/// Marks all wire vertices that a helper wire from a tail may reach. Omits the vertices of the tail's own wire up to
+/// and including the first vertex where another wire meets it.
 std::vector<char> other_wires(const SplitChart& split, VertexHandle tail) {
   const HalfEdgeMesh& mesh = split.chart.mesh;
   std::vector<char> is_other(mesh.n_vertices(), 0);
@@ -73,7 +73,7 @@ void extend_hinged_wires(SplitChart& split, WorkMeter& work) {
     const std::vector<HalfedgeHandle> wires = wires_at(split, v);
     if (wires.size() != 1) continue;
     extend_tail(split, v, wires.front());
-    work.did(num_vertices);  // the path passes few vertices, but the searches visit all vertices
+    work.did(num_vertices);  // the path passes few vertices, but the search visits all vertices
   }
 }
 

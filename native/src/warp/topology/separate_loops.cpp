@@ -56,7 +56,7 @@ void add_loops(const WireNetwork& network, const std::set<int>& hinged, const st
   }
 }
 
-/// Returns the shortest loop with at most one wire to other loops.
+/// Returns the shortest of the loops with at most one wire to other loops.
 std::size_t choose_loop(const std::vector<WireLoop>& loops) {
   std::size_t chosen = loops.size();
   for (std::size_t i = 0; i < loops.size(); ++i) {
@@ -71,7 +71,7 @@ std::size_t index_of(const WireLoop& loop, VertexHandle v) {
   return static_cast<std::size_t>(std::find(loop.vertices.begin(), loop.vertices.end(), v) - loop.vertices.begin());
 }
 
-/// Returns the vertex nearest to a distance along the loop from one of its vertices.
+/// Returns the vertex whose distance along the loop from a given vertex is nearest to the given distance.
 std::size_t vertex_at_distance(const WireLoop& loop, std::size_t from, double distance) {
   const double goal = std::fmod(loop.position[from] + distance, loop.length);
   const auto miss = [&](std::size_t i) {

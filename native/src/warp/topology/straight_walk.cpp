@@ -14,7 +14,7 @@
 namespace wirewarp {
 namespace {
 
-/// Share of a length or area below which differences are rounding.
+/// Share of a length or area below which differences count as rounding errors.
 constexpr double kRoundedShare = 1e-12;
 
 /// A line is rarely longer than this many times the distance in space. Shorter ones are found sooner.
@@ -36,7 +36,7 @@ double angle_of(const HalfEdgeMesh& mesh, HalfedgeHandle h) {
   return angle * 2 * kPi / total_angle(mesh, v);
 }
 
-/// Looks in all directions from a point in a face, until it sees the end.
+/// Looks in all directions from a point in a face, until it finds the end.
 class View {
  public:
   View(const HalfEdgeMesh& mesh, const std::vector<char>& barriers, const SurfacePoint& from, double longest)
@@ -61,7 +61,7 @@ class View {
   }
 
  private:
-  /// A half-edge through which directions from right to left look out of a face.
+  /// A half-edge through which the directions from `right` to `left` leave a face.
   struct Window {
     HalfedgeHandle half_edge;
     Planar start, end;  // of the half-edge
@@ -129,7 +129,7 @@ class View {
     return crossings;
   }
 
-  /// leaving: a half-edge of the face in view that leaves the vertex; toward: where it ends.
+  /// leaving: a half-edge of the face in view that leaves the vertex; toward: its end.
   void see_vertex(HalfedgeHandle leaving, Planar place, Planar toward) {
     const VertexHandle vertex = mesh_.from_vertex_handle(leaving);
     if (end_ == nullptr) {
@@ -157,8 +157,8 @@ class View {
   const std::vector<char>& barriers_;
   const SurfacePoint& from_;
   double longest_;
-  const SurfacePoint* end_ = nullptr;  // none: all vertices
-  std::vector<Window> windows_;        // through which we look
+  const SurfacePoint* end_ = nullptr;  // none: looks for all vertices
+  std::vector<Window> windows_;        // half-edges to look through
   std::optional<StraightLine> found_;
   std::vector<Seen> seen_;
 };

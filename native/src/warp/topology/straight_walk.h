@@ -19,7 +19,7 @@ struct SurfacePoint {
   static SurfacePoint in_face(FaceHandle f, Planar place) { return {VertexHandle(), f, place}; }
 };
 
-/// The straight line to another point, which consists of two such lines if a vertex is in the way.
+/// The straight line to another point. If a vertex is in the way, it consists of two straight lines.
 struct StraightLine {
   Planar leaving;    // vector to the end, in the plane of the start
   Planar returning;  // vector to the start, in the plane of the end

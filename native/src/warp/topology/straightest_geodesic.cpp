@@ -75,7 +75,8 @@ class Tracer {
     }
   }
 
-  /// Leaves the face through `side`, which runs from q0 to q1 in the plane of entry_. The geodesic comes from p.
+  /// Leaves the face through `side`, which runs from q0 to q1 in the plane of entry_. p: the point from which the
+  /// geodesic comes.
   void cross_side(HalfedgeHandle side, Planar q0, Planar q1, Planar p) {
     const double left = cross(q0 - p, direction_);
     const double right = cross(direction_, q1 - p);

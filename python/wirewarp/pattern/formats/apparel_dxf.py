@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """DXF for apparel CAD: ASTM D6673 as AccuMark reads it, and AAMA-292 as CLO and Optitex do.
 
-One block per piece, numbered layers, and polylines that are closed in both ways, as in files of those programs.
+One block per piece, numbered layers, and polylines that are closed both by a flag and by a repeated point, as in files
+of those programs.
 """
 
 import math
@@ -18,7 +19,7 @@ from ..units import INCH
 from .dxf_tags import Tags, block_names, escaped_text, plain_text, section
 
 LONGEST_NAME = 20  # AccuMark cuts off longer names
-CORNER = math.radians(30)  # points where the outline turns more are turn points, others curve points
+CORNER = math.radians(30)  # degrees; points where the outline turns more are turn points, others are curve points
 TURN_POINT, CURVE_POINT = "2", "3"
 NOTCH_WIDTH = 2.0  # millimeters, at the edge
 TEXT_HEIGHT = 5.0
@@ -26,7 +27,7 @@ CONTROL = 100.0  # millimeters: side of the square that shows the unit
 
 
 def apparel_dxf(pattern: PatternData, is_aama: bool, control_square: bool) -> Steps[tuple[str, list[str]]]:
-    """Return the file, and sentences on names that could not be kept."""
+    """Return the file, and sentences about names that could not be kept."""
     writer = _Writer(pattern, is_aama)
     names = block_names([piece.name for piece in pattern.pieces], LONGEST_NAME)
     blocks: list[Tags] = []
@@ -129,13 +130,14 @@ class _Writer:
             tags.text("1", f"{self._key(key)}: {value}".rstrip(), place, TEXT_HEIGHT)
 
     def _add_line(self, tags: Tags, role: str, points: np.ndarray, closed: bool) -> None:
-        layer = LOOKS[WIRES["rigid"] if role == "wire" else role].dxf_layer  # all kinds look the same
+        layer = LOOKS[WIRES["rigid"] if role == "wire" else role].dxf_layer  # all kinds of wire look the same
         if role in ("grain", "fold"):
             tags.line(layer, points)
             if role == "grain":
                 tags.line("5", points)  # the reference line of grading
             return
-        if role == "cut" and not closed:  # half of a piece: in AccuMark, the outline follows the fold without the flag
+        # the piece is a half; in AccuMark, its outline follows the fold without the flag
+        if role == "cut" and not closed:
             points = np.concatenate([points, points[:1]])
         tags.polyline(layer, points, closed, repeat=True)
         if role == "sew" and self._is_aama:

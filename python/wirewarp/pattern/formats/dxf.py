@@ -25,7 +25,7 @@ DECIMALS = 4
 def write_dxf(
     path: Path, pattern: PatternData, dialect: str = "astm", control_square: bool = False
 ) -> Steps[tuple[int, list[str]]]:
-    """Write the file. Return 1, and sentences on lost data.
+    """Write the file. Return 1, and sentences about lost data.
 
     dialect: "astm" for AccuMark and most apparel CAD, "aama" for CLO and Optitex, "plain" for lasers and drawing
     programs. control_square: for apparel DXF, adds a block with a square of 100 mm, whatever unit the reader assumes.

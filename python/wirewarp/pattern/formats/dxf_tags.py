@@ -17,7 +17,7 @@ def plain_text(text: str) -> str:
 
 
 def escaped_text(text: str) -> str:
-    r"""Return plain_text(), but with AutoCAD's release 12 escapes for letters without ASCII: \U+8896."""
+    r"""Return plain_text(), but with AutoCAD's release 12 escapes for letters outside ASCII, such as \U+8896."""
     escaped = [f"\\U+{ord(letter):04X}" if ord(letter) < 0x10000 else "?" for letter in text]
     plain = [plain_text(letter) for letter in text]
     return "".join(
@@ -41,7 +41,7 @@ def block_names(names: list[str], longest: int) -> list[str]:
 
 
 class Tags:
-    """Entities of a file or of a block. decimals: number of them in coordinates; scale: units per millimeter."""
+    """Entities of a file or of a block. decimals: number of decimals in coordinates; scale: units per millimeter."""
 
     def __init__(self, decimals: int, scale: float = 1.0) -> None:
         self._lines: list[str] = []

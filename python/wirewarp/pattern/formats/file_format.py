@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Describes a kind of file. Commands, dialogs and tests read it from here and know no format by name."""
+"""Describes a kind of file. Commands, dialogs and tests read the descriptions, so they need no format by name."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ class Option:
     name: str
     label: str
     description: str
-    choices: tuple[Choice, ...] = ()  # the first is the default; without choices, the option is on or off
+    choices: tuple[Choice, ...] = ()  # the first choice is the default; without choices, the option is on or off
     unless: tuple[str, str] | None = None  # another option, and the value with which it disables this one
 
 
@@ -40,6 +40,6 @@ class Format:
     # outlines (k,2) in millimeters, read by code that no writer uses
     read_cut_lines: Callable[[Path], Iterator[np.ndarray]]
     options: tuple[Option, ...] = ()
-    has_pages: bool = False  # the writer then also accepts `paper` and `keep_places`
-    is_along_cloth: bool = False  # markers are drawn with x along the cloth
+    has_pages: bool = False  # whether the writer also accepts `paper` and `keep_places`
+    is_along_cloth: bool = False  # whether markers are drawn with x along the cloth
     size_of: Callable[[PatternData], np.ndarray] = lambda pattern: pattern.size  # (2,) size of a file without pages

@@ -12,7 +12,7 @@ from .file_format import Format
 from .read_back import read_plt
 
 UNITS = 40  # per millimeter
-AT_ONCE = 100  # points in one command: plotters have room for short lines only
+AT_ONCE = 100  # points in one command, because plotters have room for short command lines only
 CUT_PEN = 1
 
 

@@ -25,7 +25,7 @@ Paper = str | float | None
 def write_pdf(
     path: Path, pattern: PatternData, paper: Paper = None, proof: bool = False, keep_places: bool = False
 ) -> Steps[tuple[int, list[str]]]:
-    """Write the file. Return the number of pages, and sentences on texts that could not be drawn.
+    """Write the file. Return the number of pages, and sentences about texts that could not be drawn.
 
     paper: "a4", "letter", "a4-letter" (fits both), "a3", "tabloid", "a0", "36in", "24in", "projector", or the width of
     a roll in millimeters. None: A4, and for a marker a roll of the necessary width. proof: adds pages with every piece,
@@ -75,7 +75,7 @@ def _proof_size(paper: Paper) -> np.ndarray:
 
 
 def _add_forms(document: Document, planned: Plan[PatternData]) -> Steps[list[str]]:
-    """Add one form per piece. Return sentences on texts that could not be drawn."""
+    """Add one form per piece. Return sentences about texts that could not be drawn."""
     left_out = []
     pieces = planned.pattern.pieces
     for index, piece in enumerate(pieces):
@@ -103,7 +103,7 @@ def _with_texts_on_sheets(planned: Plan[PatternData]) -> Steps[Plan[PatternData]
             if np.all(line.min(axis=0) < high[index]) and np.all(line.max(axis=0) > low[index])
         ]
         can_cross = borders or any(text.is_beside for text in piece.texts)
-        if can_cross and piece.of_role("sew") and piece.texts:  # lines that are left out would lose their names
+        if can_cross and piece.of_role("sew") and piece.texts:  # without their lines, the names would refer to nothing
             near = np.all((low - BORDER < high[index]) & (high + BORDER > low[index]), axis=1)
             others = [line for n in np.flatnonzero(near) if n != index for line in cut[n]]
             sheets = planned.text_sheets._replace(borders=borders, others=[*others, *beside])

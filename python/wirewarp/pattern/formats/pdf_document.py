@@ -13,7 +13,7 @@ from ..label.text_place import LINE
 from ..model import Text
 from ..sheet.drawing import Stroke, letters_baselines
 
-POINT = 72 / 25.4  # PDF's units per millimeter
+POINT = 72 / 25.4  # units of PDF per millimeter
 
 
 class Content:
@@ -22,7 +22,7 @@ class Content:
     def __init__(self, thinnest: float = 0.0) -> None:
         self._thinnest = thinnest
         self._parts: list[str] = []
-        self.left_out: list[str] = []  # sentences on texts that could not be drawn
+        self.left_out: list[str] = []  # sentences about texts that could not be drawn
 
     def in_layer(self, layer: str, strokes: Iterable[Stroke], texts: Iterable[Text] = ()) -> None:
         body = [self._stroke(stroke) for stroke in strokes] + [self._text(text) for text in texts]
@@ -82,7 +82,7 @@ class Document:
         """Begin a document. hidden: layers that a reader shows only on request."""
         self.page_count = 0
         self._pdf = pydyf.PDF()
-        # a text cut to length may end in half a surrogate pair
+        # a text that was shortened may end in half a surrogate pair
         whole = title.encode("utf-16", "replace").decode("utf-16")
         self._pdf.info["Title"] = pydyf.String(whole)
         self._pdf.info["Creator"] = pydyf.String("WireWarp")
@@ -101,7 +101,8 @@ class Document:
         properties = {"OCGs": pydyf.Array(references.values()), "D": pydyf.Dictionary(default)}
         self._pdf.catalog["OCProperties"] = pydyf.Dictionary(properties)
         self._pdf.catalog["PageMode"] = "/UseOC"
-        self._pdf.catalog["ViewerPreferences"] = pydyf.Dictionary({"PrintScaling": "/None"})  # not "fit to page"
+        # printed without "fit to page"
+        self._pdf.catalog["ViewerPreferences"] = pydyf.Dictionary({"PrintScaling": "/None"})
         shown = pydyf.Dictionary({_key(layer): reference for layer, reference in references.items()})
         self._resources = {"Properties": shown, "Font": pydyf.Dictionary({"F": self._font.reference})}
         self._forms: dict[str, bytes] = {}

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the outlines back from a file, as a plotter's program would, and compares them with the pattern.
+"""Reads the outlines back from a file, as the program of a plotter would, and compares them with the pattern.
 
-It shares no code with the writers.
+Shares no code with the writers.
 """
 
 import math
@@ -17,7 +17,7 @@ from ..progress import Steps
 
 INCH = 25.4
 NUMBER = r"-?[\d.]+"
-WORST = 0.02  # millimeters: half a unit of HPGL is 0.0125 in each direction; all other formats are finer
+WORST = 0.02  # millimeters; half a unit of HPGL is 0.0125 mm in each direction, and all other formats are finer
 
 QUARTER_TURNS = [np.linalg.matrix_power(np.array([[0.0, 1.0], [-1.0, 0.0]]), count) for count in range(4)]
 
@@ -43,7 +43,7 @@ def check(found: Iterator[np.ndarray], outlines: Sequence[np.ndarray]) -> Steps[
 
 
 def _nearest(found: np.ndarray, waiting: Sequence[np.ndarray]) -> tuple[float, int]:
-    """Return the distance to the first outline that fits, and its index; if none fits, to the best one."""
+    """Return the distance to the first outline that fits, and its index; if none fits, those of the best one."""
     best, place = math.inf, -1
     for number, outline in enumerate(waiting):
         if len(outline) == len(found):

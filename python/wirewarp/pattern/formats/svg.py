@@ -23,7 +23,7 @@ from .read_back import read_svg
 
 SVG, INKSCAPE = "http://www.w3.org/2000/svg", "http://www.inkscape.org/namespaces/inkscape"
 MARGIN = 10.0  # millimeters around the drawing
-DECIMALS = 4  # of the coordinates, which are millimeters
+DECIMALS = 4  # decimals of the coordinates, which are in millimeters
 # characters that XML 1.0 does not allow
 NO_CHARACTER = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -33,14 +33,15 @@ PIXEL = 25.4 / 96  # millimeters, as CSS defines it
 
 @dataclass(frozen=True)
 class Preset:
-    """Look of lines for a kind of program."""
+    """How lines look in files for a kind of program."""
 
     label: str
     description: str
-    stroke: float | None = None  # millimeters, of all lines; None: each line's own width
+    stroke: float | None = None  # width of all lines in millimeters; None: each line has its own width
     has_texts: bool = True
     has_dashes: bool = True
-    in_pixels: bool = False  # lengths in pixels, 96 per inch, without a viewBox: some programs ignore a viewBox
+    # whether lengths are in pixels, 96 per inch, without a viewBox, because some programs ignore a viewBox
+    in_pixels: bool = False
 
 
 PRESETS = {
@@ -76,14 +77,14 @@ def write_svg(path: Path, pattern: PatternData, preset: str = "print") -> Steps[
 
 
 def page_size(pattern: PatternData) -> np.ndarray:
-    """Return width and height (2,) in millimeters, including the square to measure."""
+    """Return width and height (2,) in millimeters, including the test square."""
     return _page(pattern.size, pattern.units.square[0])[0]
 
 
 def _page(pieces: np.ndarray, side: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return the size of the page, and the lower left corners of the pieces and of the square.
+    """Return the size of the page, and the lower left corners of the pieces and of the test square, with y upwards.
 
-    All have y upwards. The square is to the right of the pieces or below them, whichever needs less paper.
+    The square is to the right of the pieces or below them, whichever needs less paper.
     """
     width, height = pieces
     beside = np.array([width + MARGIN + side, max(height, side)])
@@ -152,7 +153,8 @@ class _Drawing:
     def _add_path(self, layer: ElementTree.Element, stroke: Stroke) -> None:
         down = (stroke.points * (1, -1) + (0, self._height)) / self._unit
         corners = " ".join(f"{x:.{DECIMALS}f},{y:.{DECIMALS}f}" for x, y in down)
-        # Attributes of every line: many cutters' programs ignore style sheets and attributes of groups.
+        # Return the attributes of a line. Every line has its own, because the programs of many cutters ignore style
+        # sheets and attributes of groups.
         width = (self._preset.stroke or stroke.look.stroke) / self._unit
         look = {"fill": "none", "stroke": stroke.look.color, "stroke-width": f"{width:.3g}"}
         look |= {"stroke-linejoin": "round", "data-role": stroke.role}

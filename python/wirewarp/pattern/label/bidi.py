@@ -14,7 +14,7 @@ T = TypeVar("T")
 
 
 def levels(letters: Sequence[str]) -> list[int]:
-    """Return the embedding level of each letter: even levels run from left to right, odd ones from right to left."""
+    """Return the embedding level of each letter. Even levels run from left to right, odd ones from right to left."""
     kinds = [unicodedata.bidirectional(letter) for letter in letters]
     base = int(next((kind for kind in kinds if kind in STRONG), "L") != "L")
     outer = "LR"[base]
@@ -46,7 +46,7 @@ def in_visual_order(runs: Sequence[T], run_levels: Sequence[int]) -> list[T]:
 
 
 def _above(base: int, kind: str) -> int:
-    """Return the level above the level of the line, by rules I1 and I2."""
+    """Return how far the level is above the level of the line, by rules I1 and I2."""
     if base == 0:
         return {"R": 1, "EN": 2, "AN": 2}.get(kind, 0)
     return int(kind != "R")
@@ -129,7 +129,7 @@ def _neutral(weak: Sequence[str], outer: str) -> list[str]:
 
 
 def _direction(kind: str) -> str:
-    """Return "L" or "R", "R" for numbers, or nothing for signs."""
+    """Return "L" or "R" ("R" for numbers), or nothing for signs."""
     return "R" if kind in NUMBERS else kind if kind in ("L", "R") else ""
 
 

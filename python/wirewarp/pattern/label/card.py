@@ -23,7 +23,7 @@ DOWN = np.array([0.0, -1.0])
 class Sheets(NamedTuple):
     """Sheets of paper below a pattern. Each text stays on one sheet if there is room."""
 
-    boxes: Sequence[Box] = ()  # the areas that they show
+    boxes: Sequence[Box] = ()  # the areas that the sheets show
     borders: Sequence[np.ndarray] = ()  # (2,2) lines in the overlaps of neighbors, which no text may cross
     others: Sequence[np.ndarray] = ()  # (k,2) closed lines around other pieces and their texts
 
@@ -77,7 +77,7 @@ def with_card_anew(
 
 
 def _card(cards: list[tuple[str, ...]], outlines: list[np.ndarray], drawn: list[np.ndarray]) -> list[Text]:
-    """Return the fullest card that can be read; no card for a piece that is too small."""
+    """Return the card with the most text that can be read; none for a piece that is too small."""
     texts = (place_text(card, outlines, drawn, TEXT_HEIGHT) for card in cards)
     return next(([text] for text in texts if text.height >= LEAST_HEIGHT), [])
 
@@ -89,7 +89,7 @@ def _short_cards(texts: list[str], outlines: list[np.ndarray]) -> list[Text]:
 
 
 def how_to_cut(piece: PatternPiece) -> str:
-    """Return the quantity, with a note on folded or mirrored copies."""
+    """Return the text for the quantity, with a note on folded or mirrored copies."""
     if piece.on_fold:
         return f"Cut {sum(piece.quantity)} on the fold"  # opened, each piece is its own mirror image
     return piece.quantity_text + (" (2 pieces, one mirrored)" if piece.quantity == (1, 1) else "")

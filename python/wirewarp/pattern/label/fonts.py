@@ -11,11 +11,11 @@ from pathlib import Path
 import numpy as np
 import uharfbuzz
 
-Part = tuple[str, np.ndarray]  # "m", "l", "c" or "h" as in PDF, and the points (k,2)
+Part = tuple[str, np.ndarray]  # the operator "m", "l", "c" or "h" of PDF, and its points (k,2)
 
 
 class GlyphPen:
-    """Records outlines as a pen of fonttools. PDF has cubic curves only."""
+    """A pen of fonttools that records outlines. PDF has only cubic curves."""
 
     def __init__(self) -> None:
         self.parts: list[Part] = []
@@ -43,7 +43,7 @@ class GlyphPen:
 
 
 SUFFIXES = (".ttf", ".otf", ".ttc", ".woff2")
-NO_TEXT = ("lastresort", "adobeblank")  # fonts that draw every letter as a box or as nothing
+NO_TEXT = ("lastresort", "adobeblank")  # names of fonts that draw every letter as a box, or nothing
 STYLES = ("bold", "italic", "oblique", "mono", "serif", "light", "thin", "black", "condensed")  # tried last
 _folders: list[Path] = []
 
@@ -66,7 +66,8 @@ class Font:
         if path.suffix.lower() == ".woff2":
             from fontTools.ttLib import TTFont
 
-            with TTFont(path, lazy=True) as quick:  # only its letters: all glyphs take ten times as long
+            # loads only the letters, because loading all glyphs takes ten times as long
+            with TTFont(path, lazy=True) as quick:
                 self._letters = set(quick.getBestCmap() or {})
         else:
             blob = uharfbuzz.Blob.from_file_path(str(path))
@@ -108,15 +109,15 @@ def font_with(letter: str) -> Font | None:
 def _font(path: Path) -> Font | None:
     try:
         return Font(path)
-    except Exception:  # any error for a damaged file, or for WOFF2 without fonttools: other fonts follow
+    except Exception:  # raised for a damaged file, or for WOFF2 without fonttools; other fonts are tried next
         return None
 
 
 @cache
 def _files() -> list[Path]:
-    """Return the files in the order of trial.
+    """Return the files in the order in which they are tried.
 
-    Plain styles come first, and small files before large ones, because they open faster.
+    Plain styles come first, and small files before large ones, because small files open faster.
     """
     files = [path for folder in (*_folders, *_system_folders()) for path in _in(folder)]
     return sorted(files, key=lambda path: (any(s in path.name.lower() for s in STYLES), path.stat().st_size, path.name))

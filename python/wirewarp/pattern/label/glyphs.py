@@ -16,12 +16,12 @@ JOINING = ("Mn", "Me", "Mc", "Cf")  # categories of characters that belong to th
 
 
 class NoLettersError(Exception):
-    """Raised for letters that cannot be drawn; str() names them and the reason."""
+    """Raised for letters that cannot be drawn. str() names the letters and the reason."""
 
 
 @dataclass(frozen=True)
 class Line:
-    parts: list[Part]  # from 0, 0 on the base line
+    parts: list[Part]  # outlines that begin at 0, 0 on the base line
     width: float  # in heights of the text
 
 

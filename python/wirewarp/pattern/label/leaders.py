@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Places texts beside a piece without room for them, with a line that leads to the named place.
+"""Places texts beside a piece that has no room for them, with a line that leads to the named place.
 
-The texts need no room of their own: the pages are the same as without them.
+The texts take no room of their own, so the pages are the same as without them.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -21,7 +21,7 @@ TURNS = (0, 30, -30, 60, -60, 90, -90, 135, -135, 180)  # degrees from the direc
 # degrees of the text, the easiest to read first. Along a narrow piece, turned text stays close to the piece.
 ANGLES = (0.0, 90.0, 45.0, -45.0)
 REACH = GAP / 2  # millimeters beyond the box of the cut lines, so that texts of two pieces in rows do not meet
-# Largest distance from the cut lines: within it, a text is on the same sheet, because sheets overlap by more.
+# Largest distance from the cut lines. A text within it is on the same sheet, because sheets overlap by more.
 NEAR = OVERLAP - STEP
 
 
@@ -48,7 +48,7 @@ class Beside:
         self._texts: list[Text] = []
 
     def lead(self, texts: Iterable[Text], outward: np.ndarray) -> tuple[Text, Line] | None:
-        """Return the first of these texts that has a place outside of the piece, and the line from it to the target.
+        """Return the first of these texts that has a place outside the piece, and the line from the text to the target.
 
         texts: one line each, which did not fit inside. outward (2,): unit vector of the preferred direction. Returns
         None if no near place is free, because a line far across the piece would look like one of its own lines.

@@ -12,16 +12,17 @@ from .leaders import Beside
 from .room import Room
 from .text_place import text_width
 
-HEIGHTS = (4.5, 3.5, 2.5)  # heights of the letters in millimeters; if none fits, the name is placed beside the piece
+# heights of the letters to try, in millimeters; if none fits, the name is placed beside the piece
+HEIGHTS = (4.5, 3.5, 2.5)
 BESIDE = 0.75  # millimeters from a line to the letters of its name
-ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # places as shares of its length, the best first
+ALONG_SEAM = (0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8)  # places along a line to try, as shares of its length
 ALONG_WIRE = (0.3, 0.7, 0.4, 0.6, 0.2, 0.8, 0.5)  # wires often cross in their middles
 
 
 def line_names(lines: Sequence[Line], room: Room, beside: Beside) -> tuple[list[Text], list[Line]]:
     """Return the names of stitching lines, folds and wires: inside the piece, or beside it if there is no room.
 
-    Lines lead to the names beside it.
+    A line leads to each name beside the piece.
     """
     named = [line for line in lines if line.name and line.role in ("sew", "fold", "wire")]
     texts, leaders = [], []
@@ -44,7 +45,7 @@ def _out_of_room(line: Line) -> tuple[list[Text], np.ndarray]:
 
 
 def _short(line: Line) -> str:
-    """Return a short name for little room."""
+    """Return the short name of a line, for places with little room."""
     return short_name(line.name) if line.role == "sew" else line.name
 
 
@@ -77,6 +78,6 @@ def _place_on(points: np.ndarray, along: np.ndarray, share: float) -> tuple[np.n
 
 
 def _angle(direction: np.ndarray) -> float:
-    """Return degrees counterclockwise, above -90 and up to 90, so that the text is not upside down."""
+    """Return the angle in degrees counterclockwise, above -90 and up to 90, so that the text is not upside down."""
     angle = math.degrees(math.atan2(direction[1], direction[0]))
     return angle - 180 if angle > 90 else angle + 180 if angle <= -90 else angle

@@ -11,16 +11,19 @@ from ..model import Text
 from .text_place import LINE, text_width
 
 CLEAR = 0.5  # millimeters between a text and its neighbors
-STROKES = np.linspace(-0.5, 0.5, 5)  # strokes that represent a text; no other text fits between them
+STROKES = np.linspace(-0.5, 0.5, 5)  # number of strokes that represent a text; no other text fits between them
 
 Segments = tuple[np.ndarray, np.ndarray]  # first and second ends (s,2) of segments
 
 
 class Room:
-    """The room of one piece. A text may cross lines if there is no other place, but never outlines and texts."""
+    """The free room in a piece.
+
+    A text may cross lines if there is no other place, but never outlines or other texts.
+    """
 
     def __init__(self, outlines: Iterable[np.ndarray], lines: Iterable[np.ndarray], texts: Iterable[Text]) -> None:
-        """outlines (k,2); lines (k,2): wires, notches and the like."""
+        """outlines (k,2); lines (k,2): wires, notches and similar lines."""
         self._outlines = list(outlines)
         self._outline = joined([(line, np.roll(line, -1, axis=0)) for line in self._outlines])
         self._lines = joined([(line[:-1], line[1:]) for line in lines])
@@ -45,7 +48,7 @@ class Room:
 
 
 def joined(parts: list[Segments]) -> Segments:
-    """Return one set of segments, which may be empty."""
+    """Return all of these segments as one set, which may be empty."""
     first, second = (np.concatenate([np.empty((0, 2)), *(part[end] for part in parts)]) for end in (0, 1))
     return first, second
 

@@ -10,17 +10,19 @@ import numpy as np
 from ..geometry import innermost_point
 from ..model import Text
 
-WIDE = 3.0  # the search assumes that text is this many times as wide as high
+WIDE = 3.0  # ratio of width to height of text that the search assumes
 LETTER, LINE = 0.62, 1.35  # width of a letter and distance of lines, as shares of the height of the text
 WIDE_LETTER = 1.0  # Chinese and similar letters, and emoji
-NEARLY = 0.6  # share of the height of upright text: level text at least this high is easier to read
-SMALL = 0.3125  # share of the largest height (2.5 of 8 mm): rather than be smaller, text may cross lines
+NEARLY = 0.6  # share of the height of upright text; horizontal text of at least this height is easier to read
+SMALL = 0.3125  # share of the largest height (2.5 of 8 mm); text crosses lines rather than be smaller
 
 
 def place_text(
     lines: tuple[str, ...], outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray], largest: float
 ) -> Text:
-    """Return the largest place up to the height `largest`, upright if the piece is too narrow otherwise.
+    """Return the place for the largest text, up to the height `largest`.
+
+    The text is upright if the piece is too narrow otherwise.
 
     Text never crosses closed outlines. It crosses lines_inside (k,2) only if there is no room beside them.
     """

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes pieces of a pattern: from flat pieces to cut lines, notches and folds."""
+"""Makes the pieces of a pattern from flat pieces, with cut lines, notches and folds."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the stitching lines of a piece to its cut lines: strips and corners, united on a grid of integers.
+"""Makes the cut lines of a piece from its stitching lines: strips and corners, united on a grid of integers.
 
-Strips may overlap one another and the piece: each point of a strip is within its width of the stitching line. Clipper
-unites them exactly, because its coordinates are integers; floating-point unions of strips have left slits. Outlines run
-with the piece on their left, so the allowance is on the right.
+Strips may overlap one another and the piece. Each point of a strip is no farther from the stitching line than the
+strip's width. Clipper unites strips exactly, because its coordinates are integers; unions with floating-point numbers
+left slits. Outlines run with the piece on their left, so the allowance is on the right.
 """
 
 import math
@@ -36,10 +36,11 @@ def _joins(points: np.ndarray, normals: np.ndarray, width: float) -> list[np.nda
     before, after, corners = normals[:-1], normals[1:], points[1:-1]
     turn = before[:, 0] * after[:, 1] - before[:, 1] * after[:, 0]  # sine; positive to the left
     cosine = (before * after).sum(axis=1)
-    with np.errstate(divide="ignore", invalid="ignore"):  # the line turns back on itself
+    with np.errstate(divide="ignore", invalid="ignore"):  # infinite if the line turns back on itself
         tangent = turn / (1 + cosine)  # tangent of half the angle
         mitre = corners + width * (before + after) / (1 + cosine)[:, None]
-    far = np.isnan(tangent) | (1 + tangent**2 > MITRE_LIMIT**2)  # the mitre is width * sqrt(1 + tangent^2) away
+    # the mitre's distance from the corner is width * sqrt(1 + tangent^2)
+    far = np.isnan(tangent) | (1 + tangent**2 > MITRE_LIMIT**2)
     is_left = (turn > 0) | ((turn == 0) & (cosine < 0))
     is_mitre = ~far & (is_left | _fits(points, tangent, width))
     joins: list[np.ndarray] = list(mitre[:, None])
@@ -52,7 +53,7 @@ def _joins(points: np.ndarray, normals: np.ndarray, width: float) -> list[np.nda
 
 
 def _fits(points: np.ndarray, tangent: np.ndarray, width: float) -> np.ndarray:
-    """Return (k-2,) bool: whether both steps at an inner point are longer than the mitres of right turns need."""
+    """Return (k-2,) bool: whether both steps at an inner point are long enough for the mitre of a right turn."""
     taken = np.concatenate([[0], np.nan_to_num(np.maximum(-tangent, 0) * width, posinf=np.inf), [0]])
     lengths = np.linalg.norm(np.diff(points, axis=0), axis=1)
     is_long = taken[:-1] + taken[1:] < lengths
@@ -60,11 +61,11 @@ def _fits(points: np.ndarray, tangent: np.ndarray, width: float) -> np.ndarray:
 
 
 def _cut_off(corner: np.ndarray, before: np.ndarray, after: np.ndarray, width: float) -> np.ndarray:
-    """Return the points (2,2) where the line square to the corner's diagonal, at the limit, crosses both parallels."""
+    """Return the points (2,2) where the line at the limit, square to the corner's diagonal, crosses both parallels."""
     out = before + after
     length = np.linalg.norm(out)
     along = np.array([-before[1], before[0]])  # direction of the line before the turn
-    out = out / length if length > 1e-9 else along  # if the line turns back, the corner points straight on
+    out = out / length if length > 1e-9 else along  # if the line turns back, the corner points straight ahead
     ends = []
     for normal, direction in ((before, along), (after, np.array([after[1], -after[0]]))):
         start = corner + width * normal
@@ -73,7 +74,7 @@ def _cut_off(corner: np.ndarray, before: np.ndarray, after: np.ndarray, width: f
 
 
 Polygon = list[list[int]]  # corners on the grid
-SMALLEST = 1e-3  # square millimeters: smaller loops come from rounding
+SMALLEST = 1e-3  # square millimeters; smaller loops are rounding errors
 
 
 @dataclass(frozen=True)
@@ -81,7 +82,7 @@ class Corner:
     """How the allowances meet at the end of a section."""
 
     kind: CornerType = "mitre"
-    of_next: bool = False  # whether the rule ends the allowance of the next section instead
+    of_next: bool = False  # whether the rule ends the next section's allowance instead
 
 
 @dataclass(frozen=True)
@@ -90,7 +91,7 @@ class Section:
 
     points: np.ndarray  # (k,2), with the piece on the left; a closed outline of one section repeats its first point
     width: float
-    corner: Corner = Corner()  # at its end
+    corner: Corner = Corner()  # the corner at the end of the section
 
 
 @dataclass(frozen=True)
@@ -99,7 +100,7 @@ class CutLines:
 
     outer: list[np.ndarray]
     holes: list[np.ndarray]
-    pockets: list[np.ndarray]  # outside the piece, but enclosed by its allowance: not cut
+    pockets: list[np.ndarray]  # a part outside the piece that its allowance encloses is not cut out
 
 
 def cut_lines(loops: Sequence[Sequence[Section]]) -> CutLines:
@@ -157,7 +158,7 @@ class _Place:
         self._turn = math.atan2(cross, self._normal_a @ self._normal_b)
 
     def path(self) -> np.ndarray | None:
-        """Return the path (k,2) from the first cut line to the second one; None if the strips alone are right."""
+        """Return the path (k,2) from the first cut line to the second one; None if the strips need no corner."""
         if not self._corner.of_next:
             path = corner_path(self._corner.kind, self._turn, self._a, self._b)
             return None if path is None else self._point + path @ np.array([self._along_a, -self._normal_a])
@@ -165,7 +166,7 @@ class _Place:
         return None if path is None else (self._point + path @ np.array([-self._along_b, -self._normal_b]))[::-1]
 
     def filling(self, path: np.ndarray) -> np.ndarray:
-        """Return the polygon, counterclockwise, between the corner, the square ends of the strips and the path."""
+        """Return the counterclockwise polygon between the corner, the square ends of the strips and the path."""
         ends = [self._point[None]]
         if (path[0] - self._point) @ self._along_a > 0:
             ends.append(self._end_a[None])
@@ -206,7 +207,10 @@ def _turned_left(vector: np.ndarray) -> np.ndarray:
 
 
 def _on_grid(points: np.ndarray, origin: np.ndarray) -> Polygon:
-    """Return the grid points of all polygons. With one origin, common points stay common and no slit opens."""
+    """Return the grid points of all polygons.
+
+    They have a common origin, so that common points stay equal and no slit opens.
+    """
     rounded: Polygon = np.rint((points - origin) / GRID).astype(np.int64).tolist()
     return rounded
 

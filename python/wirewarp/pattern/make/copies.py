@@ -55,7 +55,7 @@ def copies_of(laid: Sequence[Laid], pieces: Sequence[PatternPiece], pairs: bool,
         yield from reversing
 
     def fits(first: int, second: int, each: Congruence) -> bool:
-        """Return whether the map maps seams to seams, and their starts to starts. If so, keep these starts."""
+        """Return whether the map takes seams to seams, and their starts to starts. If so, store these starts."""
         begun, sewn = dict(found.starts), set()
         for side, image, sources in _matched(laid[first], laid[second], each):
             if side.seam is None or image.seam is None:
@@ -102,7 +102,7 @@ class SeamGroup:
     """Seams whose notches are at the same places."""
 
     turned: dict[int, bool]  # by seam: places are measured from the end opposite to the first seam's start
-    is_symmetric: bool = False  # a copy maps a seam to itself, end for end
+    is_symmetric: bool = False  # whether a copy maps a seam to itself with its ends exchanged
 
 
 @dataclass(frozen=True)
@@ -132,7 +132,7 @@ def copied_sides(copies: Copies, laid: Sequence[Laid], seams: Sequence[Sequence[
             a, b = side.seam, image.seam
             if a is None or b is None:
                 continue
-            # A mirror reverses the direction of outlines.
+            # A reflection reverses the direction of outlines.
             is_turned = (forward[id(side)] == forward[id(image)]) == each.is_mirror
             turns[a].append((b, is_turned))
             turns[b].append((a, is_turned))
@@ -183,7 +183,7 @@ def _groups(count: int, turns: dict[int, list[tuple[int, bool]]]) -> list[SeamGr
 
 
 def drawn_once(pieces: Sequence[PatternPiece], copies: Copies) -> list[PatternPiece]:
-    """Return the pieces without copies of others. pieces: all pieces, each to be cut once as drawn."""
+    """Return the pieces without those that are copies of others. pieces: all pieces, each to be cut once as drawn."""
     left_out, drawn = copies.left_out, []
     for index, piece in enumerate(pieces):
         if index in left_out:

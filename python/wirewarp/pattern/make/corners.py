@@ -14,10 +14,11 @@ import numpy as np
 
 CornerType = Literal["mitre", "right angle", "fold-back", "extend", "step", "round"]
 CORNER_TYPES: tuple[str, ...] = get_args(CornerType)
-MITRE_LIMIT = 2.5  # times the width: a corner that extends farther is cut off square
-STRAIGHT = 1e-7  # radians: at a smaller turn, the wedge between even the widest strips is finer than the grid
+MITRE_LIMIT = 2.5  # multiple of the width; a corner that extends farther is cut off square
+STRAIGHT = 1e-7  # radians; at a smaller turn, the wedge between even the widest strips is finer than the grid
 SHARP = math.radians(30)  # a smaller turn can hardly be seen on fabric, and its allowance needs no end of its own
-STEEP = 1.5  # times the wider width: if the difference over the sine of the turn is larger, mitres become steps
+# multiple of the larger width; if the difference of widths over the sine of the turn is larger, mitres become steps
+STEEP = 1.5
 SAGITTA = 0.02  # millimeters, of the chords of a round corner
 
 
@@ -40,7 +41,7 @@ def corner_path(kind: CornerType, turn: float, a: float, b: float) -> np.ndarray
 
 
 def _goes_too_far(path: np.ndarray, turn: float, a: float, b: float) -> bool:
-    """Return whether the path exceeds the limit, or removes more from the end of an allowance than its width."""
+    """Return whether the path extends beyond the limit, or removes more from the end of an allowance than its width."""
     outwards = float(np.linalg.norm(path, axis=1).max()) > MITRE_LIMIT * max(a, b) * (1 + 1e-9)
     taken = max(-path[0, 0], path[-1] @ (math.cos(turn), math.sin(turn)))
     return outwards or bool(taken > max(a, b))
@@ -51,7 +52,7 @@ def _mitre(turn: float, a: float, b: float) -> np.ndarray:
 
 
 def _cut_off_mitre(turn: float, a: float, b: float) -> np.ndarray:
-    """Return the mitre; beyond the limit, cut square to the line to its point."""
+    """Return the mitre. Beyond the limit, it is cut off square to the line that leads to its point."""
     limit = MITRE_LIMIT * max(a, b)
     if math.sin(turn) < 1e-6:  # the outline turns back on itself
         return np.array([[limit, -a], [limit, b]])

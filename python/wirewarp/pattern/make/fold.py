@@ -13,7 +13,7 @@ from .pieces import FOLD_NAME, GRAIN, grain_line
 
 ON_FOLD = 0.05  # millimeters: a nearer point is on the fold
 BESIDE_FOLD = 15.0  # millimeters between the fold and a grain arrow along it
-# a grain at a smaller angle to the fold counts as along it, because nobody aligns fabric better
+# sine of an angle: a grain at a smaller angle to the fold counts as along it, because nobody aligns fabric better
 ALONG = math.sin(math.radians(0.5))
 
 
@@ -42,7 +42,7 @@ def _grain(piece: PatternPiece, grain: Line, fold: np.ndarray, outward: np.ndarr
 
 
 def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.ndarray, bool]]:
-    """Return the parts of a line on the outward side."""
+    """Return the parts of a line on the outward side of the fold."""
     points = np.concatenate([line.points, line.points[:1]]) if line.closed else line.points
     height = (points - origin) @ outward
     if np.all(height > ON_FOLD):
@@ -59,7 +59,7 @@ def _kept(line: Line, origin: np.ndarray, outward: np.ndarray) -> list[tuple[np.
             parts[-1].append(points[row] + share * (points[row + 1] - points[row]))
             if height[row] >= 0:
                 parts.append([])
-    if line.closed and len(parts) > 1 and height[0] >= 0:  # the line began in the middle of a part
+    if line.closed and len(parts) > 1 and height[0] >= 0:  # the line begins in the middle of a part
         parts[0] = parts.pop() + parts[0][1:]
     kept = [np.array(part) for part in parts if part]
     return [(part, False) for part in kept if ((part - origin) @ outward).max() > ON_FOLD]
@@ -77,7 +77,7 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
     along = (end - start) / np.linalg.norm(end - start)
     normal = np.array([along[1], -along[0]])
     (cut,) = piece.of_role("cut")
-    # Mirror in the y axis, turn, and move so that the fold keeps its place.
+    # The motion mirrors in the y axis, turns, and moves so that the fold keeps its place.
     turn = Motion(np.zeros(2), float(np.degrees(2 * np.arctan2(normal[1], normal[0]))), mirrored=True)
     image = Motion(start - turn.points(start), turn.angle, mirrored=True)
     half = cut.points
@@ -91,7 +91,7 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
             lines.append(line)
         elif line.role not in ("cut", "fold"):
             is_on_fold = np.abs((line.points - start) @ normal).max() <= ON_FOLD
-            # Reverse, because names are to the left of a line, where the piece is.
+            # The line is reversed, because names are to the left of a line, on the side of the piece.
             lines += [line] if is_on_fold else [line, replace(line, points=image.points(line.points)[::-1])]
     points = []
     for point in piece.points:
@@ -102,6 +102,6 @@ def unfolded(piece: PatternPiece) -> PatternPiece:
 
 def _without_fold(outline: np.ndarray, is_on_fold: np.ndarray) -> np.ndarray:
     """Return the open rest of a closed line (k,2) without its one part along the fold."""
-    first = int(np.flatnonzero(is_on_fold & ~np.roll(is_on_fold, -1))[0])  # the outline leaves the fold here
+    first = int(np.flatnonzero(is_on_fold & ~np.roll(is_on_fold, -1))[0])  # row at which the outline leaves the fold
     turned, is_on_fold = np.roll(outline, -first, axis=0), np.roll(is_on_fold, -first)
     return turned[: int(np.flatnonzero(is_on_fold[1:])[0]) + 2]

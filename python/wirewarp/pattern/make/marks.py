@@ -16,8 +16,8 @@ from .outline import Side
 from .pieces import Laid
 from .seams import SewnLengths, SewnSide
 
-ON_LINE = 1e-6  # millimeters between a point of a side and the end of a wire there
-APART = 0.2  # millimeters: closer places along a seam are the same place, found twice
+ON_LINE = 1e-6  # millimeters; a wire ends on a side if its end is this close to a point of the side
+APART = 0.2  # millimeters; closer places along a seam are the same place, found twice
 BACK = re.compile(r"\bback\b", re.IGNORECASE)
 
 
@@ -45,7 +45,7 @@ def marks(
                     for own in sides
                 ]
                 for which, (own, point) in enumerate(zip(sides, points, strict=True)):
-                    if point and all(points):  # a notch without its partner would be matched to another one
+                    if point and all(points):  # a notch without a partner would be matched to a wrong one
                         found[own.side.piece].append(replace(point, side=which))
     for piece in laid:
         own_rays = rays[piece.index]
@@ -61,7 +61,7 @@ def marks(
 def walks_of(
     laid: Sequence[Laid], names: Sequence[str], seams: Sequence[Sequence[SewnSide]], points: dict[int, list[Point]]
 ) -> list[SeamWalk]:
-    """Return the walk of each seam. points: from marks()."""
+    """Return the walk of each seam: its lengths, notches and allowances on all sides. points: from marks()."""
     return [
         SeamWalk(
             name,
@@ -96,7 +96,10 @@ def _legs(laid: Sequence[Laid]) -> set[int]:
 def _places(
     group: SeamGroup, seams: Sequence[Sequence[SewnSide]], wire_ends: Mapping[int, np.ndarray], spacing: float
 ) -> dict[int, list[float]]:
-    """Return for each seam the sewn lengths from its start to its notches. If all are rings, one is at the start."""
+    """Return, for each seam, the sewn lengths from its start to its notches.
+
+    If all sides are rings, one notch is at the start.
+    """
     sewn = {seam: SewnLengths.of(seams[seam]) for seam in group.turned if seams[seam]}
     if not sewn:  # pieces without a layout
         return {}
@@ -112,7 +115,8 @@ def _places(
     for place in sorted(ends):
         if APART < place < length - APART and (not taken or place > taken[-1] + APART):
             taken.append(place)
-    is_ring = all(_is_ring(seams[seam]) for seam in sewn)  # a notch at the start must fit all seams of the group
+    # a notch at the start must be right for all seams of the group
+    is_ring = all(_is_ring(seams[seam]) for seam in sewn)
     begin = [0.0] if spacing and is_ring else []
     between = symmetric_places if group.is_symmetric else places_along
     places = np.array(sorted([*begin, *taken, *between(length, taken, spacing)]))

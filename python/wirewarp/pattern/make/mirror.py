@@ -10,9 +10,10 @@ import numpy as np
 from ..geometry import distances_to
 from ..model import PatternPiece
 
-LEVEL = 1e-9  # rise of a unit vector: rounding must not decide which half of a piece with a level fold is drawn
-ALIKE = 0.1  # millimeters between a point and its image: less than the width of a printed line
-IN_PHASE = 1e-3  # share by which a match may be worse than the best match: a piece may have several axes
+# rise of a unit vector that counts as level, so that rounding does not decide which half is drawn if the fold is level
+LEVEL = 1e-9
+ALIKE = 0.1  # millimeters between a point and its image, less than the width of a printed line
+IN_PHASE = 1e-3  # share by which a match may be worse than the best one, because a piece may have several axes
 
 
 @dataclass(frozen=True)
@@ -66,10 +67,10 @@ def congruences(first: PatternPiece, second: PatternPiece, *, is_mirror: bool) -
     steps, turned = np.roll(outer, -1) - outer, np.roll(image, -1) - image
     if abs(np.abs(steps).sum() - np.abs(turned).sum()) > ALIKE:
         return
-    # The sum of steps times conjugate steps is largest if they are in phase, and its angle is then the turn.
+    # The sum of steps times conjugate steps has the largest magnitude if they are in phase; its angle is then the turn.
     match = np.fft.ifft(np.fft.fft(steps) * np.conj(np.fft.fft(turned)))
     best = np.flatnonzero(np.abs(match) >= (1 - IN_PHASE) * np.abs(match).max(initial=np.finfo(float).tiny))
-    sign = 1 if is_mirror else -1  # a reflection in an upright axis has the turn -1
+    sign = 1 if is_mirror else -1  # a reflection in a vertical axis has the turn -1
     for phase in sorted(best.tolist(), key=lambda phase: round(sign * float(match[phase].real / abs(match[phase])), 6)):
         turn = complex(match[phase] / abs(match[phase]))
         shift = complex((outer - turn * np.roll(image, phase)).mean())

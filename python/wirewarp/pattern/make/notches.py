@@ -15,17 +15,17 @@ from .seams import SewnSide, turn_between
 from .sections import Dart
 
 DEEPEST = 5.0  # millimeters
-SHARE = 0.5  # depth as a share of the allowance: notches never reach the stitching line
-ACROSS = 0.3  # depth as a share of the way across a piece without allowance: opposite notches do not meet
+SHARE = 0.5  # depth as a share of the allowance; notches never reach the stitching line
+ACROSS = 0.3  # depth as a share of the distance across a piece without allowance, so that opposite notches do not meet
 NEXT_TO = 2e-3  # millimeters from a line to a point beside it
 LEAST_SPACING = 1.0  # millimeters
 MOST = 10_000  # notches along one seam
-CLEAR = 0.2  # share of the spacing: no notch is closer to another notch or to the end of the seam
-LEAST_SEAM = 15.0  # millimeters: a shorter seam needs no notch in its middle
-LOPSIDED = 5.0  # millimeters by which a notch must be off if the seam is reversed
+CLEAR = 0.2  # share of the spacing; no notch is closer to another notch or to the end of the seam
+LEAST_SEAM = 15.0  # millimeters; a shorter seam needs no notch in its middle
+LOPSIDED = 5.0  # millimeters by which a notch must be displaced if the seam is reversed
 STARTS = (1.0, 0.8, 0.6, 0.4)  # distances to try from the start of a seam to its first notch, in units of the spacing
 DOUBLE = 6.0  # millimeters between the strokes of a double notch
-CORNER = math.radians(30)  # nobody finds a corner with a smaller turn on fabric
+CORNER = math.radians(30)  # radians; nobody finds a corner with a smaller turn on fabric
 CLIP_SHORT = 2.0  # millimeters between the end of a clip and the corner of the stitching line
 DRILL_BACK = 13.0  # millimeters before the tip of the dart, where the seam hides it (1/2 in)
 DRILL = 3.0  # millimeters: diameter
@@ -66,7 +66,10 @@ def places_along(length: float, taken: Sequence[float], spacing: float) -> list[
 
 
 def symmetric_places(length: float, taken: Sequence[float], spacing: float) -> list[float]:
-    """Return lengths like places_along() for a seam that a mirror reverses: like `taken`, the same from both ends."""
+    """Return lengths as places_along() does, for a seam that a mirror reverses.
+
+    They are the same from both ends, as `taken` must be.
+    """
     if spacing == 0 or length < LEAST_SEAM:
         return []
     steps = math.floor(length / 2 / spacing)
@@ -98,8 +101,8 @@ def notch(own: SewnSide, length: float, rays: Rays, width: float, pair: tuple[in
 def clips(loop: Sequence[Side], rays: Rays, stitching: Rays) -> list[Point]:
     """Return clips at inward corners of the stitching line: without them, the allowance cannot be turned.
 
-    rays: to the cut lines. stitching: to the stitching lines of the piece. A clip that would reach one of them has no
-    cut line before it, because the allowances on both sides of a narrow gap fill the gap.
+    rays: rays to the cut lines. stitching: rays to the stitching lines of the piece. A clip that would reach one of
+    them has no cut line before it, because the allowances on both sides of a narrow gap fill the gap.
     """
     found = []
     points = np.concatenate([side.points[:-1] for side in loop])
@@ -118,11 +121,11 @@ def clips(loop: Sequence[Side], rays: Rays, stitching: Rays) -> list[Point]:
 def drill_hole(dart: Dart) -> Point:
     """Return the hole on the middle line of a dart, before its tip."""
     back = dart.mouth.mean(axis=0) - dart.tip
-    if dart.first.points.shape[0] > 2:  # for curved legs, use their direction at the tip
+    if dart.first.points.shape[0] > 2:  # if the legs are curved, use their direction at the tip
         back = (dart.first.points[-2] + dart.second.points[1]) / 2 - dart.tip
     length = np.linalg.norm(back)
     depth = float(np.linalg.norm(dart.mouth.mean(axis=0) - dart.tip))
-    if length < 1e-9:  # for a closed slit, go along the slit
+    if length < 1e-9:  # if the slit is closed, go along it
         back, length = dart.first.points[-2] - dart.tip, np.linalg.norm(dart.first.points[-2] - dart.tip)
         depth = float(dart.first.along[-1])
     return Point("drill", dart.tip + back / length * min(DRILL_BACK, depth / 2), depth=DRILL)

@@ -64,7 +64,7 @@ def _wires(piece: "Piece", sides: np.ndarray) -> list[FlatWire]:
     return found
 
 
-# millimeters from the origin: any fabric is smaller, and Clipper's integers hold 1000 times as much
+# millimeters from the origin; any fabric is smaller, and Clipper's integers can be 1000 times as large
 FARTHEST = 1e8
 
 
@@ -76,7 +76,7 @@ class Side:
     sources: np.ndarray  # (k,) input vertices; a closed chain repeats its first
     points: np.ndarray  # (k,2)
     seam: int | None  # index into the result's seams; None if nothing is sewn to it
-    is_turned: bool  # runs against the direction of the input's triangles, because the piece is mirrored
+    is_turned: bool  # whether it runs against the direction of the input's triangles, because the piece is mirrored
 
     @property
     def is_closed(self) -> bool:
@@ -85,14 +85,14 @@ class Side:
 
     @property
     def along(self) -> np.ndarray:
-        """Return the length (k,) from the start to each point."""
+        """Return the length (k,) along the side from its start to each point."""
         return lengths_along(self.points)
 
 
 def outlines_of(index: int, piece: FlatPiece) -> list[list[Side]]:
     """Return the closed outlines of a piece, each as its chains in order; the outer one has positive area.
 
-    index: of the piece. Raises FlattenError for a chain that is not on the outline, and for points that are not
+    index: index of the piece. Raises FlattenError for a chain that is not on the outline, and for points that are not
     numbers.
     """
     points, ends = piece.vertices, _outline_edges(piece)
@@ -128,7 +128,7 @@ def _not_cut(name: str, edges: list[tuple[int, int]], is_seam: bool) -> FlattenE
 
 
 def _outline_edges(piece: FlatPiece) -> dict[tuple[int, int], tuple[int, int]]:
-    """Return the vertices of the piece at both ends of each outline edge, by those of the model."""
+    """Return the vertices of the piece at both ends of each outline edge, keyed by the vertices of the model."""
     sources = piece.source_vertex[piece.outline]
     return {(a, b): (c, d) for (a, b), (c, d) in zip(sources.tolist(), piece.outline.tolist(), strict=True)}
 

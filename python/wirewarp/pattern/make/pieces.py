@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the outlines of flat pieces to pieces of a pattern: cut lines, stitching lines, wires, marks and texts."""
+"""Makes pieces of a pattern from the outlines of flat pieces: cut lines, stitching lines, wires, marks and texts."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,9 +16,9 @@ from .seams import SewnSide, longer_texts
 from .sections import Outline, Rules, outline
 from .widths import Widths
 
-GRAIN = 0.7  # length of the grain arrow, as a share of the way across the piece
+GRAIN = 0.7  # length of the grain arrow as a share of the distance across the piece
 FOLD_NAME = "Place on the fold"
-STRAIGHT = 0.5  # millimeters: a fold with a smaller error is straight, because fabric stretches that much
+STRAIGHT = 0.5  # millimeters; a fold with a smaller error counts as straight, because fabric stretches that much
 
 
 @dataclass(frozen=True)
@@ -79,7 +79,7 @@ def _lay(index: int, piece: FlatPiece, loops: list[list[Side]], outlines: list[O
 
 
 def warnings_of(laid: Laid) -> list[str]:
-    """Return sentences on effects of the allowance that the maker should know."""
+    """Return sentences about effects of the allowance that the maker should know."""
     found = []
     holes = sum(1 for outline in laid.outlines if outline.sections) - 1
     if len(laid.cut.holes) < holes:
@@ -136,7 +136,7 @@ def _sewn(laid: Laid, describe: Callable[[Side], Mapping[str, str]]) -> list[Lin
 
 
 def grain_line(outlines: Sequence[np.ndarray], lines_inside: Sequence[np.ndarray], along: np.ndarray) -> Line:
-    """Return the grain line with most room inside closed outlines (k,2), beside lines (k,2).
+    """Return the grain line that has the most room inside closed outlines (k,2) and between lines (k,2).
 
     along (2,): unit vector.
     """

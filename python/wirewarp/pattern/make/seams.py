@@ -13,14 +13,14 @@ from ..geometry import lengths_along, right_normals
 from ..units import UnitSystem
 from .outline import Side
 
-LEAST = 0.5  # millimeters; smaller eases are ignored, and single precision is far more accurate
-GATHERED = 0.15  # share of the shorter side: with more ease, fabric gets pleats, so it is gathered
+LEAST = 0.5  # millimeters; smaller eases are ignored (errors of single precision are far smaller)
+GATHERED = 0.15  # share of the shorter side; with more ease, fabric would get pleats, so it is gathered
 
 
 def longer_text(length: float, shortest: float, length_text: Callable[[float], str]) -> str:
-    """Return "12 mm longer, ease between notches" for a side of this length; empty for the shortest sides.
+    """Return a text such as "12 mm longer, ease between notches" for a side; empty for the shortest sides.
 
-    length_text: writes a length. All lengths are in millimeters.
+    length_text: writes a length as text. All lengths are in millimeters.
     """
     more = length - shortest
     if more < LEAST:
@@ -34,9 +34,9 @@ def longer_texts(lengths: Sequence[float], units: UnitSystem) -> list[str]:
     return [longer_text(length, min(lengths), units.text) for length in lengths]
 
 
-STRAIGHT = math.radians(1)  # crossing lines are equally straight if they differ by less
+STRAIGHT = math.radians(1)  # radians; crossing lines are equally straight if their turns differ by less
 SAME_LENGTH = 0.01  # millimeters
-AT_VERTEX = 1e-6  # millimeters: a place this close to a point of the side is that point, up to rounding
+AT_VERTEX = 1e-6  # millimeters; a place this close to a point of the side is that point, except for rounding
 
 
 @dataclass(frozen=True)
@@ -65,20 +65,21 @@ class SewnSide:
         return lengths_along(self.points)
 
     def at(self, length: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return the point at this length from the start, and the unit vector out of the piece there."""
+        """Return the point at this length from the start, and the unit vector that points out of the piece there."""
         along, points = self.along, self.points
         row = min(int(np.searchsorted(along, length, side="right")) - 1, len(points) - 2)
         share = (length - along[row]) / (along[row + 1] - along[row])
         nearest = row + round(share)
         steps = points[row : row + 2]
         if abs(along[nearest] - length) < AT_VERTEX:
-            # halfway between the steps on both sides: symmetric places stay symmetric
+            # halfway between the steps on both sides, so that symmetric places stay symmetric
             if 0 < nearest < len(points) - 1:
                 steps = points[nearest - 1 : nearest + 2]
             elif self.side.is_closed:
                 steps = points[[-2, 0, 1]]
         normal = right_normals(steps).sum(axis=0)
-        normal /= max(float(np.linalg.norm(normal)), np.finfo(float).tiny)  # 0 if the outline turns back on itself
+        # the length is 0 if the outline turns back on itself
+        normal /= max(float(np.linalg.norm(normal)), np.finfo(float).tiny)
         return points[row] + share * (points[row + 1] - points[row]), normal if self.is_forward else -normal
 
 
@@ -106,7 +107,7 @@ class SewnLengths:
         return float(np.interp(place, self.along, side.along))
 
     def of_side(self, side: SewnSide, lengths: np.ndarray) -> np.ndarray:
-        """Return the places in the seam of lengths (p,) along this side."""
+        """Return the places in the seam for these lengths (p,) along this side."""
         return np.interp(lengths, side.along, self.along)
 
 
@@ -171,7 +172,7 @@ def _angle(first: np.ndarray, second: np.ndarray) -> float:
 
 
 def turn_between(first: Side, second: Side) -> float:
-    """Return the left turn of the outline from the first to the second side in radians; -pi at the tip of a slit."""
+    """Return the left turn of the outline from the first to the second side, radians; -pi at the tip of a slit."""
     (a,), (b,) = right_normals(first.points[-2:]), right_normals(second.points[:2])
     turn = math.atan2(a[0] * b[1] - a[1] * b[0], a @ b)
     return turn - 2 * math.pi if turn > math.pi - 1e-6 else turn
@@ -181,7 +182,7 @@ def sewn_first(loops: Sequence[Sequence[Side]]) -> set[tuple[int, int]]:
     """Return (vertex of the junction, seam) for each seam that is sewn before the seams that cross its end.
 
     Once a seam is sewn, a line that crosses it should continue straight. At each junction, the first seam is therefore
-    the one over which its two neighbors are nearest to a straight line, or the shorter one of equals. Other seams of
+    the one whose two neighbors form the straightest line across it, or the shorter one if two are equal. Other seams of
     the junction follow if they share no corner with a chosen one. Equal neighbors, as at the pole of a ball, are both
     left out, so that symmetric pieces stay symmetric. The answer is the same on both sides of a seam, so that its two
     allowances end alike.

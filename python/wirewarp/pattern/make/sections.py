@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cuts the outlines of a piece into sections of one width, closes darts, and finds a rule for each corner."""
+"""Divides the outlines of a piece into sections of one width, closes darts, and finds a rule for each corner."""
 
 import math
 from collections.abc import Sequence
@@ -17,9 +17,10 @@ from .seams import is_dart, sewn_first
 from .widths import Widths
 
 Darts = Literal["close", "cut", "slit"]
-WIDEST_DART = math.radians(50)  # a dart this wide is folded; a wider gap, such as in a cone, is cut out
-LEAST_GAP = 0.01  # millimeters: no cut line fits between the legs of a narrower dart, which is cut as one line
-HIGHEST_CAP = 1.0  # times the mouth of the dart: a cap that would extend farther is flat
+# radians; a dart of this angle is folded; a wider gap, such as that of a cone, is cut out
+WIDEST_DART = math.radians(50)
+LEAST_GAP = 0.01  # millimeters; no cut line fits between the legs of a narrower dart, which is cut as one line
+HIGHEST_CAP = 1.0  # multiple of the mouth of the dart; a cap that would extend farther is made flat
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ class Run:
 
 @dataclass(frozen=True)
 class Dart:
-    first: Side  # towards the tip
+    first: Side  # the leg that runs towards the tip
     second: Side
 
     @property
@@ -43,7 +44,7 @@ class Dart:
 
     @property
     def mouth(self) -> np.ndarray:
-        """Return the start of both legs on the outline (2,2)."""
+        """Return the points (2,2) of the outline at which both legs begin."""
         return np.array([self.first.points[0], self.second.points[-1]])
 
     @property
@@ -61,7 +62,7 @@ class Outline:
 
 
 class Rules:
-    """How allowances end at corners, and how darts are cut."""
+    """Rules for the ends of allowances at corners, and for cutting darts."""
 
     def __init__(self, loops: Sequence[Sequence[Side]], corner: str, darts: str) -> None:
         if corner not in ("auto", *CORNER_TYPES):
@@ -115,7 +116,8 @@ def outline(loop: Sequence[Side], widths: Widths, rules: Rules) -> Outline:
         following = loop[(number + 1) % count]
         if rules.darts == "close" and is_leg(side):
             dart = next((dart for dart in darts if dart.first is side), None)
-            if dart and np.linalg.norm(dart.mouth[1] - dart.mouth[0]) > LEAST_GAP:  # otherwise, the outline continues
+            # without a gap, the outline continues
+            if dart and np.linalg.norm(dart.mouth[1] - dart.mouth[0]) > LEAST_GAP:
                 before, after = by_side[number - 1][-1], by_side[(number + 2) % count][0]
                 sections.append(Section(_cap(dart, before, after), before.width or 0.0))
             continue
@@ -136,7 +138,9 @@ def _runs(side: Side, widths: np.ndarray, folds: np.ndarray) -> list[Run]:
 
 
 def _cap(dart: Dart, before: Run, after: Run) -> np.ndarray:
-    """Return the line (k,2) across the mouth of a dart. Folded, it continues the outlines on both sides.
+    """Return the line (k,2) across the mouth of a dart.
+
+    When the dart is folded, the line continues the outlines on both sides.
 
     It therefore consists of the two outlines, each reflected in its leg, up to the point where they meet.
     """

@@ -20,13 +20,17 @@ from .sections import WIDEST_DART
 
 RANKS: dict[StepKind, int] = {"dart": 0, "flat": 1, "ring": 2, "all around": 2, "closing": 3}
 Likeness = tuple[set[int], float]
-ROOM_FOR_GAP = 150.0  # millimeters: in a shorter seam, an opening of a hand's width, 75 mm, would be more than half
+# millimeters; in a shorter seam, an opening as wide as a hand (75 mm) would be more than half of the seam
+ROOM_FOR_GAP = 150.0
 
 
 def sewing_steps(
     laid: Sequence[Laid], seams: Sequence[Sequence[SewnSide]], names: Sequence[str]
 ) -> Steps[list[SewingStep]]:
-    """Return each seam once. names: of the seams. A body without an open edge has a gap through which it is turned."""
+    """Return each seam once, in the order of sewing. names: names of the seams.
+
+    In a body without an open edge, one seam has an opening through which it is turned.
+    """
     first = sewn_first([loop for piece in laid for loop in piece.loops])
     waiting = {number: [own.side for own in sides] for number, sides in enumerate(seams) if len(sides) > 1}
     ends = {number: {int(sides[0].sources[0]), int(sides[0].sources[-1])} for number, sides in waiting.items()}
@@ -78,7 +82,10 @@ def _fitness(side: Side) -> tuple[bool, float]:
 
 
 def _likeness(sides: Sequence[Side]) -> Likeness:
-    """Return the pieces and the length, by which a seam finds its counterpart on the other side, which is sewn next."""
+    """Return the pieces and the length of a seam.
+
+    By these, its counterpart on the other side is found, which is sewn next.
+    """
     return {side.piece for side in sides}, round(float(sides[0].along[-1]), 1)
 
 
@@ -115,7 +122,7 @@ class _Assemblies:
         return "flat" if any(between) else "closing"
 
     def sew(self, sides: Sequence[Side]) -> StepKind:
-        """Sew two sides. Further sides, as with a pocket, are on top of these."""
+        """Sew two sides. Further sides, such as those of a pocket, are on top of these."""
         kind, (first, second) = self.kind(sides), sides[:2]
         if self._of_side[id(first)] == self._of_side[id(second)]:
             left = self._between(first, second)
@@ -136,7 +143,7 @@ class _Assemblies:
         self._of_side.update(dict.fromkeys(loop, number))
 
     def _after(self, side: Side) -> list[int]:
-        """Return the other sides of its loop, from its end on."""
+        """Return the other sides of this side's loop, starting at its end."""
         loop = self._loops[self._of_side[id(side)]]
         at = loop.index(id(side))
         return loop[at + 1 :] + loop[:at]

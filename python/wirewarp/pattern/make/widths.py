@@ -10,7 +10,7 @@ from .outline import Side
 
 
 class Widths:
-    """Widths of the allowance: defaults for seams and outlines, of single edges, and of single sides of edges."""
+    """Widths of the allowance: defaults for seams and outlines, and those of single edges and single sides of edges."""
 
     def __init__(
         self,
@@ -29,7 +29,7 @@ class Widths:
         self._unused = set(self._both) | set(self._sides) | self._folds
 
     def of(self, side: Side) -> tuple[np.ndarray, np.ndarray]:
-        """Return the width (k-1,) outside of each step of the side, and whether it is a fold, which has width 0.
+        """Return the width (k-1,) of the allowance at each step of the side, and whether it is a fold (width 0).
 
         Raises FlattenError for a fold that is sewn.
         """
@@ -57,7 +57,7 @@ class Widths:
 
 
 def _pairs(name: str, values: npt.ArrayLike | None) -> list[tuple[int, int]]:
-    """Return the edges of a table. Raises FlattenError for bad tables."""
+    """Return the edges of a table. Raises FlattenError for invalid tables."""
     table = np.empty((0, 2)) if values is None else np.asarray(values)
     if table.size == 0 and table.ndim <= 2:
         table = table.reshape(-1, 2)
@@ -69,7 +69,7 @@ def _pairs(name: str, values: npt.ArrayLike | None) -> list[tuple[int, int]]:
 
 
 def _rows(name: str, values: npt.ArrayLike | None) -> dict[tuple[int, int], float]:
-    """Return the widths of a table by vertex pairs. Raises FlattenError for bad tables."""
+    """Return the widths of a table, keyed by vertex pairs. Raises FlattenError for invalid tables."""
     if values is None:
         return {}
     try:

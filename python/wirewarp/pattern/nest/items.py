@@ -13,8 +13,9 @@ from ..geometry import GRID, Motion, signed_area
 from ..model import PatternPiece
 
 Grain = Literal["one way", "both ways", "free"]
-NEAR = 0.2  # millimeters: largest outward error of simplified outlines, whose fewer points make searches faster
-ROUND = 0.01  # millimeters: error of an arc of straight lines
+# millimeters; largest outward error of simplified outlines, which have fewer points and make searches faster
+NEAR = 0.2
+ROUND = 0.01  # millimeters; error of an arc that consists of straight lines
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,8 @@ def room(gap: float) -> float:
 def room_at_edges(gap: float, grain: Grain) -> float:
     """Return the length by which pieces with their room may extend beyond the edges of the fabric, in millimeters.
 
-    This is the whole room if their widths are exact; a simplified outline in any direction may be narrower by NEAR.
+    This is the whole room if the widths are exact. The outline of a piece that may be turned freely is simplified, and
+    may be narrower by NEAR.
     """
     return room(gap) - (NEAR if grain == "free" else 0.0)
 
@@ -73,7 +75,10 @@ def _upright(piece: PatternPiece) -> float:
 
 
 def _outline(piece: PatternPiece, gap: float, upright: float) -> np.ndarray:
-    """Return the cut line with room around it, exact at its widest if upright. Touching parts are united."""
+    """Return the cut line with room around it. If it is upright, its greatest width is exact.
+
+    Parts that touch are united.
+    """
     offset = pyclipper.PyclipperOffset(arc_tolerance=ROUND / GRID)
     for line in piece.of_role("cut"):
         path = np.rint(line.points / GRID).astype(np.int64)

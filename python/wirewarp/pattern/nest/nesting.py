@@ -22,9 +22,9 @@ from .items import Grain, Item, items_of, room_at_edges
 from .slide_packing import Place, SlidePacking, TooLargeError
 from .spyrrow_nesting import SpyrrowError, is_installed, searched
 
-WIDEST = 100_000.0  # millimeters: a larger value was given in another unit
+WIDEST = 100_000.0  # millimeters; a larger value must have been given in another unit
 MOST_GAP = 100.0
-MOST_PIECES = 10_000  # number of pieces to cut in all
+MOST_PIECES = 10_000  # largest total number of pieces to cut
 LONGEST = 3600.0  # seconds
 
 Preview = Callable[[Marker], object]
@@ -40,7 +40,7 @@ class Cloth:
     grain: Grain
 
     def __post_init__(self) -> None:
-        """Convert all fields by float(). Raises FlattenError."""
+        """Convert all fields to valid values. Raises FlattenError."""
         for name, least, most in (("width", 1.0, WIDEST), ("length", 1.0, WIDEST), ("gap", 0.0, MOST_GAP)):
             given = getattr(self, name)
             if given is not None or name != "length":
@@ -52,7 +52,7 @@ class Cloth:
 def nesting(
     pieces: Sequence[PatternPiece], cloth: Cloth, times: int, seconds: float, units: UnitSystem, preview: Preview | None
 ) -> Steps[Marker]:
-    """Do the work of Pattern.nesting. pieces: opened if they are on the fold."""
+    """Do the work of Pattern.nesting. pieces: those on the fold are opened already."""
     count = sum(sum(piece.quantity) for piece in pieces)
     if type(times) is not int or not 1 <= times * count <= MOST_PIECES:
         raise problem(f"times is {times!r}: give a whole number from 1, for at most {MOST_PIECES} pieces in all.")
@@ -66,7 +66,8 @@ def nesting(
     search = _Search(pieces, cloth, times, units)
     best: Marker | None = None
     try:
-        with closing(search.markers(seconds)) as markers:  # so that no process continues to search after an error
+        # closed here, so that no process continues to search after an error
+        with closing(search.markers(seconds)) as markers:
             for marker in markers:
                 yield "nesting", share()
                 if marker and (best is None or _extent(marker) < _extent(best)):

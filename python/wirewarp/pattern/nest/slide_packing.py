@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Packs pieces without a library: each slides along the cloth until it touches those already placed.
 
-The cloth is divided into narrow rows along it. Each row stores how far it is used, and a piece knows its start and end
-in each row that it meets. Gaps behind pieces stay empty. Other orders are tried while there is time.
+The cloth is divided lengthwise into narrow rows. For each row, the length used so far is stored, and for each piece its
+start and end in the rows that it covers. Gaps behind pieces stay empty. Other orders are tried while there is time.
 """
 
 import math
@@ -13,7 +13,7 @@ import numpy as np
 
 from .items import Grain, Item, angles
 
-ROWS = 400  # number of rows: each is 4 mm wide on a cloth of 1.5 m
+ROWS = 400  # number of rows; each is 4 mm wide on a cloth of 1.5 m
 FREE_STEP = 30.0  # degrees between the trials if all turns are allowed
 
 
@@ -32,7 +32,7 @@ class _Profile:
     """An item in one of its turns."""
 
     angle: float
-    low: np.ndarray  # (r,) start in each row that it meets, from its lowest point
+    low: np.ndarray  # (r,) start in each row that the item covers, from its lowest point
     high: np.ndarray  # (r,)
     corner: np.ndarray  # (2,) lowest corner of its box
 
@@ -57,7 +57,7 @@ class SlidePacking:
         self._random = np.random.default_rng(0)
 
     def trials(self) -> Generator[list[Place] | None, None, None]:
-        """Yield packings without end, and None in between.
+        """Yield better and better packings without end, and None in between.
 
         Each packing has another order of the items. The order is kept if it needs no more fabric.
 
@@ -83,7 +83,7 @@ class SlidePacking:
             tried[first], tried[second] = tried[second], tried[first]
 
     def _packed(self, order: Sequence[int]) -> Generator[None, None, tuple[list[Place], tuple[int, float]]]:
-        """Return the packing with the number of sheets and the used length of the last one."""
+        """Return the packing, the number of sheets, and the used length of the last sheet."""
         fronts: list[np.ndarray] = []
         places = []
         for index in order:
@@ -101,7 +101,7 @@ class SlidePacking:
         return places, (len(fronts), float(fronts[-1].max()))
 
     def _best(self, index: int, front: np.ndarray) -> tuple[_Profile, int, float] | None:
-        """Return the turn, the first row and the place that end earliest and waste least."""
+        """Return the turn, the first row and the place with which the piece ends earliest and wastes least."""
         best, found = (math.inf, math.inf), None
         for profile in self._profiles[index]:
             taken = np.lib.stride_tricks.sliding_window_view(front, len(profile.low))
@@ -123,7 +123,7 @@ def _profile(item: Item, angle: float, row: float) -> _Profile:
     rows = max(math.ceil(points[:, 0].max() / row - 1e-9), 1)
     low, high = np.full(rows, math.inf), np.full(rows, -math.inf)
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
-        # Cut at the borders of rows, so that each part is in one row.
+        # The outline is cut at the borders of rows, so that each part is in one row.
         left, right = sorted((a[0], b[0]))
         borders = row * np.arange(math.floor(left / row) + 1, math.ceil(right / row))
         shares = np.sort((borders - a[0]) / (b[0] - a[0])) if len(borders) else np.empty(0)

@@ -34,7 +34,7 @@ def is_installed() -> bool:
 def searched(
     items: Sequence[Item], grain: Grain, width: float, seconds: float
 ) -> Generator[list[Place] | None, None, None]:
-    """Yield better and better places on a roll; None at intervals without new ones.
+    """Yield better and better places on a roll, and None at intervals if there are no new ones.
 
     The search ends when its time is over or the iterator is closed. Raises SpyrrowError.
     """
@@ -46,7 +46,7 @@ def searched(
         "seconds": max(math.ceil(seconds), 1),
         "items": [_described(item, grain) for item in items],
     }
-    # Files, because not every system can check a pipe for data without a thread.
+    # Uses files, because not every system can check a pipe for data without a thread.
     with TemporaryDirectory(prefix="wirewarp-") as folder:
         given, found, said = (Path(folder) / name for name in ("given", "found", "said"))
         given.write_text(json.dumps(task), encoding="utf-8")
@@ -54,7 +54,8 @@ def searched(
             try:
                 process = subprocess.Popen(
                     [sys.executable, "-I", str(PROGRAM), str(given)],
-                    stdin=subprocess.PIPE,  # never written to: the search reads its end when this process is killed
+                    # never written to; it closes when this process is killed, and the search then ends
+                    stdin=subprocess.PIPE,
                     stdout=writes,
                     stderr=complains,
                     creationflags=NO_WINDOW,
@@ -72,7 +73,7 @@ def searched(
 
 
 def _described(item: Item, grain: Grain) -> dict[str, object]:
-    """Return the task of spyrrow, whose strip has x along the cloth: everything is turned by -90 degrees there."""
+    """Return the task of spyrrow, whose strip has x along the cloth. Everything is turned by -90 degrees there."""
     allowed = None if grain == "free" else [angle % 360.0 for angle in angles(item, grain, math.inf)]
     return {"outline": item.turned(-90.0).tolist(), "count": item.count, "angles": allowed}
 
@@ -84,7 +85,7 @@ def _read(
     end, line, has_ended = time.monotonic() + seconds, b"", False
     with found.open("rb") as lines:
         while not has_ended and time.monotonic() < end:
-            has_ended = process.poll() is not None  # before the last check
+            has_ended = process.poll() is not None  # checked before the last reading
             for part in lines:
                 line += part  # the last line may be incomplete
                 if line.endswith(b"\n"):

@@ -29,7 +29,7 @@ def main() -> None:
         for number, each in enumerate(task["items"])
     ]
     instance = spyrrow.StripPackingInstance("", task["width"], items)
-    # A fixed seed for consistency, although the time limit makes each search different.
+    # The seed is fixed for consistency, although the time limit makes each search different.
     config = spyrrow.StripPackingConfig(total_computation_time=task["seconds"], seed=1)
     reports = spyrrow.ProgressQueue()
     failures: list[BaseException] = []
@@ -53,7 +53,10 @@ def main() -> None:
 
 
 def _end_with_caller(folder: Path) -> None:
-    """End with the caller: the standard input, to which nobody writes, ends with the process that started this one."""
+    """End this process when its caller ends.
+
+    Nobody writes to the standard input; it closes when the process that started this one ends.
+    """
     os.read(0, 1)  # sys.stdin would be locked when Python ends
     shutil.rmtree(folder, ignore_errors=True)  # Windows keeps files that this process has open
     os._exit(1)

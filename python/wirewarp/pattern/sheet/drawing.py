@@ -19,10 +19,10 @@ class Look(NamedTuple):
     dxf_layer: str  # layer of apparel DXF, by ASTM D6673
     dxf_color: int  # AutoCAD's color index in plain DXF
     pen: int  # number of the pen of plotters
-    label: str = ""  # in the key of lines; "" for lines without an entry
+    label: str = ""  # name in the key of lines; "" for lines without an entry
 
 
-# Colors differ enough for programs of cutters that replace each by the nearest of their own.
+# Colors differ enough even for cutters' programs that replace each color by the nearest one of their own.
 LOOKS = {
     "cut": Look("Cut", "#000000", 0.5, (), "1", 1, 1, "Cutting line"),
     "inner_cut": Look("Cut", "#000000", 0.5, (), "11", 1, 1),
@@ -63,7 +63,10 @@ class Stroke:
 
 
 def strokes_of(piece: PatternPiece) -> Iterator[Stroke]:
-    """Return everything of a piece but its texts. Cut lines are last, so that inner lines are cut before outlines."""
+    """Return everything of a piece except its texts.
+
+    Cut lines are last, so that inner lines are cut before outlines.
+    """
     for line in sorted(piece.lines, key=lambda line: (line.role == "cut", line.role == "inner_cut")):
         if line.role == "cut":
             break
@@ -98,7 +101,7 @@ def _cross(at: np.ndarray, size: float) -> list[np.ndarray]:
 
 
 def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.ndarray]]:
-    """Return each line of the text and the middle (2,) of its base line, with the text turned about its center."""
+    """Return each line of the text with the middle (2,) of its base line, after the text is turned about its center."""
     angle = math.radians(text.angle)
     up = np.array([-math.sin(angle), math.cos(angle)])
     for line, below in base_lines(text, line_height):
@@ -108,5 +111,6 @@ def letters_baselines(text: Text, line_height: float) -> Iterator[tuple[str, np.
 def base_lines(text: Text, line_height: float) -> Iterator[tuple[str, float]]:
     """Return each line of the text and the distance of its base line below the center, in millimeters."""
     for number, line in enumerate(text.lines):
-        below = line_height * (number - (len(text.lines) - 1) / 2) + 0.36  # capitals are 0.72 of the size high
+        # the height of capitals is 0.72 of the font size
+        below = line_height * (number - (len(text.lines) - 1) / 2) + 0.36
         yield line, below * text.height

@@ -16,7 +16,7 @@ from .drawing import LOOKS, Stroke, strokes_of
 from .papers import MARGIN, sheet_name
 from .tiles import Tile, Tiles
 
-SIZE = np.array([166.0, 158.0])  # millimeters that the squares and bars take; fits on A4 and Letter
+SIZE = np.array([166.0, 158.0])  # size of the squares and bars in millimeters; fits on A4 and Letter
 CORNER = 4.0
 NAME_TEXT, NEIGHBOR_TEXT = 5.0, 4.0  # millimeters: height of the name of a sheet, and of the names of its neighbors
 KEY = (18.0, 150.0)  # millimeters from the lower left corner of all squares and bars to the upper left one of the key
@@ -84,7 +84,7 @@ def _bar(origin: np.ndarray, length: float, along: np.ndarray) -> Iterator[Strok
 
 
 def grid_marks(pattern: PatternData, size: np.ndarray) -> Marks:
-    """Return lines over the whole page, of size (2,), for adjusting a projector."""
+    """Return lines over the whole page of this size (2,), for adjusting a projector."""
     step, (width, height) = GRID_STEP[pattern.units.name], size
     lines = [[[x, 0.0], [x, height]] for x in np.arange(step, width, step)]
     lines += [[[0.0, y], [width, y]] for y in np.arange(step, height, step)]
@@ -116,7 +116,7 @@ def sheet_marks(plan: Tiles, row: int, column: int) -> Marks:
 
 
 def _own_name(plan: Tiles, row: int, column: int) -> Text:
-    """Return the text "C3 of 11", in a corner of the sheet without a piece if there is one."""
+    """Return a text such as "C3 of 11", in a corner of the sheet that has no piece, if there is such a corner."""
     low = next(tile.low for tile in plan.tiles if (tile.row, tile.column) == (row, column))
     words = f"{sheet_name(row, column)} of {len(plan.tiles)}"
     inset = np.array([text_width(words, NAME_TEXT) / 2 + 2.0, 7.0])
@@ -129,7 +129,10 @@ def _own_name(plan: Tiles, row: int, column: int) -> Text:
 
 
 def part_marks(corner: np.ndarray, size: np.ndarray, page: int, is_first: bool, is_last: bool) -> Marks:
-    """Return the edges of a part of a marker, of size (2,), and the pages above and below. page: its number."""
+    """Return the edges of a page's part of a marker, of this size (2,), and the pages above and below.
+
+    page: its number.
+    """
     texts = [
         Text((f"{what} page {other}",), corner + (size[0] / 2, y), 4.0)
         for is_joined, what, other, y in (

@@ -22,7 +22,7 @@ PROJECTOR = "projector"
 PAPERS = {
     "a4": Paper("A4", 210.0, 297.0),
     "letter": Paper("Letter", 8.5 * INCH, 11 * INCH),
-    "a4-letter": Paper("A4 or Letter", 210.0, 11 * INCH),  # fits on both
+    "a4-letter": Paper("A4 or Letter", 210.0, 11 * INCH),  # fits on both papers
     "a3": Paper("A3", 297.0, 420.0),
     "tabloid": Paper("Tabloid", 11 * INCH, 17 * INCH),
     "a0": Paper("A0", 841.0, 1189.0),
@@ -31,7 +31,7 @@ PAPERS = {
     PROJECTOR: Paper("Projector"),
 }
 SHEETS = {name: (paper.width, paper.height) for name, paper in PAPERS.items() if paper.width and paper.height}
-LONGEST = 5000.0  # millimeters: PDF viewers support pages up to 5.08 m
+LONGEST = 5000.0  # millimeters; PDF viewers support pages up to 5.08 m
 MARGIN = 10.0  # few printers print nearer to the edge of a sheet
 
 
@@ -41,7 +41,7 @@ class Page:
 
     name: str  # "A1" for sheets to tape together, otherwise its number
     low: np.ndarray  # (2,) lower left corner
-    size: np.ndarray  # (2,) width and height; for sheets without their margins
+    size: np.ndarray  # (2,) width and height; of sheets, without the margins
 
 
 def sheet_name(row: int, column: int) -> str:

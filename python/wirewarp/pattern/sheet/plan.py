@@ -18,7 +18,7 @@ from .furniture import GRID_LAYER, SHEET_LAYER, SIZE, Marks, grid_marks, map_mar
 from .papers import LONGEST, MARGIN, PROJECTOR, SHEETS, Page, roll_width
 from .tiles import divided
 
-PROJECTED = 0.5  # millimeters: a projector shows thinner lines as dots
+PROJECTED = 0.5  # millimeters; a projector shows thinner lines as dots
 BORDER = 5.0  # millimeters around a piece's box, for notches and letters that extend beyond it
 AT_MARGIN = np.array([MARGIN, MARGIN])
 P = TypeVar("P", bound=PatternData)
@@ -150,7 +150,10 @@ def page_width(marker: Marker, roll: float | None, units: UnitSystem) -> float:
 
 
 def _marker(pattern: P, marker: Marker, width: float) -> Plan[P]:
-    """Plan the fabric with its edges, on pages as wide as the roll of paper; several pages overlap."""
+    """Plan the fabric with its edges, on pages as wide as the roll of paper.
+
+    If there are several pages, they overlap.
+    """
     page_width(marker, width, pattern.units)
     length = marker.length if marker.sheet_length is None else marker.sheet_length
     most = LONGEST - 2 * MARGIN - SIZE[1]

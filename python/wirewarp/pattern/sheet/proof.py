@@ -14,11 +14,11 @@ from ..pattern_data import PatternData, SeamWalk, SewingStep
 from ..units import UnitSystem
 from .papers import MARGIN
 
-HEIGHT, LINE = 3.2, 5.0  # millimeters: of letters and between the base lines of rows
+HEIGHT, LINE = 3.2, 5.0  # millimeters: height of letters, and distance between the base lines of rows
 COLUMNS = (0.0, 0.32, 0.55, 0.77, 0.89)  # starts of the columns, as shares of the width
-SHOWN = 0.0005  # millimeters: a smaller difference reads 0.000 mm
+SHOWN = 0.0005  # millimeters; a smaller difference is printed as 0.000 mm
 CLOTHS = (900.0, 1400.0, 1500.0)  # millimeters: usual widths
-AT_ONCE = 6  # places of notches in a row
+AT_ONCE = 6  # number of places of notches in a row
 SHORTENED = "..."
 Row = Sequence[str]
 
@@ -109,7 +109,7 @@ def _notch_rows(walk: SeamWalk, units: UnitSystem) -> list[Row]:
 
 
 def _in_lines(begin: str, places: Sequence[str]) -> list[Row]:
-    """Return rows of the places, AT_ONCE in each, the first with the beginning."""
+    """Return rows of the places, AT_ONCE in each. The first row begins with this text."""
     lines = [", ".join(places[start : start + AT_ONCE]) for start in range(0, len(places), AT_ONCE)]
     return [("", (begin if number == 0 else "") + line) for number, line in enumerate(lines)]
 

@@ -14,8 +14,9 @@ import numpy as np
 from ..geometry import are_inside, sampled
 from ..pattern_data import OVERLAP
 
-MOST_WORK = 3_000_000  # cells times pieces and turns, over all arrangements on one kind of sheet: takes half a second
-CELL = OVERLAP  # millimeters, about: the overlap of two sheets is one cell
+# most cells times pieces and turns, over all arrangements on one kind of sheet; takes half a second
+MOST_WORK = 3_000_000
+CELL = OVERLAP  # millimeters, approximately; the overlap of two sheets is one cell
 
 
 @dataclass(frozen=True)
@@ -42,8 +43,8 @@ def placed_on_sheets(
 ) -> Placed | None:
     """Return the best arrangement on one of these numbers of columns; None if each needs at least `fewest` sheets.
 
-    outlines: of each piece in each of its turns, with the lower left corner at 0, 0. step (2,): from a sheet to the
-    next one. inset: millimeters from the edge of the printed area to the nearest piece, and half of the distance
+    outlines: those of each piece in each of its turns, with the lower left corner at 0, 0. step (2,): from a sheet to
+    the next one. inset: millimeters from the edge of the printed area to the nearest piece, and half of the distance
     between pieces.
     """
     per_sheet = np.maximum(np.rint(step / CELL), 2).astype(int)
@@ -87,7 +88,7 @@ def _placed(
     corners, turns = [], []
     for turned in shapes:
         tallest = max(shape.cells.shape[1] for shape in turned)
-        more = -(-tallest // per_sheet[1]) + 1  # rows of sheets for this piece above all others
+        more = -(-tallest // per_sheet[1]) + 1  # adds rows of sheets, so that this piece has room above all others
         taken = np.pad(taken, ((0, 0), (0, more * per_sheet[1])))
         used = np.pad(used, ((0, 0), (0, more)))
         tried = [
@@ -121,14 +122,14 @@ def _best_cell(taken: np.ndarray, used: np.ndarray, shape: Shape, per_sheet: np.
 
 
 def _mark(whole: np.ndarray, part: np.ndarray, at: np.ndarray) -> None:
-    """Mark the part in the whole, beginning at `at` (2,)."""
+    """Mark the cells of the part in the whole, beginning at `at` (2,)."""
     target = whole[at[0] : at[0] + part.shape[0], at[1] : at[1] + part.shape[1]]
     target |= part[: target.shape[0], : target.shape[1]]
 
 
 def _collides(taken: np.ndarray, cells: np.ndarray) -> np.ndarray:
     """Return for each start cell whether the piece would overlap others."""
-    shape = [_quick(size) for size in taken.shape]  # a piece beyond the far edges does not fit anyway
+    shape = [_quick(size) for size in taken.shape]  # beyond the far edges, a piece would not fit in any case
     product = np.fft.rfft2(taken, shape) * np.conj(np.fft.rfft2(cells, shape))
     counts = np.fft.irfft2(product, shape)
     fits = [size - own + 1 for size, own in zip(taken.shape, cells.shape, strict=True)]
@@ -137,7 +138,7 @@ def _collides(taken: np.ndarray, cells: np.ndarray) -> np.ndarray:
 
 
 def _quick(size: int) -> int:
-    """Return the next size with only the prime factors 2, 3 and 5, because others take longer to transform."""
+    """Return the next size with only the prime factors 2, 3 and 5, because other sizes take longer to transform."""
     while True:
         rest = size
         for prime in (2, 3, 5):

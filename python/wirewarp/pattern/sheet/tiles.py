@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Divides a pattern into sheets: every piece on one sheet, or over the edges of sheets that are taped together."""
+"""Divides a pattern into sheets.
+
+Every piece is on one sheet, or extends over the edges of sheets that are taped together.
+"""
 
 import math
 from collections.abc import Sequence
@@ -19,9 +22,9 @@ from .sheet_packing import placed_on_sheets
 
 INSET = 5.0  # millimeters around the pattern, so that no cut line is on the edge of the printed area
 MOST_SHEETS = 2000
-MOST_PACKED = 60  # number of sheets above which no better arrangement is searched for: it would take seconds
+MOST_PACKED = 60  # number of sheets above which no better arrangement is searched for, because that would take seconds
 MOST_WIDTHS = 8  # number of different column counts to try, for the same reason
-TURNS = (0.0, 90.0, 180.0, 270.0)  # degrees: on paper a piece may be turned freely, but looks better square
+TURNS = (0.0, 90.0, 180.0, 270.0)  # degrees; on paper a piece could be turned freely, but looks better at right angles
 P = TypeVar("P", bound=PatternData)
 
 
@@ -128,7 +131,7 @@ def _taped(pattern: P, paper: str) -> Tiles[P]:
             count = int(np.prod(_counts(taken, step)))
             if in_row is None or count < in_row[0]:
                 in_row = (count, width, sheet)
-            if count > MOST_SHEETS:  # so many columns would take too long
+            if count > MOST_SHEETS:  # more columns would take too long
                 break
     assert in_row is not None
     count, width, sheet = in_row
@@ -155,7 +158,10 @@ def _cut_lines(piece: PatternPiece) -> list[np.ndarray]:
 
 
 def _counts(size: np.ndarray, step: np.ndarray) -> np.ndarray:
-    """Return the columns and rows (2,) of sheets for this size, each sheet a step after the one before."""
+    """Return the numbers of columns and rows (2,) of sheets for this size.
+
+    Each sheet begins a step after the one before.
+    """
     counts: np.ndarray = np.maximum(np.ceil((size + 2 * INSET - OVERLAP) / step - 1e-9), 1).astype(int)
     return counts
 
