@@ -25,11 +25,13 @@ from tools.package import BUILD_APT, LEGACY_PYTHON, extension_zip, package, pack
 from tools.zips import EXTENSION_MODULE, LEGACY_MODULE
 
 PYTEST = "pytest==9.2.0"
-BLENDER_APT = ("blender", "libegl1", "python3-numpy", "python3-pytest")  # EGL draws without a window
+BLENDER_APT = ("blender", "libegl1", "python3-numpy", "python3-pytest")  # EGL is needed for drawing without a window
 BPY_APT = ("libgl1", "libice6", "libsm6", "libxfixes3", "libxi6", "libxkbcommon0", "libxrender1")
 NUMPY = {"3.11": "numpy==1.26.4", "3.13": "numpy==2.5.5"}  # both ABIs: Blender up to 5.0, and from 5.1 on
-DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")  # check_system() refuses other systems
-ADDON_MODULE = LEGACY_MODULE if DEBIAN_VERSION == LEGACY_PYTHON else EXTENSION_MODULE  # in Debian's Blender
+# "" on other systems, which check_system() refuses
+DEBIAN_BLENDER = {"3.11": "3.4", "3.13": "4.3"}.get(DEBIAN_VERSION, "")
+# name of the add-on in Debian's Blender
+ADDON_MODULE = LEGACY_MODULE if DEBIAN_VERSION == LEGACY_PYTHON else EXTENSION_MODULE
 BPY = {"bpy==4.2.23": "3.11", "bpy==4.5.15": "3.11", "bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 EXTENSION_PROGRAM = "addons_core/bl_pkg/cli/blender_ext.py"  # the program behind `blender --command extension`
 
@@ -100,7 +102,7 @@ def bpy_python(requirement: str) -> Path:
 
 
 def blender_script(python: Path, name: str) -> Path:
-    """Return one of the scripts that come with the bpy of this Python."""
+    """Return the path of one of the scripts that come with this Python's bpy."""
     (script,) = python.parent.parent.glob(f"lib/*/site-packages/bpy/*/scripts/{name}")
     return script
 

@@ -20,10 +20,10 @@ def run_tours(
 
     tests/window/drive.py describes these functions.
 
-    environment: for Blender; WIREWARP_ZIP names the zip to install, BLENDER_USER_SCRIPTS and _CONFIG empty folders,
-    WIREWARP_PICTURES the folder for pictures, WIREWARP_VIEWPORT_AA how Blender smooths the view (by default "8", the
-    samples of each pixel). display: number of the first virtual screen to try; tours that start at the same time need
-    different ones. Tours that take longer than `seconds` are stopped, with exit code -9.
+    environment: variables for Blender. WIREWARP_ZIP names the zip to install, BLENDER_USER_SCRIPTS and _CONFIG name
+    empty folders, WIREWARP_PICTURES names the folder for pictures, and WIREWARP_VIEWPORT_AA says how Blender smooths
+    the view (by default "8", the samples of each pixel). display: number of the first virtual screen to try; tours that
+    start at the same time need different ones. Tours that take longer than `seconds` are stopped, with exit code -9.
     """
     blender = ["/usr/bin/blender", "--factory-startup", "--no-window-focus"]
     blender += ["--window-geometry", "0", "0", "1600", "900", "--enable-event-simulate"]

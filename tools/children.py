@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Ends everything that `dev` has started: each process is asked to end, and killed if it does not.
 
-Linux only. It also finds a child that leaves our process group, such as Blender on its virtual screen.
+Linux only. It also finds children that have left our process group, such as Blender on its virtual screen.
 """
 
 import ctypes
@@ -51,14 +51,14 @@ def _processes_below(ancestor: int) -> list[int]:
         try:
             state, parent = (folder / "stat").read_text().rpartition(")")[2].split()[:2]
         except (FileNotFoundError, ProcessLookupError):
-            continue  # has ended meanwhile
+            continue  # the process has ended in the meantime
         process = int(folder.name)
         if state != "Z":
             children.setdefault(int(parent), []).append(process)
         elif int(parent) == ancestor:
             os.waitpid(process, os.WNOHANG)
     found = children.get(ancestor, [])
-    for process in found:  # the loop adds the children of each
+    for process in found:  # the loop appends the children of each process
         found += children.get(process, [])
     return found
 
@@ -67,4 +67,4 @@ def _send(process: int, number: signal.Signals) -> None:
     try:
         os.kill(process, number)
     except ProcessLookupError:
-        return  # has ended meanwhile
+        return  # the process has ended in the meantime

@@ -12,7 +12,7 @@ GCOVR = "gcovr==8.8"
 
 
 def begin() -> None:
-    """Delete earlier counts. Counts of moved sources would stop gcovr."""
+    """Delete earlier counts. gcovr would fail on counts of sources that were moved."""
     for counts in OBJECTS.rglob("*.gcda"):
         counts.unlink()
     run(["ninja", "-C", TREE, "-t", "cleandead"])
@@ -30,8 +30,8 @@ def show() -> None:
     gcovr = venv("coverage", DEBIAN_PYTHON, GCOVR).parent / "gcovr"
     report = TREE / "coverage.json"
     sources: list[str | Path] = ["--root", ROOT, "--filter", "native/src/", "--exclude", r".*\.h$"]
-    # Three things would stop gcovr: a function that starts on several lines, a count damaged by threads, and high
-    # counts.
+    # gcovr would otherwise fail on three things: a function that starts on several lines, a count damaged by threads,
+    # and high counts.
     tolerant = ["--merge-mode-functions=separate", "--gcov-ignore-parse-errors=all"]
     run([gcovr, *sources, *tolerant, "--json", report, "--print-summary", OBJECTS])
     untested = []

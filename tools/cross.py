@@ -42,7 +42,7 @@ class System:
     target: str  # zig's name of the system
     oldest: str  # oldest version of glibc or macOS that must work; empty for Windows
     wheel_tag: str
-    suffix: str  # suffix of a module; {} is the Python, such as 311
+    suffix: str  # suffix of a module; {} stands in for the Python, such as 311
 
 
 def linux(processor: str, platform: str) -> System:
@@ -71,7 +71,7 @@ NOT_RUN = ("macos-arm64", "macos-x64")  # systems that no test here runs
 def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, made: Path) -> None:
     """Write `made`, the wheel for a system.
 
-    interpreter: the Python of this version with the tools that built `wheel`, the wheel of this system.
+    wheel: the wheel of this system; interpreter: the Python of this version, with the tools that built it.
     """
     module = build_module(system, version, interpreter)
     check_needs(system, module)
@@ -81,7 +81,7 @@ def build_wheel(system: System, version: str, interpreter: Path, wheel: Path, ma
         (folder,) = parent.iterdir()
         for built_here in folder.glob("wirewarp/_wirewarp.*.so"):
             built_here.unlink()
-        # Lists of the bundled libraries for Linux.
+        # These lists name the libraries that are bundled for Linux.
         shutil.rmtree(next(folder.glob("*.dist-info")) / "sboms", ignore_errors=True)
         shutil.copy(module, folder / "wirewarp")
         run_wheel("pack", "--dest-dir", parent, folder)
@@ -104,10 +104,10 @@ def build_module(system: System, version: str, interpreter: Path) -> Path:
     definitions: dict[str, str | Path] = {
         "WIREWARP_PYTHON": "ON",
         "PYTHON_MODULE_EXTENSION": suffix,
-        "CMAKE_STRIP": "",  # the strip of this system cannot read the files, so the linker strips them
+        "CMAKE_STRIP": "",  # the program strip of this system cannot read the files, so the linker strips them
         "CMAKE_MODULE_LINKER_FLAGS": "-s",
         "Python_EXECUTABLE": interpreter,
-        # CMake keeps it, because pybind11 forgets the suffix of the module if it changes.
+        # CMake keeps this value, because pybind11 forgets the suffix of the module if the value changes.
         "PYBIND11_PYTHON_EXECUTABLE_LAST": interpreter,
         "pybind11_DIR": output_of([interpreter, "-m", "pybind11", "--cmakedir"]).strip(),
         **python_to_build_with(system, version, interpreter),
@@ -149,7 +149,7 @@ def python_to_build_with(system: System, version: str, interpreter: Path) -> dic
     folder = BUILD / "cross" / "python" / f"unix-{version}"
     shutil.copytree(headers, folder, dirs_exist_ok=True)
     of_this_processor = Path("/usr/include") / multiarch / f"python{version}" / "pyconfig.h"
-    if of_this_processor.is_file():  # Debian's other file chooses by processor
+    if of_this_processor.is_file():  # the other file of Debian only selects one by processor
         shutil.copy(of_this_processor, folder)
     return {"Python_INCLUDE_DIR": folder}
 

@@ -17,11 +17,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build"
-DEBIAN_PYTHON = Path("/usr/bin/python3").resolve()  # such as "/usr/bin/python3.11"; Debian's Blender runs on it
+DEBIAN_PYTHON = Path("/usr/bin/python3").resolve()  # such as "/usr/bin/python3.11"; Debian's Blender uses it
 DEBIAN_VERSION = DEBIAN_PYTHON.name.removeprefix("python")
 CORES = len(os.sched_getaffinity(0))
 FAST_TO_COMPILE = "-O1 -DNDEBUG"  # for builds that only show that sources and scripts are complete
-TIME_STAMP = "315532800"  # time of files in archives: 1980, the first that a zip can store
+TIME_STAMP = "315532800"  # time of files in archives: 1980, the earliest that a zip can store
 SYSTEM_PATH = "/usr/local/sbin:/usr/sbin:/sbin:/usr/bin:/bin"  # dpkg needs the sbin folders
 CALLERS_PATH = os.environ.get("PATH", "")
 
@@ -48,7 +48,7 @@ def clean_environment(**more: str) -> dict[str, str]:
         "PIP_ROOT_USER_ACTION": "ignore",
         "PYTHONNOUSERSITE": "1",
         "PYTHONDONTWRITEBYTECODE": "1",
-        "CXX": "/usr/bin/g++",  # one name in all builds, so that they share ccache's objects
+        "CXX": "/usr/bin/g++",  # the same name in all builds, so that they share ccache's objects
         "CCACHE_DIR": str(BUILD / "ccache"),
         "CCACHE_BASEDIR": str(BUILD),  # builds in build/NAME share objects of files that CMake writes there
         # otherwise, ccache stores nothing that uses precompiled headers
@@ -100,7 +100,7 @@ def output_of(command: Sequence[str | Path], **more: str) -> str:
     words = [str(c) for c in command]
     done = subprocess.run(words, cwd=ROOT, env=clean_environment(**more), capture_output=True, text=True)
     if done.returncode:
-        print(done.stdout[-2000:] + done.stderr[-2000:], flush=True)  # the end, because gcov prints megabytes
+        print(done.stdout[-2000:] + done.stderr[-2000:], flush=True)  # only the end, because gcov prints megabytes
         raise StepError(failure(command, done.returncode))
     return done.stdout
 
@@ -179,7 +179,7 @@ def require_python(version: str) -> Path:
 
 
 def is_python(candidate: Path, version: str) -> bool:
-    """Run the program to check it: a pyenv shim may be empty, and headers may be missing."""
+    """The program is run as a check, because a pyenv shim may be empty, and headers may be missing."""
     question = (
         "import pathlib, sys, sysconfig; print('%d.%d' % sys.version_info[:2], sys.implementation.name,"
         " pathlib.Path(sysconfig.get_path('include'), 'Python.h').exists())"
@@ -190,7 +190,7 @@ def is_python(candidate: Path, version: str) -> bool:
 
 def venv(name: str, python: Path, *requirements: str) -> Path:
     """Return the Python of the venv build/venvs/NAME with these packages, recreated if they change."""
-    folder = (BUILD / "venvs" / name).resolve()  # worktrees may share them through a link
+    folder = (BUILD / "venvs" / name).resolve()  # worktrees may share the folder through a link
     interpreter = folder / "bin" / "python"
     key = fingerprint([], str(python), str(folder), *requirements)
     if not (interpreter.exists() and is_current(f"venv-{name}", key)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Style and static checks of all sources."""
+"""Checks the style of all sources, and runs static checks."""
 
 from collections.abc import Sequence
 from pathlib import Path

@@ -2,7 +2,8 @@
 """Checks that a module for another system is built for it, and needs nothing that the system lacks.
 
 This system cannot load such modules, and linkers do not find all errors: on macOS, every undefined name may be
-Python's. So the file is read again. Run it with a Python that has the package lief; it prints one line per fault:
+Python's. The file is therefore read again. Run it with a Python that has the package lief; it prints one line per
+fault:
 
     python -m tools.module_needs PLATFORM MODULE VERSION LIBSYSTEM
 """
@@ -25,16 +26,16 @@ MACHINES = {
     "macos-x64": "X86_64",
 }
 GLIBC = r"lib(c|m|pthread|dl)\.so\.\d+|ld-linux-.*"
-WINDOWS = r"KERNEL32\.dll|api-ms-win-crt-.*\.dll"  # the C runtime is part of Windows since 10
+WINDOWS = r"KERNEL32\.dll|api-ms-win-crt-.*\.dll"  # the C runtime is part of Windows since version 10
 MACOS = r"/usr/lib/libSystem\.B\.dylib"
 
 
 def faults(platform: str, module: Path, oldest: tuple[int, ...], system: Path) -> list[str]:
     """Return one sentence per fault. oldest: required version of glibc or macOS; Windows files have none.
 
-    system: names in macOS' libSystem, from compilers for it (.tbd).
+    system: names in macOS' libSystem, from the files .tbd of its compilers.
     """
-    import lief  # only installed for this program's Python
+    import lief  # imported here, because only this program's Python has it
 
     lief.logging.disable()
     binary = lief.parse(str(module))

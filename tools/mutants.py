@@ -18,12 +18,13 @@ from tools.bindings import bindings_python
 from tools.environment import BUILD, CORES, DEBIAN_VERSION, ROOT, StepError, clean_environment, say
 from tools.native import build_native
 
-SAMPLE = 60  # number of mutants, which gives the share within about 5%
-SECONDS = 900.0  # limit of the tests for a mutant; if they hang, it counts as caught
+SAMPLE = 60  # number of mutants, enough to know the share within about 5%
+SECONDS = 900.0  # seconds for the tests of a mutant; if they take longer, it counts as caught
 SWAPPED = {"<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "+": "-", "-": "+"}
 CPP_SWAPPED = SWAPPED | {"&&": "||", "||": "&&"}
 PYTHON_SWAPPED = SWAPPED | {"and": "or", "or": "and"}
-# Comments, texts and includes, then operators. The formatter puts spaces around operators, but not in templates.
+# Matches comments, texts and includes, which are left out, then operators. The formatter puts spaces around operators,
+# but not in templates.
 CPP_TOKEN = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"|^#[^\n]*|(?<= )(?:[<>=!]=|[<>+-]|&&|\|\|)(?= )', re.MULTILINE)
 PACKAGE = ROOT / "python" / "wirewarp"
 COPY = BUILD / "mutants"  # copy of the package with the compiled module
@@ -47,8 +48,8 @@ class Mutant:
         return text[: self.start] + self.other + text[self.start + len(self.operator) :]
 
 
-# Returns whether tests fail on a mutant, or on the original source if called with None. Returns None if the source does
-# not compile.
+# A function that returns whether tests fail on a mutant, or on the original source if called with None. Returns None if
+# the source does not compile.
 Judge = Callable[[Mutant | None], bool | None]
 
 
@@ -95,7 +96,7 @@ def _mutants_of(source: Path) -> Iterator[Mutant]:
 
 
 def _in_python(tests: list[str]) -> Judge:
-    """Run the tests on a copy of the package."""
+    """Return a function that runs the tests on a copy of the package."""
     python = bindings_python(DEBIAN_VERSION)
     (compiled,) = python.parent.parent.glob("lib/*/site-packages/wirewarp/_wirewarp*.so")
     shutil.rmtree(COPY, ignore_errors=True)
@@ -118,7 +119,7 @@ def _in_python(tests: list[str]) -> Judge:
 
 
 def _in_cpp(tests: list[str]) -> Judge:
-    """Change the source itself and restore it afterward."""
+    """Return a function that changes the source itself, and restores it afterward."""
     program = BUILD / "release" / "wirewarp_tests"
     command: list[str | Path] = [program, f"--gtest_filter={':'.join(tests)}", "--gtest_fail_fast", "--gtest_brief=1"]
 

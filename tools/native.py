@@ -18,7 +18,7 @@ from tools.package import BUILD_APT
 CORE_APT = (*BUILD_APT, "libopenmesh-dev")
 NATIVE_APT = (*CORE_APT, "libgtest-dev", "libnlopt-dev")
 FUZZ_APT = (*CORE_APT, "clang", "libclang-rt-14-dev")
-ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # libFuzzer for Python
+ATHERIS = ("atheris==3.0.0", "numpy==1.26.4")  # atheris is libFuzzer for Python
 FEW_CASES, MANY_CASES = 1_000, 10_000
 TEST_SECONDS = 1500  # a part takes half a minute of one core under the sanitizers; the last test in the output hangs
 # The address sanitizer keeps this many callers of each allocation. Its usual 30 take up to a tenth of the time.
@@ -35,7 +35,7 @@ def build_native(preset: str, *targets: str, **definitions: str) -> None:
 
 
 def run_native_tests(preset: str) -> None:
-    """Run the tests; show the output of the parts that fail, and the seconds of each part."""
+    """Run the tests in parts. Show the output of parts that fail, and the seconds of each part."""
     run(["ctest", "--preset", preset, "-j", str(CORES), "--timeout", str(TEST_SECONDS)], **FEW_CALLERS)
 
 
@@ -59,7 +59,7 @@ def random_cases(count: int = FEW_CASES) -> None:
     """Run this many random cases under the sanitizers."""
     require_apt(*NATIVE_APT)
     build_native("asan", "wirewarp_random_cases")
-    core_coverage.begin()  # delete counts of an older build
+    core_coverage.begin()  # deletes the counts of an earlier build
     run([BUILD / "asan" / "wirewarp_random_cases", "0", str(count)], **FEW_CALLERS)
 
 

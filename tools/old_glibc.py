@@ -22,8 +22,9 @@ from tools.zig import ZIG, cache_variables, zig
 OPENMESH = "openmesh==1.2.1"  # contains the C++ source of OpenMesh 9.1
 GLIBC = "2.28"  # version of the systems that blender.org builds for
 POLICY = f"manylinux_{GLIBC.replace('.', '_')}_x86_64"
-# libstdc++ would need a newer glibc for these. The variable's value 0, "there may be several threads", is always safe.
-# Debian 13's headers replace strtol and similar functions by these, which also accept binary numbers.
+# Defines names for which libstdc++ or its headers would otherwise need a newer glibc. The value 0 of the variable,
+# "there may be several threads", is always safe. Debian 13's headers replace strtol and similar functions by these
+# functions, which also accept binary numbers.
 NEWER_GLIBC = """
 #define OURS extern "C" __attribute__((visibility("hidden")))
 OURS char __libc_single_threaded;
@@ -71,7 +72,7 @@ def cmake_definitions() -> dict[str, str]:
 
 
 def write_stubs(folder: Path) -> None:
-    """Write libc.so and the like of the old glibc: zig writes them to its cache when it links anything."""
+    """Write the libraries of the old glibc, such as libc.so. zig writes them to its cache when it links anything."""
     cache = folder / "zig"
     (folder / "empty.c").write_text("")
     link = ("cc", "-target", f"x86_64-linux-gnu.{GLIBC}", "-shared", "-o", folder / "empty.so", folder / "empty.c")

@@ -41,7 +41,7 @@ DIST = ROOT / "dist"
 BLENDERS = {"3.11": "Blender 3.4 to 5.0", "3.13": "Blender 5.1 and later"}
 PYTHONS = tuple(BLENDERS)
 LEGACY_PYTHON = "3.11"
-PLATFORM = "linux-x64"  # Blender's name for the system of this build
+PLATFORM = "linux-x64"  # Blender's name for the system on which this runs
 BUILD_APT = (
     "build-essential",
     "ccache",
@@ -70,7 +70,7 @@ CORE_SOURCES = (
 
 
 def package() -> dict[str, Path]:
-    """Build everything that this system runs. Return the wheel of each available Python."""
+    """Build all files for this system. Return the wheel of each available Python."""
     wheels = build_wheels()
     keep_in_dist(wheels.values())
     return wheels
@@ -176,7 +176,7 @@ def venv_for_wheels(version: str, python: Path) -> Path:
 def build_wheel_alone(version: str, python: Path) -> Path:
     tag = "cp" + version.replace(".", "")
     key = fingerprint([ROOT / source for source in CORE_SOURCES], str(python), *WHEEL_TOOLS)
-    name = f"wirewarp-{VERSION}-{tag}-*{old_glibc.POLICY}.whl"  # excludes wheels of other systems in the same folder
+    name = f"wirewarp-{VERSION}-{tag}-*{old_glibc.POLICY}.whl"  # leaves out wheels of other systems in the same folder
     found = list(DIST.glob(name))
     if len(found) == 1 and is_current(f"wheel-{tag}", key):
         return found[0]
@@ -190,8 +190,8 @@ def build_wheel_alone(version: str, python: Path) -> Path:
         "SOURCE_DATE_EPOCH": TIME_STAMP,
         "PATH": f"{interpreter.parent}:{clean_environment()['PATH']}",
     }
-    options = {"build-dir": str(BUILD / f"wheel-{tag}")}  # build/release has the same core
-    # not in users' builds, whose compilers may be newer
+    options = {"build-dir": str(BUILD / f"wheel-{tag}")}  # uses the core in build/release, which is the same
+    # warnings are not errors in users' builds, because their compilers may be newer
     options["cmake.define.CMAKE_COMPILE_WARNING_AS_ERROR"] = "ON"
     options |= {f"cmake.define.{name}": value for name, value in old_glibc.cmake_definitions().items()}
     build = ("pip", "wheel", "--quiet", "--no-build-isolation", "--no-deps", "-w", raw)

@@ -19,14 +19,14 @@ TOURS = ("mark", "flat", "report", "suggest", "tube", "contradiction", "pieces",
 SHEET, DOTS = 6, 60  # page of the PDF that is shown, and its dots per inch
 DRAWN = {"pattern": 2600, "marker": 1100}  # name of the SVG file and of its style: width in pixels
 PART = (970, 0, 1930, 1000)  # the pixels of the pattern that are shown: the left sleeve and the neck of the front
-AT_ONCE = 4  # number of Blenders; they mostly wait for their windows
+AT_ONCE = 4  # number of Blenders at a time; they mostly wait for their windows
 SECONDS = 600.0  # limit for a busy machine; a tour takes about ten seconds on an idle one
 
 
 def take_tour(zip_file: Path, taken: Path, name: str) -> tuple[int, str]:
     say(f"taking pictures: {name}")
     settings = blender_folder(f"pictures-{name}") | {"WIREWARP_ZIP": str(zip_file), "WIREWARP_PICTURES": str(taken)}
-    display = 99 + 10 * TOURS.index(name)  # far enough apart if some numbers are in use
+    display = 99 + 10 * TOURS.index(name)  # numbers of screens far enough apart, because some may be in use
     return run_tours(SCRIPT, [name], clean_environment(**settings), SECONDS, display)
 
 
@@ -37,7 +37,7 @@ def pictures() -> None:
     taken = BUILD / "pictures"
     shutil.rmtree(taken, ignore_errors=True)
     taken.mkdir(parents=True)
-    with ThreadPoolExecutor(AT_ONCE) as pool:  # each in its own Blender, because the window remembers open panels
+    with ThreadPoolExecutor(AT_ONCE) as pool:  # each tour in its own Blender, because the window remembers open panels
         for name, (code, output) in zip(TOURS, pool.map(partial(take_tour, zip_file, taken), TOURS), strict=True):
             if code:
                 print(output, flush=True)

@@ -14,7 +14,7 @@ from tools.package import DIST, package
 from tools.zips import extension_zips
 
 REPOSITORY = DIST / "repository"
-PAGE = ROOT / "tools" / "repository.html"  # with $body, the table of zips, and $date
+PAGE = ROOT / "tools" / "repository.html"  # contains $body (the table of zips) and $date
 # Blender's generator is a separate script. It comes with the newest bpy for Debian's Python.
 GENERATOR = next((each for each in reversed(BPY) if BPY[each] == DEBIAN_VERSION), "")
 
@@ -43,7 +43,7 @@ def write_repository(zips: Path) -> Path:
 
 
 def update_tests() -> None:
-    """Add dist/repository/ to every later Blender with private settings, install from it, and update."""
+    """In every later Blender with private settings, add dist/repository/, install from it, and update."""
     require_apt(*BPY_APT)
     package()
     folder = write_repository(DIST)

@@ -9,11 +9,11 @@ from tools.libraries import PATTERN
 from tools.package import venv_with_core
 
 SITE_TOOLS = ("pdoc==16.0.0", "mkdocs==1.6.1", "mkdocs-material==9.8.2")
-PAGES = BUILD / "pages"  # the source folder in mkdocs.yml
+PAGES = BUILD / "pages"  # source folder of the pages, as in mkdocs.yml
 
 
 def build_site() -> None:
-    """Build the site. Every broken link is an error."""
+    """Build the site. A broken link is an error."""
     shutil.rmtree(PAGES, ignore_errors=True)
     shutil.copytree(ROOT / "docs", PAGES, ignore=shutil.ignore_patterns("*.py", "*.css", "__pycache__"))
     python = venv_with_core("docs", DEBIAN_VERSION, *SITE_TOOLS, NUMPY[DEBIAN_VERSION], *PATTERN)

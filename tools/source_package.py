@@ -28,7 +28,7 @@ from tools.old_glibc import openmesh_source
 from tools.package import BUILD_APT, CORE_SOURCES, DIST, WHEEL_TOOLS
 from tools.zips import VERSION
 
-EIGEN = Path("/usr/include/eigen3")  # of Debian's libeigen3-dev, 3.4.0
+EIGEN = Path("/usr/include/eigen3")  # headers of Debian's libeigen3-dev, 3.4.0
 EIGEN_LICENSE = Path("/usr/share/doc/libeigen3-dev/copyright")
 FOLDER = BUILD / "source"
 PARTS = (*(name for name in CORE_SOURCES if not name.startswith("tools/")), "CHANGELOG.md", "examples")
@@ -67,7 +67,7 @@ def source_package_tests() -> None:
     settings = [f"--config-settings=cmake.define.{name}={value}" for name, value in definitions.items()]
     options = (*settings, "--no-deps", "--force-reinstall")
     (sources,) = unpacked.iterdir()
-    # without ccache, as users build
+    # built without ccache, as users do
     install: list[str | Path] = [python, "-m", "pip", "install", *options, sources]
     run_quietly("building a wheel from the source package", install, CMAKE_CXX_COMPILER_LAUNCHER="")
     run([python, "-m", "pytest", "-q", "tests/bindings/test_readme.py", "tests/bindings/test_stub.py"])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the steps of ./dev test: some in order, or all, two at a time.
+"""Runs the steps of ./dev test: a few of them in order, or all of them two at a time.
 
-nox would not shorten this: it runs its sessions in order and has no dependencies between them.
+nox would not shorten this program, because it runs its sessions in order and has no dependencies between them.
 """
 
 import multiprocessing
@@ -21,16 +21,16 @@ from tools.environment import BUILD, NotTestedError, StepError, say
 PASSED, FAILED, NOT_TESTED = "passed", "FAILED", "NOT TESTED"
 EXIT_CODES: dict[int | None, str] = {0: PASSED, 1: FAILED, 2: NOT_TESTED}
 LOGS = BUILD / "log"
-AT_ONCE = 2  # because a step may use only one core
-FAILURE_LINES = 400  # enough for some failed tests with their values
+AT_ONCE = 2  # number of steps at a time, because a step may use only one core
+FAILURE_LINES = 400  # last lines shown of a failed step, enough for some failed tests with their values
 PROCESSES = multiprocessing.get_context("fork")
 
 
 class When(IntEnum):
-    """The runs that include a step even if they do not name it."""
+    """The runs of ./dev test that include a step even if they do not name it."""
 
     ALWAYS = 0
-    ALL = 1  # ./dev test --all
+    ALL = 1  # only ./dev test --all
     NAMED = 2  # only runs that name the step
 
 
@@ -38,7 +38,7 @@ class When(IntEnum):
 class Step:
     name: str
     work: Callable[[], None]  # raises StepError or NotTestedError
-    after: str = ""  # step whose builds this one uses
+    after: str = ""  # name of the step whose builds this one uses
     when: When = When.ALWAYS
 
 
@@ -117,10 +117,10 @@ def _word_of(step: Step) -> str:
 
 
 def _run_apart(step: Step) -> None:
-    """Run the step in its own process, which ends with it."""
+    """Run the step in this process, which ends with it."""
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     with (LOGS / step.name).open("w", buffering=1) as log:
-        os.dup2(log.fileno(), 1)  # for programs that the step starts
+        os.dup2(log.fileno(), 1)  # also redirects the output of programs that the step starts
         os.dup2(log.fileno(), 2)
         sys.stdout = sys.stderr = log
         try:

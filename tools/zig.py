@@ -15,7 +15,7 @@ def zig() -> Path:
 
 
 def cache_variables(folder: Path) -> dict[str, str]:
-    """Return variables for zig's cache folders, which also contain its own libraries: these take minutes the first
-    time.
+    """Return variables for zig's cache folders. They also contain zig's own libraries, which take minutes to build the
+    first time.
     """
     return {"ZIG_GLOBAL_CACHE_DIR": str(folder), "ZIG_LOCAL_CACHE_DIR": str(folder)}

@@ -38,10 +38,11 @@ PLATFORMS = {  # pattern of a wheel's tag: Blender's name of the system
     r"macosx_\d+_\d+_arm64": "macos-arm64",
     r"macosx_\d+_\d+_x86_64": "macos-x64",
 }
-NOT_IN_STORE = "linux-arm64"  # extensions.blender.org refuses a zip for it
+NOT_IN_STORE = "linux-arm64"  # extensions.blender.org refuses a zip for this platform
 
 
-Libraries = Callable[[str, str], list[Path]]  # returns the wheels of other packages for a platform and Python tag
+# a function that returns the wheels of other packages for a platform and a Python tag
+Libraries = Callable[[str, str], list[Path]]
 
 
 def write_zips(folder: Path, libraries: Libraries = library_wheels) -> list[Path]:
@@ -65,12 +66,12 @@ def write_zips(folder: Path, libraries: Libraries = library_wheels) -> list[Path
 
 
 def python_of(wheel: Path) -> str:
-    """Return "cp311" or the like."""
+    """Return the Python tag of a wheel, such as "cp311"."""
     return wheel.stem.split("-")[2]
 
 
 def platform_of(wheel: Path) -> str:
-    tags = wheel.stem.rsplit("-", 1)[1]  # several tags with dots between, if a wheel follows several policies
+    tags = wheel.stem.rsplit("-", 1)[1]  # a wheel that follows several policies has several tags with dots between
     for pattern, platform in PLATFORMS.items():
         if any(re.fullmatch(pattern, tag) for tag in tags.split(".")):
             return platform
@@ -149,7 +150,7 @@ def manifest(platform: str, wheels: list[Path]) -> str:
         "wheels": [f"./wheels/{wheel.name}" for wheel in wheels],
     }
     if NEWEST_TAG not in map(python_of, wheels):
-        entries["blender_version_max"] = FIRST_BLENDER_ON_NEWEST  # Blender excludes the maximum itself
+        entries["blender_version_max"] = FIRST_BLENDER_ON_NEWEST  # in Blender, the maximum itself is excluded
     # JSON strings and lists of strings are valid TOML. The table comes last.
     lines = [f"{key} = {json.dumps(value)}" for key, value in entries.items()]
     lines += ["[permissions]", *(f"{key} = {json.dumps(reason)}" for key, reason in ADDON["permissions"].items())]
@@ -176,7 +177,7 @@ def unpacked(wheel: Path) -> dict[str, bytes]:
 
 
 def write_zip(path: Path, files: dict[str, bytes]) -> Path:
-    """Write with sorted names and one fixed time: the same files give the same bytes.
+    """Write the zip with sorted names and a fixed time, so that the same files give the same bytes.
 
     Replaces an old zip even if it is in use.
     """

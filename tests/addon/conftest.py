@@ -12,7 +12,7 @@ from surfaces import addon_module, bump, grid, join_cube, mark, mark_seam, on_li
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    # Longer tracebacks print local variables, and printing a removed Blender object crashes.
+    # Tracebacks are short, because longer ones print local variables, and printing a removed Blender object crashes.
     config.option.tbstyle = "short"
 
 
@@ -35,7 +35,7 @@ def at_once(addon, monkeypatch):
 
 @pytest.fixture
 def model():
-    """Return two good pieces with a wire that ends inside one, and a closed piece that fails."""
+    """Return a model of two good pieces, with a wire that ends inside one of them, and of a closed piece that fails."""
     target = grid("Bump", bump, size=4)
     join_cube(target)
     mark_seam(target, on_line(0, 0.0))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An exported pattern, read back from its file. Tests of tests/bindings read with it, too: no Blender in here."""
+"""Reads an exported pattern back from its file. Does not use Blender, because tests/bindings uses it, too."""
 
 import re
 import xml.etree.ElementTree as ElementTree

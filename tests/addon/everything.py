@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Uses every panel, overlay and operator in turn: each must answer for every file."""
+"""Uses every panel, overlay and operator in turn. Each must work, or report why not, for every file."""
 
 from types import SimpleNamespace
 
@@ -12,7 +12,7 @@ EDGE = {"edge": 0}
 OURS = ("wirewarp_", "source_", "flat_", "piece")  # prefixes of the names of our attributes and properties
 KINDS = ("SEAM", "WIRE", "OUTLINE", "PIECE", "STRETCH", "EASE", "ISSUE", "HINT")
 MENDS = ("SEAMS", "TOLERANCES", "MODIFIERS", "DISSOLVE", "MERGE", "NORMALS", "SUGGESTION", "APPLY")
-COMMANDS = [  # writing operators come last
+COMMANDS = [  # operators that write come last
     ("object.wirewarp_copy_report", {}),
     ("mesh.wirewarp_select_issues", {}),
     *(("mesh.wirewarp_select_result", {"what": what, "index": 0}) for what in KINDS),
@@ -68,7 +68,7 @@ class AnyLayout:
         self.words.append(text)
 
     def menu(self, name, **_):
-        """Draw at once, like an open menu."""
+        """Draw the menu at once, as if it were open."""
         kind = getattr(bpy.types, name)
         kind.draw(SimpleNamespace(layout=self), sidebar())
 
@@ -97,7 +97,7 @@ def sidebar(width=300):
 
 def draw_panels(addon, buttons=None):
     """Draw all visible panels, narrow and wide. Return their texts, and add their operators to `buttons`."""
-    addon.state.drawings.forget()  # otherwise, quick later changes would be seen late
+    addon.state.drawings.forget()  # otherwise, changes that follow quickly would be drawn late
     words, buttons = [], [] if buttons is None else buttons
     for cls in addon.registration.CLASSES:
         if not issubclass(cls, bpy.types.Panel):
@@ -106,7 +106,7 @@ def draw_panels(addon, buttons=None):
         own = {name: part for each in parts for name, part in each.items() if not name.startswith(("__", "bl_rna"))}
         panel = type(
             cls.__name__, (), own | {"layout": AnyLayout(words, buttons)}
-        )()  # only Blender can create its panels
+        )()  # a stand-in, because only Blender can create panels
         for width in (200, 600):
             context = sidebar(width)
             if "poll" not in own or cls.poll(context):
@@ -151,7 +151,8 @@ def stored():
 def _stored_on(target):
     mesh = target.data
     return (
-        sorted(_values(each) for each in mesh.attributes if each.name.startswith(OURS)),  # Edit Mode may reorder them
+        # sorted, because Edit Mode may reorder them
+        sorted(_values(each) for each in mesh.attributes if each.name.startswith(OURS)),
         read(mesh.edges, "use_seam", bool).tobytes(),
         [(entry.wire_id, entry.name) for entry in mesh.wirewarp_names],
         mesh.wirewarp_grain,
@@ -166,7 +167,7 @@ def _value(stored):
 
 
 def _values(attribute):
-    """Return values as bytes, because some are not numbers."""
+    """Return the values as bytes, because some values are not numbers."""
     dtype = {"INT": np.int32, "FLOAT": np.float32}.get(attribute.data_type)
     values = read(attribute.data, "value", dtype).tobytes() if dtype else b""
     return attribute.name, attribute.data_type, attribute.domain, values

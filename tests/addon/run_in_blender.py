@@ -37,7 +37,7 @@ if measured:
     measured.save()
 sys.stdout.flush()
 sys.stderr.flush()
-if not bpy.app.binary_path:  # the module could wait forever for one of its threads when Python ends
+if not bpy.app.binary_path:  # when Python ends, the module could wait forever for one of its threads
     shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
     os._exit(int(code))
 sys.exit(int(code))

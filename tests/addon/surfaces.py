@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from mathutils import Vector
 
-# The legacy add-on, and the extension in Blender's repository for local files.
+# Names of the legacy add-on, and of the extension in Blender's repository for local files.
 MODULE_NAMES = ("wirewarp_addon", "bl_ext.user_default.wirewarp")
 
 
@@ -32,7 +32,7 @@ def make_object(name: str, vertices: list, faces: list, edges: Sequence = ()) ->
 
 
 def select_only(*targets: bpy.types.Object) -> None:
-    bpy.context.view_layer.update()  # a new object cannot be selected before this
+    bpy.context.view_layer.update()  # before this update, a new object cannot be selected
     for other in bpy.context.view_layer.objects:
         other.select_set(other in targets)
     bpy.context.view_layer.objects.active = targets[0]
@@ -42,7 +42,8 @@ def select_only(*targets: bpy.types.Object) -> None:
 def grid(name: str, shape: Callable, size: int = 8, faces: str = "quads") -> bpy.types.Object:
     """Return a grid at shape(x, y) over the square from -1 to 1, with size by size cells of quads, triangles or n-gons.
 
-    The n-gons are pairs of cells; on the outline their corners must not be collinear, or a triangle has zero area.
+    The n-gons are pairs of cells. Their corners on the outline must not be collinear, because a triangle would have
+    zero area.
     """
     steps = [2 * i / size - 1 for i in range(size + 1)]
     vertices = [shape(x, y) for y in steps for x in steps]
@@ -80,12 +81,12 @@ def half_cylinder(x: float, y: float) -> tuple[float, float, float]:
 
 
 def on_line(axis: int, value: float) -> Callable:
-    """Return a test for edges with this coordinate at both ends."""
+    """Return a function that tests whether both ends of an edge have this coordinate."""
     return lambda a, b: abs(a[axis] - value) < 1e-6 and abs(b[axis] - value) < 1e-6
 
 
 def select_edges(target: bpy.types.Object, *lines: Callable) -> None:
-    """Enter Edit Mode with the edges selected whose ends fulfill one of `lines`."""
+    """Enter Edit Mode, and select the edges whose ends fulfill one of `lines`."""
     select_only(target)
     if target.mode != "EDIT":
         bpy.ops.object.mode_set(mode="EDIT")
@@ -122,7 +123,7 @@ def wire_marks(mesh: bpy.types.Mesh) -> dict[tuple[int, float], int]:
 
 
 def flatten(source: bpy.types.Object, **settings: object) -> None:
-    """Flatten only this object."""
+    """Select only this object, and flatten it."""
     select_only(source)
     bpy.ops.object.wirewarp_flatten(**settings)
 

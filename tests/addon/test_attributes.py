@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks are mesh attributes: they go where the mesh goes, stay on their lines when it is edited, and can be foreign."""
+"""Marks are mesh attributes: they move with the mesh, stay on their lines when it is edited, and may be foreign."""
 
 import math
 
@@ -10,7 +10,7 @@ from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges
 pytestmark = pytest.mark.api
 
 ALONG, ACROSS = on_line(1, 0.0), on_line(0, 0.0)
-WHOLE = {0.05: pytest.approx(2), math.inf: pytest.approx(2)}  # tolerance to length
+WHOLE = {0.05: pytest.approx(2), math.inf: pytest.approx(2)}  # lengths of wires, by tolerance
 
 
 @pytest.fixture
@@ -25,7 +25,7 @@ def marked():
 
 
 def saved(path, append=False):
-    """The object "Flat" of the present file, read again."""
+    """Return the object "Flat" of the file that is open now."""
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     if append:
@@ -65,7 +65,7 @@ def test_join_keeps_the_wires_of_both_and_their_names_are_saved(marked, addon, t
     other, foreign = grid("Other", bump), grid("Foreign", bump)
     mark(other, on_line(1, 0.25))
     other.data.wirewarp_names[0].name = "Hip"
-    foreign.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")  # not ours, so it is not changed
+    foreign.data.attributes.new("wirewarp_wire", "FLOAT", "POINT")  # not our attribute, so it is not changed
     both = wire_marks(marked.data) | wire_marks(other.data)
     select_only(marked, other)
     bpy.ops.object.join()
@@ -142,7 +142,7 @@ def test_a_mirror_is_applied_and_the_copies_are_wires_of_their_own(marked, addon
 
 @pytest.mark.parametrize("use_modifiers", [False, True])
 def test_a_copy_of_a_wire_has_the_name_of_its_original(addon, use_modifiers):
-    """The wire ends before the edge of a half, and the other half has its copy."""
+    """The wire ends inside one half, before its edge, and the other half has a copy of the wire."""
     source = grid("Half", lambda x, y: (x + 1, y, 0.2 * x * x))
     mark(source, lambda a, b: ALONG(a, b) and min(a.x, b.x) > 0.4)
     source.modifiers.new("Other Half", "MIRROR")
@@ -174,7 +174,7 @@ def test_a_foreign_attribute_with_our_name_is_refused(name, kind, command):
     source = grid("Bump", bump)
     source.data.attributes.new(name, "FLOAT_VECTOR", "POINT")
     expected = f'attribute "{name}" of mesh "Bump" is not of type {kind}'
-    if name != "wirewarp_allowance":  # Export reads this one
+    if name != "wirewarp_allowance":  # Export reads this attribute
         with pytest.raises(RuntimeError, match=expected):
             bpy.ops.object.wirewarp_flatten()
     select_edges(source, on_line(0, -1.0))

@@ -22,7 +22,7 @@ ENABLE = "bpy.ops.preferences.addon_enable(module={module!r}); bpy.ops.wm.open_m
 
 
 def run_script(addon, tmp_path, formats, stdin):
-    """Run the script on the open file in another Blender. Return its output folder and exit code."""
+    """Run the script in another Blender on the file that is open here. Return its output folder and exit code."""
     path = tmp_path / "bag.blend"
     bpy.ops.wm.save_as_mainfile(filepath=str(path))
     saved = path.read_bytes()
@@ -58,7 +58,8 @@ def answer_of(tmp_path, monkeypatch):
     def run(*formats):
         job = {"folder": str(tmp_path), "stem": "bag", "formats": formats, "answer": ".answer.json"}
         monkeypatch.setattr(sys, "argv", [str(SCRIPT), json.dumps(job)])
-        monkeypatch.setattr(sys, "stdin", SimpleNamespace(read=Event().wait))  # stays open, like that of the caller
+        # the standard input stays open, like that of the caller
+        monkeypatch.setattr(sys, "stdin", SimpleNamespace(read=Event().wait))
         monkeypatch.setattr(os, "_exit", end)
         with pytest.raises(SystemExit) as ended:
             runpy.run_path(str(SCRIPT))
@@ -115,7 +116,7 @@ def test_warnings_of_the_export_are_in_the_answer(answer_of):
     mesh.to_mesh(sheet.data)
     bpy.context.scene.wirewarp.allowance = 200.0
     answer = answer_of("svg", "pdf")
-    (warning,) = answer["warnings"]  # once for both
+    (warning,) = answer["warnings"]  # one warning for both
     assert warning.endswith("the allowance fills 1 of 1 holes; they are not cut.")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files, scenes and modifiers of any kind give the right pieces, or one sentence with a remedy."""
+"""Files, scenes and modifiers of any kind lead to correct pieces, or to one sentence with a remedy."""
 
 import bpy
 import numpy as np
@@ -15,7 +15,7 @@ WIRE, DONE = on_line(1, 0.0), "{'FINISHED'}"
 
 
 def link(path, kind, name):
-    """Link something from another file."""
+    """Link a data-block from another file."""
     with bpy.data.libraries.load(str(path), link=True) as (_, wanted):
         setattr(wanted, kind, [name])
     return getattr(wanted, kind)[0]
@@ -23,7 +23,7 @@ def link(path, kind, name):
 
 @pytest.fixture
 def library(tmp_path):
-    """Save a file with a flattened model; the open file is empty again."""
+    """Save a file with a flattened model, and empty the open file."""
     mark(grid("Bump", bump), WIRE)
     bpy.ops.object.wirewarp_flatten()
     path = tmp_path / "library.blend"
@@ -33,7 +33,7 @@ def library(tmp_path):
 
 
 def other_file(library, kind, *names):
-    """Put objects of the library into the scene, linked or overridden."""
+    """Add objects of the library file to the scene, linked or overridden."""
     for name in names:
         target = link(library, "objects", name)
         bpy.context.scene.collection.objects.link(target)
@@ -189,7 +189,7 @@ def ignored_after(addon, source):
 
 
 def test_modifiers_that_change_nothing_are_not_reported(addon):
-    """An armature at rest and an edge split: the verdict is green."""
+    """An armature at rest and an Edge Split modifier do not change the shape, so the verdict is green."""
     source = grid("Bump", bump)
     bpy.ops.object.armature_add()
     armature = bpy.context.object

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The report and the export mention that pieces were made with other settings than the panel's."""
+"""The report and the export mention it if pieces were made with settings that differ from the panel's."""
 
 import math
 from unittest.mock import MagicMock
@@ -28,7 +28,7 @@ def test_settings_of_the_methods_of_the_paper_are_under_advanced(addon):
         addon.ui.settings.draw_settings(layout, bpy.context.scene.wirewarp, part)
         return {call.args[1] for call in layout.row.return_value.prop.call_args_list}
 
-    bpy.context.scene.wirewarp.cloth = "CUSTOM"  # has the most settings
+    bpy.context.scene.wirewarp.cloth = "CUSTOM"  # this fabric has the most settings
     front, main, advanced = map(drawn, addon.state.settings.PARTS)
     assert front == {"cloth", "gives_across", "gives_along"}
     assert advanced == {"thickness", "surface", "method", "node_weight"}
@@ -77,7 +77,8 @@ def test_settings_that_would_change_the_pieces_are_named(addon, source, settings
     assert SENTENCE.format(names) in draw_panels(addon)
     bpy.ops.object.wirewarp_export_svg(filepath=str(tmp_path / "pattern.svg"))
     printed = capfd.readouterr().out
-    assert SENTENCE.format(names) in printed and "Warning" not in printed  # the pieces are still good
+    # a note, not a warning, because the pieces are still good
+    assert SENTENCE.format(names) in printed and "Warning" not in printed
     bpy.ops.object.wirewarp_flatten(**settings)
     assert give(addon, source) == ""
 
@@ -99,7 +100,7 @@ def test_a_setting_for_one_run_is_not_an_error_and_failures_do_not_mention_setti
     source.data.vertices[6].co.z = float("nan")
     flatten_fails(".")
     assert "Not flattened" in draw_panels(addon)
-    assert "Settings changed" not in draw_panels(addon)  # flattening again would not help
+    assert "Settings changed" not in draw_panels(addon)  # not mentioned, because flattening again would not help
 
 
 def test_another_grain_wire_is_named(addon, source):
@@ -107,7 +108,7 @@ def test_another_grain_wire_is_named(addon, source):
     assert give(addon, source) == SENTENCE.format("Grain Wire")
     bpy.ops.object.wirewarp_flatten()
     assert give(addon, source) == ""
-    bpy.ops.object.wirewarp_flatten(orientation="UP")  # then the run did not use the grain wire
+    bpy.ops.object.wirewarp_flatten(orientation="UP")  # this run does not use the grain wire
     assert give(addon, source, orientation="WIRE") == SENTENCE.format("Upright")
 
 
@@ -129,7 +130,7 @@ def test_overlapping_pieces_are_named_at_the_export(source, tmp_path, capfd):
 
 
 def test_a_run_that_failed_with_the_settings_need_not_be_repeated(addon):
-    """Its report refers to them, although the existing pieces were made with others."""
+    """The report of the failed run refers to these settings, although the existing pieces were made with others."""
     source = grid("Half Tube", half_tube, size=4)
     source.modifiers.new("Whole", "MIRROR").use_axis = (False, False, True)
     bpy.ops.object.wirewarp_flatten()

@@ -14,7 +14,7 @@ pytestmark = pytest.mark.api
 CHECK = bpy.ops.object.wirewarp_check
 KINDS = ("MERGE", "DISSOLVE", "DUPLICATES", "INTERIOR", "LOOSE", "NON_MANIFOLD", "NORMALS")
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
-FAULTY = {  # vertices, faces, loose edges, and the number of faulty elements
+FAULTY = {  # meshes: vertices, faces, loose edges, and the number of faulty elements
     "MERGE": ([*SQUARE, (1, 0, 0), (2, 0, 0), (2, 1, 0), (1, 1, 0)], [(0, 1, 2, 3), (4, 5, 6, 7)], [], 2),
     "DISSOLVE": ([*SQUARE, (1, 0.5, 0), (2, 0, 0), (2, 1, 0)], [(0, 1, 4, 2, 3), (1, 5, 6, 2), (1, 2, 4)], [], 1),
     "DUPLICATES": (SQUARE, [(0, 1, 2, 3), (0, 3, 2, 1)], [], 1),
@@ -32,7 +32,7 @@ def faulty(kind):
 
 
 def repair(kind):
-    """Repair only this kind."""
+    """Repair only this kind of fault."""
     return CHECK(**{each.lower(): each == kind for each in KINDS})
 
 
@@ -46,7 +46,7 @@ def test_each_kind_is_found_and_repaired(addon, kind, capfd):
     target, count = faulty(kind)
     assert counts(addon, target)[kind] == count
     before = counts(addon, target)
-    assert repair("LOOSE" if kind != "LOOSE" else "MERGE") == {"FINISHED"}  # others may be chosen afterwards
+    assert repair("LOOSE" if kind != "LOOSE" else "MERGE") == {"FINISHED"}  # other kinds may be chosen afterwards
     assert counts(addon, target) == before
     assert repair(kind) == {"FINISHED"}
     assert kind not in counts(addon, target)
@@ -95,7 +95,8 @@ def vertex_at(edit, vertices, place):
     return vertices[place]
 
 
-CAVE = ((0, 1, 1), (1, 1, 1))  # from the left to the middle, each face opposite another one of its own
+# two missing cells: a cave from the left side to the middle, in which each wall faces another one
+CAVE = ((0, 1, 1), (1, 1, 1))
 
 
 @pytest.mark.parametrize(
@@ -165,7 +166,7 @@ def test_duplicate_faces_have_check_and_repair_as_the_next_step(addon):
 
 @pytest.mark.parametrize(("shift", "apart", "merged"), [(1000.0, 0.005, 0), (1000.0, 0.00012, 2), (0.0, 1e-5, 2)])
 def test_the_merge_distance_depends_on_the_size_and_not_on_the_place_of_the_model(addon, shift, apart, merged):
-    """Two squares of side 1, with a gap between them, which ends on two vertices on either side."""
+    """Two squares of side 1 with a gap between them. The gap ends at two vertices on either side."""
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
     left, right = ([(shift + x + dx, y, 0.0) for x, y in corners] for dx in (0.0, 1.0 + apart))
     source = make_object("Squares", left + right, [(0, 1, 2, 3), (4, 5, 6, 7)])

@@ -151,14 +151,14 @@ def test_stretched_fabric_is_cut_smaller(addon):
     (piece,) = report.pieces
     assert report.ok and all(chain.ok for chain in (*piece.outline, *piece.wires))
     assert piece.threads.across == pytest.approx(0.2, abs=1e-4)
-    assert not piece.threads.over  # the stretch is intended
+    assert not piece.threads.over  # not over the limit, because the stretch is intended
 
 
 def test_thick_material_is_flattened_in_its_middle(addon):
     """A half cylinder of radius 1, modeled as the inner surface, is longer by thickness / 2 except at its outermost
     edges.
 
-    There the normal is that of the one end face, which differs from the radius by half the angle between faces.
+    At these edges, the normal is that of the only face, which differs from the radius by half the angle between faces.
     """
     bpy.context.scene.unit_settings.scale_length = 0.1
     size, middle = 32, 0.1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Seams and outlines that are elastic or eased: marked, flattened, cleared again, and reported with their lengths."""
+"""Elastic and eased seams and outlines are marked, flattened, cleared again, and reported with their lengths."""
 
 import csv
 import io
@@ -29,7 +29,7 @@ def test_all_sides_of_a_seam_are_eased_alike_in_percent_or_millimeters(source):
 
 
 def test_an_outline_and_a_wire_inside_are_eased(source):
-    ease(source, HEM, sides="OTHER", ease_percent=3.0)  # an outline has one side
+    ease(source, HEM, sides="OTHER", ease_percent=3.0)  # an outline has no other side
     ease(source, on_line(1, 0.0), sides="ALL", ease_percent=2.0)
     bpy.ops.object.wirewarp_flatten()
     for line, ratio in ((HEM, 0.03), (on_line(1, 0.0), 0.02)):
@@ -137,7 +137,7 @@ def test_one_side_or_the_other_is_eased(source):
 
 
 def test_one_side_is_the_side_of_the_smaller_piece_on_all_seams(addon):
-    """Two armholes that are selected together are an example: their edges may run either way around."""
+    """The edges of each line may run in either direction, as on two armholes that are selected together."""
     source = grid("Body and two sleeves", lambda x, y: (x, y, 0))
     seams = {x: on_line(0, x) for x in (-0.5, 0.5)}
     for seam in seams.values():
@@ -223,7 +223,7 @@ def test_an_ease_without_a_side_names_its_edges(source, addon):
 
 
 def arrow(addon, target):
-    """Return the vector from the edge to the tip, and the text there."""
+    """Return the vector of the arrow from the edge to its tip, and the text there."""
     lines = addon.overlay.objects.marked_lines(target, bpy.context.evaluated_depsgraph_get())
     tail, tip, *_ = lines.places["ease"]
     return tail, tip, [name.texts for name in lines.names]
@@ -295,7 +295,7 @@ def test_an_eased_outline_has_its_target_length(source, addon):
     report = addon.state.reports.last_report(source)
     places = read(source.data.vertices, "co", np.float32, 3).astype(float)
     hem = [v for v in range(9) if HEM(places[v], places[v])]
-    half = np.linalg.norm(np.diff(places[hem], axis=0), axis=1).sum() / 2  # in each piece
+    half = np.linalg.norm(np.diff(places[hem], axis=0), axis=1).sum() / 2  # length of the hem in each of the two pieces
     for name, _, chain in addon.core.open_edges(report):
         assert chain.length_asked == pytest.approx([chain.length_3d + 0.05 * half], rel=1e-6), name
     outlines = report.tables.outlines
@@ -315,9 +315,9 @@ def test_the_ease_of_all_sides_is_in_the_table_for_spreadsheets(source, addon):
 
 @pytest.mark.parametrize(("percent", "longer", "how"), [(5.0, 0.05, "ease"), (-40.0, 0.4, "gather")])
 def test_panel_and_paper_say_which_side_is_longer_and_what_to_do(source, addon, percent, longer, how):
-    """Panel and paper name the longer side, whether it is eased or the other side is cut shorter."""
+    """The panel and the paper name the longer side, even if it is longer only because the other side is cut shorter."""
     settings = bpy.context.scene.unit_settings
-    settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # leaves room for the text
+    settings.length_unit, settings.scale_length = "MILLIMETERS", 0.5  # edges long enough for the text
     ease(source, SEAM, sides="ONE", ease_percent=percent)
     bpy.ops.object.wirewarp_flatten()
     (row,) = addon.state.reports.last_report(source).tables.seams

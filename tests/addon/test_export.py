@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pattern as a file: true to the model, described before, never half written, and refused for other pieces.
+"""Pattern files are true to the model, described beforehand, never half written, and refused for other pieces.
 
-test_pattern_parts.py tests the data read for it, and tests/bindings how it is drawn.
+test_pattern_parts.py tests the data that is read for them, and tests/bindings how patterns are drawn.
 """
 
 import re
@@ -19,7 +19,7 @@ from two_sided import two_pieces
 pytestmark = pytest.mark.api
 
 SEAM = on_line(0, 0.0)
-ROUNDED = 5e-4  # millimeters: the file has four decimals, Blender's coordinates of 1000 mm about as many
+ROUNDED = 5e-4  # millimeters; the file has four decimals, and Blender's coordinates around 1000 mm are about as precise
 
 
 @pytest.fixture
@@ -68,7 +68,7 @@ def test_every_edge_of_every_outline_is_as_long_as_on_the_model(source, tmp_path
 
 
 def test_a_seam_of_one_edge_inside_a_piece_opens_nothing(tmp_path):
-    """Suggested sets of seams may leave such an edge."""
+    """Suggested sets of seams may contain a seam of one edge."""
     target = grid("Bump", bump, size=4)
     mark_seam(target, lambda a, b: sorted((a[0], b[0])) == [0.0, 0.5] and a[1] == b[1] == 0.0)
     assert sum(edge.use_seam for edge in target.data.edges) == 1
@@ -193,7 +193,7 @@ def test_models_without_pieces_or_with_changes_are_refused(source, tmp_path):
     with pytest.raises(RuntimeError, match='Cannot write "//pattern.svg": "//" is the folder of the Blender file'):
         bpy.ops.object.wirewarp_export(filepath="//pattern.svg")
     flat = flat_of(source).data
-    flat.attributes.remove(flat.attributes["flat_length"])  # as earlier versions made them
+    flat.attributes.remove(flat.attributes["flat_length"])  # pieces as earlier versions made them
     export_fails('Flatten "Bump" again', tmp_path)
     bpy.data.objects.remove(flat_of(source))
     export_fails('"Bump" has no flat pieces: flatten it first', tmp_path)
@@ -262,6 +262,6 @@ def test_pieces_edited_by_hand_are_not_trusted(source, tmp_path, change):
 def test_a_seam_that_is_missing_on_the_pieces_is_reported(source, tmp_path):
     sources = flat_of(source).data.attributes["source_vertex"].data
     numbers = read(sources, "value", np.int32)
-    inside = np.flatnonzero(np.bincount(numbers) == 2)[3]  # in the middle of the seam: once on either side
+    inside = np.flatnonzero(np.bincount(numbers) == 2)[3]  # the text in the middle of the seam, once on each side
     sources[int(np.flatnonzero(numbers == inside)[0])].value = 0
     export_fails("edited by hand, and a seam of the model is missing on them. Flatten the model again", tmp_path)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The result of a run that fails in part: the other pieces, the report with its places, and red faces."""
+"""The result of a run in which some pieces fail: the other pieces, the report with its places, and red faces."""
 
 import json
 import math
@@ -113,7 +113,10 @@ def test_flipped_and_overlapping_faces_are_counted_and_selected_as_faces(addon):
 
 @pytest.fixture
 def half_failed():
-    """A piece that can be flattened, and a spike so steep that a rigid cross makes WireWarping flip faces."""
+    """One piece can be flattened.
+
+    The other is a spike, so steep that a cross of rigid wires makes WireWarping flip faces.
+    """
     target, other = grid("Both", bump), grid("Spike", lambda x, y: (x + 3, y, 2 * (1 - x * x) * (1 - y * y)))
     mark(other, on_line(0, 3.0), on_line(1, 0.0))
     select_only(target, other)

@@ -22,7 +22,7 @@ def test_patterns_and_reports_go_to_folders_of_any_name(tmp_path, addon, name):
     bpy.ops.wm.save_as_mainfile(filepath=str(folder / f"{name}.blend"))
     bpy.ops.object.wirewarp_flatten(report_path=str(folder / f"{name}.json"))
     endings = list(addon.core.pattern.FORMATS)
-    assert len(endings) <= len(NAMES)  # each format has a name
+    assert len(endings) <= len(NAMES)  # there is a name for each format
     ending = endings[NAMES.index(name) % len(endings)]
     bpy.ops.object.wirewarp_export(filepath=str(folder / f"{name}{ending}"))
     bpy.ops.object.wirewarp_export(filepath=f"//beside {name}{ending}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A file without a model offers samples and a guide; a model of a strange size is offered other units."""
+"""The panel offers samples and a guide in a file without a model, and other units for a model of implausible size."""
 
 import math
 
@@ -54,7 +54,7 @@ def test_a_sample_brings_its_fabric_to_a_new_file_and_its_units_to_an_empty_one(
     bpy.ops.object.wirewarp_flatten(cloth="JERSEY")
     scene.wirewarp.property_unset("cloth")
     bpy.ops.object.wirewarp_open_sample(sample="JEANS")
-    assert scene.wirewarp.cloth == "NONE"  # the first pattern was made
+    assert scene.wirewarp.cloth == "NONE"  # settings do not change once the first pattern was made
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     bpy.context.scene.unit_settings.scale_length = 0.01
     bpy.ops.object.wirewarp_open_sample(sample="CUSHION")
@@ -78,7 +78,7 @@ def test_the_guide_fits_its_popup_and_all_samples_are_in_the_zip(addon):
 
 @pytest.fixture
 def sized(addon):
-    """Make a model this many Blender units wide; return the sentence on its size and the offered units."""
+    """Make a model this many Blender units wide; return the sentence about its size and the offered units."""
 
     def make(width):
         source = grid("Chair", lambda x, y: [width / 2 * value for value in bump(x, y)])
@@ -119,7 +119,8 @@ def test_the_unit_follows_from_the_real_height(addon, sized):
     sized(77)
     source, buttons = bpy.data.objects["Chair"], []
     draw_panels(addon, buttons)
-    assert buttons.count("scene.wirewarp_set_unit") == 4 * 2  # three units and the height, narrow and wide
+    # three units and the height, in a narrow and in a wide sidebar
+    assert buttons.count("scene.wirewarp_set_unit") == 4 * 2
     across = source.dimensions.x
     source.rotation_euler.y = math.pi / 2  # as importers rotate models
     bpy.context.view_layer.update()
@@ -129,7 +130,7 @@ def test_the_unit_follows_from_the_real_height(addon, sized):
     meters = addon.blender.objects.unit_of_height(source, 1.2)
     bpy.ops.scene.wirewarp_set_unit(meters=meters)
     assert source.dimensions.z * addon.blender.objects.meters_per_blender_unit(bpy.context.scene) == pytest.approx(1.2)
-    bpy.context.scene.unit_settings.system = "NONE"  # a scene without units gets some
+    bpy.context.scene.unit_settings.system = "NONE"  # Set Unit also works in a scene without units
     assert sized(150)[0]
     bpy.ops.scene.wirewarp_set_unit(meters=0.01)
     assert addon.blender.objects.strange_size(bpy.context.active_object, bpy.context.scene) == ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flatten writes the right data, and lengths are exact."""
+"""Flatten writes correct data, and lengths are exact."""
 
 import math
 
@@ -30,7 +30,7 @@ from surfaces import (
 pytestmark = pytest.mark.api
 
 SEAM_ID = "wirewarp_seam"
-FLOAT32 = 2e-6  # relative: coordinates of about 1 and edges of about 0.2 in single precision
+FLOAT32 = 2e-6  # relative tolerance for coordinates of about 1 and edges of about 0.2 in single precision
 
 
 def lengths_by_source(source):
@@ -45,7 +45,7 @@ def lengths_by_source(source):
 
 
 def on_outline_and_wires(source, *lines):
-    """Return the flat object's edges on its outline, and those on one of the lines of the source."""
+    """Return the edges on the flat object's outline, and those on one of the source's lines."""
     flat = flat_of(source).data
     use = np.bincount(read(flat.loops, "edge_index", np.int32), minlength=len(flat.edges))
     places = read(source.data.vertices, "co", np.float32, 3)[flat_sources(source)][edge_vertices(flat)]
@@ -242,7 +242,7 @@ def test_several_objects_are_flattened_and_others_ignored():
     bpy.context.scene.collection.objects.link(camera)
     bpy.ops.object.select_all(action="SELECT")
     bpy.ops.object.wirewarp_flatten()
-    bpy.ops.object.select_all(action="SELECT")  # including the flat objects
+    bpy.ops.object.select_all(action="SELECT")  # selects the flat objects, too
     bpy.ops.object.wirewarp_flatten()
     assert sorted(o.name for o in bpy.data.objects if o.name.endswith("Flat")) == ["First Flat", "Second Flat"]
     boxes = [[(flat_of(o).matrix_world @ v.co).x for v in flat_of(o).data.vertices] for o in (first, second)]
@@ -250,7 +250,7 @@ def test_several_objects_are_flattened_and_others_ignored():
 
 
 def test_a_run_in_edit_mode_uses_the_edits_and_does_not_leave_it():
-    """The run writes the same as in Object Mode: a second run there changes nothing."""
+    """The run writes the same as in Object Mode, where a second run changes nothing."""
     source = grid("Bump", bump)
     select_edges(source, on_line(1, 0.0))
     bpy.ops.mesh.wirewarp_mark()
@@ -300,7 +300,7 @@ def test_only_pieces_that_changed_are_solved_again(addon):
 
     assert [reused_pieces(), reused_pieces()] == [0, 2]
     before = uv_of(source.data)
-    mark(source, on_line(0, 0.5))  # in one of the two
+    mark(source, on_line(0, 0.5))  # a seam in one of the two models
     assert reused_pieces() == 1
     mark(source, on_line(0, -0.5))
     source.scale.x = 1.1

@@ -43,7 +43,7 @@ def test_the_points_fill_one_direction_and_are_central_in_both(addon, cloud, is_
     framing = addon.blender.views
     middle, distance = framing.fit(points, framing.Projection(axes, 1.4, 2.3, is_perspective, covered, above))
     x, y = on_screen(points, axes, middle, distance, 1.4, 2.3, is_perspective)
-    x, y = (x + covered) / (1 - covered), (y + above) / (1 - above)  # -1 to 1 in the part that is not covered
+    x, y = (x + covered) / (1 - covered), (y + above) / (1 - above)  # the visible part is from -1 to 1
     assert max(x.max(), y.max()) == pytest.approx(1 / framing.MARGIN)
     longer = x if np.ptp(x) > np.ptp(y) else y
     assert (longer.min(), longer.max()) == pytest.approx((-1 / framing.MARGIN, 1 / framing.MARGIN))

@@ -120,7 +120,7 @@ def split(source, line):
 @pytest.mark.parametrize(
     ("line", "count"),
     [
-        (on_line(0, 0.0), 16),  # from edge to edge: two pieces
+        (on_line(0, 0.0), 16),  # a gap from edge to edge makes two pieces
         (lambda a, b: on_line(0, 0.0)(a, b) and max(a.y, b.y) < 0.1, 8),  # a slit of four edges
     ],
 )
@@ -130,7 +130,7 @@ def test_overlapping_edges_are_reported_until_they_are_merged(addon, line, count
     flatten(source)
     (hint,) = hints(addon, source, "torn")
     report = addon.state.reports.last_report(source)
-    assert hint.short == f"{count} edges" and report.notes == []  # because it may be intended
+    assert hint.short == f"{count} edges" and report.notes == []  # only a hint, because the gap may be intended
     bpy.ops.mesh.wirewarp_select_result(what="HINT", index=report.hints.index(hint))
     bpy.ops.object.mode_set(mode="OBJECT")
     chosen = [[source.data.vertices[end].co for end in edge.vertices] for edge in source.data.edges if edge.select]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Files edited by hand or by other scripts: every command answers with a result or a sentence, and loses nothing.
 
-Each case spoils one thing for its readers, in modes that take turns; the six with the most readers meet every command
-in both modes.
+Each case spoils one thing for the commands that read it, in alternating modes. The six cases with the most readers are
+tested with every command in both modes.
 """
 
 import json
@@ -84,7 +84,7 @@ def store(model, first):
         places += [(model, "wirewarp_pieces"), (model, "wirewarp_active_piece")]
         places += [(model.data, "wirewarp_names"), (model.data, "wirewarp_grain")]
     for number, (owner, name) in enumerate(places, start=first):
-        if name in owner:  # because its type is kept
+        if name in owner:  # removed first, because a property keeps its type
             del owner[name]
         owner[name] = VALUES[number % len(VALUES)]
 
@@ -144,7 +144,7 @@ CASES = {
     "other values in every property": lambda model: store(model, 0),
     "lists and texts in every property": lambda model: store(model, 3),
 }
-# Each attribute is of another type or on other elements, in turn.
+# Each attribute gets another type or is stored on other elements, in alternation.
 for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
     other = "POINT" if attribute.domain == "CORNER" else "CORNER"
     kind = (attribute.data_type, other) if number % 2 else ("STRING", attribute.domain)
@@ -155,7 +155,7 @@ for number, attribute in enumerate((*OF_MODEL, *OF_PIECES)):
 
 @pytest.mark.parametrize("case", CASES)
 def test_every_reader_of_spoiled_data_answers(model, everything_answers, case):
-    # In pairs, because the kinds of faults of attributes alternate.
+    # In pairs, because the two kinds of faults of attributes alternate.
     modes = ("OBJECT", "EDIT") if list(CASES).index(case) // 2 % 2 else ("EDIT", "OBJECT")
     everything_answers(lambda: CASES[case](model), READERS, modes)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The present result survives failed runs, and is distinguished from look-alikes."""
+"""The present result survives failed runs, and copies are not mistaken for it."""
 
 from itertools import count
 from types import SimpleNamespace
@@ -52,7 +52,7 @@ def test_a_failed_run_leaves_the_report_of_the_pieces(source, addon, tmp_path):
     bpy.ops.object.mode_set(mode="OBJECT")
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert addon.state.reports.last_report(source).ok
-    fail(source)  # this report is forgotten with the file
+    fail(source)  # the report of this failure is forgotten with the file
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "failed.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "failed.blend"))
     assert addon.state.reports.last_report(bpy.data.objects["Bump"]).ok
@@ -86,7 +86,7 @@ def test_after_undo_of_a_run_the_failure_before_it_is_the_last_result(source, ad
 
 
 def test_the_panel_does_not_say_that_the_model_changed_right_after_a_run(source, addon, monkeypatch):
-    """Slow answers are kept for a while. Every reading of this clock takes a tenth of a second."""
+    """Answers that took long are kept for a while. With this clock, every reading takes a tenth of a second."""
     ticks = count()
     monkeypatch.setattr(addon.state.drawings, "time", SimpleNamespace(monotonic=lambda: next(ticks) / 10))
     addon.state.drawings.forget()
@@ -129,7 +129,7 @@ def test_shape_keys_and_groups_of_earlier_pieces_are_gone(source):
 
 
 def test_export_notices_a_change_that_blender_was_not_notified_of(source, tmp_path, addon):
-    assert READY in draw_panels(addon)  # the panel keeps its findings
+    assert READY in draw_panels(addon)  # the panel keeps its answer
     places = read(source.data.vertices, "co", np.float32, 3)
     source.data.vertices.foreach_set("co", (2 * places).ravel())
     assert '"Bump" has changed since it was flattened' in export(tmp_path)

@@ -54,7 +54,7 @@ def test_one_row_is_on_a_line():
     boxes = boxes_of(source)
     assert len(boxes) == 4 and [box[0][1] for box in boxes] == pytest.approx([0] * 4, abs=1e-6)
     assert all(left[1][0] < right[0][0] for left, right in zip(boxes[:-1], boxes[1:], strict=True))
-    flatten(source)  # another layout moves the pieces, also with Keep Places
+    flatten(source)  # another layout moves the pieces, even with Keep Places
     assert np.ptp(flat_places(source)[:, 0]) < 1.6 * np.ptp(flat_places(source)[:, 1])
 
 
@@ -123,17 +123,17 @@ def test_a_missing_grain_wire_has_no_effect():
 
 def test_without_a_grain_wire_pieces_are_upright_as_on_the_model():
     source = two_wires()
-    source.rotation_euler = (np.pi / 2, 0, 0)  # its y is up
+    source.rotation_euler = (np.pi / 2, 0, 0)  # its y points up
     flatten(source)
     assert direction_of(source, *ALONG_Y)[1] == pytest.approx(1, abs=1e-4)
-    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # its x is down, and stays down although a wire runs along x
+    source.rotation_euler = (np.pi / 2, np.pi / 2, 0)  # its x points down, and stays down although a wire runs along x
     flatten(source, keep_places=False)
     assert direction_of(source, *ALONG_X)[1] == pytest.approx(-1, abs=1e-4)
 
 
 def test_world_up_and_the_longest_straight_edge():
     source = grid("Half Cylinder", lambda x, y: half_cylinder(x, 1.2 * y))
-    source.rotation_euler = (0, np.pi / 2, 0)  # on its side: x of the mesh is down
+    source.rotation_euler = (0, np.pi / 2, 0)  # the model lies on its side: x of the mesh points down
     mark(source, on_line(1, 0.0))
     flatten(source, orientation="UP")
     assert direction_of(source, 36, 37) == pytest.approx([0, -1], abs=1e-4)
@@ -143,7 +143,7 @@ def test_world_up_and_the_longest_straight_edge():
 
 
 def test_pieces_of_models_flattened_together_are_at_one_height_and_not_under_a_model():
-    """A small model, a tall one on its right, and one that hovers where the pieces of the first would be."""
+    """A small model, a tall one on its right, and a model that hovers at the place for the pieces of the first."""
     models = [grid(name, bump) for name in ("Left", "Tall", "Hovering")]
     for model, place in zip(models, [(0, 0, 0), (7, 0, -1), (3.5, 0, 4)], strict=True):
         model.location = place
@@ -171,7 +171,7 @@ def gap_of_two(size, meters, mark_widths=lambda _: None):
 
 @pytest.mark.parametrize(("size", "meters"), [(0.5, 1.0), (4.0, 1.0), (500.0, 0.001)])
 def test_the_gap_is_a_length_whatever_the_size_of_the_pieces_and_the_unit(size, meters):
-    """The gap is the distance of the cutting lines, which are 10 mm outside the pieces here."""
+    """The gap is the distance between cutting lines, which are 10 mm outside the pieces here."""
     assert gap_of_two(size, meters) == pytest.approx(0.05 + 2 * 0.01, abs=1e-5)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""With a missing, foreign or broken library, the add-on registers, shows a sentence, and unregisters."""
+"""If the library is missing, foreign or broken, the add-on registers, shows a sentence, and unregisters."""
 
 import platform
 import re
@@ -103,7 +103,7 @@ def test_a_library_for_another_python_or_system(addon, library_copy, suffix, mad
     check_sentence(addon, rf"is made for {made_for}; {here}\. Remove WireWarp")
 
 
-SPOILED = {  # text of the library's __init__, and the resulting sentence
+SPOILED = {  # content of the library's __init__.py, and the resulting sentence
     "another version": ('__version__ = "99.0.0"\n', r"but the library found is 99\.0\.0\. Remove WireWarp"),
     "another package": ("", "the library found is of an unknown version. Remove WireWarp"),
     "breaks down": (
@@ -126,7 +126,7 @@ def test_a_library_that_cannot_be_used(addon, library_copy, capfd, case):
     content, sentence = SPOILED[case]
     (library_copy / "__init__.py").write_text(content)
     check_sentence(addon, sentence)
-    if content.startswith("raise"):  # where it is from
+    if content.startswith("raise"):  # the sentence says where the library is
         assert content.strip() in capfd.readouterr().err
 
 

@@ -38,7 +38,7 @@ def measured(addon, source):
     faces = read(mesh.loops, "vertex_index", np.int32).reshape(-1, 3)
     edges = edge_vertices(mesh)
     corner_uv = (uv_of(mesh).astype(np.float64) * mesh["wirewarp_uv_scale"]).reshape(-1, 3, 2)
-    wire = [4 * 9 + k for k in range(9)]  # along y = 0
+    wire = [4 * 9 + k for k in range(9)]  # a wire along y = 0
     library = addon.core.library()
     return library.measure(
         read(mesh.vertices, "co", np.float32, 3).astype(np.float64),
@@ -78,14 +78,14 @@ def test_the_maps_are_the_librarys_measures(source, addon):
 
 
 def variations(source):
-    """Return variations of the flat edges, and which of them are on outlines."""
+    """Return the variations of the flat edges, and which of these edges are on outlines."""
     flat = flat_of(source).data
     on_outline = np.bincount(read(flat.loops, "edge_index", np.int32)) == 1
     return attribute(flat, "length_variation"), on_outline
 
 
 def test_thick_material_that_unfolds_changes_no_length(addon):
-    """Lengths are those in the middle of its thickness, which is flattened."""
+    """Lengths are compared with those in the middle of the thickness, which is flattened."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Half", half_cylinder, size=16)
     bpy.ops.object.wirewarp_flatten(thickness=20.0)
@@ -107,7 +107,7 @@ def test_mirrored_thick_pieces_have_the_same_changes_of_length():
 
 
 def test_lines_with_their_target_length_have_no_change(addon):
-    """A line may change by its ease, stretched fabric by its stretch."""
+    """The length of a line may change by its ease, that of stretched fabric by its stretch."""
     target = grid("Half", half_cylinder, size=16, faces="triangles")
     bpy.ops.object.wirewarp_flatten(cloth="SWIM", worn_across=20.0, worn_along=20.0, orientation="UP")
     values, _ = variations(target)
@@ -146,7 +146,7 @@ def assert_printed(source):
 
 def test_pieces_have_the_materials_and_the_maps_of_their_model():
     source = printed()
-    for _ in range(2):  # a second run leaves no second ones
+    for _ in range(2):  # the second run does not add further maps
         bpy.ops.object.wirewarp_flatten()
         flat = flat_of(source).data
         assert [material.name for material in flat.materials] == ["Stripes", "Dots"]
@@ -156,6 +156,6 @@ def test_pieces_have_the_materials_and_the_maps_of_their_model():
     places = read(flat.vertices, "co", np.float32, 3)[read(flat.loops, "vertex_index", np.int32), :2]
     size = np.ptp(places, axis=0).max()
     uv = read(flat.uv_layers["WireWarp"].data, "uv", np.float32, 2)
-    assert np.allclose(uv, (places - places.min(axis=0)) / size, atol=1e-6)  # their own shape
+    assert np.allclose(uv, (places - places.min(axis=0)) / size, atol=1e-6)  # the map shows the shape of the pieces
     bpy.ops.object.wirewarp_flatten(use_modifiers=True)
     assert_printed(source)

@@ -49,7 +49,7 @@ def test_without_selected_edges_edit_mode_stays(name):
 @pytest.mark.parametrize("at_once", [True, False])
 def test_crossing_lines_are_two_wires_however_they_are_marked(at_once):
     target = grid("Bump", bump)
-    target.scale.z = 0  # which does not matter here
+    target.scale.z = 0  # a scale of 0, which does not matter here
     for lines in [(EAST_WEST, NORTH_SOUTH)] if at_once else [(EAST_WEST,), (NORTH_SOUTH,)]:
         mark(target, *lines)
     assert list(wire_marks(target.data).values()) == [8, 8]
@@ -169,7 +169,7 @@ def test_marks_of_models_are_refused_on_flat_pieces(command):
         getattr(bpy.ops.mesh, f"wirewarp_{command}")()
     assert wire_marks(flat.data) == before
     bpy.ops.object.mode_set(mode="OBJECT")
-    select_only(source, flat)  # beside the model
+    select_only(source, flat)  # the pieces are selected beside the model
     bpy.ops.object.mode_set(mode="EDIT")
     with pytest.raises(RuntimeError, match="Leave Edit Mode of the flat pieces first"):
         bpy.ops.mesh.wirewarp_mark()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fast reading of a mesh gives the same data as Blender element by element."""
+"""Fast reading of a mesh returns the same data as reading it from Blender element by element."""
 
 from types import SimpleNamespace
 
@@ -25,7 +25,7 @@ READERS = {
 
 @pytest.fixture(params=["OBJECT", "EDIT", "no faces", "nothing"])
 def mesh(addon, request):
-    """Return the present mesh: in Edit Mode with changes that Blender has not written to the mesh yet."""
+    """Return the present mesh. In Edit Mode, it has the changes that Blender has not written to the mesh yet."""
     target = grid("Bump", round_bump, faces="ngons")
     mark_seam(target, on_line(0, 0.0))
     if request.param == "EDIT":
@@ -100,12 +100,12 @@ def test_a_run_in_edit_mode_copies_the_mesh_once_to_read_it_and_once_to_check_it
     edit.verts[0].co.z += 1
     with pytest.raises(addon.issues.ObjectError, match="changed during the run"):
         reading.check_current(bpy.context, models, settings)
-    with addon.blender.mesh.current_mesh(target) as mesh:  # the earlier copies are not in use any more
+    with addon.blender.mesh.current_mesh(target) as mesh:  # the earlier copies are no longer in use
         assert mesh.vertices[0].co.z == edit.verts[0].co.z
 
 
 def test_shape_keys_outlive_reading_in_edit_mode(addon):
-    """The copy shares the data that it is made from."""
+    """The copy shares the data from which it is made."""
     target = grid("Bump", round_bump)
     target.shape_key_add(name="Basis")
     target.shape_key_add(name="Taller").data[40].co.z += 1

@@ -32,7 +32,7 @@ def move_a_vertex(source):
     bmesh.update_edit_mesh(source.data)
 
 
-EDITS = {  # edits of the selection, which is everything or a line
+EDITS = {  # edits of the selected elements: all, or those of a line
     "a vertex moved": (None, lambda: move_a_vertex(bpy.context.object)),
     "seams cleared": (None, lambda: bpy.ops.mesh.mark_seam(clear=True)),
     "wires cleared": (None, lambda: bpy.ops.mesh.wirewarp_clear()),
@@ -70,7 +70,7 @@ def test_scale_is_seen_and_place_does_not_matter(source, has_changed):
 
 
 def test_applying_a_scale_of_one_changes_nothing(source, has_changed):
-    """Blender may make a positive zero of each negative one then."""
+    """Blender may then turn negative zeros into positive ones."""
     source.data.vertices[40].co.x = -0.0
     flatten(source)
     bpy.ops.object.transform_apply(location=False, rotation=False, scale=True)

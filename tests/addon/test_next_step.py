@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The button below Flatten after each outcome; one click fixes and flattens."""
+"""The button below Flatten after each outcome of a run. One click fixes the model and flattens it."""
 
 from types import SimpleNamespace
 
@@ -18,7 +18,7 @@ def step_of(addon, source, left_out=()):
 
 
 def ready(addon, source):
-    """Return whether all lengths are exact, for any fabric."""
+    """Return whether the verdict is that all lengths are exact, for any fabric."""
     return addon.state.reports.last_report(source).ok
 
 
@@ -55,7 +55,7 @@ def sliver():
 
 
 def loose_faces():
-    """Return a mesh as in some files, in which each face has its own vertices."""
+    """Return a mesh in which each face has its own vertices, as in some files."""
     whole = grid("Bump", bump, size=48)
     places = read(whole.data.vertices, "co", np.float32, 3)
     corners = [tuple(face.vertices) for face in whole.data.polygons]
@@ -85,7 +85,8 @@ def test_a_fault_is_fixed_and_the_model_flattened_with_one_click(addon, make, sa
     assert step.text == button
     (issue,) = addon.state.reports.last_report(source).issues
     fault = issue.sentence.partition(". ")[0]
-    assert draw_panels(addon).count(fault) == 4  # beside the verdict and in the report; narrow and wide
+    # below the verdict and in the report, in a narrow and in a wide sidebar
+    assert draw_panels(addon).count(fault) == 4
     assert MEND(**step.settings) == {"FINISHED"}
     assert len(source.data.polygons) == faces and ready(addon, source)
     assert len(source.data.vertices) == (49 * 49 if make is loose_faces else len(source.data.vertices))
@@ -122,7 +123,7 @@ def test_places_without_a_remedy_are_shown(addon):
     step = step_of(addon, source)
     assert (step.text, step.settings) == ("Show Worst Place", {"what": "HINT", "index": 0})
     shown = buttons(addon).count("object.wirewarp_suggest_darts")
-    assert shown == 2  # beside the verdict; in a narrow and in a wide sidebar
+    assert shown == 2  # below the verdict, in a narrow and in a wide sidebar
     assert bpy.ops.mesh.wirewarp_select_result(**step.settings) == {"FINISHED"}
     bpy.ops.object.mode_set(mode="OBJECT")
     source.data.vertices[6].co.z = float("nan")
@@ -131,13 +132,13 @@ def test_places_without_a_remedy_are_shown(addon):
 
 
 def test_an_evenly_strained_piece_gets_a_suggested_cut(addon):
-    """The piece needs more stretch than every fabric allows, but nowhere enough for a hint."""
+    """The piece needs more stretch than every fabric allows, but no place in it needs enough for a hint."""
     source = grid("Low", lambda x, y: (x, y, 0.3 * (1 - x * x) * (1 - y * y)), size=6)
     bpy.ops.object.wirewarp_flatten()
     report = addon.state.reports.last_report(source)
     assert report.pieces[0].is_strained and not report.hints and step_of(addon, source) is None
     shown = buttons(addon).count("object.wirewarp_suggest_darts")
-    assert shown == 2  # beside the verdict; in a narrow and in a wide sidebar
+    assert shown == 2  # below the verdict, in a narrow and in a wide sidebar
 
 
 def test_the_button_is_refused_without_a_fault(addon):
@@ -213,7 +214,7 @@ def test_modifiers_of_a_shared_mesh_are_not_applied(addon):
 
 
 def test_the_strained_place_is_the_largest_of_the_worst_piece(addon):
-    """A wire at its limit and a single strained face do not come first."""
+    """The first place is not a wire at its limit or a single strained face."""
 
     def entry(code, piece, faces, edges=()):
         return addon.core.Hint(code, "", piece, edges=list(edges), faces=list(range(faces)))
@@ -254,7 +255,7 @@ def test_amber_offers_fabrics_and_one_click_flattens_for_one(addon):
     assert labels[-1] not in draw_panels(addon) and one_click not in draw_panels(addon)
     bpy.ops.object.wirewarp_flatten(cloth="WOVEN", gives_across=0.1, gives_along=0.1)
     assert not addon.core.verdict(addon.state.reports.last_report(source)).is_ready
-    assert "Flatten for" not in draw_panels(addon)  # a fabric that was chosen is not replaced by a guess
+    assert "Flatten for" not in draw_panels(addon)  # a suggestion does not replace a fabric that was chosen
 
 
 @pytest.mark.parametrize(("needed", "label"), [(0.06, "Fleece"), (0.11, "Jersey"), (0.6, "Swim Knit"), (0.9, "")])

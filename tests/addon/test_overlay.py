@@ -112,8 +112,8 @@ def test_names_are_those_of_the_report_and_are_on_their_lines(addon, source):
     name = next(name for name in lines.names if name.texts == ("Waist",))
     for place in name.places:
         assert np.linalg.norm(lines.places["rigid"] - place, axis=1).min() < 0.25
-    assert abs(name.places[0][0]) < 0.3  # the best place is in the middle
-    assert min(name.places[:, 0]) < -0.5 < 0.5 < max(name.places[:, 0])  # or farther along, on each side
+    assert abs(name.places[0][0]) < 0.3  # the best place is near the middle
+    assert min(name.places[:, 0]) < -0.5 < 0.5 < max(name.places[:, 0])  # other places are farther along, on both sides
     assert name.normals[0][2] > 0.9
 
 
@@ -211,7 +211,8 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
     assert np.ptp(above["Waist"].points[:, 0]) > 80
     assert np.ptp(above["Waist"].points[:, 1]) < 1
     (reach,) = (name.reach for name in lines_of(addon, source).names if name.texts == ("Waist",))
-    assert above["Waist"].reach == pytest.approx(100 * reach, rel=0.03)  # 100 pixels a unit, 4 units from the eye
+    # 100 pixels per unit at a distance of 4 units from the eye
+    assert above["Waist"].reach == pytest.approx(100 * reach, rel=0.03)
     assert look(addon, source, (10, 0, -4.4), (10, 0, 0), perspective) == {}  # the back of the surface
     assert look(addon, source, (10, 0, 4.4), (10, 0, 9), perspective) == {}  # behind the eye
     assert look(addon, source, (10, 0, 150), (10, 0, 0), perspective) == {}  # clipped
@@ -223,7 +224,7 @@ def test_names_are_written_where_their_lines_are_seen(addon, source, perspective
 
 @pytest.mark.parametrize("perspective", [True, False])
 def test_names_behind_another_part_of_the_model_are_not_written(addon, perspective):
-    """A sheet with a wire is below a larger sheet of the same object."""
+    """A sheet with a wire is below a larger sheet, and both are one object."""
     source = grid("Low", lambda x, y: (x, y, 0.0))
     mark(source, on_line(1, 0.0))
     high = grid("High", lambda x, y: (3 * x, 3 * y, 1.0))
@@ -295,7 +296,7 @@ def test_a_map_shows_its_figure_or_why_it_is_missing(addon, source, notes):
 
 
 def test_the_legend_shows_the_figures_of_the_piece_list_and_no_others(addon, source, notes):
-    """Extremes of single faces beside the verdict's figure would be a second number for one strain."""
+    """Extremes of single faces beside the verdict's figure would be a second number for the same strain."""
     bpy.ops.object.wirewarp_flatten(cloth="JERSEY")
     threads = [piece.threads for piece in addon.state.reports.last_report(source).pieces]
     across, along, shear = (max(getattr(each, way) for each in threads) for way in ("across", "along", "shear"))
@@ -318,7 +319,7 @@ def test_edit_mode_of_flat_pieces_is_not_a_change(source, notes):
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.context.view_layer.objects.active = source
     bpy.ops.object.mode_set(mode="EDIT")
-    assert notes("STRETCH_COLOR") == []  # the flat pieces show it
+    assert notes("STRETCH_COLOR") == []  # no note, because the flat pieces show the map
 
 
 def test_failed_elements_are_drawn_on_model_pieces_and_map(addon, notes):
@@ -344,7 +345,7 @@ def test_failed_elements_are_drawn_on_model_pieces_and_map(addon, notes):
     flatten_fails("Wide: ")
     bpy.data.objects.remove(flat_of(source))
     bpy.data.objects.remove(source)
-    assert notes("STRETCH_COLOR") == ["Not flattened: no map"]  # it has not changed since
+    assert notes("STRETCH_COLOR") == ["Not flattened: no map"]  # the model has not changed since the run
 
 
 def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
@@ -357,14 +358,15 @@ def test_a_failed_piece_has_lines_around_it_and_none_inside(addon):
     drawn = found.lines["failed"].reshape(-1, 2, 3)
     around = np.abs(drawn[:, 0, 2] - drawn[:, 1, 2]) < 1e-6
     assert around.sum() == 2 * 12
-    assert (~around).sum() <= len(issue.vertices)  # the issue's places
+    assert (~around).sum() <= len(issue.vertices)  # only the places of the issue are red
 
 
 def test_a_closed_model_has_not_failed_but_a_closed_piece_beside_a_good_one_is_in_the_legend(addon):
     """Its proposed slit is not drawn: it only opens the piece, and no button below Flatten marks it."""
     corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
     source = make_object("Closed", corners, [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
-    assert list(addon.overlay.shown.drawings(view_context())) == []  # because it has no marks
+    # there is nothing to draw, because the model has no marks
+    assert list(addon.overlay.shown.drawings(view_context())) == []
     flatten_fails("is closed")
     (drawing,) = addon.overlay.shown.drawings(view_context())
     assert drawing.target == source and drawing.failures.kinds == set()
@@ -383,5 +385,5 @@ def test_proposed_seams_are_drawn_while_a_button_marks_them(addon):
     drawn = addon.overlay.failures.failures(source).lines["proposed"]
     ends = [tuple(source.data.vertices[vertex].co) for pair in issue.proposed_seams for vertex in sorted(pair)]
     assert sorted(map(tuple, drawn.tolist())) == sorted(ends)
-    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # now the button marks these cuts
+    assert bpy.ops.object.wirewarp_suggest_seams() == {"FINISHED"}  # the button now marks these cuts
     assert "proposed" not in addon.overlay.failures.failures(source).lines

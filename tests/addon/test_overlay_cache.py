@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The overlay costs nothing while nothing changes, and is removed with the add-on."""
+"""The overlay computes nothing while nothing changes, and is removed with the add-on."""
 
 from types import SimpleNamespace
 
@@ -48,7 +48,7 @@ def test_nothing_is_built_again_until_something_changes(addon, source, at_once):
 
 
 def test_allowances_are_computed_again_only_if_they_change(addon, source, at_once, monkeypatch):
-    """Allowances take longest to compute, and the model changes far more often."""
+    """Allowances take longest to compute, and other data of the model change far more often."""
     shown, laid = addon.overlay.shown, []
     cut_lines = shown.cut_lines
     monkeypatch.setattr(shown, "cut_lines", lambda *given, **more: laid.append(given) or cut_lines(*given, **more))
@@ -74,7 +74,7 @@ def test_in_edit_mode_marks_are_seen_at_once_and_a_selection_builds_nothing_new(
     assert rigid_edges(first) == 8 + rigid_edges(seen) == 16
     select_edges(source, on_line(1, 0.25), on_line(1, -0.25))
     assert drawn(addon)[source].lines is first
-    bpy.ops.mesh.select_all(action="SELECT")  # marked edges among them
+    bpy.ops.mesh.select_all(action="SELECT")  # selects all edges, including marked ones
     marked = drawn(addon)[source].lines
     assert all(marked.places[kind] is first.places[kind] for kind in set(first.places) - {"selected"})
     assert len(marked.places["selected"]) > len(first.places["selected"])
@@ -150,7 +150,7 @@ def clock(addon, monkeypatch):
 
 
 def slowly(addon, clock, owner, seconds, source=None):
-    """Return a function that draws versions which take this long to build, and a list of the built ones."""
+    """Return a function that draws versions, each of which takes this long to build, and a list of those built."""
     built = []
 
     def build(version):
@@ -185,7 +185,7 @@ def test_slow_drawings_wait_in_edit_mode_until_the_user_pauses(addon, source, ti
     assert drawing(0) == 0
     clock.now += 10
     select_edges(source, RIGID)
-    for version in range(1, 100):  # as while vertices are dragged
+    for version in range(1, 100):  # versions follow one another as if vertices were dragged
         assert drawing(version) == 0
         clock.now += 0.05
     clock.now += 0.16
@@ -309,7 +309,7 @@ def test_marking_flattening_renaming_and_removing_are_noticed(addon, among_other
     assert names_drawn(addon) == {"Sleeve"}
     source.data.vertices[0].co.x = float("nan")
     flatten_fails("not numbers, or far")
-    assert names_drawn(addon) == {"Sleeve", "Bump"}  # it has a report now
+    assert names_drawn(addon) == {"Sleeve", "Bump"}  # the model has a report now
     bpy.data.objects.remove(among_others)
     source.hide_set(True)
     assert names_drawn(addon) == set()

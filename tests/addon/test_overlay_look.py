@@ -6,7 +6,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-# Machado, Oliveira, Fernandes 2009, severity 1: linear RGB for people without one kind of cone.
+# Matrices for linear RGB as seen by people who lack one kind of cone (Machado, Oliveira, Fernandes 2009, severity 1).
 VISIONS = {
     "normal": np.eye(3),
     "protanopia": [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
@@ -19,7 +19,7 @@ WHITE = TO_XYZ.sum(axis=1)
 
 
 def lab(srgb, vision):
-    """Return CIE L*a*b* (D65) of a screen color seen with this vision."""
+    """Return CIE L*a*b* (D65) of a screen color as seen with this kind of vision."""
     srgb = np.array(srgb)
     linear = np.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
     x, y, z = (TO_XYZ @ np.clip(np.array(VISIONS[vision]) @ linear, 0, 1)) / WHITE
@@ -34,7 +34,7 @@ def test_everybody_distinguishes_the_lines(addon, vision):
         if "grain" in first + second or {"page", "ease"} & {first, second}:
             continue  # distinguished by its arrow, or by its name in the corner
         distance = np.linalg.norm(lab(a.color, vision) - lab(b.color, vision))
-        assert distance > 30, (first, second)  # colors side by side differ noticeably from 2.3 on
+        assert distance > 30, (first, second)  # colors side by side are distinguishable if they differ by at least 2.3
 
 
 def test_kinds_of_wires_are_distinguished_without_color(addon):
@@ -78,7 +78,7 @@ def test_equal_steps_of_a_map_are_distinguished_and_in_order(addon, vision):
         steps = color_map.colors(np.linspace(color_map.low, color_map.high, 9))
         seen = np.array([lab(color[:3], vision) for color in surfaces.screen_colors(steps)])
         assert np.linalg.norm(np.diff(seen, axis=0), axis=1).min() > 5
-        lightness = seen[:, 0] if color_map.low >= 0 else seen[4:, 0]  # the warm side, if there are two
+        lightness = seen[:, 0] if color_map.low >= 0 else seen[4:, 0]  # only the warm side if there are two
         assert np.all(np.diff(lightness) < 0)
         if color_map.low < 0:
             assert np.all(np.diff(seen[:5, 0]) > 0)

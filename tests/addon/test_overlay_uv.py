@@ -53,7 +53,7 @@ def test_lines_and_names_are_at_the_pieces_in_the_map(addon, source, mode):
     names = [name.texts[-1] for name in drawing.lines.names]  # in every piece
     assert sorted(names) == sorted(2 * ["Seam 1", "Waist", "Wire 2 ±5%"])
     if mode == "OBJECT":
-        select_only(flat_of(source))  # the editor then shows the model of the pieces
+        select_only(flat_of(source))  # if pieces are active, the editor shows their model
         assert [drawing.target for drawing in shown(addon)] == [source]
 
 

@@ -50,7 +50,7 @@ def sheets_in(path):
     ],
 )
 def test_the_preview_has_as_many_pages_as_the_file(addon, source, tmp_path, paper, beside, arrangement):
-    """The map is not counted."""
+    """The page with the map is not counted."""
     pages = preview(addon, source, paper=paper, arrangement=arrangement)
     path = tmp_path / "a.pdf"
     bpy.ops.object.wirewarp_export(filepath=str(path), paper=paper, arrangement=arrangement)
@@ -126,7 +126,7 @@ def test_the_list_of_pieces_makes_no_pattern_until_names_or_marked_allowances_ch
 
 
 def test_equal_pieces_are_named_below_the_export_button(addon, source):
-    """Above the button, their names would move it away from the mouse."""
+    """Above the button, the names would move the button away from the mouse."""
     bpy.context.scene.wirewarp.pairs = True
     select_only(source)
     drawn = []
@@ -145,7 +145,7 @@ def test_pages_are_over_the_pieces_or_below_them_with_the_printed_lines(addon, s
 
     pages = preview(addon, source, arrangement="AS_LAID_OUT", paper="A4")
     sizes = np.sort(np.ptp(frames(pages), axis=1))
-    assert sizes == pytest.approx(np.tile([190.0, 277.0], (len(sizes), 1)), abs=1e-3)  # without the margins
+    assert sizes == pytest.approx(np.tile([190.0, 277.0], (len(sizes), 1)), abs=1e-3)  # sizes without the margins
     assert on_page(flat, pages) and "cut" not in pages.places
     pages = preview(addon, source, arrangement="IN_ROWS")
     assert frames(pages)[:, 1, 1].max() < flat[:, 1].min()

@@ -31,7 +31,7 @@ def parts_of(addon, source, **settings):
 
 
 def lengths_on(source, line):
-    """Return millimeters of the edges on a line of the model."""
+    """Return the lengths in millimeters of the edges on a line of the model."""
     places = read(source.data.vertices, "co", np.float32, 3)
     return 100 * edge_lengths(source)[[line(places[a], places[b]) for a, b in edge_vertices(source.data)]]
 
@@ -46,7 +46,8 @@ def test_pieces_have_names_outlines_and_wires_of_the_model(addon, source, mirror
     parts = parts_of(addon, source, mirror=mirror)
     assert {piece.name for piece in parts.pieces} == {"Top Left", "Top Right"}
     assert (parts.title, parts.seam_names, parts.failed, parts.units) == ("Bump", ["Seam 1"], [], "metric")
-    assert parts.measures == [("Waist", pytest.approx(lengths_on(source, WIRE).sum(), rel=1e-6))]  # the rigid one
+    # only the rigid wire is measured
+    assert parts.measures == [("Waist", pytest.approx(lengths_on(source, WIRE).sum(), rel=1e-6))]
     model = read(source.data.vertices, "co", np.float32, 3)
     for piece in parts.pieces:
         kinds = {wire.kind: wire for wire in piece.wires}

@@ -81,9 +81,9 @@ def test_a_tube_turned_inside_out_keeps_front_and_back_and_is_reported():
     (note,) = json.loads(tube["wirewarp_report"])["notes"]
     assert note["text"].startswith("Normals point inward, so pieces show their inside") and note["is_warning"]
     bpy.ops.object.wirewarp_flatten(mirror=True)
-    assert json.loads(tube["wirewarp_report"])["notes"] == []  # now as seen from outside
+    assert json.loads(tube["wirewarp_report"])["notes"] == []  # the pieces now show the outside
     bowl = grid("Bowl", lambda x, y: (x, y, x * x + y * y))
-    assert flatten(bowl)  # from its hollow
+    assert flatten(bowl)  # flattened as seen from its hollow side
     assert json.loads(bowl["wirewarp_report"])["notes"] == []
 
 
@@ -103,7 +103,7 @@ def test_a_piece_that_winds_around_is_named_after_its_place():
     ]
     for sleeve in sleeves:
         sleeve.data.edges.foreach_set("use_seam", [set(edge.vertices) == {0, 8} for edge in sleeve.data.edges])
-    assert flatten(sleeves[0]) == ["Tube -4"]  # alone it is the whole model
+    assert flatten(sleeves[0]) == ["Tube -4"]  # named after the model, because it is all of it
     select_only(*sleeves)
     bpy.ops.object.join()
     assert sorted(flatten(sleeves[0])) == ["Left", "Right"]
@@ -114,7 +114,7 @@ def test_the_only_piece_has_the_name_of_the_model_until_it_is_cut():
     source = grid("Sleeve", bump)
     assert flatten(source) == ["Sleeve"]
     source.data.vertices[40].co = source.data.vertices[41].co
-    flatten_fails("^Error: Sleeve: ")  # and not "Sleeve, Sleeve"
+    flatten_fails("^Error: Sleeve: ")  # named once, not "Sleeve, Sleeve"
     source.data.vertices[40].co = (0, 0, 0.4)
     mark_seam(source, on_line(0, 0.0))
     assert sorted(flatten(source)) == HALVES
@@ -196,13 +196,15 @@ def fill_group(target, name, wanted):
 
 
 def test_a_vertex_group_gives_its_name_to_the_piece_it_covers(source):
-    source.vertex_groups.new(name="Faint").add(range(81), 0.3, "REPLACE")  # a weak weight is no membership
-    fill_group(source, "Half", lambda co: co.x > 0.6)  # less than half of the piece
-    source.data.materials.append(bpy.data.materials.new("Felt"))  # all of it: does not distinguish
+    # vertices with a small weight do not count as members
+    source.vertex_groups.new(name="Faint").add(range(81), 0.3, "REPLACE")
+    fill_group(source, "Half", lambda co: co.x > 0.6)  # a group of less than half of the piece
+    # a material of the whole model, which distinguishes nothing
+    source.data.materials.append(bpy.data.materials.new("Felt"))
     assert sorted(flatten(source)) == HALVES
     source.wirewarp_pieces.clear()
     fill_group(source, "All", lambda _: True)
-    fill_group(source, "Sleeve", lambda co: co.x > -0.3)  # also a little of the other piece
+    fill_group(source, "Sleeve", lambda co: co.x > -0.3)  # includes a little of the other piece
     source.vertex_groups.new(name="Empty")
     assert sorted(flatten(source)) == ["Sleeve", "Top Right"]
     assert middle_of(source, "Sleeve")[0] > 0

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flat pieces stay where the user has put them."""
+"""Flat pieces stay at the places to which the user has moved them."""
 
 import math
 from types import SimpleNamespace
@@ -29,7 +29,7 @@ from surfaces import (
 
 SEAM = on_line(0, 0.0)
 HALVES = ["Top Left", "Top Right"]
-NEAR = 1e-5  # for coordinates of about 10 in single precision
+NEAR = 1e-5  # tolerance for coordinates of about 10 in single precision
 
 
 @pytest.fixture
@@ -86,7 +86,7 @@ def names_of(source):
 
 
 def move(source, name, angle=0.0, by=(0.0, 0.0)):
-    """Rotate a piece about the origin and shift it, as in Edit Mode."""
+    """Rotate a piece about the origin and shift it, as a user does in Edit Mode."""
     flat = flat_of(source).data
     for vertex in vertices_of(source, name):
         place = complex(*flat.vertices[vertex].co[:2]) * complex(math.cos(angle), math.sin(angle)) + complex(*by)
@@ -120,7 +120,7 @@ def test_pieces_moved_and_turned_by_the_user_stay(source):
     flatten(source)
     assert len(places_of(source)) > 3 * len(before) and farthest(places_of(source), before) < 0.1
     select_only(flat_of(source))
-    bpy.ops.object.mode_set(mode="EDIT")  # where nothing is selected, so that one piece can be picked
+    bpy.ops.object.mode_set(mode="EDIT")  # nothing is selected there, so that one piece can be picked
     assert not any(vertex.select for vertex in bmesh.from_edit_mesh(flat_of(source).data).verts)
 
 
@@ -223,7 +223,7 @@ def test_a_rotated_model_keeps_its_pieces_with_a_message(source, notes):
     before = places_of(source)
     source.rotation_euler.z = 1.0
     flatten(source)
-    assert notes() == []  # the same direction is up
+    assert notes() == []  # no note, because the same direction is up
     source.rotation_euler.x = math.radians(90)
     for _ in range(2):
         flatten(source)
@@ -284,7 +284,7 @@ def test_the_button_that_rearranges_is_shown_if_places_are_kept(source, addon):
 
     with_button = buttons()
     bpy.context.scene.wirewarp.keep_places = False
-    assert buttons() == with_button - 2  # narrow and wide
+    assert buttons() == with_button - 2  # the button is missing, in a narrow and in a wide sidebar
     bpy.context.scene.wirewarp.keep_places = True
     select_only(flat_of(source))
     assert buttons() == with_button  # the buttons of their model

@@ -68,9 +68,9 @@ def test_one_proposal_leaves_the_others_good():
 
 
 def test_two_sleeves_are_fixed_at_once_as_mirror_images(addon):
-    """By its own proposal, the second sleeve would get its seam on the same side as the first."""
+    """The second sleeve's own proposal would put its seam on the same side as that of the first."""
     source, other = tube(place=-2.0), tube("Other", place=2.0)
-    for target in (source, other):  # narrower on one side, which makes that the best place for a seam
+    for target in (source, other):  # narrower on the inner side, where a seam is therefore best
         for vertex in target.data.vertices:
             vertex.co.y *= 1 + 0.2 * abs(vertex.co.x)
     joined(source, other)
@@ -84,7 +84,8 @@ def test_two_sleeves_are_fixed_at_once_as_mirror_images(addon):
 
 def test_pairs_without_mirrored_meshes_are_fixed_at_once_each_by_its_own_seam():
     source, other = tube(), tube("Other", place=4.0)
-    other.data.transform(Matrix.Rotation(0.1, 4, "Z"))  # about the world's axis: not a mirror image in X, Y or Z
+    # rotated about the world's axis, so not a mirror image in X, Y or Z
+    other.data.transform(Matrix.Rotation(0.1, 4, "Z"))
     joined(source, other)
     flatten_fails(CUT)
     assert take(issue=1) == {"FINISHED"}
@@ -98,7 +99,7 @@ def test_the_button_works_from_the_flat_pieces():
     bpy.ops.object.mode_set(mode="EDIT")
     assert take() == {"FINISHED"}
     assert len(seams_of(source)) > 0
-    assert bpy.context.mode == "OBJECT"  # because undo restores the model only in Object Mode
+    assert bpy.context.mode == "OBJECT"  # in Object Mode, because undo restores the model only there
 
 
 @pytest.mark.parametrize("mode", ["OBJECT", "EDIT"])

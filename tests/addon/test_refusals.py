@@ -44,14 +44,14 @@ def eight_maps(source, count=8):
 
 
 def break_a_wire(source):
-    """Mark a wire as a file edited by hand may have it."""
+    """Mark a wire in a way that is possible only in a file that a script has changed."""
     mark(source, on_line(1, 0.0))
     source.data.attributes["wirewarp_tolerance"].data.foreach_set("value", [math.nan] * len(source.data.edges))
     source.data.wirewarp_names[0].name = "Dart Line"
 
 
 NAMED = '"Bump" has something called "WireWarp" under Object Data > '
-REFUSED = {  # how a model is spoiled, and the sentence
+REFUSED = {  # for each case, how the model is spoiled, and the resulting sentence
     "zero scale": (lambda s: scale(s, 2, 0), '"Bump" is scaled to zero along an axis'),
     "a vertex that is nowhere": (lose_a_vertex, "The coordinates of 1 vertex are not numbers, or far too large. Move"),
     "too large": (enlarge, '"Bump" is more than 1e.18 Blender units wide, too large for true areas: scale it down'),
@@ -70,7 +70,7 @@ SETTINGS = [
     ({"fairness": math.nan}, "nan"),
     ({"spacing": math.nan}, "nan"),
     ({"report_path": "//report.json"}, "Blender file; save that first"),
-    # Nobody can make files in /proc
+    # nobody can create files in /proc
     ({"report_path": "/proc/report.json"}, 'Cannot write "/proc/report.json": '),
     ({"use_modifiers": True}, "Bump: "),  # the first modifier leaves no face
 ]
@@ -202,7 +202,7 @@ def test_flat_pieces_that_are_edited_in_another_scene_are_refused(source, addon)
         addon.flatten.read.check_target(source, writes_model=True, edited=())
     with pytest.raises(addon.issues.ObjectError, match='The mesh "Bump Flat" is being edited in another scene'):
         addon.export.read.read_pattern(bpy.context.scene, source)
-    bpy.context.view_layer.objects.active = source  # as in another view layer: only the pieces are in Edit Mode
+    bpy.context.view_layer.objects.active = source  # only the pieces are in Edit Mode, as in another view layer
     flatten_fails('The mesh "Bump Flat" is being edited in another scene')
 
 
@@ -229,7 +229,7 @@ def test_objects_with_one_mesh_and_different_scales_are_refused(source):
     twin.scale = (2, 2, 2)
     select_only(twin)
     flatten_fails('"Bump.001" and "Bump" share the mesh "Bump" but differ in scale.*Make Single User')
-    assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}  # writes no UV map
+    assert bpy.ops.object.wirewarp_flatten(use_modifiers=True) == {"FINISHED"}  # works, because it writes no UV map
     bpy.ops.object.make_single_user(object=True, obdata=True)
     assert bpy.ops.object.wirewarp_flatten() == {"FINISHED"}
     assert twin.data["wirewarp_uv_scale"] == pytest.approx(2 * source.data["wirewarp_uv_scale"], rel=1e-5)

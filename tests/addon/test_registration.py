@@ -24,7 +24,7 @@ def handlers_of(addon) -> list[tuple[str, str]]:
 
 
 def all_that_blender_knows() -> dict:
-    """Return everything that add-ons add to."""
+    """Return all of Blender's lists and classes to which add-ons add items."""
     kinds = ("Scene", "Object", "Mesh", "Collection", "WindowManager", "AddonPreferences")
     known = {kind: set(getattr(bpy.types, kind).bl_rna.properties.keys()) for kind in kinds}
     known["types"] = {name for name in dir(bpy.types) if hasattr(bpy.types, name)}
@@ -103,7 +103,7 @@ def test_the_panels_of_the_sidebar_come_in_the_order_of_the_work(addon):
     panels = [cls for cls in addon.registration.CLASSES if issubclass(cls, bpy.types.Panel)]
     first = "Flatten, Settings, Advanced, Export, Mark, Pieces, Wires, Report"
     own = [cls.bl_label for cls in panels if getattr(cls, "bl_parent_id", "") != "VIEW3D_PT_wirewarp_report"]
-    assert own == [*first.split(", "), "Overlay", "Overlay"]  # the last in the UV Editor
+    assert own == [*first.split(", "), "Overlay", "Overlay"]  # the last one is in the UV Editor
 
 
 def test_every_operator_and_its_properties_have_tooltips(addon):

@@ -58,7 +58,7 @@ def test_the_report_states_lengths_in_blender_units_and_meters(source, tmp_path)
     assert sorted(seam["pieces"]) == [0, 1] and seam["mismatch"] < 1e-9
     assert wire["name"] == "Wire 1"
     assert wire["length_2d"][0] == pytest.approx(length_on(source, WIRE), rel=1e-6)
-    for piece in entry["pieces"]:  # a part of the wire; and of the outline its side of the seam and one open section
+    for piece in entry["pieces"]:  # a part of the wire; on the outline, its side of the seam and one open section
         assert len(piece["wires"]) == 1
         assert sorted(chain["seam"] is None for chain in piece["outline"]) == [False, True]
 
@@ -151,7 +151,7 @@ def test_the_method_and_the_settings_reach_the_core(source, tmp_path):
 
     by_length = piece(method="WIREWARP_PLUS_PLUS", node_weight="LENGTH")
     assert by_length["arap_energy"] != piece(method="WIREWARP_PLUS_PLUS", node_weight="UNIFORM")["arap_energy"]
-    assert piece()["arap_energy"] < by_length["arap_energy"]  # the purpose of the refined method
+    assert piece()["arap_energy"] < by_length["arap_energy"]  # less energy is the purpose of the refined method
     options = flatten_with_report(tmp_path, fairness=0.25)["objects"][0]["options"]
     assert (options["method"], options["fairness"]) == ("refined", 0.25)
     rough, smooth = piece(fairness=0.02), piece(fairness=1.0)
@@ -201,7 +201,10 @@ def test_the_report_names_the_upright_direction(source, tmp_path):
 
 
 def test_the_report_follows_the_names_of_wires(addon):
-    """Tables, advice and flat pieces have the new names, also swapped ones. Wires with equal names stay apart."""
+    """Tables, advice and flat pieces have the new names, even if names were swapped.
+
+    Wires with equal names stay separate.
+    """
     source = grid("Bump", bump)
     for line, tolerance in ((0.0, 0.001), (0.5, 0.002)):
         mark(source, on_line(1, line), kind="ELASTIC", tolerance=tolerance)
@@ -231,7 +234,7 @@ def test_the_report_is_parsed_and_its_rows_are_made_once(addon, source):
     tables = report.tables
     assert addon.state.reports.last_report(source) is report and report.tables is tables
     assert [side.label for side in tables.seams[0].sides] == ["Top Right", "Top Left"]
-    report.pieces[0].name = "Front"  # as the user renames it
+    report.pieces[0].name = "Front"  # a new name, as if the user had renamed it
     assert report.tables.seams[0].note == "Front – Top Left"
 
 
@@ -271,12 +274,12 @@ def test_the_list_of_pieces_has_the_worst_first(addon):
     source.wirewarp_pieces[0].name, source.wirewarp_pieces[1].name = "b", "A"
     assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [1, 0])
     this.use_filter_sort_alpha = False
-    source.wirewarp_pieces.add()  # none of the report's
+    source.wirewarp_pieces.add()  # an entry that is not in the report
     assert listed.filter_items(this, bpy.context, source, "wirewarp_pieces") == ([], [])
 
 
 class MarkedRow:
-    """A layout that keeps how the names in a list are marked."""
+    """A layout that records how the names in a list are marked."""
 
     def __init__(self):
         self.marks = []
@@ -318,4 +321,4 @@ def test_the_list_of_pieces_has_marks_only_while_the_verdict_is_about_them(addon
     source.data.update()
     bpy.context.view_layer.update()
     assert not addon.ui.settings.has_changed_since(source, addon.state.reports.pieces_report(source))
-    assert has_marks(source, addon) == [False, False]  # the last run failed
+    assert has_marks(source, addon) == [False, False]  # neither has a tick, because the last run failed

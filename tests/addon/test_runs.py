@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs beside Blender, and automatic updates. tests/window tests their parts in the window."""
+"""Runs that continue while Blender responds, and automatic updates. tests/window tests their parts in the window."""
 
 import subprocess
 import sys
@@ -46,7 +46,10 @@ def test_an_abandoned_run_is_canceled_in_the_core_too(addon, started):
 
 @pytest.fixture
 def started(addon, monkeypatch):
-    """Collect references to the core's jobs started from now on: when they are dead, their threads have ended."""
+    """Collect weak references to the core's jobs that start from now on.
+
+    When these are dead, the threads of the jobs have ended.
+    """
     jobs, library = [], addon.core.library()
     start = library.start
 
@@ -134,7 +137,7 @@ def begun(addon):
 
 
 def test_a_finished_run_may_still_be_canceled(addon, begun):
-    """An update may wait for the mouse."""
+    """A finished update waits for the mouse, and may still be canceled."""
     run = begun(solving(addon))
     assert run.is_done
     addon.ui.window_run.cancel()
@@ -170,7 +173,7 @@ def failing():
 
 @pytest.mark.parametrize(("work", "error"), [(stubborn, OSError), (failing, MemoryError)])
 def test_exceptions_of_the_work_are_raised_with_the_result(addon, begun, work, error):
-    """Also raise exceptions of work that cannot clean up after it was canceled."""
+    """Raise even exceptions of work that cannot clean up after it was canceled."""
     run = begun(work())
     if work is stubborn:
         addon.ui.window_run.cancel()
@@ -227,8 +230,8 @@ def test_nothing_is_updated_after_undo_until_something_changes(addon, source):
     assert taken(addon) == ["Bump"]
     auto.note_undo()
     scene.wirewarp.auto_update = False
-    auto.forget_change(scene)  # as with the next movement of the mouse
-    scene.wirewarp.auto_update = True  # switched off and on, it does not hide the next change
+    auto.forget_change(scene)  # what the next movement of the mouse does
+    scene.wirewarp.auto_update = True  # switching Auto off and on does not hide the next change
     move_a_vertex(source)
     assert taken(addon) == ["Bump"]
 
@@ -249,7 +252,7 @@ def test_an_update_takes_the_undo_group_of_the_last_operator(addon):
     assert all(cls.is_registered and cls.bl_options == {"INTERNAL", "UNDO_GROUPED"} for cls in joining)
     most = addon.flatten.auto_update.MOST
     idnames = {updating(f"Group {number}").idname_py() for number in range(2 * most)}
-    assert len(idnames) == most - 2 + 1  # two are for the groups above; more updates have their own undo steps
+    assert len(idnames) == most - 2 + 1  # two are for the groups above; further updates have their own undo steps
     addon.unregister()
     assert not any(hasattr(bpy.types, f"OBJECT_OT_wirewarp_update_{number}") for number in range(most))
     addon.register()
@@ -260,7 +263,7 @@ def test_a_model_whose_update_was_canceled_says_what_to_do(addon, source):
     bpy.context.scene.wirewarp.auto_update = True
     move_a_vertex(source)
     assert canceled not in draw_panels(addon)
-    assert taken(addon) == ["Bump"]  # as the update takes it, which is then canceled
+    assert taken(addon) == ["Bump"]  # taken by the update, which is then canceled
     assert canceled in draw_panels(addon)
     move_a_vertex(source)
     bpy.context.view_layer.update()

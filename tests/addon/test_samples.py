@@ -67,7 +67,7 @@ def test_the_file_contains_eases_and_fabric(name, addon):
 
 @pytest.mark.parametrize("name", SAMPLES)
 def test_the_model_fills_the_view_that_the_file_opens_with(name):
-    """For a window 1.5 times as wide as high, with Blender's projection of 50 mm."""
+    """Checked for a window that is 1.5 times as wide as high, with Blender's focal length of 50 mm."""
     source = open_sample(name)
     points = read(source.data.vertices, "co", np.float32, 3)
     areas = [area for screen in bpy.data.screens for area in screen.areas if area.type == "VIEW_3D"]
@@ -80,7 +80,7 @@ def test_the_model_fills_the_view_that_the_file_opens_with(name):
 
 
 def flatten_as_the_file_says(folder):
-    """Return the object's part of the report."""
+    """Flatten with the settings in the file, and return the object's part of the report."""
     settings = bpy.context.scene.wirewarp
     chosen = {name: getattr(settings, name) for name in ("cloth", "worn_across", "worn_along", "fairness")}
     report_path = folder / "report.json"

@@ -77,7 +77,7 @@ def test_a_seam_that_ends_inside_is_a_dart_and_one_that_opens_a_tube_is_not(addo
     flatten(target)
     assert list(seams(addon, target)) == ["Dart 1"]
     assert addon.state.reports.last_report(target).tables.seams[0].note == "Bump"
-    mark_seam(target, DOWN)  # all the way through: the same seam, but not a dart now
+    mark_seam(target, DOWN)  # the dart is cut all the way through: the same seam, but no longer a dart
     flatten(target)
     assert list(seams(addon, target)) == ["Seam 1"]
     bpy.ops.mesh.primitive_cylinder_add(vertices=12, end_fill_type="NOTHING")
@@ -89,7 +89,7 @@ def test_a_seam_that_ends_inside_is_a_dart_and_one_that_opens_a_tube_is_not(addo
 
 
 def test_darts_are_numbered_on_their_own(addon, source):
-    """Otherwise the first dart of a garment with 11 seams is Dart 12."""
+    """With common numbers, the first dart of a garment with 11 seams would be Dart 12."""
     mark_seam(source, lambda a, b: DOWN(a, b) and max(a[1], b[1]) < 0.1)
     mark_seam(source, at(-0.5))
     flatten(source)
@@ -114,7 +114,7 @@ def test_a_seam_without_a_name_gets_a_new_one_that_stays_when_a_run_is_refused(a
     flatten(source)
     assert list(seams(addon, source)) == ["Seam 2"]  # 1 is not reused
     names = [piece.name for piece in addon.state.reports.last_report(source).pieces]
-    assert " – ".join(names) in draw_panels(addon)  # the pieces that it joins
+    assert " – ".join(names) in draw_panels(addon)  # the panel shows the pieces that it joins
     source.scale.x = 0.0
     select_only(source)
     flatten_fails("scaled to zero")

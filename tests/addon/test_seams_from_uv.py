@@ -77,7 +77,7 @@ def test_after_a_run_the_users_own_map_is_read(capfd):
 
 def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
     target = with_islands()
-    plain = target.data.uv_layers.new(name="Plain", do_init=False)  # all UVs are one point
+    plain = target.data.uv_layers.new(name="Plain", do_init=False)  # a map on which all corners are one point
     target.data.uv_layers.active = plain
     select_edges(target)
     assert bpy.ops.mesh.wirewarp_seams_from_uv_islands() == {"CANCELLED"}
@@ -89,7 +89,7 @@ def test_the_active_map_is_read_and_a_missing_map_is_refused(capfd):
     with pytest.raises(RuntimeError, match='"Bare" has no UV map'):
         bpy.ops.mesh.wirewarp_seams_from_uv_islands()
     bpy.ops.object.mode_set(mode="OBJECT")
-    assert seam_edges(target.data) == set()  # in both or in neither
+    assert seam_edges(target.data) == set()  # edges are seams in both or in neither
     other = grid("Bump", bump)
     mark_seam(other, CUT)
     flatten(other)
@@ -131,10 +131,10 @@ def test_seams_of_the_map_beyond_the_fabric_come_after_suggestions(addon):
     source, buttons = bpy.context.active_object, []
     flatten_fails("is closed", cloth="MINKY")
     found = uv_seams_of(addon, source)
-    assert found.is_beyond_fabric and not found.is_good and found.stretch > 0.2  # minky has 20% across
+    assert found.is_beyond_fabric and not found.is_good and found.stretch > 0.2  # minky stretches 20% across
     assert ", more than this fabric has." in draw_panels(addon, buttons)
     assert buttons.index("object.wirewarp_suggest_seams") < buttons.index("object.wirewarp_mend")
-    flatten_fails("is closed")  # without a fabric, the seams of the map are as good as others
+    flatten_fails("is closed")  # if no fabric is chosen, the seams of the map are good enough
     assert uv_seams_of(addon, source).is_good
 
 
@@ -170,13 +170,13 @@ def test_seams_of_a_map_that_lowers_the_stretch_are_offered_for_a_model_without_
     report = addon.state.reports.last_report(source)
     assert report.uv_seams.pieces == 2
     assert 0 < report.uv_seams.stretch < report.pieces[0].needed
-    mark_seam(source, ACROSS)  # now the user has seams
+    mark_seam(source, ACROSS)  # the model now has a seam of the user's
     flatten(source)
     assert uv_seams_of(addon, source) is None
 
 
 def test_canceling_while_the_seams_of_the_map_are_tried_keeps_the_pieces(addon, monkeypatch):
-    """The bar never goes backwards."""
+    """The progress bar never goes backwards."""
     source, scene, solver = with_islands(), bpy.context.scene, addon.flatten.models
     flatten_arrays, runs, fractions = solver.flatten_arrays, [], []
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From a line of the report to its edges and faces."""
+"""Buttons that select the edges and faces of a line of the report."""
 
 from functools import partial
 
@@ -120,7 +120,7 @@ def test_a_wire_is_selected_on_the_model_and_on_the_flat_pieces(wired, what):
     flat = flat_of(wired)
     select_only(flat)
     bpy.ops.mesh.wirewarp_select_result(what=what, index=0)
-    edges = selected(flat, "edges")  # back in Object Mode, where attributes can be read
+    edges = selected(flat, "edges")  # back to Object Mode, because attributes can be read only there
     ids = read(flat.data.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.array_equal(edges, np.flatnonzero(ids))
 
@@ -147,7 +147,7 @@ def test_the_most_strained_place_is_selected(source, addon, what):
     bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
     faces = selected(source, "polygons")
     assert faces.tolist() == getattr(piece, f"{what.lower()}_faces")
-    assert 0 < len(faces) < 32  # a place in the piece, not all of it
+    assert 0 < len(faces) < 32  # selects a place in the piece, not all of it
     select_only(flat_of(source))
     bpy.ops.mesh.wirewarp_select_result(what=what, index=1)
     on_flat = selected(flat_of(source), "polygons")
@@ -156,10 +156,10 @@ def test_the_most_strained_place_is_selected(source, addon, what):
 
 
 def test_one_of_several_issues_is_selected(model):
-    select_only(flat_of(model))  # these flat pieces have no cube
+    select_only(flat_of(model))  # these flat pieces do not contain the cube
     bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
     assert len(selected(model, "polygons")) == 6
-    model["wirewarp_report"] = "{}"  # as from another version
+    model["wirewarp_report"] = "{}"  # a report as if from another version
     bpy.ops.mesh.wirewarp_select_result(what="ISSUE", index=0)
     assert len(selected(model, "edges")) == 0
 
@@ -169,7 +169,8 @@ def test_buttons_say_what_they_do(addon, name):
     properties = bpy.context.window_manager.operator_properties_last(f"mesh.wirewarp_{name}")
     operator = getattr(bpy.types, f"MESH_OT_wirewarp_{name}")
     if name == "select_issues":
-        assert operator.description(bpy.context, properties) == ""  # Blender shows the operator's own tooltip
+        # empty, so that Blender shows the operator's own tooltip
+        assert operator.description(bpy.context, properties) == ""
         return
     said = []
     for item in properties.rna_type.properties["what"].enum_items:

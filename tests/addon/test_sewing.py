@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sewing edges join vertices that are one on the model; the shape key folds pieces onto it."""
+"""Sewing edges join vertices that are one vertex of the model, and the shape key folds the pieces onto the model."""
 
 import bpy
 import numpy as np
@@ -65,7 +65,7 @@ def test_sewing_edges_join_equal_vertices_and_a_shape_key_folds_the_pieces(sourc
         len(joined) == (copies[copies > 1] - 1).sum() + 1
     )  # at the opening of the dart, each of three vertices is joined to both others
     assert len(edge_vertices(target.data)) == len(edge_vertices(flat_of(source).data)) + len(joined)
-    target.data.shape_keys.key_blocks["On the Model"].value = 1.0  # which folds the pieces onto the model
+    target.data.shape_keys.key_blocks["On the Model"].value = 1.0  # the shape key folds the pieces onto the model
     bpy.context.view_layer.update()
     worn = np.array([target.matrix_world @ vertex.co for vertex in evaluated(target).data.vertices])
     places = np.array([source.matrix_world @ vertex.co for vertex in source.data.vertices])
@@ -123,7 +123,7 @@ def test_the_copy_is_visible_although_the_pieces_are_hidden(source, put_away):
 
 
 def test_seams_of_a_piece_without_a_layout_are_ignored():
-    """A ring beside the others with one cut is a tube and has no flat shape."""
+    """Beside the others there is a ring with one cut, which is a tube and has no flat shape."""
     source = grid("Bump", bump)
     bpy.ops.mesh.primitive_torus_add(location=(4, 0, 0), major_segments=12, minor_segments=8)
     select_only(source, bpy.context.object)
@@ -131,4 +131,4 @@ def test_seams_of_a_piece_without_a_layout_are_ignored():
     mark_seam(source, SEAM)
     mark_seam(source, lambda a, b: on_line(1, 0.0)(a, b) and min(a.x, b.x) > 4)
     flatten_fails("mark a seam")
-    assert len(loose_edges(sewing_of(source))) == 9  # along the other seam
+    assert len(loose_edges(sewing_of(source))) == 9  # sewing edges along the other seam

@@ -9,7 +9,7 @@ from two_sided import HEM, SEAM, ease, join_split_and_flip, made, select_side, s
 
 
 class Eases:
-    """Eases, measured on the flat pieces as fractions of the length on the model."""
+    """Tests eases, measured on the flat pieces as fractions of the length on the model."""
 
     attribute = "wirewarp_side_ease"
     first, second, unmarked = 0.05, 0.02, 0.0
@@ -37,7 +37,7 @@ class Eases:
 
 
 class Allowances:
-    """Allowances, as in the pattern, in millimeters."""
+    """Tests allowances, measured in the pattern in millimeters."""
 
     attribute = "wirewarp_side_allowance"
     first, second, unmarked = 15.0, 6.0, 10.0
@@ -127,10 +127,10 @@ def test_two_marks_of_one_side_are_reported_until_it_is_marked_again(source, kin
     write_corners(kind, source, kind.second, 0.0)
     with pytest.raises((RuntimeError, kind.addon.issues.ObjectError), match=kind.twice) as caught:
         kind.at_seam(source)
-    if caught.type is RuntimeError:  # Flatten keeps a report
+    if caught.type is RuntimeError:  # Flatten raises an error, but keeps a report
         (issue,) = kind.addon.state.reports.last_report(source).issues
         assert len(issue.edges) == 8
-    kind.mark_again(source)  # which removes the other mark
+    kind.mark_again(source)  # marking again removes the other mark
     assert sorted(kind.at_seam(source)) == pytest.approx(sorted([kind.first, kind.unmarked]), abs=kind.rounding)
 
 
@@ -147,7 +147,7 @@ def test_between_parts_of_a_face_one_side_is_marked_and_other_marks_stay(source,
     kind.mark_line(source, beside, side)
     after = kind.marks.read(source.data)
     assert np.count_nonzero(before) == 8 and np.array_equal(after[before != 0], before[before != 0])
-    assert np.count_nonzero(after == np.float32(0.5)) == 8  # one corner of each edge
+    assert np.count_nonzero(after == np.float32(0.5)) == 8  # each edge has the value at one corner
 
 
 def mark_allowance(target, line, **settings):
@@ -160,7 +160,7 @@ def mark_allowance(target, line, **settings):
 def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
     mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
     mark_allowance(source, HEM, kind="FOLD")
-    other = bpy.data.objects.new("Other", source.data)  # with the same mesh
+    other = bpy.data.objects.new("Other", source.data)  # another object with the same mesh
     bpy.context.scene.collection.objects.link(other)
     sides = source.data.attributes.new("wirewarp_side_allowance", "FLOAT", "CORNER")
     sides.data[0].value = 0.5
@@ -174,7 +174,7 @@ def test_marked_widths_stay_when_the_unit_is_set(addon, source, mode):
 
 
 def test_edges_that_come_from_elsewhere_have_the_default(source, addon):
-    """Blender sets them to 0, which is not a width."""
+    """Blender sets the values of new corners to 0, which does not count as a width."""
     mark_allowance(source, SEAM, kind="WIDTH", width=6.0)
     other = grid("Other", lambda x, y: (x + 3, y, 0))
     select_only(source, other)
@@ -194,7 +194,7 @@ def test_each_side_of_a_seam_can_have_its_own_width(source, addon):
         (1, {"kind": "WIDTH", "width": 6.0}, [15.0, 6.0]),
         (-1, {"kind": "DEFAULT"}, [10.0, 6.0]),
         (-1, {"kind": "FOLD"}, [0.0, 6.0]),
-        (0, {"kind": "WIDTH", "width": 15.0}, [15.0, 15.0]),  # both at once
+        (0, {"kind": "WIDTH", "width": 15.0}, [15.0, 15.0]),  # both sides at once
     ):
         select_side(source, side)
         assert bpy.ops.mesh.wirewarp_allowance(**settings) == {"FINISHED"}

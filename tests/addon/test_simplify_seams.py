@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Simplify Seams: choices with the figures of flattening with fewer seams; they are shown, taken and refused."""
+"""Simplify Seams: its suggestions have the figures of flattening with fewer seams, and are shown, taken and refused."""
 
 from itertools import pairwise
 
@@ -42,7 +42,7 @@ def test_developable_strips_become_one_piece_again(addon, capfd):
     settings.aim_stretch = 37.5
     assert "37.5" not in draw_panels(addon)
     settings.suggest_together = True
-    assert "True 37.5" in draw_panels(addon)  # the target that the button uses, beside its switch
+    assert "True 37.5" in draw_panels(addon)  # the target that the button uses, next to its switch
     settings.suggest_together = False
     assert SIMPLIFY() == {"FINISHED"}
     (cut,) = found(addon, source).cuts
@@ -56,7 +56,7 @@ def test_developable_strips_become_one_piece_again(addon, capfd):
     assert "length of cleared seams." in words and "Above" not in words and "Clear and Flatten" in words
     assert "Narrowest place of a piece: 2" in words
     places = read(source.data.vertices, "co", np.float32, 3)[np.unique(cut.cleared)]
-    for target in (source, flat_of(source)):  # on the pieces, on both sides of each seam
+    for target in (source, flat_of(source)):  # drawn on the pieces, on both sides of each seam
         (drawn,) = (each for each in addon.overlay.shown.drawings(view_context()) if each.target == target)
         ends = {tuple(end) for end in drawn.failures.lines["proposed"].tolist()}
         assert len(ends) == (1 if target == source else 2) * len(places)
@@ -81,10 +81,11 @@ def test_a_wide_hem_leaves_room_where_it_has_no_neighbor(addon, is_mirrored):
         assert cut.width == pytest.approx(2, rel=0.001)
         return cut.is_narrow
 
-    assert not is_narrow(0, 1.0, 2.5)  # along an end
-    assert not is_narrow(1, 1.0, 1.5)  # along a long side
-    assert is_narrow(1, -1.0, 1.0) and not is_narrow(1, -1.0, 0.4)  # along the other one: 1.5 + 1 > 2 > 1.5 + 0.4
-    assert is_narrow(0, -1.0, 1.0)  # along the other end: 2.5 + 1 > π
+    assert not is_narrow(0, 1.0, 2.5)  # a strip along one end
+    assert not is_narrow(1, 1.0, 1.5)  # a strip along a long side
+    # a strip along the other long side, too: 1.5 + 1 > 2 > 1.5 + 0.4
+    assert is_narrow(1, -1.0, 1.0) and not is_narrow(1, -1.0, 0.4)
+    assert is_narrow(0, -1.0, 1.0)  # a strip along the other end, too: 2.5 + 1 > π
 
 
 def test_rows_go_from_few_pieces_to_little_stretch_with_the_figures_of_flattening(addon):

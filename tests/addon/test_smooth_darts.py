@@ -33,7 +33,8 @@ def test_the_dart_is_cut_as_drawn_and_has_the_claimed_figure(addon, faces, shape
     bpy.ops.object.wirewarp_flatten()
     cut = choose_smooth(addon, source, "DARTS")
     words = draw_panels(addon)
-    assert words.index("Mark and Flatten") < words.index("Marking it adds vertices and edges")  # the button is in view
+    # the button comes before the explanation
+    assert words.index("Mark and Flatten") < words.index("Marking it adds vertices and edges")
     drawn, on_pieces = drawn_on(addon, source), drawn_on(addon, flat_of(source))
     assert len(on_pieces) == len(drawn)
     area, before = surface(source), places(source)
@@ -62,7 +63,7 @@ def test_mirror_images_are_cut_together(addon):
 
 
 def add_layers(source):
-    """Add a UV map, a vertex group, materials and shape keys, with values that follow from the place."""
+    """Add a UV map, a vertex group, materials and shape keys, whose values follow from the place of each element."""
     mesh = source.data
     corners = places(source)[read(mesh.loops, "vertex_index", np.int32)]
     mesh.uv_layers.new(name="Mine").data.foreach_set("uv", corners[:, :2].astype(np.float32).ravel())
@@ -116,7 +117,7 @@ def test_painted_faces_are_not_entered(addon):
 
 
 def test_darts_along_edges_may_run_around_painted_faces(addon):
-    """Every second face is painted: no smooth line can pass, and each inner edge is beside a painted face."""
+    """Every second face is painted, so no smooth line can pass, and each inner edge is beside a painted face."""
     source = grid("Bump", bump)
     painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
     painted.data.foreach_set("value", [(index + index // 8) % 2 == 0 for index in range(64)])

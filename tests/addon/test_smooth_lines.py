@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Smooth Seam: lines cut into the mesh in place of the user's seams; surface, marks and maps do not change."""
+"""Smooth Seam cuts lines into the mesh in place of the user's seams. Surface, marks and maps do not change."""
 
 import bpy
 import numpy as np
@@ -13,12 +13,12 @@ pytestmark = pytest.mark.api
 SIZE = 8
 
 
-# Vertices of the grid, in a row or column, so that n-gons also have edges along them.
+# Vertices of the grid in a row or column along which even n-gons have edges.
 STAIRS = [(2, 2), (3, 2), (4, 2), (4, 3), (5, 3), (6, 3), (6, 4)]
 
 
 def stairs(target):
-    """Mark a seam along stairs inside the grid; return its ends."""
+    """Mark a seam along stair steps inside the grid, and return its ends."""
     path = [x + (SIZE + 1) * y for x, y in STAIRS]
     steps = {frozenset(pair) for pair in zip(path, path[1:], strict=False)}
     for edge in target.data.edges:
@@ -112,7 +112,7 @@ def test_the_new_line_is_selected_and_the_old_one_is_not_a_seam():
     new = pairs(seams_of(source))
     selected = {tuple(sorted(each.vertices)) for each in source.data.edges if each.select}
     assert new == selected
-    assert old - new  # except for parts that both follow
+    assert old - new  # seams have changed, except for parts that both lines follow
 
 
 def test_wires_other_seams_and_eases_are_met_at_the_same_places(addon):
@@ -133,7 +133,7 @@ def test_wires_other_seams_and_eases_are_met_at_the_same_places(addon):
         mark_allowance_and_smooth(source)
     assert len(source.data.vertices) == count
     assert smooth(source, lambda a, b: max(a[1], b[1]) < 0.45) == {"FINISHED"}
-    assert len(crossed) == 2 and crossed == on_the_wire(source)  # by the stairs and by the other seam
+    assert len(crossed) == 2 and crossed == on_the_wire(source)  # crossed by the stair steps and by the other seam
     marked = read(source.data.attributes["wirewarp_wire"].data, "value", np.int32)
     assert np.count_nonzero(marked) == np.count_nonzero(wires)
     eases = read(source.data.attributes["wirewarp_side_ease"].data, "value", np.float32)

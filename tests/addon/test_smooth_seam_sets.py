@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested sets of seams as smooth lines: the drawn lines are cut, have the claimed figures, and keep all else."""
+"""Suggested sets of seams as smooth lines: the drawn lines are cut, have the shown figures, and change nothing else."""
 
 import bpy
 import numpy as np
@@ -28,7 +28,7 @@ def entered(cut):
 
 
 def choose_beside_painted_face(addon, source):
-    """Choose a smooth cut after a face that an earlier one crossed is painted: no smooth cut enters it anymore."""
+    """Paint a face that an earlier smooth cut crosses, and choose a smooth cut again: none may enter this face."""
     crossed = entered(choose_smooth(addon, source, "SEAMS"))[0]
     painted = source.data.attributes.new("wirewarp_no_seam", "BOOLEAN", "FACE")
     painted.data.foreach_set("value", [index == crossed for index in range(len(source.data.polygons))])

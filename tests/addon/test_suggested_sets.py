@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Suggested cuts: up to a target, for models that are closed or have modifiers, and areas without cuts."""
+"""Suggested cuts: up to a target, for closed models and models with modifiers, and outside areas without cuts."""
 
 from itertools import pairwise
 
@@ -36,7 +36,7 @@ def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
     cuts, chosen = suggestions.cuts, suggestions.cuts[suggestions.chosen]
     assert f"{len(cuts)} sets of seams suggested. Chosen: {chosen.num_pieces} piece" in capfd.readouterr().out
     assert all(cut.is_first and cut.piece == 0 and len(cut.lengths) == 1 for cut in cuts)
-    for few, more in pairwise(cuts):  # each row has more pieces and less stretch than the one above
+    for few, more in pairwise(cuts):  # each row has more pieces and less stretch than the row above
         assert few.num_pieces <= more.num_pieces and few.strain > more.strain
     words = draw_panels(addon)
     assert f"Suggested Seams, {source.name}" in words and "→" not in words
@@ -55,7 +55,7 @@ def test_a_closed_model_gets_cut_sets_of_which_one_is_marked(addon, capfd):
 
 def test_a_canceled_search_keeps_the_sets_found_by_then(addon):
     run = addon.suggest.operators.begin_search(bpy.context, ball(), "SEAMS", None).steps
-    while next(run) < 0.8 * 0.5:  # the second half of the search begins: a first set exists
+    while next(run) < 0.8 * 0.5:  # when the second half of the search begins, a first set exists
         pass
     shares = []
     with pytest.raises(StopIteration) as end:
@@ -111,7 +111,7 @@ def test_a_cut_of_a_modified_mesh_applies_the_modifiers_when_it_is_marked(addon,
     assert "applies the modifiers" in draw_panels(addon)
     cut = found(addon, source).cuts[0]
     depsgraph = bpy.context.evaluated_depsgraph_get()
-    for target in (source, flat_of(source)):  # drawn on both
+    for target in (source, flat_of(source)):  # the cut is drawn on both
         assert len(addon.overlay.failures.suggested_lines(target, depsgraph)) == 2 * len(cut.segments.polygons)
     assert bpy.ops.object.wirewarp_mend(what="SUGGESTION") == {"FINISHED"}
     assert not source.modifiers and not settings.use_modifiers
@@ -233,7 +233,7 @@ def test_a_fully_painted_model_has_no_cuts(data_type):
 
 @pytest.fixture
 def settings():
-    """Set two cuts and any remaining stretch."""
+    """Set targets that allow two cuts and any remaining stretch."""
     wanted = bpy.context.scene.wirewarp
     wanted.suggest_together, wanted.aim_stretch, wanted.aim_cuts = True, 0.0, 2
     return wanted

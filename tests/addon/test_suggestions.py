@@ -58,7 +58,8 @@ def test_the_figures_are_those_of_flattening_with_the_cut(addon, kind, faces):
     assert pairs(edge_vertices(source.data)) - edges == pairs(suggestions.cuts[0].diagonals)
     flattened = addon.state.reports.last_report(source).pieces
     assert len(flattened) == (1 if kind == "DARTS" else 1 + len(suggestions.cuts[0].lengths))
-    if faces == "triangles":  # other faces have one figure for two triangles; single precision gives 1e-6 of .1
+    # other faces have one figure for two triangles; single precision has an error of 1e-6 at 0.1
+    if faces == "triangles":
         assert needed(addon, source) == pytest.approx(suggestions.cuts[0].strain, rel=1e-5)
 
 
@@ -186,7 +187,7 @@ def test_other_settings_are_reported(addon, capfd):
     assert "suggested; for Piece 1: stretch" in capfd.readouterr().out  # the piece has no name yet
     settings.spacing, settings.mirror, settings.layout_kind = 50, True, "ROW"
     settings.orientation, settings.grain_angle, settings.gives_across = "BOUNDARY", 0.5, 10
-    assert "Suggest again" not in draw_panels(addon)  # the figures are the same
+    assert "Suggest again" not in draw_panels(addon)  # no request to suggest again, because the figures are the same
     settings.fairness = 0.2
     assert "Settings changed since (Smooth Outlines). Suggest again." in draw_panels(addon)
     settings.cloth, settings.orientation = "WOVEN", "WIRE"  # woven fabric has a grain
@@ -200,7 +201,7 @@ def test_other_settings_are_reported(addon, capfd):
 
 
 def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
-    """No edge runs along the diagonal of a ridge."""
+    """A ridge runs along a diagonal of the mesh, but no edge does."""
     source = grid("Ridge", lambda x, y: (x, y, 0.6 * math.exp(-8 * (x - y) ** 2) * (1 - x * x) * (1 - y * y)))
     mark(source, lambda a, b: on_line(1, -0.75)(a, b) and max(a[0], b[0]) < -0.4)
     for name in SIDES:
@@ -229,7 +230,7 @@ def test_a_cut_across_quads_leaves_marks_maps_and_surface(addon):
 
 
 def write_sides(mesh, name):
-    """Give each side of each edge another value; only outline edges may have eases."""
+    """Set a different value on each side of each edge. Only outline edges may have eases."""
     edges = read(mesh.loops, "edge_index", np.int32)
     is_asked = (name == "wirewarp_side_allowance") | (np.bincount(edges)[edges] == 1)
     values = np.where(is_asked, np.linspace(0.01, 0.02, len(edges)), 0).astype(np.float32)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""With hidden, excluded, deleted or scaled objects, results are true and visible, or the problem is reported."""
+"""If objects are hidden, excluded, deleted or scaled, results are correct and visible, or the problem is reported."""
 
 import bpy
 import numpy as np
@@ -96,7 +96,7 @@ def test_new_pieces_do_not_overlap_objects_beside_the_model():
     place = tuple(flat_of(source).location)
     neighbor(*flat_of(source).location[:1], 0.0, 1.0)
     flatten(source)
-    assert tuple(flat_of(source).location) == place  # pieces keep this place
+    assert tuple(flat_of(source).location) == place  # the pieces are placed here
 
 
 @pytest.mark.parametrize(
@@ -120,7 +120,7 @@ def parented(flat):
     parent.scale = (2, 2, 2)
 
 
-SAID = {  # change of the pieces, and the message
+SAID = {  # how the pieces are changed, and the resulting message
     "parent": (parented, '"Bump Flat" is not shown in actual size'),
     "disabled": (disable, '"Bump Flat" is hidden: it is disabled in viewports'),
     "excluded": (

@@ -26,7 +26,7 @@ def source():
 
 
 def listed(addon, target):
-    """Return name, tolerance and number of edges of each line."""
+    """Return the name, tolerance and number of edges of each entry."""
     bpy.context.view_layer.update()
     return [(name, wire.tolerance, len(wire.edges)) for name, wire in addon.state.identities.listed_wires(target)]
 
@@ -51,7 +51,8 @@ def test_names_kinds_and_tolerances_are_changed_from_the_list(addon, source, mod
     assert listed(addon, source) == [("Waist", 0.02, 8), ("Middle", 0.05, 8)]
     assert change(edge=edge, kind="SUPER_ELASTIC") == {"FINISHED"}
     assert listed(addon, source) == [("Waist", math.inf, 8), ("Middle", 0.05, 8)]
-    assert change(edge=edge, kind="ELASTIC", tolerance_percent=2.5) == {"FINISHED"}  # as typed into the dialog
+    # in percent, as typed into the dialog
+    assert change(edge=edge, kind="ELASTIC", tolerance_percent=2.5) == {"FINISHED"}
     assert listed(addon, source)[0] == ("Waist", pytest.approx(0.025, rel=1e-6), 8)
     with pytest.raises(RuntimeError, match="needs a tolerance above 0"):
         change(edge=edge, kind="ELASTIC", tolerance=0)
@@ -130,7 +131,7 @@ def test_edges_without_a_wire_are_not_changed_or_selected(source):
     bpy.ops.object.mode_set(mode="OBJECT")
     bpy.ops.object.wirewarp_flatten()
     select_only(bpy.data.objects["Bump Flat"])
-    assert not bpy.ops.mesh.wirewarp_change_wire.poll()  # they are changed on the model
+    assert not bpy.ops.mesh.wirewarp_change_wire.poll()  # not on flat pieces: wires are changed on the model
 
 
 @pytest.mark.parametrize("by", ["list", "selected edge"])
@@ -178,7 +179,7 @@ def test_a_row_of_the_list_has_name_kind_and_length_with_its_unit(addon, source)
 
 
 def test_unlisted_wires_are_below_the_list_and_cleared_ones_are_gone(addon, source):
-    """A wire cut in two by hand without Mark, and one whose edges a script cleared."""
+    """The user cuts one wire in two without Mark, and a script clears the edges of the other."""
     wires = dict(addon.state.identities.listed_wires(source))
     for row in wires["Bust"].edges[3:5]:
         source.data.attributes["wirewarp_wire"].data[row].value = 0
@@ -191,4 +192,5 @@ def test_unlisted_wires_are_below_the_list_and_cleared_ones_are_gone(addon, sour
     source.data.wirewarp_active_wire = 0
     buttons = []
     draw_panels(addon, buttons)
-    assert buttons.count("mesh.wirewarp_change_wire") == 2 * 2  # the chosen and the unlisted one, narrow and wide
+    # the chosen and the unlisted wire, in a narrow and in a wide sidebar
+    assert buttons.count("mesh.wirewarp_change_wire") == 2 * 2

@@ -10,7 +10,7 @@ SEAM, HEM = on_line(0, 0.0), on_line(1, -1.0)
 
 
 def two_pieces():
-    """Return pieces left and right of a seam; a Blender unit is 100 mm."""
+    """Return a model with pieces to the left and right of a seam; a Blender unit is 100 mm."""
     bpy.context.scene.unit_settings.scale_length = 0.1
     target = grid("Bump", bump)
     mark_seam(target, SEAM)
@@ -38,7 +38,7 @@ def ease(target, line, **settings):
 
 
 def lengths(source, line):
-    """Return the line's length on the model, on the left and on the right piece; equal flat lengths inside a piece."""
+    """Return the line's lengths on the model, on the left and on the right piece (equal for a line inside a piece)."""
     flat = flat_of(source).data
     model = read(source.data.vertices, "co", np.float32, 3).astype(float)
     sources = read(flat.attributes["source_vertex"].data, "value", np.int32)
@@ -62,7 +62,7 @@ def shares(source, line=SEAM):
 
 
 def select_side(source, side, line=SEAM):
-    """Enter Edit Mode of the pieces with the line selected left (-1) or right (1) of the seam; 0: on both."""
+    """Enter Edit Mode of the pieces, and select the line left (-1) or right (1) of the seam, or on both sides (0)."""
     flat = flat_of(source)
     model = read(source.data.vertices, "co", np.float32, 3)
     sources = read(flat.data.attributes["source_vertex"].data, "value", np.int32)

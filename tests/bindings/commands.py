@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp within the process of the tests, which has loaded the libraries and started the server of
-processes; in a process of its own each command takes a second longer.
+"""Runs python -m wirewarp within the process of the tests, which has loaded the libraries and started the server of
+processes. In its own process, each command takes a second longer.
 """
 
 import io
@@ -27,7 +27,7 @@ def printed(command, *words, code=0):
     with redirect_stdout(output), redirect_stderr(errors):
         try:
             ended = command_run.run(parsed([command, *map(str, words)]))
-        except SystemExit as refusal:  # for invalid arguments
+        except SystemExit as refusal:  # raised for invalid arguments
             ended = refusal.code
     assert ended == code, errors.getvalue()
     return [json.loads(line) for line in output.getvalue().splitlines()], errors.getvalue()

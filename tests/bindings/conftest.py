@@ -17,7 +17,7 @@ settings.load_profile("repeatable")  # the option --hypothesis-profile selects a
 
 @pytest.fixture
 def python_handles_ctrl_c():
-    """Enable Ctrl-C, which background processes ignore."""
+    """Enable Ctrl-C, which processes in the background ignore."""
     handler = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, handler)

@@ -15,8 +15,8 @@ import wirewarp
 
 
 def next_around(faces: np.ndarray, points: np.ndarray) -> dict[tuple[int, int], tuple[int, float]]:
-    """Return for (b, c) the edge b-d that follows b-c counter-clockwise around b: d, and the surface angle between
-    them.
+    """Return, for (b, c), the edge b-d that follows b-c counter-clockwise around b: the vertex d, and the surface angle
+    between both edges.
     """
     b, c, d = (np.concatenate([faces[:, (k + shift) % 3] for k in range(3)]) for shift in range(3))
     p, q = points[c] - points[b], points[d] - points[b]
@@ -46,8 +46,8 @@ def fairness_term(
 ) -> float:
     """Return the term over the piece's 3D area.
 
-    held_edges: vertex pairs of rigid and elastic wires in the input; the outline is always held. vertices: of the
-    input.
+    held_edges: vertex pairs of rigid and elastic wires in the input; the outline is always held. vertices: vertices of
+    the input.
     """
     points = vertices[piece.source_vertex]
     following = next_around(piece.faces, points)
@@ -58,7 +58,7 @@ def fairness_term(
     total = 0.0
     for b, c in held:
         if (b, c) not in following:
-            continue  # the piece is on the other side
+            continue  # the corner belongs to the piece on the other side
         a, angle = following[b, c]
         while (b, a) not in held:
             a, step = following[b, a]
@@ -73,7 +73,7 @@ def fairness_term(
 
 
 def flip_barrier(piece: wirewarp.Piece, vertices: np.ndarray) -> float:
-    """Return the barrier over the piece's 3D area. vertices: of the input."""
+    """Return the barrier over the piece's 3D area. vertices: vertices of the input."""
     a, b, c = np.moveaxis(vertices[piece.source_vertex][piece.faces], 1, 0)
     area_3d = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
     a, b, c = np.moveaxis(piece.vertices[piece.faces], 1, 0)

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Flattens many small models once undisturbed and once with three kill -9 in between: the files must be the same.
+"""Flattens many small models twice, once undisturbed and once interrupted three times by kill -9.
+
+The files must be the same.
 
 python tests/bindings/many_models.py COUNT FOLDER [--jobs N] does both runs and prints the seconds, on Linux.
 """
@@ -20,7 +22,7 @@ import numpy as np
 import psutil
 
 KILLS = ("worker", "driver", "worker")
-SMALL_PIPE = 4096  # bytes, about ten lines: the run waits for a reader, and cannot end before it is killed
+SMALL_PIPE = 4096  # bytes, about ten lines; the run waits for a reader, so it cannot end before it is killed
 
 
 def write_models(folder, count):
@@ -85,7 +87,10 @@ def run(models, out, jobs):
 
 
 def run_with_kills(models, out, jobs, seed=0):
-    """Kill workers and drivers, and rerun until all is done. Return the lines of the last run, and the kills."""
+    """Kill workers and drivers, and rerun until all is done.
+
+    Return the lines of the last run, and the list of kills.
+    """
     count = sum(1 for _ in models.rglob("*.obj"))
     # Kill the runs during the first half of the models, each time a little later, because a killed run is repeated.
     places = sorted(random.Random(seed).sample(range(1, count // 2), len(KILLS)))
@@ -95,16 +100,16 @@ def run_with_kills(models, out, jobs, seed=0):
             for number, _ in enumerate(process.stdout):
                 if len(killed) < len(KILLS) and number >= places[len(killed)]:
                     killed += _kill(process.pid, KILLS[len(killed)])
-        # Some files are not models, so no run ends with a better code.
+        # Some files are not models, so this is the best exit code that a run can have.
         assert process.returncode in (-9, 2, 3), process.returncode
     while any(line["verdict"] == "stopped" for line in run(models, out, jobs)):
-        pass  # until no model is left that a kill has stopped
+        pass  # until no model is left unfinished by a kill
     # A process that ends just after its driver may leave a hidden folder, which the next run removes.
     return run(models, out, jobs), killed
 
 
 def _kill(driver, kind):
-    """Kill a process of this kind, and return [kind]; return [] if there is none, as between two models."""
+    """Kill a process of this kind, and return [kind]; return [] if there is none, for example between two models."""
     if kind == "driver":
         os.kill(driver, 9)
         return [kind]
@@ -145,7 +150,7 @@ def check_kills(folder, count, jobs):
     assert comparable(lines) == comparable(once)
     verdicts = Counter(line["verdict"] for line in lines)
     refused = count // 50
-    failed = count // 20 - count // 100  # every 100th is closed and not a model
+    failed = count // 20 - count // 100  # every 100th file is counted in both
     assert (verdicts["refused"], verdicts["not ready to cut"]) == (refused, failed)
     assert verdicts["ready to cut"] + verdicts["needs stretch fabric"] == count - refused - failed
     assert contents(folder / "killed") == contents(folder / "once")

@@ -21,7 +21,7 @@ def sample(name: str, **options) -> Pattern:
 
 
 def quads(points, corners, **options) -> wirewarp.FlattenResult:
-    """Return the flattening of quads (q,4) between points (n,2) in millimeters, which are planar already."""
+    """Return the flattening of quads (q,4) between points (n,2) in millimeters, which are already planar."""
     vertices = np.column_stack([np.array(points) / 1000, np.zeros(len(points))])
     faces = [triangle for a, b, c, d in corners for triangle in ((a, b, c), (a, c, d))]
     return wirewarp.flatten(vertices, np.array(faces), **options)
@@ -42,7 +42,7 @@ def rectangle(width: float, height: float) -> wirewarp.FlattenResult:
 
 
 def turn(angle: float) -> np.ndarray:
-    """Return the rotation (2,2) for points in rows. angle: degrees counterclockwise."""
+    """Return the rotation matrix (2,2) for points in rows. angle: degrees counterclockwise."""
     cosine, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
     return np.array([[cosine, sine], [-sine, cosine]])
 

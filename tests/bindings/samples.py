@@ -15,7 +15,7 @@ SAMPLES = {shape.name: shape for shape in all_shapes()}
 
 
 def wires_of(shape: Shape, tolerance: float | None = None) -> list[wirewarp.Wire]:
-    """Return the wires of a sample. tolerance: of all wires, instead of their own."""
+    """Return the wires of a sample. tolerance: replaces the tolerance of all wires."""
     tolerances = [wire.tolerance if tolerance is None else tolerance for wire in shape.wires]
     return [wirewarp.Wire(wire.vertices, own, wire.name) for wire, own in zip(shape.wires, tolerances, strict=True)]
 

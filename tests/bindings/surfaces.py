@@ -12,7 +12,7 @@ Mesh = tuple[np.ndarray, np.ndarray]
 def grid(columns: int, rows: int, point: Callable[[float, float], tuple[float, float, float]]) -> Mesh:
     """Return a grid with vertex (i, j) at index j * (columns + 1) + i and at point(i / columns, j / rows).
 
-    The faces point along the cross product of the derivatives by the first and the second parameter.
+    The faces point along the cross product of the derivatives with respect to the first and the second parameter.
     """
     vertices = [point(i / columns, j / rows) for j in range(rows + 1) for i in range(columns + 1)]
     faces = []
@@ -30,7 +30,7 @@ def half_cylinder(columns: int = 8, rows: int = 4) -> Mesh:
 
 
 def spherical_patch(columns: int = 8, rows: int = 8) -> Mesh:
-    """Return a quarter turn in longitude and latitude of the unit sphere, seen from outside."""
+    """Return a part of the unit sphere, a quarter turn in longitude and in latitude, seen from outside."""
 
     def point(u: float, v: float) -> tuple[float, float, float]:
         longitude, latitude = math.pi / 2 * (u - 0.5), math.pi / 2 * (v - 0.5)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Any arguments give the same result as plain arrays of the same numbers, or a FlattenError.
+"""Any arguments lead to the same result as plain arrays of the same numbers, or to a FlattenError.
 
 They never cause a crash or change the caller's arrays.
 """
@@ -15,7 +15,7 @@ from surfaces import chain_edges, column_chain, half_cylinder
 VERTICES, FACES = half_cylinder()
 SEAMS = chain_edges(column_chain(8, 4, 4))
 
-# Includes byte orders, sizes and kinds that the library does not use.
+# Includes byte orders, sizes and kinds that the library does not use itself.
 NUMBERS = st.one_of(hnp.integer_dtypes(), hnp.unsigned_integer_dtypes(), hnp.floating_dtypes(), hnp.boolean_dtypes())
 ANY_DTYPE = st.one_of(NUMBERS, hnp.complex_number_dtypes(), hnp.byte_string_dtypes(), hnp.datetime64_dtypes())
 ANY_SHAPE = hnp.array_shapes(min_dims=0, max_dims=4, min_side=0, max_side=5)
@@ -41,7 +41,7 @@ def rearranged(draw, array):
 
 @given(st.data())
 def test_any_arrangement_of_the_same_numbers_gives_the_same_bits(data):
-    # Numbers that fit small dtypes.
+    # Numbers that also fit into small dtypes.
     plain = {"vertices": np.round(VERTICES * 8), "faces": FACES, "seams": np.array(SEAMS)}
     passed = {name: data.draw(rearranged(array)) for name, array in plain.items()}
     before = [array.copy() for array in passed.values()]

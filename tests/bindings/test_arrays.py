@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arrays of every layout give equal results, and invalid arrays are refused with their name."""
+"""Arrays of every layout lead to equal results, and the errors about invalid arrays contain their names."""
 
 import numpy as np
 import pytest
@@ -67,7 +67,8 @@ REFUSED = {
         ("seams", [[0, 1], [7, 2**35]], "Seam edge 1 (7-34359738368)"),
     ],
     wirewarp.ErrorCode.non_finite_coordinates: [("vertices", np.vstack([[[np.nan] * 3], VERTICES[1:]]), "vertex 0")],
-    wirewarp.ErrorCode.empty_mesh: [("faces", np.zeros((0, 3)), "")],  # numpy makes it an array of floats
+    # numpy converts an empty list to an array of floats
+    wirewarp.ErrorCode.empty_mesh: [("faces", np.zeros((0, 3)), "")],
 }
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""python -m wirewarp batch runs each model of folders and lists in its own process, none lost and none twice."""
+"""python -m wirewarp batch runs each model of folders and lists in its own process, exactly once."""
 
 import json
 import os
@@ -37,7 +37,7 @@ runpy.run_module("wirewarp", run_name="__main__")
 
 
 def run_apart(*words, **how):
-    """Run the command in its own process; return its lines and its other output. how: arguments of subprocess.run."""
+    """Run the command in its own process; return its lines and its other output. how: options of subprocess.run."""
     command = [sys.executable, "-m", "wirewarp", "batch", *map(str, words)]
     done = subprocess.run(command, stderr=subprocess.PIPE, text=True, **{"stdout": subprocess.PIPE} | how)
     assert done.returncode == 2, done.stderr
@@ -73,7 +73,7 @@ def test_the_next_run_removes_leftovers_of_a_killed_run(models, tmp_path):
     run(*words)
     done = {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")}
     request = parsed(["batch", *map(str, words)]).requests[0]
-    left = staged_folder(request)  # entered but never left, as after a kill
+    left = staged_folder(request)  # the context is entered but never left, as after a kill
     (left.__enter__() / "a.svg").write_text("half")
     assert all("skipped" in line for line in run(*words)[0])
     assert {name: (tmp_path / "out" / name).read_bytes() for name in files(tmp_path / "out")} == done
@@ -388,7 +388,7 @@ def test_ctrl_c_ends_everything_and_leaves_no_hidden_files(models, blender, tmp_
     piped = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
     with subprocess.Popen(command, start_new_session=True, **piped) as process:
         assert json.loads(process.stdout.readline())["verdict"] == "ready to cut"
-        os.killpg(process.pid, signal.SIGINT)  # as terminals do
+        os.killpg(process.pid, signal.SIGINT)  # sent to the group of processes, as terminals do
         assert process.stderr.read() == "stopped\n"
     assert process.returncode == 130
     assert all(not path.name.startswith(".") for path in (tmp_path / "out").rglob("*"))

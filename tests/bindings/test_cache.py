@@ -27,7 +27,7 @@ def sheet():
 
 
 def contents(result):
-    """Return a whole result except its times and the number of reused pieces."""
+    """Return all of a result except its times and the number of reused pieces."""
     plain = result.to_dict()
     del plain["report"]
     for piece in plain["pieces"]:
@@ -63,14 +63,14 @@ def test_only_the_piece_of_a_changed_wire_is_solved(sheet):
     chain = sheet["wires"][1].vertices
     run_again(cache, sheet | {"wires": [sheet["wires"][0], Wire(chain, 0.04, "wire 6"), sheet["wires"][2]]}, 2)
     run_again(cache, sheet | {"wires": [sheet["wires"][0], sheet["wires"][2]]}, 2)
-    # Only the last run counts, and names do not.
+    # Only the last run is kept, and names do not matter.
     run_again(cache, sheet | {"wires": [Wire(wire.vertices, wire.tolerance) for wire in sheet["wires"]]}, 2)
 
 
 def test_a_moved_vertex_changes_its_pieces(sheet):
     cache = Cache()
     run_again(cache, sheet, 0)
-    for vertex, reused in ((1, 2), (4, 1)):  # in the first piece; on the seam between the first two
+    for vertex, reused in ((1, 2), (4, 1)):  # a change in the first piece; a change on the seam between the first two
         moved = sheet["vertices"].copy()
         moved[vertex, 2] = np.nextafter(moved[vertex, 2], 1)
         run_again(cache, sheet | {"vertices": moved}, reused)
@@ -143,7 +143,7 @@ def test_a_cancelled_piece_is_solved_next_time(sheet):
     cache = Cache()
     cancelled = wirewarp.flatten(**sheet, cache=cache, progress=lambda stage, fraction: stage == "charts")
     ends = [piece.report.termination for piece in cancelled.pieces]
-    assert "cancelled" in ends  # the piece of the calling thread; the other threads may finish first
+    assert "cancelled" in ends  # at least the piece of the calling thread; the other threads may finish first
     assert cache.size == ends.count("converged")
     run_again(cache, sheet, cache.size)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces of a cloth: how far threads are strained, and lengths under a stretch."""
+"""Pieces of a fabric: the strain of threads, and lengths with built-in stretch."""
 
 import math
 

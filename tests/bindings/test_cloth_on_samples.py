@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Gains of a woven on the samples, with lengths as exact as without a fabric."""
+"""With woven fabric, the samples have less strain along threads, and lengths as exact as without a fabric."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from samples import SAMPLES, Shape, flatten, flattened
 
 pytestmark = pytest.mark.core
 
-STRAINED = 1e-3  # samples with less are unfolded: they have no strain to lower
+STRAINED = 1e-3  # samples with less strain are unfolded: they have no strain to lower
 WOVEN = wirewarp.Cloth(1, 1, 0.05)
 
 
@@ -27,7 +27,7 @@ def thread_strain(shape: Shape, result: wirewarp.FlattenResult) -> float:
 
 @pytest.fixture(scope="module")
 def ratios() -> dict[str, tuple[float, float]]:
-    """Return ratios of thread strain, woven over none: with the marked grain, and in the best direction."""
+    """Return ratios of thread strain with and without woven fabric, for the marked grain and the best direction."""
     found = {}
     for name, shape in SAMPLES.items():
         plain = thread_strain(shape, flattened(name))

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cloth against figures computed independently of this code. Skipped if they are not available.
+"""Compares pieces of fabric with figures that were computed independently of this code.
+
+Skipped if these are not available.
 
 The pieces were computed without the term against zigzags; the tolerances allow for its effect. Jersey is left out,
 because the figures do not divide its stiffnesses by the larger one. The samples were computed with that term, and with

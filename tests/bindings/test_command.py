@@ -166,7 +166,7 @@ def test_finished_models_are_skipped_until_something_changes(model, tmp_path):
     assert again["skipped"] and again["verdict"] == "ready to cut"
     assert (tmp_path / "out" / "Folded.pdf").stat().st_mtime_ns == before
     assert "skipped" not in run(*words, "--allowance", "5mm")[0][0]
-    assert "skipped" not in run(*words)[0][0]  # the report has the other allowance now
+    assert "skipped" not in run(*words)[0][0]  # not skipped, because the report has another allowance now
     (tmp_path / "out" / "Folded.svg").unlink()
     assert "skipped" not in run(*words)[0][0]
     model.write_text(FOLDED.replace(".04", ".03"))
@@ -185,7 +185,7 @@ def test_a_model_of_several_files_has_changed_when_one_file_has(tmp_path):
     words, text = (path, "--out", tmp_path / "out", "--format", "svg", "--resume"), path.read_text()
     assert "skipped" not in run(*words)[0][0]
     write(0.02)
-    path.write_text(text)  # with the geometry in other files
+    path.write_text(text)  # a model with its geometry in other files
     assert "skipped" not in run(*words)[0][0]
     assert run(*words)[0][0]["skipped"]
 
@@ -205,7 +205,7 @@ def contents(folder):
 
 
 def failing_at(number):
-    """Return a Path.replace that fails once: for the move of this number to or from the folder "out"."""
+    """Return a Path.replace that fails once, at the move with this number to or from the folder "out"."""
     replace, count = Path.replace, itertools.count()
 
     def failing(self, target):
@@ -217,7 +217,7 @@ def failing_at(number):
 
 
 @pytest.mark.parametrize("is_killed", [False, True])
-# Three files are moved out and three in; the second one in is the fifth move.
+# Three files are moved out, then three in. The fifth move is that of the second new file.
 @pytest.mark.parametrize("number", range(6))
 def test_files_of_two_runs_are_never_mixed(model, tmp_path, monkeypatch, number, is_killed):
     words = ["flatten", str(model), "--out", str(tmp_path / "out")]
@@ -242,7 +242,7 @@ def test_files_of_other_programs_do_not_change(model, tmp_path, name):
     theirs = tmp_path / "out" / name
     theirs.parent.mkdir()
     theirs.write_text("{}")
-    (tmp_path / "out" / "Folded.pdf").write_text("theirs")  # does not conflict with a run that writes SVG
+    (tmp_path / "out" / "Folded.pdf").write_text("theirs")  # a run that writes SVG does not conflict
     words = (model, "--out", tmp_path / "out", "--format", "svg")
     ((line,), _) = run(*words, code=2)
     (problem,) = line["problems"]

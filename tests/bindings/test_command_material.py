@@ -43,7 +43,7 @@ def test_eases_and_a_fabric_change_the_pieces(model, tmp_path):
     assert seam["length_2d"] == pytest.approx([0.1 * 0.9 * 1.2, 0.1 * 0.9])
     ((woven,), _) = run(*words, "--wires", lines, "--cloth", "woven", "--orientation", "best")
     pieces = json.loads((tmp_path / "out" / "Folded.json").read_text())["pieces"]
-    assert all(piece["metrics"]["cloth_energy"] >= 0 for piece in pieces)  # NaN without a cloth
+    assert all(piece["metrics"]["cloth_energy"] >= 0 for piece in pieces)  # NaN if there were no fabric
     assert len({line["made_of"] for line in (plain, eased, woven)}) == 3
 
 

@@ -55,7 +55,7 @@ def test_paths_and_sources_can_be_pickled_and_written_as_json() -> None:
     assert path.to_dict()["faces"] == [1, 0, 3, 2, 2]
 
 
-POINTS = np.eye(3)[:2]  # two, at corners
+POINTS = np.eye(3)[:2]  # two points, at corners
 
 
 @pytest.mark.parametrize(

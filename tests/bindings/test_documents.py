@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Documents are right about the package: their examples run, and their tables are complete."""
+"""Documents describe the package correctly: their examples run, and their tables are complete."""
 
 import json
 import re

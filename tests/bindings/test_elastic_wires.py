@@ -10,7 +10,7 @@ from surfaces import spherical_patch
 pytestmark = pytest.mark.core
 
 PATCH = spherical_patch(columns=8, rows=8)
-PARALLEL = list(range(36, 45))  # across the middle
+PARALLEL = list(range(36, 45))  # a wire across the middle
 MERIDIAN = list(range(4, 81, 9))
 
 
@@ -36,7 +36,7 @@ def test_wires_are_rigid_elastic_or_free_beside_each_other(method):
 
 @pytest.mark.parametrize("method", ["wirewarp++", "refined"])
 def test_each_part_of_a_wire_has_its_own_length(method):
-    """The patch is divided off the middle, so the two parts of the parallel differ in length and in curvature."""
+    """The seam is beside the patch's middle, so the two parts of the parallel differ in length and in curvature."""
     seam = [(v, v + 9) for v in range(2, 72, 9)]
     options = wirewarp.Options(method=method)
     result = wirewarp.flatten(*PATCH, seams=seam, wires=[wirewarp.Wire(PARALLEL, 0.5)], options=options)

@@ -23,7 +23,7 @@ def test_a_job_ends_with_the_result_of_flatten():
     vertices, faces = spherical_patch(20, 20)
     wires = [wirewarp.Wire([0, 1, 2], name="edge")]
     options = wirewarp.Options(fairness=0.2)
-    other = wirewarp.start(*half_cylinder(20, 20))  # several run at once
+    other = wirewarp.start(*half_cylinder(20, 20))  # several jobs may run at once
     job = wirewarp.start(vertices, faces, wires=wires, options=options)
     result = job.result()
     assert np.array_equal(other.result().corner_uv, wirewarp.flatten(*half_cylinder(20, 20)).corner_uv)

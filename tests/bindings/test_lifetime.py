@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects that are pickled, created oddly or used while Python ends cause exceptions, never an abort."""
+"""Objects that are pickled, created in unusual ways or used while Python ends cause exceptions, never an abort."""
 
 import copy
 import math
@@ -164,12 +164,12 @@ def test_python_ends_while_a_thread_reads_arguments(call):
         *SHEET,
         "import atexit",
         "ending = threading.Event()",
-        "atexit.register(ending.set)",  # runs before wirewarp's handler
+        "atexit.register(ending.set)",  # this handler runs before that of wirewarp
         "class Slow:",
         "    def __array__(self, dtype=None, copy=None):",
         "        begun.set()",
         "        ending.wait()",
-        "        time.sleep(0.1)",  # meanwhile, Python would end
+        "        time.sleep(0.1)",  # without the wait for calls, Python would end during this time
         "        wirewarp.measure(vertices, faces, vertices[faces][:, :, :2])",  # a call within the call
         "        print('read', file=sys.stderr)",
         "        return vertices",

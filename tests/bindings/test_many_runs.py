@@ -12,7 +12,7 @@ from surfaces import spherical_patch
 
 METHODS = ["refined", "wirewarp++", "wirewarping"]
 VERTICES, FACES = spherical_patch(columns=10, rows=10)
-WIRES = [wirewarp.Wire(range(55, 66), tolerance=0.03)]  # along the middle row
+WIRES = [wirewarp.Wire(range(55, 66), tolerance=0.03)]  # a wire along the middle row
 
 
 def flatten(method, progress=None):
@@ -56,7 +56,7 @@ def test_a_thousand_runs_leave_no_memory_behind(method):
             with pytest.raises(wirewarp.FlattenError):
                 wirewarp.flatten(VERTICES, FACES + len(VERTICES))
 
-    run(100)  # so that the allocator has enough memory before measuring
+    run(100)  # first lets the allocator get enough memory
     before = resident_megabytes()
     run(1000)
     assert resident_megabytes() - before < 2

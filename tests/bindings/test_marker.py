@@ -88,7 +88,7 @@ def test_texts_beside_a_small_piece_do_not_change_the_piece():
     for pattern in (marked, marked.with_only(["sew"])):
         (piece,) = pattern.laid_on(marker).pieces
         assert sorted(piece.size) == pytest.approx([2, 40])
-        assert not piece.texts and not piece.of_role("card leader")  # other pieces may lie there
+        assert not piece.texts and not piece.of_role("card leader")  # other pieces may be at these places
 
 
 def test_texts_in_a_piece_stay_on_a_marker():
@@ -140,7 +140,7 @@ def test_a_marker_is_stored_as_json_and_refuses_other_pieces():
 
 
 def dented(x, y):
-    """Return a rectangle of 100 x 60 mm with a point of its upper side at x, y, in place."""
+    """Return a rectangle of 100 x 60 mm, with one point of its upper side moved to x, y."""
     points = [(0, 0), (50, 0), (100, 0), (100, 60), (x, y), (0, 60)]
     (piece,) = quads(points, [(0, 1, 4, 5), (1, 2, 3, 4)]).pieces
     flat = flat_piece(piece, "Yoke", 1000.0)
@@ -171,7 +171,7 @@ def test_better_markers_are_shown_and_a_stop_keeps_the_best(engine):
     pattern = sample("Toy")
 
     def progress(stage, fraction):
-        asked.append(fraction < 0.02 or not shown)  # the time until the first marker does not count
+        asked.append(fraction < 0.02 or not shown)  # continues until the first marker exists, however long that takes
         return asked[-1]
 
     marker = pattern.nested(1000, seconds=100, preview=shown.append, progress=progress)
@@ -204,7 +204,7 @@ def test_errors_of_spyrrow_are_reported_and_pieces_are_packed_without_it(monkeyp
 
 @pytest.fixture
 def searches(monkeypatch):
-    """Return the processes started from here on."""
+    """Return a list of the processes that are started from now on."""
     pytest.importorskip("spyrrow")
     started = []
 
@@ -222,7 +222,7 @@ def test_the_search_process_ends_if_progress_raises(searches):
         if searches:
             raise ZeroDivisionError
 
-    with pytest.raises(ZeroDivisionError) as raised:  # the traceback stays alive
+    with pytest.raises(ZeroDivisionError) as raised:  # the traceback is kept alive
         sample("Hat").nested(1400, seconds=600, progress=progress)
     (search,) = searches
     assert search.returncode is not None and not Path(search.args[-1]).parent.exists(), raised
@@ -230,7 +230,8 @@ def test_the_search_process_ends_if_progress_raises(searches):
 
 def test_a_search_ends_if_its_parent_is_killed(tmp_path):
     pytest.importorskip("spyrrow")
-    code = "from patterns import sample; sample('Toy').nested(1000, times=4, seconds=3600)"  # for more than a minute
+    # this search takes more than a minute
+    code = "from patterns import sample; sample('Toy').nested(1000, times=4, seconds=3600)"
     temporary = dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(tmp_path))
     caller = subprocess.Popen([sys.executable, "-c", code], cwd=Path(__file__).parent, env=os.environ | temporary)
     while not any(found.stat().st_size for found in tmp_path.glob("*/found")):

@@ -153,7 +153,10 @@ def test_a_hem_is_wider_and_side_allowances_differ_by_side():
 
 
 def dart(mouth: float, depth: float) -> wirewarp.FlattenResult:
-    """Return a rectangle of 300 x 200 with a dart from the middle of its lower edge, made by folding the mouth away."""
+    """Return a rectangle of 300 x 200 with a dart from the middle of its lower edge.
+
+    The mouth of the dart is folded away.
+    """
     # The dart's legs are sewn, so the model is a cone and the flat piece opens by itself.
     half = mouth / 2
     leg = math.hypot(half, depth)
@@ -178,7 +181,7 @@ def test_a_dart_is_closed_cut_out_or_slit():
     (piece,) = Pattern.from_result(result, allowance=0.0).pieces
     gap = cut_polygon(piece).difference(sew_polygon(piece))
     (hole,) = [point for point in piece.points if point.role == "drill"]
-    assert gap.contains(shapely.Point(hole.at))  # in the fold of the dart, where the seam hides it
+    assert gap.contains(shapely.Point(hole.at))  # the hole is in the fold of the dart, where the seam hides it
 
 
 def test_no_notch_starts_on_a_distant_cutting_line():
@@ -217,11 +220,11 @@ def test_an_inward_corner_is_clipped():
     result = quads(points, [(0, 1, 4, 3), (1, 2, 5, 4), (3, 4, 7, 6)])
     (piece,) = Pattern.from_result(result).pieces
     (clip,) = [point for point in piece.points if point.role == "clip"]
-    assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # from the corner of the cut line
+    assert clip.depth == pytest.approx(10 * math.sqrt(2) - 2, abs=1e-3)  # measured from the corner of the cut line
 
 
 def test_a_gap_filled_by_allowance_has_no_clips():
-    across, up = (0, 100, 112, 212), (0, 100, 300)  # a gap of 12 mm from the top
+    across, up = (0, 100, 112, 212), (0, 100, 300)  # a piece with a gap of 12 mm from the top
     result = quads(
         [(x, y) for y in up for x in across],
         [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (4, 5, 9, 8), (6, 7, 11, 10)],
@@ -322,7 +325,7 @@ def test_room_for_text_is_found_in_a_ring_and_beside_its_wires():
     turn = np.linspace(0, 2 * math.pi, 60, endpoint=False)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
     center, depth = innermost_point([100 * circle, 60 * circle + (20, 0)], [])
-    assert depth == pytest.approx(30, abs=2)  # on the left, where the ring is widest
+    assert depth == pytest.approx(30, abs=2)  # measured on the left, where the ring is widest
     assert np.linalg.norm(center + (70, 0)) < 20
     square = 100 * np.array([[0, 0], [1, 0], [1, 1], [0, 1.0]])
     assert innermost_point([square], [])[1] == pytest.approx(50, abs=1)
@@ -342,7 +345,7 @@ def test_the_date_is_on_every_piece():
 
 @pytest.mark.parametrize(("height", "depth"), [(8, 2.4), (60, 5.0)])
 def test_notches_without_allowance_that_face_each_other_do_not_meet(height, depth):
-    """A wire across the piece has a notch at each end, which is 0.3 of the piece's width deep, at most 5 mm."""
+    """A wire across the piece has a notch at each end. Its depth is 0.3 times the piece's width, but at most 5 mm."""
     result = grid([0, 100, 200], [0, height], wires=[wirewarp.Wire([1, 4])])
     (piece,) = Pattern.from_result(result, allowance=0, notch_spacing=0).pieces
     (wire,) = piece.of_role("wire")

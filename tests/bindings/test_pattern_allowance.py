@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Cut lines have the requested widths, in one loop, for any outline; corners have the shapes of their types."""
+"""For any outline, the cut line is one loop with the requested widths, and corners have the shapes of their types."""
 
 import math
 
@@ -95,7 +95,7 @@ def square(widths, corner: Corner) -> list[Section]:
 )
 def test_each_type_of_corner_has_its_area(kind, a, b, area):
     (outer,) = cut_lines([square([a, b, 0, 0], Corner(kind))]).outer
-    sides = 100 * a + 100 * b  # nothing extends beyond corners whose other side has no allowance
+    sides = 100 * a + 100 * b  # allowances do not extend beyond corners whose other side has no allowance
     assert signed_area(outer) == pytest.approx(100 * 100 + sides + area, abs=0.3 if kind == "round" else 0.01)
 
 
@@ -116,7 +116,7 @@ def test_an_allowance_that_folds_back_ends_on_the_cut_line_of_its_neighbor(degre
     far_off, width = 1000 * along, 14 if of_next else 10
 
     def beside(reach: float) -> shapely.Polygon:
-        """Return the allowance, or the area below it when folded, from 60 mm before the corner on."""
+        """Return the allowance from 60 mm before the corner on, or the area below it if it is folded."""
         first, last = end - 60 * along, end + far_off
         return cut.intersection(shapely.Polygon([first, last, last + reach * normal, first + reach * normal]))
 
@@ -167,7 +167,7 @@ def right_of(a, b):
 
 
 def half_strip(section, at_end):
-    """Return the half of a straight section's allowance at its end or start."""
+    """Return half of a straight section's allowance, that at its end or at its start."""
     a, b = section.points
     near, far = (b, (a + b) / 2) if at_end else (a, (a + b) / 2)
     aside = section.width * right_of(a, b)
@@ -196,7 +196,7 @@ def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_
         turn = 2 * np.pi / sides
         back, other = (second, first) if of_next else (first, second)
         if back.width + other.width > 2.2 * min(back.width, other.width):
-            continue  # a corner that would reach too far becomes a mitre
+            continue  # a corner that would extend too far becomes a mitre
         if turn <= np.pi / 2:
             assert cut.buffer(1e-3).contains(half_strip(other, at_end=other is first))
         a, b = back.points
@@ -212,7 +212,7 @@ def test_an_allowance_that_folds_back_lies_on_the_piece_and_leaves_its_neighbor_
 @pytest.mark.parametrize("width", [3.0, 10.0])
 @pytest.mark.parametrize("degrees", [8, 30, 46, 48, 60, 90, 150])
 def test_a_tip_inside_of_a_section_is_a_mitre_that_is_cut_square_at_its_limit(degrees, width):
-    """The mitre of an outline that turns at a tip of this angle is width / sin(angle / 2) away."""
+    """At a tip of this angle, the point of the mitre is at the distance width / sin(angle / 2)."""
     half = math.radians(degrees / 2)
     tip, leg = np.array([0.0, 0.0]), 400.0
     ends = leg * np.array([[-math.cos(half), -math.sin(half)], [-math.cos(half), math.sin(half)]])

@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "addon"))
 
 from drawing import Drawing
 
-COUNT, LENGTH = 20, 400.0  # number of edges, and length of the seam in millimeters
+COUNT, LENGTH = 20, 400.0  # number of edges, and length of the whole seam in millimeters
 SEAM = [(x, x + 1) for x in range(COUNT)]
 
 
@@ -32,7 +32,7 @@ def two_strips(eased, **options) -> wirewarp.FlattenResult:
 
 
 def notches_in_file(path: Path, name: str) -> list[float]:
-    """Return the distances of a piece's notches, after lengthening, from the end of the seam with the farther notch."""
+    """Return the distances of a piece's notches, after lengthening, from the end that is farther from a notch."""
     drawing = Drawing(path)
     (seam,) = [line for line in drawing.lines(name, "Sew") if len(line) == COUNT + 1]
     line = shapely.LineString(seam)

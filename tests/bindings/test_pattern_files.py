@@ -21,7 +21,7 @@ from wirewarp.pattern import FORMATS, STAGES, Pattern
 
 
 def same_up_to_moves(found: list[np.ndarray], wanted: list[np.ndarray], within: float) -> None:
-    """Check that every outline is there in actual size; its place does not matter."""
+    """Check that every outline is in the file in actual size; its place does not matter."""
     assert len(found) == len(wanted)
     shapes = sorted((normalized(points) for points in found), key=lambda points: (len(points), points.sum()))
     others = sorted((normalized(points) for points in wanted), key=lambda points: (len(points), points.sum()))
@@ -273,7 +273,7 @@ def test_exceptions_of_progress_keep_the_old_file(tmp_path, monkeypatch):
         if len(list(tmp_path.iterdir())) > 1:  # the new one is being written
             raise ZeroDivisionError
 
-    with pytest.raises(ZeroDivisionError) as raised:  # the traceback stays alive
+    with pytest.raises(ZeroDivisionError) as raised:  # the traceback is kept alive
         sample("Hat").write(path, progress=progress)
     assert path.read_bytes() == b"old" and list(tmp_path.iterdir()) == [path], raised
 

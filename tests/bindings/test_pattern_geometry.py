@@ -17,10 +17,10 @@ def test_outlines_that_cross_or_contain_each_other_overlap():
     assert overlap(big, square(8, 8, 10))
     assert overlap(big, square(4, 4, 1))
     assert overlap(square(4, 4, 1), big)
-    assert not overlap(big, square(10, 0, 10))  # side by side
+    assert not overlap(big, square(10, 0, 10))  # squares side by side
     assert not overlap(big, square(20, 0, 1))
     ring = big + square(2, 2, 6)
-    assert not overlap(ring, square(3, 3, 1))  # in its hole
+    assert not overlap(ring, square(3, 3, 1))  # a square in the hole of the ring
     assert not overlap(ring, square(2, 2, 6))  # fills it
     assert overlap(ring, square(1.9, 2, 6))
 
@@ -39,7 +39,7 @@ SQUARE = [(0, 0), (2, 0), (2, 2), (0, 2)]
         [(1, 0), (3, 0), (3, 2), (1, 2)],  # shifted along a side
         SQUARE,
         [(1, 1), (2, 1), (3, 1), (3, 2), (3, 3), (1, 3), (1, 2)],  # corners at the crossings
-        [(-1, 0.3), (3, 0.3), (3, 0.4), (-1, 0.4)],  # across; no middle of a side is inside
+        [(-1, 0.3), (3, 0.3), (3, 0.4), (-1, 0.4)],  # a bar across; no middle of a side is inside
         [(1.9, 1.9), (5, 2), (5, 5), (2, 5)],  # one corner
     ],
 )

@@ -49,7 +49,7 @@ def test_an_outline_without_area_has_no_width():
 
 
 def test_a_piece_is_measured_flat():
-    """Strips of a half cylinder of radius 1 that is 1 long, in polygons of eight sides."""
+    """The pieces are strips of a half cylinder of radius 1 and length 1, whose section is a polygon of eight sides."""
     vertices, faces = half_cylinder()
     for piece in flatten(vertices, faces, seams=chain_edges(column_chain(8, 4, 4))).pieces:
         sides = np.ptp(piece.vertices, axis=0)
@@ -57,7 +57,7 @@ def test_a_piece_is_measured_flat():
 
 
 def sheet(columns, rows, is_hole, options=None):
-    """Return the flat sheet of squares of side 1 without those where is_hole(x, y), as a piece."""
+    """Return a piece: the flat sheet of unit squares without those for which is_hole(x, y) is true."""
     lower, left = np.divmod(np.arange((rows + 1) * (columns + 1)), columns + 1)
     vertices = np.column_stack([left, lower, 0 * lower]).astype(float)
     cells = [(x, y) for y in range(rows) for x in range(columns) if not is_hole(x, y)]
@@ -74,7 +74,7 @@ def test_a_hole_leaves_the_width_beside_it():
     assert has_room(piece, 0.49) and not has_room(piece, 0.51)
 
 
-BAR = 1.0  # width of the bar of an H, between squares of three times that
+BAR = 1.0  # width of the bar of an H, between squares three times as wide
 
 
 @pytest.mark.parametrize("is_mirrored", [False, True])
@@ -83,7 +83,8 @@ def test_only_the_allowances_at_the_narrow_place_need_room_there(is_mirrored):
     index = {tuple(place): vertex for vertex, place in enumerate(vertices[:, :2].astype(int).tolist())}
     assert piece_width(piece) == pytest.approx(BAR, rel=NEAR)
     assert has_room(piece, 0.49) and not has_room(piece, 0.51)
-    far = [(index[0, y + 1], index[0, y]) for y in range(3)]  # down the left end, where a hem is twice the bar's width
+    # edges down the left end, where the hem is twice as wide as the bar
+    far = [(index[0, y + 1], index[0, y]) for y in range(3)]
     assert has_room(piece, 0.4, far, np.full(3, 2 * BAR))
     below = [(index[3, 1], index[4, 1])]  # counterclockwise, so the bar is on the left
     assert has_room(piece, 0.4, below, [0.59]) and not has_room(piece, 0.4, below, [0.61])
@@ -98,7 +99,7 @@ def test_a_mirrored_piece_has_the_same_width():
 
 
 def test_pieces_along_edges_contain_a_whole_edge():
-    """The edges are seams between three strips, edges inside a strip, and an edge that only ends on a seam."""
+    """The edges are in turn seams between three strips, edges inside a strip, and an edge that only ends on a seam."""
     vertices, faces = half_cylinder()
     left, right = column_chain(8, 4, 2), column_chain(8, 4, 6)
     pieces = flatten(vertices, faces, seams=[*chain_edges(left), *chain_edges(right)]).pieces

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A notch is at the same place of the model on all pieces that meet there, also on round ones."""
+"""A notch is at the same place of the model on all pieces that meet there, even on round ones."""
 
 import math
 from types import SimpleNamespace
@@ -42,7 +42,7 @@ def test_a_seam_all_around_begins_at_a_notch_and_has_one_more():
     assert [len(own) for own in found] == [2, 2]
     apart = [np.linalg.norm(first.at - second.at) for first, second in found]
     assert apart[0] == pytest.approx(apart[1], abs=0.01)
-    assert RADIUS < apart[0] < 1.95 * RADIUS  # opposite notches would allow sewing the ring half a turn off
+    assert RADIUS < apart[0] < 1.95 * RADIUS  # with opposite notches, the ring could be sewn on half a turn off
     assert [len(own) for own in notches(ring, 0.0)] == [0, 0]
 
 
@@ -75,7 +75,7 @@ def test_a_seam_shorter_than_the_spacing_has_a_notch_beside_its_middle_if_it_has
         (65, [30], 100, []),  # reversed, the wire's notch is off by 5 mm, which shows
         (64, [30], 100, [23.68]),
         (100, [50], 1000, [37]),
-        (100, [42, 58], 1000, []),  # too close to 42
+        (100, [42, 58], 1000, []),  # 58 is too close to 42
         (100, [], 0, []),
     ],
 )

@@ -41,7 +41,7 @@ def test_the_pages_are_reported_before_they_are_written(tmp_path, paper, sides):
 @pytest.mark.parametrize("keep_places", [False, True])
 @pytest.mark.parametrize(("paper", "margin"), [("a4", 10.0), ("a3", 10.0), (2500.0, 0.0), ("projector", 0.0)])
 def test_the_pages_show_the_reported_parts_of_the_pattern(tmp_path, paper, margin, keep_places):
-    """Every point of a cut line is dark on the pages that show it, and on at least one."""
+    """Every point of a cut line is dark on the pages that show it, and at least one page shows it."""
     pattern = sample("Hat").with_only([])
     apart = np.array([[0.0, 0.0], [33.0, 21.0]])[np.arange(len(pattern.pieces)) % 2]
     pattern = replace(pattern, pieces=[piece.moved(by) for piece, by in zip(pattern.pieces, apart, strict=True)])

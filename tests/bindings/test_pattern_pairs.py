@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pieces cut as mirrored pairs or on the fold: the result is still every piece, in its actual shape."""
+"""Pieces that are cut as mirrored pairs or on the fold: all pieces are still cut, in their actual shapes."""
 
 from collections import defaultdict
 from dataclasses import replace
@@ -14,7 +14,7 @@ from wirewarp.pattern import Pattern
 from wirewarp.pattern.geometry import Motion, right_normals
 from wirewarp.pattern.make.outline import flat_piece
 
-HALF = np.array([(0, 0), (120, 0), (150, 80), (0, 110)])  # half of a symmetric piece, right of its fold
+HALF = np.array([(0, 0), (120, 0), (150, 80), (0, 110)])  # half of a symmetric piece, to the right of its fold
 
 
 def symmetric(angle, **options):
@@ -42,7 +42,7 @@ def symmetric(angle, **options):
 
 
 def test_a_pair_is_cut_as_drawn_and_mirrored():
-    """The right sleeve as drawn is the left one mirrored."""
+    """The right sleeve, as drawn, is the mirror image of the left one."""
     paired = sample("Fitted top", pairs=True)
     assert [piece.quantity for piece in paired.pieces] == [(1, 0), (1, 0), (1, 1)]
     assert "Cut 1 pair (2 pieces, one mirrored)" in paired.pieces[2].texts[0].lines
@@ -100,7 +100,7 @@ def test_mirrored_copies_have_their_notches_where_they_are_sewn(name):
         for index, each in enumerate(drawn.pieces)
         for name in (each.name, *each.copied_names)
     ]
-    assert not originals  # every piece is compared
+    assert not originals  # all pieces were compared
     checked = 0
     for either, original in wanted:
         # Pieces may be rotated by half a turn.
@@ -277,7 +277,10 @@ def capped_tubes(ring, *seam_rows):
 
 
 def notched_vertices(pattern, result, number):
-    """Return the vertices of the model with a notch of a drawn piece. number: of the piece in the result."""
+    """Return the vertices of the model at which a drawn piece has a notch.
+
+    number: number of the piece in the result.
+    """
     drawn = next(piece for piece in pattern.pieces if piece.name == f"Piece {number}")
     points = result.pieces[number - 1].vertices * 1000
     sewn = np.concatenate([line.points for line in drawn.of_role("sew")])
@@ -300,23 +303,29 @@ def test_a_cap_has_its_notches_where_the_tube_has_them(row):
 
 
 def test_caps_of_mirrored_tubes_are_a_pair():
-    """The egg has edges of different lengths, so its notches are between vertices; the walks compare their places."""
+    """The egg has edges of different lengths, so its notches are between vertices.
+
+    The places in the walks are compared.
+    """
     result = capped_tubes(EGG, 5, 5)
     drawn, whole = Pattern.from_result(result, pairs=True), Pattern.from_result(result)
     assert [piece.quantity for piece in drawn.pieces] == [(1, 1), (1, 1)]
     rings = [walk for walk in drawn.walks if len(set(walk.pieces)) == 2]
     assert len(rings) == 2 and len(rings[0].notches[0]) == 2
     first, second = (np.sort(walk.notches) for walk in rings)
-    turned = rings[1].lengths[0] - second[:, ::-1]  # places on the mirror image, from the other end
+    turned = rings[1].lengths[0] - second[:, ::-1]  # places on the mirror image, measured from the other end
     assert first == pytest.approx(turned) and first[0] == pytest.approx(first[1])
     assert [piece.quantity for piece in whole.pieces] == [(1, 0)] * 4
 
 
 def test_caps_whose_tubes_begin_elsewhere_are_drawn_both():
-    """The tubes are alike. Only a turn by 5/16 maps one cap to the other with its notches, and it turns the grain."""
+    """The tubes are alike.
+
+    Only a turn by 5/16 maps one cap to the other with its notches, and this changes the grain.
+    """
     result = capped_tubes(ROUND, 0, 5)
     pieces = [flat_piece(piece, f"Piece {number}", 1000.0) for number, piece in enumerate(result.pieces, start=1)]
-    flat_cap = np.vstack([ROUND, np.zeros((17, 2))])  # both caps in one place, with the ring in the same order
+    flat_cap = np.vstack([ROUND, np.zeros((17, 2))])  # both caps at one place, with the ring in the same order
     for index in (1, 3):
         pieces[index] = replace(pieces[index], vertices=flat_cap[pieces[index].source_vertex % 33])
     drawn = Pattern.from_pieces(pieces, [f"Seam {number}" for number in range(1, 5)], pairs=True)
@@ -344,7 +353,7 @@ def test_the_bear_has_one_sole_and_one_paw_on_paper():
     quantities = {piece.name: piece.quantity for piece in Pattern.from_result(result, pairs=True).pieces}
     assert quantities == {
         **dict.fromkeys(["Piece 1", "Piece 2", "Piece 3", "Piece 4"], (1, 0)),
-        **dict.fromkeys(["Piece 5", "Piece 7"], (1, 1)),  # a leg and an arm
-        **dict.fromkeys(["Piece 6", "Piece 8"], (2, 0)),  # a sole and a paw
+        **dict.fromkeys(["Piece 5", "Piece 7"], (1, 1)),  # copies of a leg and an arm
+        **dict.fromkeys(["Piece 6", "Piece 8"], (2, 0)),  # copies of a sole and a paw
         "Piece 9": (2, 2),  # an ear
     }

@@ -19,7 +19,7 @@ def test_prints_have_the_actual_size(tmp_path):
     width, height = (side / MILLIMETER for side in page.get_size())
     assert width == pytest.approx(1000, abs=1e-3)
     pixels = dark(page)
-    pixels = pixels[int(168 * SCALE) :]  # above the squares to measure
+    pixels = pixels[int(168 * SCALE) :]  # the part above the test square
     across, up = sorted(extent(pixels))
     assert (across, up) == pytest.approx((170.5, 720.5), abs=1.5 / SCALE)
 
@@ -31,7 +31,7 @@ def test_a4_sheets_put_together_are_the_one_page_line_by_line(tmp_path, name):
     pattern.write(tmp_path / "page.pdf", paper="projector")
     scale, wide = 6.0, 2  # pixels per millimeter; allowed shift of lines in pixels
 
-    def black(page):  # only cut lines: everything else is gray
+    def black(page):  # finds only cut lines, because everything else is gray
         image = page.render(scale=scale / MILLIMETER, grayscale=True).to_numpy().squeeze()
         return image[::-1] < 40
 

@@ -72,7 +72,7 @@ def test_the_proof_of_a_marker_states_the_fabric_that_it_needs(tmp_path):
     laid = pattern.laid_on(pattern.nested(1400, seconds=0))
     text = proof_words(laid, tmp_path / "a.pdf")
     assert laid.marker.sentence(laid.units) in text and "In rows" not in text
-    assert "Notches at 55.2 mm, 80.0 mm" in text  # on the seam of a sleeve, which is sewn to itself
+    assert "Notches at 55.2 mm, 80.0 mm" in text  # the seam of a sleeve, which is sewn to itself
 
 
 def test_sides_of_pieces_with_one_name_have_their_own_allowances(tmp_path):

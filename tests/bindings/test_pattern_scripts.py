@@ -34,7 +34,7 @@ NO_OUTLINE = "👗"  # fonts have pictures of emoji
 
 @pytest.fixture
 def folder(tmp_path, no_fonts):
-    """Return the one folder with fonts, which has one font."""
+    """Make and return the only folder with fonts, which contains one font."""
     (tmp_path / "fonts").mkdir()
     write_font(tmp_path / "fonts" / "boxes.ttf", LETTERS | {NO_OUTLINE: 0})
     (tmp_path / "fonts" / "broken.ttf").write_bytes(b"no font")
@@ -115,12 +115,13 @@ def test_letters_are_printed_in_the_height_of_the_text(folder):
     (page,) = pypdfium2.PdfDocument(folder / "x.pdf")
     scale = 10  # pixels to the millimeter
     dark = page.render(scale=scale * 25.4 / 72, grayscale=True).to_numpy().squeeze() < 128
-    # The largest dark square is the letter: as wide as the text is high, and 0.7 of that high.
+    # The largest dark rectangle is the letter. Its width is the height of the text, and its height is 0.7 times as
+    # much.
     assert max(longest(dark), longest(dark.T)) == pytest.approx(text.height * scale, abs=2)
 
 
 def longest(dark):
-    """Return the length in pixels of the longest dark run in a row, of columns that are dark for at least 3 mm."""
+    """Return the length in pixels of the longest run of columns that are dark over at least 3 mm."""
     solid = dark & np.roll(dark, 15, axis=0) & np.roll(dark, -15, axis=0)
     best = 0
     for row in solid[solid.any(axis=1)]:

@@ -13,11 +13,11 @@ from wirewarp.pattern import PatternPiece
 
 NEAR = 15.0  # millimeters of each seam that are checked
 STRAIGHT = 8.0  # degrees: largest turn of the crossing line at a seam
-OTHERS = 10.0  # degrees: at other seams of the place, the line must turn by this much more
+OTHERS = 10.0  # degrees; at other seams of the same place, the line must turn by this much more
 
 
 def seam_ends(name: str) -> dict:
-    """Return for each vertex and seam its sides: the piece, the points of the stitching line from there, the angle."""
+    """Return, for each vertex and seam, its sides: piece, points of the stitching line from the vertex, and angle."""
     found = collections.defaultdict(list)
     for piece, flat in zip(sample(name).pieces, flattened(name).pieces, strict=True):
         boundary = np.isin(flat.source_vertex, np.concatenate([each.vertices for each in flat.boundaries]))
@@ -33,13 +33,13 @@ def seam_ends(name: str) -> dict:
 
 
 def angle_inside(outline: shapely.Polygon, place: np.ndarray) -> float:
-    """Return degrees, from the share of a small circle inside the piece."""
+    """Return the angle in degrees, from the share of a small circle that is inside the piece."""
     circle = shapely.Point(place).buffer(0.5, quad_segs=64)
     return 360 * circle.intersection(outline).area / circle.area
 
 
 def lines_from(piece: PatternPiece, place: np.ndarray) -> list:
-    """Return the seams that end there, None for an outline, and their points from there."""
+    """Return the seams that end at the vertex (None for an outline), with their points from the vertex on."""
     lines = [line for line in piece.of_role("sew") if not line.closed]
     ways = [(line.seam, points) for line in lines for points in (line.points, line.points[::-1])]
     return [(seam, points) for seam, points in ways if np.allclose(points[0], place, rtol=0, atol=1e-9)]
@@ -53,8 +53,8 @@ def is_straight(points: np.ndarray) -> bool:
 
 
 def off_when_pressed(piece: PatternPiece, points: np.ndarray) -> tuple[float, float]:
-    """Return the allowance that sticks out of the piece when folded back, and the missing part, in square
-    millimeters.
+    """Return, in square millimeters, the part of the allowance that sticks out when it is folded back, and the missing
+    part.
     """
     cut, end = cut_polygon(piece), points[0]
     other = np.array(shapely.LineString(points).interpolate(NEAR).coords[0])

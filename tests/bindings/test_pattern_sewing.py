@@ -54,7 +54,7 @@ def test_a_closed_body_has_one_gap_to_turn_it_through(name, tmp_path):
 
 
 def test_a_dart_is_closed_first(tmp_path):
-    """The dart is in the upper one of two pieces, from its free edge to its middle."""
+    """The dart is in the upper one of two pieces, from the free edge to the middle of the piece."""
     pattern = Pattern.from_result(grid([0, 100, 200], [-80, 0, 50, 100], seams=[(3, 4), (4, 5), (7, 10)]))
     assert [step.kind for step in pattern.steps] == ["dart", "flat"]
     areas = sorted(cut_polygon(piece).area for piece in pattern.pieces)

@@ -50,7 +50,7 @@ def test_kinds_of_lines_differ_by_layer_color_and_dashes(drawn):
 
 
 def test_every_line_has_its_own_style_attributes(drawn):
-    """Cutters' programs do not read style sheets, and fill lines without attributes with black."""
+    """The programs of cutters do not read style sheets, and fill closed lines without attributes with black."""
     root = drawn()[1].root
     lines = list(root.iter(f"{SVG}path"))
     assert lines

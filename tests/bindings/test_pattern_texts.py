@@ -46,7 +46,7 @@ def test_a_piece_names_no_allowance_that_it_does_not_have():
 
 
 def box(text):
-    """Return the lower left and upper right corner of a level text, whose letters are at least half as wide as high."""
+    """Return the lower left and upper right corner of a level text. Its letters are at least half as wide as high."""
     half = np.array([len(text.lines[0]) * text.height / 4, text.height / 2])
     return text.center - half, text.center + half
 
@@ -64,7 +64,8 @@ def test_texts_without_room_are_beside_the_piece_with_a_leader_line():
     assert np.any(first > high) or np.any(last < low)  # outside of the piece
     assert np.all(leader.points[0] > low) and np.all(leader.points[0] < high)
     assert np.ptp(leader.points[1:, 1]) == pytest.approx(0)  # the leader then runs along the letters
-    assert max(low[1] - leader.points[1, 1], leader.points[1, 1] - high[1]) > 0.4  # between letters and piece
+    # the leader is between letters and piece
+    assert max(low[1] - leader.points[1, 1], leader.points[1, 1] - high[1]) > 0.4
     assert piece.bounds == (pytest.approx(low), pytest.approx(high))
     assert pattern.with_only(["texts"]).pieces[0].of_role("card leader")
     assert not pattern.with_only(["sew"]).pieces[0].of_role("card leader")
@@ -94,7 +95,7 @@ def test_texts_beside_pieces_in_rows_keep_apart(angle):
 
 @pytest.mark.parametrize("angle", [20, 45, 135])
 def test_texts_beside_a_piece_are_nearer_than_sheets_overlap(angle):
-    """A sheet that shows a part of the piece then contains them: sheets overlap by 10 mm."""
+    """A sheet that shows a part of the piece then also shows its texts, because sheets overlap by 10 mm."""
     strap = flat_piece(rectangle(60, 2).pieces[0], "A strap to tie", 1000.0)
     turned = replace(strap, vertices=strap.vertices @ turn(angle), grain=strap.grain @ turn(angle))
     (piece,) = Pattern.from_pieces([turned], [], allowance=0).pieces
@@ -167,7 +168,7 @@ def test_every_piece_has_a_grain_line():
 
 
 def strips(*widths):
-    """Return a level sheet, 200 mm long, divided into strips of these widths, with a wire across all of them."""
+    """Return a flat sheet, 200 mm long, divided into strips of these widths, with a wire across all of them."""
     xs = np.concatenate([[0], np.cumsum(widths)]).tolist()
     row = len(xs)
     seams = [(y * row + k, (y + 1) * row + k) for y in range(4) for k in range(1, row - 1)]
@@ -199,7 +200,7 @@ def test_a_wire_shorter_than_its_name_has_none_and_others_have_it_inside():
 
 
 def test_the_number_of_a_seam_avoids_the_end_of_a_wire():
-    """Otherwise, the number would be in the middle."""
+    """Without the wire, the number would be in the middle."""
     wire = wirewarp.Wire([3, 4, 5], name="Waist")
     result = grid([-150, 0, 150], [0, 100, 200], seams=[(1, 4), (4, 7)], wires=[wire])
     for piece in Pattern.from_result(result, allowance=0).pieces:

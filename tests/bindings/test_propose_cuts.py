@@ -135,7 +135,7 @@ def test_no_cut_runs_along_an_edge_without_seams(propose):
 
 
 def test_a_plan_keeps_to_its_limits():
-    """The limits are targets, the number of cuts, their length and edges without seams."""
+    """The limits are the target strain, the number of cuts, their length, and edges without seams."""
     first, second = plan_cuts(*DOME, strain=0.0, most=2)
     assert second.strain_before == pytest.approx(first.strain, rel=1e-6)
     assert len(plan_cuts(*DOME, strain=first.strain + 1e-6, most=2)) == 1

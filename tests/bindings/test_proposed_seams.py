@@ -24,7 +24,7 @@ def refused(vertices: np.ndarray, faces: np.ndarray) -> FlattenError:
 def test_a_tube_is_refused_and_is_flat_with_its_proposed_seams(name: str):
     vertices, faces, _ = read_panel(name)
     error = refused(vertices, faces)
-    assert len(error.vertices) == 2  # one for each end
+    assert len(error.vertices) == 2  # one vertex for each end
     (opened,) = flatten(vertices, faces, seams=error.proposed_seams).pieces
     assert opened.error is None
 

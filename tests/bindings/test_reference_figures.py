@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Energies and angles of known cases, computed independently of this code. Skipped if they are not available."""
+"""Compares energies and angles of known cases with figures that were computed independently.
+
+Skipped if these are not available.
+"""
 
 import json
 import math
@@ -35,7 +38,7 @@ def entries(method: str) -> list:
 
 
 def quarter_sphere(n: int) -> tuple[np.ndarray, np.ndarray, list[list[int]]]:
-    """Return longitude 0 to 90, latitude -75 to 75 degrees in n by 2 n quads with alternating diagonals.
+    """Return longitude 0 to 90, latitude -75 to 75 degrees of a sphere, in n by 2 n quads with alternating diagonals.
 
     The wires are on the middle meridian and the equator.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic seams, against figures computed independently of this code. Skipped if they are not available.
+"""Compares elastic seams with figures that were computed independently of this code. Skipped if they are not available.
 
 The toy is left out because it had other seams then.
 """

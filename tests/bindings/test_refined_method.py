@@ -60,7 +60,8 @@ def test_no_shape_with_these_lengths_has_a_lower_objective(name, tolerance):
             assert chain.max_edge_error < 1e-9
 
 
-@pytest.mark.parametrize("fairness", [0.03, 0.1, 0.2])  # for larger values, corners weigh less than in fairness_term
+# for larger values, corners have less weight than in fairness_term
+@pytest.mark.parametrize("fairness", [0.03, 0.1, 0.2])
 def test_fairness_trades_distortion_for_smooth_wires(fairness):
     shape = SAMPLES["Quarter sphere"]
     (piece,) = flatten(shape, 0, fairness=fairness).pieces

@@ -150,7 +150,7 @@ def test_success_mentions_exact_lengths_only_if_they_are_fixed():
 
 
 def test_the_figure_is_the_one_that_ranks_suggestions():
-    """The test computes it from the core's aspect ratios: the least value that 99% of the area does not exceed."""
+    """The test computes it from the core's aspect ratios, as the least value that 99% of the area does not exceed."""
     shape, result, report = SAMPLES["Fitted top"], flattened("Fitted top"), report_of("Fitted top")
     corners = np.asarray(shape.vertices)[shape.triangles()]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
@@ -170,11 +170,11 @@ def test_pieces_that_unfold_are_ready_for_any_fabric():
 
 
 def test_gathers_are_not_strain():
-    """The waist of the sample's skirt is cut twice as long as its band: it is compressed to half by its gathers."""
+    """The waist of the sample's skirt is cut twice as long as its band, because gathers compress it to half."""
     shape, result = SAMPLES["Gathered skirt"], flattened_as_made("Gathered skirt")
     mesh, wires = (shape.vertices, shape.triangles()), wires_of(shape)
     gathered = make_report(result, *mesh, wires=wires, eases=eases_of(shape))
-    unintended = make_report(result, *mesh, wires=wires)  # the same shape without the gathers as its target
+    unintended = make_report(result, *mesh, wires=wires)  # the same shape as if the gathers were not its target
     assert max(piece.needed for piece in gathered.pieces) < 0.1
     assert max(piece.needed for piece in unintended.pieces) > 0.9
     assert unintended.hints and not gathered.hints
@@ -196,8 +196,8 @@ def test_intended_stretch_gives_no_hint():
 
 
 def test_a_piece_that_is_ready_for_any_fabric_is_ready_for_each():
-    """A piece that is ready for any fabric is ready for each fabric of the table; and each has its words and
-    figures.
+    """A piece that is ready for any fabric is ready for each fabric of the table. The sentence has the words and
+    figures of each fabric.
     """
     for name in Cloth.presets():
         assert min(Cloth.preset(name).limits) >= ANY_FABRIC
@@ -226,8 +226,8 @@ def triangle_metrics(flat):
     [
         ([[0, 0], [1, 0], [0, 1]], 0, 0),
         ([[5, 5], [5, 6], [4, 5]], 0, 0),  # moved and rotated
-        ([[0, 0], [0.8, 0], [0, 1]], 0.25, 0),  # fabric of 0.8 must cover 1
-        ([[0, 0], [1.25, 0], [0, 1]], 0, 0.2),  # fabric of 1.25 must fit into 1
+        ([[0, 0], [0.8, 0], [0, 1]], 0.25, 0),  # 0.8 of fabric must stretch to 1
+        ([[0, 0], [1.25, 0], [0, 1]], 0, 0.2),  # 1.25 of fabric must be compressed to 1
         ([[0, 0], [0.8, 0], [0, 1.25]], 0.25, 0.2),
         # Sheared by k, (1, 0) and (k, 1): singular values s and 1/s with s - 1/s = k; for k = 1.5 that is s = 2.
         ([[0, 0], [1, 0], [1.5, 1]], 1.0, 0.5),
@@ -276,7 +276,7 @@ def test_regions_are_connected_by_edges():
     piece = SimpleNamespace(faces=faces, vertices=np.zeros((row * row, 2)))
     cells = np.zeros((size, size), dtype=bool)
     cells[0, :] = cells[:, 0] = True  # an L,
-    cells[4, 4] = cells[5, 5] = True  # and two cells that touch at a corner only
+    cells[4, 4] = cells[5, 5] = True  # and two cells that touch only at a corner
     members = np.repeat(cells.ravel(), 2)
     regions = connected_regions(piece, members)
     assert sorted(len(region) for region in regions) == [2, 2, 22]
@@ -294,7 +294,7 @@ def test_a_winding_region_is_one_region():
 
 
 def test_the_list_of_strained_places_begins_with_the_worst_piece():
-    """The list also contains each of the worst pieces, however small."""
+    """The list also contains each of the worst pieces, even if it is small."""
     report = report_of("Toy")
     places = [hint.piece for hint in report.hints if hint.code == "strained"]
     worst_first = sorted(report.pieces, key=lambda piece: -piece.needed)
@@ -326,5 +326,6 @@ def test_changes_of_length_follow_from_eases():
     vertices = np.array([[0, 0, 0], [2, 0, 0], [3, 0, 0], [3, 1, 0]], dtype=float)
     asked = asked_of_outline(piece, vertices, {(0, 1): 0.05, (1, 2): 0.05})
     assert asked == pytest.approx([2 * 1.1 * 1.05 + 1 * 1.05 + 1, 0.8])
-    asked = asked_of_outline(piece, vertices, {(1, 0): 0.05, (2, 1): 0.05})  # on the other side, not in this piece
+    # eases of the other side, which is not in this piece
+    asked = asked_of_outline(piece, vertices, {(1, 0): 0.05, (2, 1): 0.05})
     assert asked == pytest.approx([2 * 1.1 + 1 + 1, 0.8])

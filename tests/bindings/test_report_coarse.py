@@ -28,7 +28,8 @@ def test_a_circle_of_few_edges_is_named(count, turn):
     assert hint.sentence.startswith("The model is coarse here") and hint.piece is None
 
 
-@pytest.mark.parametrize("count", [4, 5, 25])  # square, pentagon; turns of 14 degrees look round
+# a square and a pentagon have corners on purpose; turns of 14 degrees look round
+@pytest.mark.parametrize("count", [4, 5, 25])
 def test_corners_and_round_outlines_are_not_named(count):
     assert hints(*disc(count)) == []
 

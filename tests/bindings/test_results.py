@@ -19,7 +19,7 @@ def chain_length(points: np.ndarray) -> float:
 def test_both_sides_of_a_seam_and_a_wire_keep_their_length_on_a_sphere():
     vertices, faces = spherical_patch(columns=8, rows=8)
     seam = column_chain(8, 8, 4)
-    row = list(range(36, 45))  # across the middle, over the seam
+    row = list(range(36, 45))  # a wire across the middle, over the seam
     result = wirewarp.flatten(vertices, faces, seams=chain_edges(seam), wires=[wirewarp.Wire(row, name="waist")])
     assert [piece.error for piece in result.pieces] == [None, None]
 

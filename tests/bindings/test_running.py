@@ -71,7 +71,7 @@ def test_ctrl_c_stops_the_run(python_handles_ctrl_c):
 
 @pytest.fixture
 def no_forced_switches():
-    """Switch threads only if one releases the GIL itself."""
+    """Make Python switch threads only if one releases the GIL itself."""
     interval = sys.getswitchinterval()
     sys.setswitchinterval(1000)
     yield

@@ -63,7 +63,7 @@ def test_the_refined_method_takes_few_factorizations(name):
     # On the quarter sphere, no step from a free flattening reaches exact lengths, and the objective has a saddle.
     most = 16 if name == "Quarter sphere" else 8
     for piece in flattened(name).pieces:
-        assert piece.report.factorizations <= most  # 0 if it unfolds
+        assert piece.report.factorizations <= most  # 0 for a piece that unfolds
 
 
 @pytest.mark.parametrize("name", SAMPLES)
@@ -73,7 +73,8 @@ def test_the_inner_problem_takes_few_factorizations(name):
     for piece in flattened(name, method="wirewarp++").pieces:
         evaluations = piece.report.gradient_evaluations
         assert 0 < piece.report.inner_solves <= most * (1 + evaluations)
-        assert piece.report.factorizations == (2 if evaluations else 1)  # one more factorization for the first lengths
+        # one more factorization is for the first lengths
+        assert piece.report.factorizations == (2 if evaluations else 1)
         assert piece.report.projected_gradient < 1e-10
         assert piece.report.constraint_residual < 1e-12
 
@@ -92,7 +93,7 @@ def test_a_wire_runs_across_a_dart_in_each_half_of_the_hat():
     head_line = [piece for piece, _ in parts(flattened("Hat"), "Head line")]
     assert sorted(head_line.count(piece) for piece in set(head_line)) == [2, 2]
     darts = [seam for seam in flattened("Hat").seams if seam.pieces[0] == seam.pieces[1]]
-    assert len(darts) == 2 + 1  # and the brim's seam
+    assert len(darts) == 2 + 1  # two darts, and the seam of the brim
 
 
 @pytest.mark.parametrize("name", ["Half cylinder", "Lampshade"])

@@ -53,7 +53,7 @@ def test_sides_of_seams_are_equal_after_their_ease(name):
 def test_the_sleeve_head_is_eased_by_two_to_three_centimeters():
     seams = flattened_as_made("Set-in sleeve").seams
     head = [seam for seam in seams if any(seam.eases)]
-    assert len(head) == 2  # to the front and to the back
+    assert len(head) == 2  # two sides, to the front and to the back
     assert 0.020 <= sum(max(seam.length_2d) - min(seam.length_2d) for seam in head) <= 0.030
 
 

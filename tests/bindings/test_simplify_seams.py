@@ -37,7 +37,7 @@ def test_figures_are_those_of_a_run_with_the_seams_that_remain(options):
         areas = [piece.metrics.area_3d for piece in pieces]
         has_cloth = options is not None and options.cloth is not None
         energies = [piece.metrics.cloth_energy if has_cloth else piece.metrics.arap_energy for piece in pieces]
-        tolerance = 1e-4 if has_cloth else 1e-6  # the best direction of a cloth is found only to 1e-4
+        tolerance = 1e-4 if has_cloth else 1e-6  # the best direction of a fabric is found only to 1e-4
         assert energy == pytest.approx(np.average(energies, weights=areas), rel=tolerance)
         assert count == len(pieces)
     assert fewer.strain <= max(0.1, fewer.strain_before) and not fewer.was_stopped

@@ -26,7 +26,7 @@ MIDDLE = column_chain(8, 8, 4)[2:6]
 
 
 def flat(paths: list[SurfacePath], **more):
-    """Flatten the dome with cuts; return its report and the cut mesh."""
+    """Flatten the dome with these cuts; return its report and the cut mesh."""
     vertices, faces, edges, sources = cut_mesh(*DOME, paths)
     result = flatten(vertices, faces, seams=edges, **more)
     options = more.get("options")
@@ -71,7 +71,7 @@ def test_the_figures_are_those_of_the_cut_mesh(wires, options):
         assert proposal.strain == pytest.approx(reported.needed, abs=1e-6)
         assert proposal.strain_before == pytest.approx(before, abs=1e-6)
         assert min(proposal.strain, proposal.strain_with_twin or math.inf) < before
-        if not (options and options.thickness):  # lengths are those in the middle of the material
+        if not (options and options.thickness):  # lengths are measured in the middle of the material
             places = cut_mesh(*DOME, proposal.paths)[0][edges]
             assert proposal.length == pytest.approx(np.linalg.norm(np.diff(places, axis=1), axis=2).sum(), rel=1e-12)
         wired = {tuple(sorted(pair)) for wire in wires for pair in pairwise(wire.vertices.tolist())}

@@ -94,7 +94,7 @@ def test_everything_public_is_documented(module):
 
 
 def parameters(function: ast.FunctionDef) -> list[tuple[str, str]]:
-    """Return (name, default) of each, with keyword-only ones after a star."""
+    """Return (name, default) of each argument, with a star before keyword-only ones."""
     arguments = function.args
     plain = [*arguments.posonlyargs, *arguments.args]
     defaults = [None] * (len(plain) - len(arguments.defaults)) + arguments.defaults
@@ -106,7 +106,7 @@ def parameters(function: ast.FunctionDef) -> list[tuple[str, str]]:
 
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_the_stub_knows_the_parameters_of_a_function(name):
-    signature = getattr(_wirewarp, name).__doc__.splitlines()[0]  # pybind11 writes it
+    signature = getattr(_wirewarp, name).__doc__.splitlines()[0]  # the docstring that pybind11 writes
     assert parameters(FUNCTIONS[name]) == parameters(ast.parse(f"def {signature}: ...").body[0])
 
 
@@ -132,11 +132,11 @@ def fits(value: object, hint: object) -> bool:
         return isinstance(value, origin) and all(fits(each, arguments[0]) for each in value)
     if origin is dict:
         return isinstance(value, dict)
-    return type(value).__name__ == hint.__name__  # classes of the stub are not those of the module
+    return type(value).__name__ == hint.__name__  # the classes of the stub are other objects than those of the module
 
 
 def all_within(value: object) -> list:
-    """Return the object and all objects of our classes in its attributes."""
+    """Return the object and all objects of our classes in its attributes, at any depth."""
     if isinstance(value, list):
         return [inner for each in value for inner in all_within(each)]
     if type(value).__name__ not in CLASSES:

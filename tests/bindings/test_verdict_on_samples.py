@@ -8,7 +8,7 @@ from samples import SAMPLES, cloth_of, eases_of, flattened, flattened_as_made, w
 from wirewarp.report import COARSE, make_report, verdict
 
 pytestmark = pytest.mark.core
-# They have turns of 20 degrees between edges of 47 mm (at the crotch) and 29 mm (around the arms).
+# These samples have turns of 20 degrees between edges of 47 mm (at the crotch) and 29 mm (around the arms).
 WITH_COARSE_CURVES = {"Jeans", "Armchair cover"}
 
 
@@ -21,7 +21,8 @@ def share_within(piece: wirewarp.Piece, name: str, limits: tuple[float, float]) 
     return min(areas[strain <= limit].sum() / areas.sum() for strain, limit in zip(strains, limits, strict=True))
 
 
-FABRICS = ["vinyl", "minky", "jersey", "swim"]  # each suits samples that the one before does not suit
+# each fabric is enough for samples for which the one before is not enough
+FABRICS = ["vinyl", "minky", "jersey", "swim"]
 
 
 @pytest.mark.parametrize("fabric", FABRICS)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The work of processes in tests; its argument is one number."""
+"""Functions that the processes in tests run; their argument is one item."""
 
 import os
 import signal
@@ -9,7 +9,7 @@ import time
 
 
 def square_or_crash(number):
-    """Return the square; 13 crashes like C++, and 14 like Python."""
+    """Return the square of a number. 13 crashes as C++ does, and 14 as Python does."""
     if number == 13:
         os.kill(os.getpid(), getattr(signal, "SIGSEGV", signal.SIGABRT))
     if number == 14:
@@ -18,7 +18,7 @@ def square_or_crash(number):
 
 
 def hang_or_wait(task):
-    """Hang or wait, as the task says.
+    """Hang or wait, as the task requires.
 
     ("hang", path) starts a process, writes its id to the path, and hangs. ("wait", path) waits for that file.
     """

@@ -23,11 +23,11 @@ FlattenInput dome() {
 FlattenInput with_slit() {
   FlattenInput input = dome();
   test::add_seam(input, test::grid_row(kQuads, 4));
-  input.seams = input.seams.middleRows(2, 4).eval();  // from the third vertex to the seventh
+  input.seams = input.seams.middleRows(2, 4).eval();  // the seam from the third vertex to the seventh
   return input;
 }
 
-/// Returns the mesh with the slit cut in it, its inner vertices doubled as flatten() doubles them. The lower rim is
+/// Returns the mesh with the slit cut open: its inner vertices are doubled, as in flatten(). The lower rim is
 /// sewn to a third piece.
 FlattenInput with_sewn_hole() {
   const FlattenInput whole = dome();

@@ -11,7 +11,7 @@
 namespace wirewarp::flat_sheets_stopped_short_test {
 namespace {
 
-constexpr double kRounding = 1e-20;  // rounding of E, for strains of 1e-10
+constexpr double kRounding = 1e-20;  // rounding error of E, for strains of 1e-10
 
 void expect_flat_without_strain(const FlattenInput& input) {
   for (const Piece& piece : flatten(input).pieces) {

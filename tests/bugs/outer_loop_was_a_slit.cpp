@@ -9,8 +9,8 @@
 namespace wirewarp::outer_loop_was_a_slit_test {
 namespace {
 
-/// Returns a sheet with a slit of one edge, which has a high spike at one end and a low one at the other. So the slit
-/// turns by nearly 2 pi.
+/// Returns a sheet with a slit of one edge, which has a high spike at one end and a low one at the other. The slit
+/// therefore turns by nearly 2 pi.
 FlattenInput rough_sheet_with_two_slits() {
   FlattenInput input = test::make_grid(6, 6, [](double s, double t) {
     const bool is_spike = std::abs(s - 0.5) < 1e-9 && (std::abs(t - 0.5) < 1e-9 || std::abs(t - 1.0 / 3) < 1e-9);
@@ -26,7 +26,7 @@ TEST(Bugs, TheOuterLoopIsNotASlit) {
   const FlattenInput input = rough_sheet_with_two_slits();
   const Chart chart = test::charts_of(input).charts.at(0);
   ASSERT_EQ(chart.boundary_loops.size(), 3U);
-  EXPECT_EQ(chart.boundary_loops[0].size(), 24U);  // around 6 by 6 quads
+  EXPECT_EQ(chart.boundary_loops[0].size(), 24U);  // the outline of 6 by 6 quads
   EXPECT_EQ(find_slits(chart).size(), 2U);
   EXPECT_EQ(flatten(input).pieces.size(), 1U);
 }

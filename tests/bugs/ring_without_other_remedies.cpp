@@ -20,7 +20,7 @@ TEST(Bugs, TheErrorOfARingProposesEveryRemedy) {
   const Chart& chart = charts.charts.at(0);
   const WireNetwork network = build_wire_network(chart);
   Positions2 uv = test::planar_positions(chart);
-  uv(inside, 1) -= 0.7;  // onto the next ring
+  uv(inside, 1) -= 0.7;  // moved onto the next ring
   const auto error = check_guarantee(chart, network, input.wires, uv, std::vector<double>(chart.wire_parts.size(), 0),
                                      measure_metrics(chart, network, uv), {{begin, end}});
   ASSERT_TRUE(error);

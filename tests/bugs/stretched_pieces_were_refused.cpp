@@ -25,7 +25,7 @@ Options stretched(double weft, double warp) {
   return options;
 }
 
-/// Returns two sheets of 2 by 2, one with its grain along the seam, the other across.
+/// Returns two sheets of 2 by 2, one with its grain along the seam, the other with its grain across it.
 FlattenInput sheets_with_crossed_grain(double bump) {
   FlattenInput input = test::make_grid(8, 4, [=](double s, double t) -> Eigen::Vector3d {
     return {4 * s, 2 * t, bump * std::sin(3 * s) * std::sin(3 * t)};
@@ -37,7 +37,7 @@ FlattenInput sheets_with_crossed_grain(double bump) {
   return input;
 }
 
-/// Returns a ruffle nearly all around: flat, it would reach past its start.
+/// Returns a ruffle that goes almost all the way around. When flat, it would extend past its start.
 FlattenInput ruffle() {
   return test::make_grid(24, 3, [](double s, double t) -> Eigen::Vector3d {
     const double angle = 0.95 * 2 * kPi * s, radius = 1 + t;
@@ -68,7 +68,7 @@ TEST(Bugs, StretchedElasticSeamsHaveTheirEaseIfNoOtherLengthIsFound) {
   FlattenInput input = sheets_with_crossed_grain(0);
   test::add_wire(input, test::grid_column(8, 4, 4), 0.2);
   Options options = stretched(0.3, -0.3);
-  options.max_factorizations = 2;  // too few for both pieces together, enough for each
+  options.max_factorizations = 2;  // too few factorizations for both pieces together, enough for each
   const FlattenResult result = flatten(input, options);
   expect_good(result);
   EXPECT_NEAR(result.seams.at(0).length_2d[0], 2 * (1 / 1.3 + 1 / 0.7) / 2, 1e-8);
@@ -114,7 +114,7 @@ TEST(Bugs, TheSidesOfASeamHaveOneLengthBesideAFlippedPiece) {
     ASSERT_TRUE(result.pieces.at(0).error && result.pieces[0].error->code == ErrorCode::flipped_faces);
     EXPECT_FALSE(result.pieces.at(1).error);
     const SeamReport& seam = result.seams.at(0);
-    // Between the lengths of a seam along the weft and one along the warp, within the tolerance.
+    // The length is between those of a seam along the weft and of one along the warp, within the tolerance.
     EXPECT_GT(seam.length_2d.at(0), (1 - tolerance) * seam.length_3d / 1.2);
     EXPECT_LT(seam.length_2d.at(0), (1 + tolerance) * seam.length_3d / 1.05);
     EXPECT_LT(seam.mismatch, 1e-9 * seam.length_3d);

@@ -29,7 +29,7 @@ double any_coordinate(FuzzedDataProvider& bytes) {
   return bytes.ConsumeIntegral<std::int8_t>() / 16.0;
 }
 
-/// Returns mostly a vertex of the mesh.
+/// Returns a number that usually is a vertex of the mesh.
 int any_vertex(FuzzedDataProvider& bytes, int num_vertices) { return bytes.ConsumeIntegralInRange(-1, num_vertices); }
 
 double any_tolerance(FuzzedDataProvider& bytes) {
@@ -46,7 +46,7 @@ double any_tolerance(FuzzedDataProvider& bytes) {
   }
 }
 
-/// Returns mostly legal options; the default if no bytes are left.
+/// Returns options that are usually legal; the defaults if no bytes are left.
 Options any_options(FuzzedDataProvider& bytes) {
   Options options;
   options.method = bytes.PickValueInArray({Method::refined, Method::wirewarp_plus_plus, Method::wirewarping});

@@ -14,7 +14,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "addon" / "wirewarp" / "solve"))
 with atheris.instrument_imports():
-    import chains  # knows no Blender
+    import chains  # this module does not use Blender
 
 
 def any_marks(raw: bytes) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:

@@ -88,7 +88,7 @@ void check_flips(Judged& judged, const Piece& piece) {
 }
 
 /// Returns whether target lengths differ from the lengths on the surface, because the piece has eases, or has a shape
-/// only without the stretch. Then perhaps neither seams nor tolerances help.
+/// only without the stretch. In such a case, it is possible that neither seams nor tolerances help.
 bool has_other_target_lengths(const Judged& judged, int number) {
   const bool is_of_stretch = judged.unstretched && !judged.unstretched->pieces[number].error;
   return is_of_stretch || has_other_outline(judged, judged.result.pieces[number]);
@@ -115,7 +115,7 @@ void check_error(Judged& judged, int number) {
   const FlattenError& error = *piece.error;
   for (std::string& fault : faults_of_error(error, judged.input)) judged.say(std::move(fault));
   if (error.has_layout != judged.has_layout(piece)) judged.say("has_layout is wrong");
-  if (is_of_mesh(error.code)) return;  // the checks below need a sound topology
+  if (is_of_mesh(error.code)) return;  // the checks below need a valid mesh
 
   check_named_elements(judged, number);
   const Topology topology = topology_of(judged, piece);

@@ -55,7 +55,7 @@ std::vector<std::vector<EdgeLengths>> parts_of(const Judged& judged, const Wire&
     const Edge edge = edge_of(wire.vertices[i], wire.vertices[i + 1]);
     const Side side = judged.sides().at(edge).front();
     const Piece& piece = judged.result.pieces[piece_at(i)];
-    if (judged.is_outline(edge) || !keeps_lengths(piece)) continue;  // check_run() etc. check outlines
+    if (judged.is_outline(edge) || !keeps_lengths(piece)) continue;  // check_run() and others check outlines
     parts.back().push_back(lengths_of(judged, edge, side, 0, wire.ease == 0));
   }
   const bool goes_on = wire.vertices.front() == wire.vertices.back() && !begins_part(0);

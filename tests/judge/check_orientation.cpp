@@ -11,7 +11,7 @@ namespace wirewarp::test {
 namespace {
 
 constexpr double kDirectionRounding = 1e-6;
-constexpr double kShortChord = 0.1;  // chord over length; a line with a shorter chord has an upright box instead
+constexpr double kShortChord = 0.1;  // chord over length; of a line with a shorter chord, the box is upright instead
 constexpr double kStraight = 0.087266462599716;  // 5 degrees
 constexpr double kLevel = 0.01;
 
@@ -101,7 +101,8 @@ void check_wire_upright(Judged& judged, int piece) {
   check_longest_chain(judged, piece);
 }
 
-/// Checks that the consecutive outline edges that head up within 5 degrees are at least as long as any single edge.
+/// Checks that the consecutive outline edges that point upward within 5 degrees are together at least as long as any
+/// single edge.
 void check_straightest_section(Judged& judged, int number) {
   const Piece& piece = judged.result.pieces[number];
   double longest_edge = 0;
@@ -157,7 +158,7 @@ void check_orientation(Judged& judged, int number) {
       if (!is_up) judged.say("the direction up in space is not up in the piece");
       return;
     }
-    if (rise->norm() > 0.999 * kLevel) return;  // rounding errors decide whether the piece is level
+    if (rise->norm() > 0.999 * kLevel) return;  // rounding errors would decide whether the piece is level
   }
   check_wire_upright(judged, number);
 }

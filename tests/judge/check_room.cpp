@@ -10,7 +10,7 @@ namespace {
 struct Box {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = -low;
-  bool has_helpers = false;  // has helper wires, which may extend beyond a flipped piece
+  bool has_helpers = false;  // skipped: helper wires may extend beyond a flipped piece
 };
 
 Box box_of(const Judged& judged, const Piece& piece) {

@@ -28,8 +28,8 @@ bool has_unstretched_layout(const Judged& judged, const Side& side) {
   return unstretched_uv(judged, side.face, 0).allFinite();
 }
 
-/// Returns whether all lengths of a piece shrink by their directions alone. Wires with an ease or along the outline may
-/// have other lengths.
+/// Returns whether only their directions determine how much the lengths of a piece shrink. Wires with an ease or along
+/// the outline may have other lengths.
 bool is_even(const Judged& judged, const Piece& piece) {
   const int number = judged.piece_of(piece.source_face.front());
   if (!judged.input.eases.empty()) return false;

@@ -22,7 +22,8 @@ std::vector<std::string> broken_expectations(const FlattenInput& input, const Op
                                              const FlattenResult& result, const std::optional<ErrorCode>& fault,
                                              const FlattenResult* unstretched = nullptr);
 
-/// Returns the differences in errors and shapes from another result, whose options differ only in placement.
+/// Returns the differences in errors and shapes from another result, whose options differ only in the placement of
+/// pieces.
 std::vector<std::string> differences_of_layout(const FlattenInput& input, const Options& options,
                                                const FlattenResult& result, const FlattenResult& other);
 

@@ -7,7 +7,7 @@
 
 namespace wirewarp::test {
 
-/// a·b of large matrices.
+/// The product a·b of large matrices.
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// spaceᵀ·a·space.

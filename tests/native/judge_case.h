@@ -31,7 +31,8 @@ void expect_broken(const std::string& sentence, JudgeCase good, const Spoil& spo
 /// Expects the same of broken_expectations() without an expected error.
 void expect_broken_expectation(const std::string& sentence, JudgeCase good, const Spoil& spoil);
 
-// Move or turn the piece with this number, together with its corners in corner_uv. Directions are those of the piece.
+// Move or turn the piece with this number, together with its corners in corner_uv. Directions are in the plane of the
+// piece.
 Spoil moved_vertex(int number, int source_vertex, double right, double up);
 Spoil moved(int number, double right, double up);
 Spoil turned(int number, double angle);

@@ -242,7 +242,7 @@ TEST(Charts, AWireThroughThePointWhereChartsTouchHasAPartInEach) {
 TEST(Charts, PartsOfAClosedWirePartlyAlongTheOutlineDoNotDependOnWhereItsListBegins) {
   const int n = 6;
   const auto vertex = [&](int i, int j) { return i + (n + 1) * j; };
-  std::vector<int> ring;  // along the lower edge from column 1 to 5, back at height 3
+  std::vector<int> ring;  // a closed wire along the lower edge from column 1 to 5, and back at height 3
   for (int i = 1; i < 5; ++i) ring.push_back(vertex(i, 0));
   for (int j = 0; j < 3; ++j) ring.push_back(vertex(5, j));
   for (int i = 5; i > 1; --i) ring.push_back(vertex(i, 3));

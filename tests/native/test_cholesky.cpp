@@ -164,7 +164,7 @@ struct Chains {
 
 TEST(MultifrontalCholesky, PollsTheTokenRegularly) {
   const Chains chains;
-  const int tiles = Chains::block / kTile;  // of pivots in a front; the rows below have as many
+  const int tiles = Chains::block / kTile;  // number of pivots in a front; the rows below are as many
   const double m = tiles;
   const double work_of_a_chain = (Chains::length - 1) * (m * m * m / 6 + m * m * m / 2 + m * m * m / 2);
   for (const bool in_threads : {false, true}) {
@@ -232,7 +232,7 @@ TEST(MultifrontalCholesky, RefusesMatricesAndTreesThatDoNotFit) {
   beyond.nodes[0].vertices[0] = 25;
   EXPECT_THROW(with(beyond), std::invalid_argument);
   ASSERT_EQ(apart.nodes.size(), 3u);
-  apart.nodes[0].parent = -1;  // although it is coupled with the separator
+  apart.nodes[0].parent = -1;  // a root of its own, although it is coupled with the separator
   EXPECT_THROW(with(apart), std::invalid_argument);
   std::swap(apart.nodes[1].vertices, apart.nodes[2].vertices);
   apart.nodes[0].parent = 2;  // now one half contains the separator
@@ -262,7 +262,7 @@ TEST(NestedDissection, SeparatorOfASquareIsAboutOneRow) {
 }
 
 TEST(NestedDissection, CutsAcrossTheShortSide) {
-  // A strip of 4 by 100 vertices along a diagonal: neither x nor y alone cuts it across.
+  // A strip of 4 by 100 vertices along a diagonal: neither a cut in x nor one in y divides it across.
   GraphEdges edges;
   Positions2 positions(400, 2);
   for (int i = 0; i < 100; ++i) {

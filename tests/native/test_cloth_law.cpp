@@ -35,7 +35,7 @@ const Cloth kDenim = cloth_of(0.21, 1, 0.06);
 constexpr double kRounding = 1e-14;
 
 TEST(ClothLaw, StretchAlongTheGrainCostsTheThreadsStiffnessAlone) {
-  for (const double t : {0.2, -0.2}) {  // per worn area, which is 1 + t times the flat area
+  for (const double t : {0.2, -0.2}) {  // energy per worn area, which is 1 + t times the flat area
     EXPECT_NEAR(ClothLaw(kDenim).density(map_of(rows(1, 0, 0, 1 + t))), 1 * t * t / (1 + t), kRounding);
     EXPECT_NEAR(ClothLaw(kDenim).density(map_of(rows(1 + t, 0, 0, 1))), 0.21 * t * t / (1 + t), kRounding);
   }
@@ -96,7 +96,7 @@ TEST(ClothLaw, FlippedOrDegenerateTrianglesAreInfinite) {
 /// ARAP is |J − R|²: at rest, ½ dJ·H dJ is the square of the symmetric part of dJ.
 TEST(ClothLaw, IsotropicClothIsArapToSecondOrder) {
   const ClothLaw law(cloth_of(1, 1, 0.5));
-  Eigen::Matrix4d arap;  // Hessian by J₁₁, J₁₂, J₂₁, J₂₂
+  Eigen::Matrix4d arap;  // Hessian with respect to J₁₁, J₁₂, J₂₁, J₂₂
   arap << 2, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 2;
   const Eigen::Matrix2d rest = Eigen::Matrix2d::Identity();
   EXPECT_EQ(law.density(rest), 0);

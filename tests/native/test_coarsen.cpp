@@ -186,7 +186,7 @@ void expect_same_minimum(const FlattenInput& input, double fairness = 0.3, int m
 TEST(CoarseStart, ReachesTheSameMinimum) {
   expect_same_minimum(with_cross(jittered_grid(48, 0.1, dome), 48, 0.03));
   expect_same_minimum(with_cross(jittered_grid(64, 0.25, dome), 64, 0.05));  // with jagged wires
-  expect_same_minimum(test::quarter_sphere(40), 0.1, 3);  // far from developable: 13 factorizations from scratch
+  expect_same_minimum(test::quarter_sphere(40), 0.1, 3);  // far from developable: takes 13 factorizations from scratch
   FlattenInput plate = test::flat_plate_with_two_holes(24);
   for (int v = 0; v < plate.vertices.rows(); ++v) {
     plate.vertices(v, 2) = 0.2 * std::sin(2 * plate.vertices(v, 0)) * std::cos(1.5 * plate.vertices(v, 1));
@@ -214,7 +214,7 @@ TEST(CoarseStart, StopsWhenAsked) {
   int asked = 0;
   refine_chart(charts.charts.at(0), options, StopToken([&](const char*) { return ++asked > 0; }));
   bool was_exact = false;
-  for (int last = 0; last < asked; ++last) {  // including the coarse chart
+  for (int last = 0; last < asked; ++last) {  // all limits, including those that end in the coarse chart
     int count = 0;
     const StopToken stop([&](const char*) { return ++count <= last; });
     const Solution stopped = refine_chart(charts.charts.at(0), options, stop);
@@ -249,7 +249,7 @@ TEST(CoarseStart, IsRejectedIfWiresMayHaveShortWaves) {
   EXPECT_FALSE(start_from_coarse({chart, 0.01}, {budget}));
 }
 
-/// The start has multipliers, as near the minimum, but all its vertices coincide.
+/// The start has multipliers, as if it were near the minimum, but all its vertices coincide.
 TEST(Minimize, RejectsAStartThatIsNotNearTheMinimum) {
   const int n = 24;
   const Charts charts = test::charts_of(with_cross(jittered_grid(n, 0.2, dome), n));

@@ -108,7 +108,7 @@ SurfacePath line_in_random_plane(const FlattenInput& mesh, std::mt19937& random)
   SurfacePath line = line_in_plane(mesh, (mesh.vertices.rowwise() - center) * normal);
   return line.faces.size() > 4
              ? line
-             : line_in_random_plane(mesh, random);  // tries again if the line cuts off only a corner of the mesh
+             : line_in_random_plane(mesh, random);  // again if the line cuts off only a corner of the mesh
 }
 
 /// Returns the smallest ratio of a face's height to the smallest height of the input face that contains it.
@@ -236,8 +236,8 @@ TEST(CutMesh, AStraightLineLeavesNoSlivers) {
     const CutMesh cut = cut_mesh(mesh.vertices, mesh.faces, {path}, snap);
     SCOPED_TRACE(i);
     expect_same_surface(mesh, cut);
-    // A line that crosses two sides of a face at the shares s and t from their corner cuts off s t of the area. s or t
-    // may be 1 - snap.
+    // A line that crosses two sides of a face at the shares s and t from their common corner cuts off the share s t of
+    // the area. s or t may be 1 - snap.
     EXPECT_GT(least_height(mesh, cut), snap * (1 - snap) * (1 - 1e-9));
   }
 }

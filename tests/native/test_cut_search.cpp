@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(Models, CutsBesideNeighbors,
 
 // The order of a chart's vertices does not depend on their numbers in the input.
 
-/// A regular polygon with a vertex in its center: all walks around it look the same.
+/// A regular polygon with a vertex in its center, so that all walks around it look the same.
 FlattenInput regular_polygon(int corners) {
   FlattenInput input;
   input.vertices.setZero(corners + 1, 3);
@@ -110,10 +110,10 @@ FlattenInput regular_polygon(int corners) {
 
 TEST(CutSetSearch, AllowsStrainsUpToThatOfPlushOrTwiceTheTarget) {
   using Strains = std::vector<double>;
-  EXPECT_EQ(allowed_strains(0.05, 0.05), (Strains{0.05, 0.1, 0.2}));  // 0.2: the strain of plush
+  EXPECT_EQ(allowed_strains(0.05, 0.05), (Strains{0.05, 0.1, 0.2}));  // 0.2 is the strain of plush
   EXPECT_EQ(allowed_strains(0.15, 0.05), Strains{0.15});              // 0.2 / 0.15 < 0.3 / 0.2
   EXPECT_EQ(allowed_strains(0.13, 0.05), (Strains{0.13, 0.26}));      // 0.2 / 0.13 > 0.26 / 0.2
-  EXPECT_EQ(allowed_strains(0.2, 0.2), (Strains{0.2, 0.4}));          // 0.4: twice the target
+  EXPECT_EQ(allowed_strains(0.2, 0.2), (Strains{0.2, 0.4}));          // 0.4 is twice the target
   EXPECT_EQ(allowed_strains(0.01, 0.01), (Strains{0.01, 0.02, 0.04}));
 }
 
@@ -174,7 +174,7 @@ constexpr int kMiddle = 6;
 
 bool is_inside(int i, int j) { return i > 0 && j > 0 && i < kN && j < kN; }
 
-/// Returns whether a vertex is in the lane from the left, in the lane from below, or above and to the right of their
+/// Returns whether a vertex is in one of the lanes, from the left or from below, or above and to the right of their
 /// crossing.
 bool is_open(int i, int j) {
   if (!is_inside(i, j)) return false;

@@ -196,7 +196,7 @@ TEST(CutSetSearch, FindsSymmetricSeamsOfASymmetricModel) {
 VertexPairs as_rows(const std::set<VertexPair>& edges) {
   VertexPairs rows(static_cast<Eigen::Index>(edges.size()), 2);
   Eigen::Index row = 0;
-  for (const VertexPair& edge : edges) rows.row(row++) << edge[1], edge[0];  // in either direction
+  for (const VertexPair& edge : edges) rows.row(row++) << edge[1], edge[0];  // edges in the other direction
   return rows;
 }
 

@@ -25,7 +25,7 @@ ErrorCode code_thrown_by(const FlattenInput& input) {
   return test::error_of([&] { flatten(input); }).code;
 }
 
-/// A grid of shortened wires encloses the most area if its squares stay squares.
+/// If a grid of wires is shortened, it encloses the most area if its squares stay squares.
 TEST(Ease, OfAllLinesScalesASheet) {
   const int n = 6;
   const double ease = -0.1;
@@ -69,7 +69,7 @@ TEST(Ease, OfOneSideDoesNotChangeTheOther) {
   expect_good(input, result);
   const SeamReport& seam = result.seams.at(0);
   ASSERT_EQ(seam.length_2d.size(), 2u);
-  // Seen along the seam, which runs upwards, the left sheet is piece 0.
+  // The seam runs upwards, and the sheet on its left is piece 0.
   EXPECT_NEAR(seam.length_2d[0], 1.05 * seam.length_3d, 1e-9);
   EXPECT_NEAR(seam.length_2d[1], seam.length_3d, 1e-9);
   EXPECT_NEAR(seam.eases[0], 0.05, 1e-12);
@@ -98,7 +98,7 @@ TEST(Ease, OfOneEndTurnsACylinderIntoASector) {
     test::add_wire(input, test::grid_row(width * rows, 0));
     input.wires.back().ease = ease;
     Options options;
-    options.fairness = Options::least_fairness;  // corners change their angles at almost no cost
+    options.fairness = Options::least_fairness;  // so that corners change their angles at almost no cost
     const FlattenResult result = flatten(input, options);
     expect_good(input, result);
     EXPECT_NEAR(result.wires.at(0).length_2d, (1 + ease) * result.wires[0].length_3d, 1e-9);

@@ -148,7 +148,7 @@ TEST(ElasticSeams, StartWithinTheToleranceIfNominalLengthsAreInfeasible) {
 
 TEST(ElasticSeams, WithoutAFeasibleLengthAreAnError) {
   FlattenInput input = two_triangles(1.4, 1.5);
-  // With sides 3 and 0.4 times as long, one piece needs a seam of at least 2.6, the other of at most 2.
+  // One piece has sides 3 and 0.4 times as long and needs a seam of at least 2.6. The other needs a seam of at most 2.
   input.eases = {ease_along({0, 3}, 2), ease_along({3, 1}, -0.6)};
   for (const Piece& piece : flatten(input).pieces) {
     ASSERT_TRUE(piece.error);
@@ -204,7 +204,8 @@ TEST(ElasticSeams, PiecesKeepNominalLengthsIfNoGoodShapeIsFound) {
   }
 }
 
-/// One limit applies to all stages together: the seam fixed at its ease, the seam elastic, and each piece alone.
+/// One limit applies to all stages together: with the seam fixed at its ease, with the seam elastic, and for each piece
+/// alone.
 TEST(ElasticSeams, NoPieceExceedsTheLimitOfFactorizations) {
   for (const int most : {1, 4, 12, 25}) {
     Options options;

@@ -238,7 +238,7 @@ long fill_of(const Eq1& eq1, const std::vector<int>& order) {
   for (int row = 0; row < eq1.num_closures(); ++row) {
     for (int e : eq1.loop_edges(row / 2)) couple(e, eq1.num_edges() + row);
   }
-  std::vector<int> parent(order.size(), -1), seen(order.size(), -1);  // in the elimination tree
+  std::vector<int> parent(order.size(), -1), seen(order.size(), -1);  // parents in the elimination tree
   long fill = 0;
   for (int k = 0; k < static_cast<int>(order.size()); ++k) {
     seen[k] = k;

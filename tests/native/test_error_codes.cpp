@@ -238,7 +238,7 @@ TEST(ErrorCodes, InvalidOption) {
 
 TEST(ErrorCodes, OptionsAndWiresAreCheckedWithoutAMeshToo) {
   Options options;
-  options.grain = 5;  // is allowed, because the number of wires is unknown
+  options.grain = 5;  // allowed, because the number of wires is unknown
   EXPECT_NO_THROW(check_options(options));
   options.grain = -2;
   EXPECT_THROW(check_options(options), FlattenError);
@@ -255,7 +255,7 @@ TEST(ErrorCodes, CornersOfTheWrongNumberOfFaces) {
 }
 
 TEST(ErrorCodes, NonManifoldVertex) {
-  // A ring of quads without its last triangle: the two ends touch in a vertex.
+  // A ring of quads without its last triangle: the two ends touch only at a vertex.
   const int n = 8;
   FlattenInput input = test::flat_annulus(n, 1, 1, 2);
   const Eigen::RowVector3i left_out = input.faces.bottomRows(1);

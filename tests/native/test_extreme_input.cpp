@@ -46,7 +46,7 @@ void expect_flat(const FlattenInput& input) {
 
 TEST(ExtremeInput, AnglesOfAMillionth) {
   FlattenInput input = dome_with_wires();
-  for (const int v : test::grid_row(10, 5)) {  // the rigid wire lies 1e-6 above the row below it
+  for (const int v : test::grid_row(10, 5)) {  // the rigid wire is 1e-6 above the row below it
     input.vertices.row(v) = input.vertices.row(v - 11) + 1e-5 * (input.vertices.row(v) - input.vertices.row(v - 11));
   }
   expect_flat(input);

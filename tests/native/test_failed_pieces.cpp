@@ -101,7 +101,7 @@ TEST(FailedPieces, ReportTheirWorkButNoFiguresOfAShape) {
   }
 }
 
-// Outlines that are too short to enclose their surface in the plane: the bound, and the error.
+// Outlines that are too short to enclose their surface in the plane: the bound for their length, and their error.
 
 TEST(Isoperimetric, TheLeastShapeErrorIsReachedByUniformShrinking) {
   // Both singular values are s: E / area = 2 (1 - s)^2, and the area ratio is s^2.

@@ -213,7 +213,7 @@ TEST_P(BendingOfARhombus, IsTheAngleTermOfEquation1HoweverFineTheMesh) {
   const double beta = 0.3, fairness = 0.25;
   Positions2 uv = test::planar_positions(chart);
   uv = (uv * (Eigen::Matrix2d() << 1, 0, std::sin(beta), std::cos(beta)).finished()).eval();
-  const int of_square = 4, between_lines = 4 * 2 + 4;  // corners of wires with the outline, and at the crossing
+  const int of_square = 4, between_lines = 4 * 2 + 4;  // corners between wires and the outline, and at the crossing
   const double lengths = of_square * n + between_lines * std::min<double>(n, 8 / fairness);  // sum of 1/ℓ
   const double expected = 0.5 * lengths * std::pow(fairness, 3) * (2 - 2 * std::cos(beta));
   const Bending bending =

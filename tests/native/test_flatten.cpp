@@ -33,7 +33,8 @@ Positions2 mirrored(Positions2 uv) {
   return uv;
 }
 
-/// A hemisphere of four gores with a wire around it, which crosses every seam: charts, junctions, and a wire in parts.
+/// A hemisphere of four gores with a wire around it, which crosses every seam. It tests charts, junctions, and wires in
+/// parts.
 FlattenInput gores_with_a_wire() {
   const int gores = 4, n = 6, rings = 12;
   FlattenInput input = test::sphere_of_gores(gores, n, rings);
@@ -229,7 +230,7 @@ TEST(Flatten, NetworksOfEveryKindKeepTheirLengths) {
   test::add_wire(ring, {row.begin(), row.begin() + 5});
   test::add_wire(ring, {row.begin() + 8, row.end()});
 
-  FlattenInput along = test::saddle(n, 0.3);  // runs along the outline, then across
+  FlattenInput along = test::saddle(n, 0.3);  // the wire runs along the outline, then across
   std::vector<int> wire(bottom.begin(), bottom.begin() + 4);
   wire.insert(wire.end(), column.begin(), column.end());
   test::add_wire(along, wire);

@@ -78,7 +78,7 @@ TEST(Guarantee, OutlineIsRigid) {
 TEST(Guarantee, ElasticEdgesFollowTheirVariation) {
   Sheet sheet(0.05);
   const double h = 0.01;
-  // A zigzag between the wire's fixed ends makes every edge longer by h.
+  // A zigzag between the fixed ends of the wire makes each of its edges longer by h.
   const double rise = 0.25 * std::sqrt((1 + h) * (1 + h) - 1);
   sheet.uv(11, 1) += rise;
   sheet.uv(13, 1) += rise;
@@ -134,7 +134,7 @@ TEST(Guarantee, NoAdviceOnWiresIfThereAreNone) {
   const FlattenInput input = test::flat_rectangle(4, 4, 1, 1);
   const Chart chart = test::chart_of(input);
   const WireNetwork network = build_wire_network(chart);
-  for (const int moved : {0, 6}) {  // a corner of the outline, a vertex inside
+  for (const int moved : {0, 6}) {  // moves a corner of the outline, then a vertex inside
     Positions2 uv = planar_positions(chart);
     uv.row(moved) << 0.6, 0.6;
     const Metrics metrics = measure_metrics(chart, network, uv);

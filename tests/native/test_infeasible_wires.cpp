@@ -93,7 +93,7 @@ TEST(InfeasibleWires, ADenseNetGetsOneToleranceForAll) {
   ASSERT_TRUE(is_refused(refused));
   ASSERT_FALSE(refused.error->elements.proposed_tolerances.empty());
   for (const ProposedTolerance& p : refused.error->elements.proposed_tolerances) {
-    EXPECT_LT(p.tolerance, 0.1);  // every wire is one edge: a side or diagonal of a square, with a slope up to 0.2 π
+    EXPECT_LT(p.tolerance, 0.1);  // every wire is one side or diagonal of a square, with a slope of at most 0.2 π
     EXPECT_EQ(p.tolerance, refused.error->elements.proposed_tolerances[0].tolerance);
     input.wires.at(p.wire).tolerance = p.tolerance;
   }
@@ -167,7 +167,7 @@ TEST(RelaxedLengths, NoLengthChangesIfAllCanBeKept) {
   const Problem problem(chart, 0.1);
   Budget relax_budget(kMaxRelaxFactorizations);
   RelaxedShape relaxed = relax_lengths(problem, free_boundary_arap(chart, 30).uv, {relax_budget});
-  EXPECT_LT(relaxed.tolerance_violation.maxCoeff(), 1e-4);  // the last σ of smoothing
+  EXPECT_LT(relaxed.tolerance_violation.maxCoeff(), 1e-4);  // limit from the last σ of smoothing
   EXPECT_LT(relaxed.strain_rms.maxCoeff(), 1e-4);
   EXPECT_LT(relaxed.outline_strain, 1e-4);
   const Positions2 untouched = relaxed.uv;
@@ -192,7 +192,7 @@ TEST(RelaxedLengths, TolerancesOfSingleEdgesCostNothing) {
   Budget budget(kMaxRelaxFactorizations);
   const RelaxedShape relaxed = relax_lengths({charts.charts.at(0), 0.1}, free, {budget});
   EXPECT_EQ(relaxed.tolerance_violation.maxCoeff(), 0);
-  EXPECT_LT(relaxed.outline_strain, 1e-4);  // the last σ of smoothing
+  EXPECT_LT(relaxed.outline_strain, 1e-4);  // limit from the last σ of smoothing
 }
 
 TEST(RelaxedLengths, StopsWhenAsked) {
@@ -200,7 +200,7 @@ TEST(RelaxedLengths, StopsWhenAsked) {
   const Chart& chart = charts.charts.at(0);
   const Positions2 start = free_boundary_arap(chart, 30).uv;
   int asked = 0;
-  // Answers yes to the two questions of the first system.
+  // Answers yes to the first two polls, those of the first system.
   const StopToken stop([&](const char*) { return ++asked < 3; });
   Budget budget(kMaxRelaxFactorizations);
   EXPECT_THROW(relax_lengths({chart, 0.1}, start, {budget, stop}), Stopped);

@@ -14,7 +14,8 @@
 namespace wirewarp::test_injective_shape {
 namespace {
 
-/// The finger of a glove: a bump on a square, as high as the square is wide, with a row and a column as wires.
+/// The finger of a glove: a bump on a square. The bump is as high as the square is wide, and a row and a column are
+/// wires.
 FlattenInput finger(double tolerance = 0) {
   const int n = 8;
   FlattenInput input = test::make_grid(n, n, [](double s, double t) {

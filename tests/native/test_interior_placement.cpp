@@ -97,7 +97,7 @@ TEST(InteriorPlacement, ReproducesAffineMapsOfAPlane) {
     for (int v = 0; v < uv.rows(); ++v)
       if (!grid.on_network[v]) uv.row(v).setConstant(std::numeric_limits<double>::quiet_NaN());
     placement.place(uv);
-    EXPECT_LT((uv - expected).cwiseAbs().maxCoeff(), 1e-12);  // NaN fails too
+    EXPECT_LT((uv - expected).cwiseAbs().maxCoeff(), 1e-12);  // NaN fails, too
   }
 }
 

@@ -106,8 +106,8 @@ TEST(PackPieces, AClosedOutlineIsUprightInItsSmallestBox) {
   EXPECT_LT((again - packed).cwiseAbs().maxCoeff(), 1e-13) << "rounding errors decide which end points up";
 }
 
-// The direction of a piece that packing makes upright: the grain wire, the longest straight section of the outline, or
-// the direction up in space.
+// Packing makes one direction of a piece upright: that of the grain wire, of the longest straight section of the
+// outline, or of up in space.
 
 Options by(Orientation orientation) {
   Options options;
@@ -194,7 +194,7 @@ TEST(RisingDirection, ALevelPieceIsAlignedByItsWire) {
 }
 
 TEST(UprightPair, AtEqualHeightsDoesNotDependOnTheNumbering) {
-  // All vertices of the lower side have one height, and all vertices of the upper side another height.
+  // All vertices of the lower side have the same height, and so do all vertices of the upper side.
   const FlattenInput sheet = test::flat_rectangle(4, 2, 2, 3);
   FlattenInput renumbered = sheet;
   const auto last = static_cast<int>(sheet.vertices.rows()) - 1;

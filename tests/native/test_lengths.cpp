@@ -57,7 +57,7 @@ TEST(Lengths, PartsOfAWireAndTheWhole) {
   EXPECT_NEAR(part.length_3d, 3, 1e-14);
   EXPECT_NEAR(part.length_2d, 3 * 1.04, 1e-14);
   EXPECT_EQ(part.variation, 0.03);
-  EXPECT_NEAR(part.max_edge_error, 0.01, 1e-14);  // 1.04 instead of 1.03
+  EXPECT_NEAR(part.max_edge_error, 0.01, 1e-14);  // 1.04 times the length instead of 1.03 times
 
   const WireReport whole = measure_whole_wires(input, charts, pieces).at(0);
   EXPECT_EQ(whole.name, "waist");

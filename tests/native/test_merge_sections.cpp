@@ -64,7 +64,7 @@ std::vector<VertexPair> across(int n) {
 TEST(MergeSections, MeasuresTheThreadsOfAFabric) {
   const FlattenInput input = bump(8);
   Options options;
-  // A woven fabric shears: its threads stretch by a quarter of the stretch of other materials.
+  // A woven fabric shears, so its threads stretch only a quarter as much as other materials.
   options.cloth = cloth_preset("woven").cloth;
   const SurfaceToCut surface(input, options);
   const ExactEvaluation exact(surface, options, StopToken());
@@ -136,11 +136,11 @@ TEST(MergeSections, MakesNoNarrowPieceOfWideOnes) {
   const std::vector<VertexPair> middle = across_bar(input, 5.5);
   EXPECT_EQ(num_merged(middle, 0), 1U);
   EXPECT_EQ(num_merged(middle, 0.9), 1U);
-  EXPECT_EQ(num_merged(middle, 1.02), 2U);  // the bar is too narrow by less than the error of widths
+  EXPECT_EQ(num_merged(middle, 1.02), 2U);  // the bar is too narrow, but by less than the error of widths
   EXPECT_EQ(num_merged(middle, 2), 2U);
   std::vector<VertexPair> both_ends = across_bar(input, 4);
   for (const VertexPair& edge : across_bar(input, 7)) both_ends.push_back(edge);
-  EXPECT_EQ(num_merged(both_ends, 2), 2U);  // the bar is narrow, so it is joined to one square
+  EXPECT_EQ(num_merged(both_ends, 2), 2U);  // the bar is too narrow, so it is joined to one square
 }
 
 TEST(Solidity, IsTheShareOfTheConvexHull) {

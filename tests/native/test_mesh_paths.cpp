@@ -19,7 +19,7 @@ using Unroll = std::function<Planar(int column, int row)>;
 
 /// A trace from a grid vertex, compared with the straight line in the unrolled plane.
 struct UnrolledTrace {
-  double length = 0;        // from the start to the last point, in the unrolled plane
+  double length = 0;        // distance from the start to the last point, in the unrolled plane
   double largest_miss = 0;  // largest distance from the straight line
   std::size_t num_points = 0;
 };
@@ -61,7 +61,7 @@ TEST(StraightestGeodesic, IsAStraightLineOnThePlane) {
     const UnrolledTrace trace = trace_unrolled(input, n, 10, 10, heading, identity);
     EXPECT_GT(trace.num_points, 10u) << heading;
     EXPECT_LT(trace.largest_miss, 1e-13) << heading;
-    // From the center to the rim of the unit square.
+    // A path from the center to the rim of the unit square.
     EXPECT_NEAR(trace.length, 0.5 / std::max(std::abs(std::cos(heading)), std::abs(std::sin(heading))), 1e-12);
   }
 }

@@ -199,7 +199,7 @@ FlattenInput cylinder_patch(int nx, int ny, double radius, double angle, double 
 
 FlattenInput cone_patch(int nx, int ny, double near, double far, double half_angle, double angle) {
   return make_grid(nx, ny, [&](double s, double t) {
-    const double slant = far + (near - far) * t;  // upwards, to the apex
+    const double slant = far + (near - far) * t;  // slant position: t runs upwards, to the apex
     return Eigen::Vector3d(slant * std::sin(half_angle) * std::cos(angle * s),
                            slant * std::sin(half_angle) * std::sin(angle * s), -slant * std::cos(half_angle));
   });
@@ -289,7 +289,7 @@ FlattenInput closed_torus(int around, int across) {
 
 FlattenInput book(int num_flaps, int n) {
   FlattenInput input;
-  const int flap_vertices = n * (n + 1);  // not counting those on the spine
+  const int flap_vertices = n * (n + 1);  // vertices of a flap, without those on the spine
   input.vertices.resize(n + 1 + num_flaps * flap_vertices, 3);
   input.faces.resize(num_flaps * 2 * n * n, 3);
   for (int j = 0; j <= n; ++j) input.vertices.row(j) << 0, 0, static_cast<double>(j) / n;

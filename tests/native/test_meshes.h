@@ -81,7 +81,7 @@ FlattenInput quarter_sphere(int n);
 /// z = bend (x² − y²) over the square of side 2.
 FlattenInput saddle(int n, double bend);
 
-/// A saddle with one wire on every inner edge. The wires contradict one another, and all starts fail.
+/// A saddle with a separate wire on every inner edge. The wires contradict one another, and all starts fail.
 FlattenInput saddle_of_wires(int n, double tolerance);
 /// A band of the unit sphere around the equator, between the same latitude on both sides, with two boundary loops.
 FlattenInput sphere_band(int nx, int ny, double latitude);

@@ -40,7 +40,7 @@ TEST(Metrics, StretchedSheetByArithmetic) {
   EXPECT_TRUE(metrics.flipped_faces.empty());
   EXPECT_TRUE(metrics.overlapping_faces.empty());
 
-  // The wire's edges come first, and all run across. The outline's edges follow, across or upright.
+  // The wire's edges come first, and all run across. The outline's edges follow; they run across or upward.
   ASSERT_EQ(metrics.wire_edges.size(), static_cast<std::size_t>(n + 4 * n));
   for (std::size_t i = 0; i < metrics.wire_edges.size(); ++i) {
     const auto [a, b] = metrics.wire_edges[i];

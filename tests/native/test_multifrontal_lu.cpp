@@ -73,7 +73,7 @@ TEST(MultifrontalLu, ResultsDoNotDependOnThreads) {
   EXPECT_EQ(in_threads, x);
 }
 
-/// One diagonal entry, at any place, is lowered until the matrix is singular. If it is lowered slightly less, the
+/// One diagonal entry at a random place is lowered until the matrix is singular. If it is lowered slightly less, the
 /// matrix is still an M-matrix.
 TEST(MultifrontalLu, RefusesAPivotThatIsNotPositive) {
   LuProblem problem(mesh_problem(12, 1));

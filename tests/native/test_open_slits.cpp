@@ -141,7 +141,7 @@ TEST(OpenSlits, RimsOfAPieceThatUnfoldsUpToRoundingStayApart) {
 
 TEST(OpenSlits, OpenEquallyFarOnFineAndCoarseMeshes) {
   std::vector<double> gaps, objectives;
-  for (const int n : {12, 36, 108}) {  // a slit of 6, 18 and 54 edges
+  for (const int n : {12, 36, 108}) {  // slits of 6, 18 and 54 edges
     FlattenInput input = test::make_grid(n, n, [](double s, double t) {
       return Eigen::Vector3d(s, t, 0.25 * std::exp(-12 * ((s - 0.5) * (s - 0.5) + (t - 0.2) * (t - 0.2))));
     });
@@ -151,7 +151,7 @@ TEST(OpenSlits, OpenEquallyFarOnFineAndCoarseMeshes) {
     const Charts charts = test::charts_of(input);
     const Chart& chart = charts.charts.at(0);
     Problem problem(chart, Options{}.fairness);
-    Budget budget(8);  // too few if a face flips
+    Budget budget(8);  // enough factorizations only if no face flips
     const Solution found = refine_chart(problem, Options{}, {budget});
     EXPECT_TRUE(found.is_exact() && found.is_converged()) << n;
     gaps.push_back(gap(chart, find_slits(chart).at(0), found.shape.uv));

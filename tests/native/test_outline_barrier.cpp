@@ -29,7 +29,7 @@ TEST(LogBarrier, HasTheValueAndDerivativesOfItsFormula) {
 
 class OutlineOfANotch : public testing::Test {
  protected:
-  /// Returns a plate of 5 by 3 without the upper two squares in the middle: a U.
+  /// Returns a U: a plate of 5 by 3 without the upper two squares in the middle.
   static FlattenInput plate() {
     return test::keep_faces(test::flat_rectangle(5, 3, 5, 3),
                             [](const Eigen::Vector3d& p) { return !(p.x() > 2 && p.x() < 3 && p.y() > 1); });

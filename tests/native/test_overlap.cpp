@@ -102,8 +102,8 @@ TEST(Overlap, AStripBentPastAFullTurnOverlapsItsBeginning) {
   const Chart chart = test::chart_of(test::flat_rectangle(nx, 1, 10, 1));
   EXPECT_TRUE(overlapping_faces(chart, bent_strip(chart, nx, 2 * kPi)).empty());
 
-  // Each quad spans 1/40 of 2.2π. The section beyond 2π spans 40 (0.2 / 2.2) = 3.6 quads, and overlaps the first 3.6
-  // quads.
+  // Each of the 40 quads spans 1/40 of 2.2π. The section beyond 2π has 40 (0.2 / 2.2) = 3.6 quads, and overlaps the
+  // first 3.6 quads.
   const std::vector<int> found = overlapping_faces(chart, bent_strip(chart, nx, 2.2 * kPi));
   std::vector<int> expected;
   for (const int quad : {0, 1, 2, 3, 36, 37, 38, 39}) {
@@ -166,7 +166,7 @@ TEST(Overlap, FacesAtOnePointAreNotComparedInPairs) {
   const Chart chart = test::chart_of(test::flat_rectangle(60, 60, 1, 1));
   const Faces faces = faces_of(chart);
   const Positions2 uv = Positions2::Zero(static_cast<Eigen::Index>(chart.mesh.n_vertices()), 2);
-  const StopToken once_is_too_often([](const char*) { return false; });  // 7,200 faces are fewer than a question needs
+  const StopToken once_is_too_often([](const char*) { return false; });  // 7,200 faces are too few for a poll
   EXPECT_TRUE(find_overlapping_faces(faces.corners, faces.on_boundary, uv, 1e-9, once_is_too_often).empty());
 }
 

@@ -73,7 +73,7 @@ TEST_P(HelperWires, AreAsFewAsTheNetworkNeeds) {
 
 int at(int nx, int i, int j) { return i + (nx + 1) * j; }
 
-/// A wire in the form of a hook: from the left side inwards, around, and back towards itself.
+/// A wire in the form of a hook, which runs from the left side inwards, around, and back towards itself.
 std::vector<int> hook() {
   std::vector<int> chain = row_part(12, 4, 0, 7);
   for (const int v :

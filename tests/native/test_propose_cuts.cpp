@@ -233,7 +233,7 @@ TEST(ProposeCuts, MirrorImagesThatDoNotMeetHaveTheFiguresOfBoth) {
 
 TEST(ProposeCuts, DoNotCutWires) {
   const int n = 8;
-  for (FlattenInput input : {hill(n), two_hills(n)}) {  // on one side of the symmetric piece
+  for (FlattenInput input : {hill(n), two_hills(n)}) {  // forbids edges on one side of the symmetric piece
     test::add_wire(input, test::grid_column(n, n, 6));
     const std::vector<int>& wire = input.wires[0].vertices;
     for (const auto& propose : {propose_darts, propose_seams}) {
@@ -302,7 +302,7 @@ TEST(ProposeCuts, AreAlmostAsGoodAsAnExhaustiveSearch) {
   const int n = 8;
   const FlattenInput input = hill(n);
   double best = 1;
-  for (int i = 1; i < n; ++i) {  // along all rows and columns
+  for (int i = 1; i < n; ++i) {  // wires along all rows and columns
     for (int length = 1; length < n; ++length) {
       for (const bool reversed : {false, true}) {
         for (std::vector<int> line : {test::grid_row(n, i), test::grid_column(n, n, i)}) {
@@ -344,7 +344,7 @@ TEST(ProposeCuts, RefuseOptionsOutOfRange) {
   cut_options.longest = -1;
   EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option), "The option longest is -1: it must be above 0.");
   cut_options = {};
-  for (const int other : {24, 25}) {  // the opposite corner, and a vertex that does not exist
+  for (const int other : {24, 25}) {  // edges to the opposite corner, and to a vertex that does not exist
     cut_options.no_seam = (VertexPairs(1, 2) << 0, other).finished();
     EXPECT_EQ(refusal(hill(4), cut_options, ErrorCode::invalid_option),
               "The option no_seam is a list with the pair 0, " + std::to_string(other) +

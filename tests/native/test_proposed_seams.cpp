@@ -184,7 +184,7 @@ TEST(ProposedSeamsOfAGarment, LeadToFlatPieces) {
     EXPECT_LE(follow_proposals(input, result), 3);
     EXPECT_EQ(codes_of(result), std::vector<ErrorCode>{});
     EXPECT_LE(result.pieces.size(), 5u);
-    for (const Piece& piece : result.pieces) EXPECT_LT(piece.metrics.arap_energy, 0.1);  // as for a tailor's pattern
+    for (const Piece& piece : result.pieces) EXPECT_LT(piece.metrics.arap_energy, 0.1);  // as in a tailor's pattern
   }
 }
 
@@ -278,7 +278,8 @@ TEST(ProposedSeamsOfARing, LeadToFlatPieces) {
 
 TEST(CutToDisk, CutsEachHandleTwiceAndJoinsTheLoops) {
   FlattenInput two_handles = cubes(5, 3, 1, [](int i, int j, int) { return j != 1 || i % 2 == 0; });
-  // Without its last face, the surface has one boundary loop; without its first and last, which are apart, it has two.
+  // Without its last face, the surface has one boundary loop. Without its first and last face, which are apart, it has
+  // two.
   for (const int dropped_faces : {1, 2}) {
     FlattenInput input = two_handles;
     const auto faces = static_cast<int>(two_handles.faces.rows());

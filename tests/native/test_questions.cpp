@@ -38,7 +38,7 @@ std::map<std::string, int> questions(const FlattenInput& input) {
   return asked;
 }
 
-/// Counts questions, and answers no from the given number on.
+/// Counts polls, and answers no from the given number on.
 struct Asked {
   int times = 0;
   StopToken stop{[this](const char*) { return ++times < limit; }};

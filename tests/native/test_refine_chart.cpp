@@ -46,7 +46,7 @@ TEST(RefineChart, AnInjectiveShapeIsFoundWithAndWithoutFixingFolds) {
   }
 }
 
-/// If such a shape becomes the result, the report of its piece says that it stopped short of the minimum.
+/// If such a shape becomes the result, the report of its piece says that the solver stopped short of the minimum.
 TEST(RefineChart, AnIntermediateShapeIsConvergedOnlyWithoutStrain) {
   InternalOptions options;
   for (const Target target : {Target::newton_step, Target::rough}) {

@@ -27,7 +27,7 @@ Cloth woven() {
   return cloth;
 }
 
-/// Returns the only piece, and expects that it keeps every guarantee.
+/// Flattens, expects that the only piece keeps every guarantee, and returns it.
 Piece flat_piece(const FlattenInput& input, const Options& options) {
   FlattenResult result = flatten(input, options);
   EXPECT_EQ(result.pieces.size(), 1u);

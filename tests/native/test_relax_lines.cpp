@@ -19,7 +19,7 @@ TEST(LineNetwork, DoesNotFollowBarriers) {
   const int n = 12;
   const Chart chart = test::chart_of(test::flat_rectangle(n, n, n, n));
   const auto at = [](int x, int y) { return VertexHandle(y * (n + 1) + x); };
-  std::vector<VertexHandle> arch;  // over the barrier
+  std::vector<VertexHandle> arch;  // a line over the barrier
   for (int x = 0; x < 3; ++x) arch.push_back(at(x, 6));
   for (int y = 6; y < 9; ++y) arch.push_back(at(3, y));
   for (int x = 3; x < 9; ++x) arch.push_back(at(x, 9));
@@ -57,7 +57,7 @@ TEST(StraightWalk, GoesBackAlongTheLineToTheEndOfAStep) {
 }
 
 TEST(StraightWalk, PassesAVertexThatHidesTheEnd) {
-  // Around the middle vertex of this sheet are more than 360 degrees, so opposite points do not see each other.
+  // There are more than 360 degrees around the middle vertex of this sheet, so opposite points do not see each other.
   const FlattenInput sheet = test::make_grid(2, 2, [](double s, double t) {
     const double x = 2 * s - 1, y = 2 * t - 1;
     return Eigen::Vector3d(x, y, 3 * (x * x - y * y));

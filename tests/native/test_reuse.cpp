@@ -28,7 +28,7 @@ FlattenInput two_domes() {
   return input;
 }
 
-/// A tube with a wire around it, for which a run proposes seams.
+/// A tube with a wire around it; a run proposes seams for it.
 FlattenInput tube() {
   FlattenInput input = test::cylinder_tube(8, 4, 1, 6);
   test::add_wire(input, test::tube_ring(8, 2));
@@ -52,7 +52,7 @@ TEST(SolutionKey, DependsOnWhatTheShapeDependsOnAndNothingElse) {
   EXPECT_NE(key_of(changed, 0), key_of(input, 0));
   EXPECT_EQ(key_of(changed, 1), key_of(input, 1));
   changed = input;
-  // A slit, which does not change the faces.
+  // Adds a slit, which does not change the faces.
   test::add_seam(changed, {test::grid_row(16, 4)[6], test::grid_row(16, 4)[7]});
   EXPECT_NE(key_of(changed, 0), key_of(input, 0));
   EXPECT_EQ(key_of(changed, 1), key_of(input, 1));

@@ -151,7 +151,7 @@ TEST(SimplifySeams, KeepsOneOfThreeSeamsOfATube) {
 }
 
 TEST(SimplifySeams, UnfoldsABoxToANet) {
-  // A net is one piece: five edges, a spanning tree, join the six sides.
+  // The net of a cube is one piece: five edges, which form a spanning tree, join the six sides.
   FlattenInput box = cube(2);
   ASSERT_EQ(box.seams.rows(), 12 * 2);
   box.vertices.col(0) += 0.3 * box.vertices.col(1) + 0.1 * box.vertices.col(2);  // so that the box has no mirror image
@@ -202,7 +202,7 @@ TEST(SimplifySeams, KeepsTheOnlySeamOfATube) {
   expect_true_figures(tube, fewer);
 }
 
-/// A tube with three seams, beside a ball in halves, which has much more strain.
+/// A tube with three seams beside a ball of two halves, which has much more strain.
 FlattenInput tube_and_halves() {
   FlattenInput both = tube_with_seams({0, 5, 9});
   const FlattenInput ball = test::sphere_of_gores(2, 6, 8);

@@ -9,7 +9,7 @@
 namespace wirewarp::test_slits {
 namespace {
 
-int vertex(int i, int j) { return i + 9 * j; }  // of a grid of 8 by 8
+int vertex(int i, int j) { return i + 9 * j; }  // index of a vertex of a grid of 8 by 8 quads
 
 FlattenInput sheet() {
   return test::make_grid(8, 8, [](double s, double t) { return Eigen::Vector3d(s, t, 0.3 * s * t); });

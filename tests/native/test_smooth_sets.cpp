@@ -57,7 +57,7 @@ constexpr int kAround = 24, kRings = 18;
 
 int vertex(int i, int j) { return 1 + (j - 1) * kAround + (i + kAround) % kAround; }
 
-/// A jagged ring around the egg: up and down by a ring at each edge.
+/// A jagged ring around the egg, which goes up or down by one ring of the mesh at each edge.
 std::vector<VertexPair> jagged_ring(int j) {
   std::vector<VertexPair> edges;
   for (int i = 0; i < kAround; ++i) edges.push_back({vertex(i, j + i % 2), vertex(i + 1, j + (i + 1) % 2)});
@@ -71,7 +71,7 @@ FlattenInput with_paths(FlattenInput input, const std::vector<SurfacePath>& path
   return test::with_seams(std::move(input), cut.edges);
 }
 
-/// Smooths a set of edges that leaves this strain.
+/// Smooths a set along these edges, which leaves this strain.
 DartProposal smoothed(const FlattenInput& input, const std::vector<VertexPair>& edges, double strain = 1,
                       const CutOptions& cut_options = {}, double most_strain = 10, const Options& options = {}) {
   const Progress no_progress;
@@ -230,7 +230,7 @@ double narrowest_piece(const FlattenInput& input) {
 
 TEST(SmoothSets, KeepTheRoomOfPieces) {
   const FlattenInput input = egg(kAround, kRings);
-  std::vector<VertexPair> edges;  // a ring with a tongue above it
+  std::vector<VertexPair> edges;  // edges of a ring with a tongue above it
   for (int i = 0; i < kAround; ++i) edges.push_back({vertex(i, 8), vertex(i + 1, 8)});
   for (int j = 8; j < 11; ++j) edges.push_back({vertex(0, j), vertex(0, j + 1)});
   for (int i = 0; i < 4; ++i) edges.push_back({vertex(i, 11), vertex(i + 1, 11)});
@@ -268,7 +268,7 @@ TEST(SmoothSets, DoNotTouchTheTipOfADart) {
   for (int j = 8; j < 12; ++j) edges.push_back({vertex(0, j), vertex(0, j + 1)});
   for (int i = 0; i < 4; ++i) edges.push_back({vertex(i, 12), vertex(i + 1, 12)});
   for (int j = 12; j > 8; --j) edges.push_back({vertex(4, j), vertex(4, j - 1)});
-  for (int j = 8; j < 11; ++j) edges.push_back({vertex(2, j), vertex(2, j + 1)});  // under the arch
+  for (int j = 8; j < 11; ++j) edges.push_back({vertex(2, j), vertex(2, j + 1)});  // a line under the arch
   const DartProposal set = smoothed(input, edges);
   ASSERT_FALSE(set.paths.empty());
   const std::vector<VertexPair> cut = cut_mesh(input.vertices, input.faces, set.paths).edges;

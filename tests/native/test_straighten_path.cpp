@@ -145,7 +145,7 @@ TEST(StraightenPath, MeetsWiresAtTheVerticesOfThePath) {
 TEST(StraightenPath, GoesAroundASeam) {
   FlattenInput input = grid();
   std::vector<int> slit = test::grid_column(kN, kN, 6);
-  slit.resize(8);  // up to row 7
+  slit.resize(8);  // the slit ends at row 7
   test::add_seam(input, slit);
   const std::vector<int> path{vertex(5, 6), vertex(5, 7), vertex(5, 8), vertex(6, 8),
                               vertex(7, 8), vertex(7, 7), vertex(7, 6)};

@@ -205,8 +205,8 @@ TEST(Stretch, FinishedPiecesKeepTheirLengthsWhenCanceled) {
   EXPECT_GT(finished, 0) << "no piece was ever compared";
 }
 
-/// Adds wires with an ease, which the stretch does not shorten, along all inner rows of a grid and, if requested, along
-/// all inner columns.
+/// Adds wires along all inner rows of a grid and, if requested, along all inner columns. They have an ease, so that the
+/// stretch does not shorten them.
 FlattenInput with_eased_wires(FlattenInput grid, int nx, int ny, double ease, bool along_columns) {
   for (int j = 1; j < ny; ++j) test::add_wire(grid, test::grid_row(nx, j));
   for (int i = 1; along_columns && i < nx; ++i) test::add_wire(grid, test::grid_column(nx, ny, i));
@@ -214,7 +214,7 @@ FlattenInput with_eased_wires(FlattenInput grid, int nx, int ny, double ease, bo
   return grid;
 }
 
-constexpr double kShorter = 0.3;                     // ease of wires that flip a piece
+constexpr double kShorter = 0.3;                     // ease of the wires that flip a piece
 constexpr double kFitting = 1 / (1 - kShorter) - 1;  // with this stretch, the outline fits these wires
 
 /// A flat sheet with wires that are too short.

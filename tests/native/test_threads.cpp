@@ -22,7 +22,7 @@ namespace {
 
 FlattenInput many_gores() { return test::sphere_of_gores(12, 4, 16); }
 
-/// The faces of one piece, with the vertices of the whole input.
+/// Returns the faces of one piece as an input, with the vertices of the whole input.
 FlattenInput only(const FlattenInput& input, const Piece& piece) {
   FlattenInput result = input;
   result.faces.resize(static_cast<Eigen::Index>(piece.source_face.size()), 3);
@@ -83,7 +83,7 @@ TEST(ChartsAtOnce, CancellingReachesAllThreads) {
   const FlattenResult result = flatten(many_gores(), {}, [&](const std::string&, double) { return ++calls < 2; });
   EXPECT_EQ(calls, 2);
   const auto is_cancelled = [](const Piece& piece) { return piece.error && piece.error->code == ErrorCode::cancelled; };
-  // Each thread may have started one chart, and charts that are flat by then stay.
+  // Each thread may have started one chart, and charts that are flat by then are kept.
   const auto begun = static_cast<std::ptrdiff_t>(num_cores());
   EXPECT_GE(std::count_if(result.pieces.begin(), result.pieces.end(), is_cancelled), 12 - begun);
   for (const Piece& piece : result.pieces) {
@@ -135,7 +135,7 @@ TEST(InThreads, StartsNothingAfterAnException) {
 TEST(ProgressReport, StaysCanceledIfTheCallerContinues) {
   ProgressReport* report = nullptr;
   const Progress progress = [&](const std::string&, double) {
-    report->cancel();  // as another thread may do during the caller's function
+    report->cancel();  // as another thread may do while the caller's function runs
     return true;
   };
   ProgressReport cancelled(progress);
@@ -144,7 +144,7 @@ TEST(ProgressReport, StaysCanceledIfTheCallerContinues) {
   EXPECT_TRUE(cancelled.is_cancelled());
 }
 
-using Files = std::map<std::string, std::string>;  // text by path
+using Files = std::map<std::string, std::string>;  // contents of files, by path
 
 /// Returns the quota on a system with these files.
 std::optional<std::size_t> quota_with(const Files& files) {

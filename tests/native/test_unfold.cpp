@@ -59,7 +59,7 @@ TEST(Unfold, AnUnfoldedChartNeedsNoFactorization) {
   EXPECT_LE(found.objective, 1e-20);
 }
 
-/// Vertices slightly off a plane, as in files with seven digits: the unfolded chart is a start, but not the shape.
+/// Vertices slightly off a plane, as in files with seven digits. The unfolded chart is a start, but not yet the shape.
 TEST(Unfold, ANearlyFlatChartIsRefinedFromItsUnfolding) {
   const double digits = 1e-7;
   unsigned state = 1;

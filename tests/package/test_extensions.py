@@ -120,12 +120,13 @@ def test_nothing_compiled_is_outside_of_wheels_and_nothing_is_obscure(path):
     for name, content in files_of(path).items():
         if name.endswith(".whl"):
             continue
-        if name.startswith("samples/"):  # Blender opens these without running scripts in them
+        if name.startswith("samples/"):  # skipped, because Blender opens these files without running scripts in them
             assert name.endswith(".blend") and content.startswith((b"BLENDER", ZSTANDARD)), name
             continue
         assert "." + name.rpartition(".")[2] in TEXTS or "." not in name, name
         assert not name.endswith(BINARIES)
-        assert max(map(len, content.decode("utf-8").splitlines()), default=0) < 1000, name  # readable by people
+        # lines are short enough to be read by people
+        assert max(map(len, content.decode("utf-8").splitlines()), default=0) < 1000, name
 
 
 @extensions
@@ -169,8 +170,8 @@ def test_no_network_no_threads_no_installers(path):
 
 @extensions
 def test_paths_and_names_are_not_changed(path):
-    """sys.path and sys.modules do not change, nothing is written beside the add-on, and it finds itself by __package__,
-    whatever its repository is called.
+    """sys.path and sys.modules do not change, and nothing is written beside the add-on. It finds itself by __package__,
+    whatever the name of its repository.
     """
     for name, tree in sources_of(path).items():
         if name in (PROGRAM, STARTER):

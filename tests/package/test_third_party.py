@@ -76,13 +76,13 @@ def test_packages_are_listed_under_their_license(path):
 def test_libraries_in_compiled_files_are_listed(path):
     assert compiled(path)
     found = {name for name, mark in MARKS.items() if any(mark in content for content in compiled(path).values())}
-    assert found >= {"OpenMesh", "pybind11"}  # proves that the marks are right
+    assert found >= {"OpenMesh", "pybind11"}  # proves that the texts are the right ones
     assert found <= set(table())
 
 
 @zips
 def test_no_compiled_file_comes_from_elsewhere(path):
-    """All compiled files are our modules or those of a listed package; none comes from a folder PACKAGE.libs."""
+    """All compiled files are our modules or those of a listed package. None is from a folder PACKAGE.libs."""
     for name in compiled(path):
         package = name.removeprefix("_core/").removeprefix("libraries/").split("/")[0]
         assert package in {"wirewarp", *table()}, name

@@ -15,13 +15,13 @@ from pathlib import Path
 
 import bpy
 
-NEXT_VERSION = "99.0.0"  # above any future version of this project
+NEXT_VERSION = "99.0.0"  # higher than any future version of this project
 MODULE = "bl_ext.WireWarpupdates.wirewarp"  # Blender's name, which contains that of the repository
 SAMPLE = Path(__file__).resolve().parents[2] / "blend_samples" / "half_cylinder.blend"
 
 
 def raise_version(zip_file: Path) -> None:
-    """Give the extension in this zip a later version."""
+    """Change the extension in this zip to a later version."""
     with zipfile.ZipFile(zip_file) as archive:
         files = {name: archive.read(name) for name in archive.namelist()}
     (manifest,) = (name for name in files if name.endswith("blender_manifest.toml"))
@@ -52,7 +52,7 @@ def main() -> None:
     shutil.copytree(original, folder)
 
     preferences = bpy.context.preferences
-    preferences.system.use_online_access = True  # the question of the splash screen; nothing here goes online
+    preferences.system.use_online_access = True  # answers the question of the splash screen; nothing here goes online
     address = (folder / "index.json").as_uri()
     bpy.ops.preferences.extension_repo_add(name="WireWarp updates", remote_url=address, type="REMOTE")
     index, repository = next((i, r) for i, r in enumerate(preferences.extensions.repos) if r.remote_url == address)

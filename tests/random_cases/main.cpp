@@ -22,8 +22,8 @@
 namespace wirewarp::test {
 namespace {
 
-// Processor time of all threads, so that other programs do not count. The slowest of 10,000 cases takes 13 s, and 30
-// times as long with the sanitizers.
+// Limit for the processor time of all threads, so that other programs do not count. The slowest of 10,000 cases takes
+// 13 s, and 30 times as long with the sanitizers.
 constexpr long kSecondsPerCase = 1000;
 std::array<char, 64> current_case{};  // text for the signal handler, which may not allocate
 
@@ -143,7 +143,7 @@ int run_all(std::uint64_t first, std::uint64_t count) {
   return failures > 0 ? 1 : 0;
 }
 
-/// Prints seed, number of the piece, verdict, start, objective and factorizations.
+/// Prints a line for each piece: seed, number of the piece, verdict, start, objective and factorizations.
 int list_all(std::uint64_t first, std::uint64_t count) {
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const RandomCase random_case = make_random_case(seed);

@@ -13,7 +13,7 @@ namespace wirewarp::test {
 struct RandomCase {
   FlattenInput input;
   InternalOptions options;
-  std::optional<ErrorCode> fault;  // the error that must be thrown or be in a piece; empty: the input is legal
+  std::optional<ErrorCode> fault;  // the error that must be thrown or that a piece must have; empty: the input is legal
   std::string description;
 };
 

@@ -101,7 +101,7 @@ Mesh random_sheet(RandomStream& random) {
   });
 }
 
-/// Removes whole faces from the inside. The rest never touches at a single vertex.
+/// Removes whole faces inside the mesh. The remaining faces never touch only at a vertex.
 Mesh with_holes(RandomStream& random, int holes) {
   const auto height = random_height(random);
   const int nx = 3 * holes + 1 + random.whole(0, 6);
@@ -109,7 +109,7 @@ Mesh with_holes(RandomStream& random, int holes) {
   Mesh mesh = make_grid(random, nx, ny, false, false,
                         [&](double s, double t) { return Eigen::Vector3d(2 * s, t, 0.5 * height(s, t)); });
   std::vector<char> removed(mesh.faces.size(), 0);
-  for (int hole = 0; hole < holes; ++hole) {  // each is one quad, two columns apart from others, and not at the outline
+  for (int hole = 0; hole < holes; ++hole) {  // one quad, two columns apart from other holes, not at the outline
     const int quad = 1 + 3 * hole + nx * random.whole(1, ny - 2);
     const std::size_t first = 2 * static_cast<std::size_t>(quad);
     removed[first] = removed[first + 1] = 1;

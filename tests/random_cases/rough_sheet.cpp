@@ -71,7 +71,7 @@ bool is_thin(const MeshPart& part, const Face& face) {
   return ab.cross(ca).norm() < kThinnest * longest * longest;
 }
 
-/// Groups of faces that common elements connect, as a number per face.
+/// The groups of faces that common elements connect: one number per face.
 class Groups {
  public:
   explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
@@ -107,7 +107,7 @@ Faces largest_region(const Faces& faces) {
   return kept;
 }
 
-/// Removes faces at vertices where faces touch in nothing but this point. Repeats until no such vertex remains.
+/// Removes faces at vertices at which faces touch only at this point. Repeats until no such vertex remains.
 Faces without_pinches(Faces faces) {
   for (bool has_changed = true; has_changed;) {
     faces = largest_region(faces);

@@ -21,12 +21,12 @@ def imported(file: Path) -> Iterator[Path | str]:
 
 
 def own_imports(file: Path) -> set[Path]:
-    """Return only our own modules."""
+    """Return the imported modules that are our own."""
     return {each for each in imported(file) if isinstance(each, Path)}
 
 
 def room_of(file: Path) -> str:
-    """Return the package that contains the file; for a file in the root, its own name."""
+    """Return the name of the package that contains the file; for a file in the root, the name of the file."""
     first = file.relative_to(ADDON).parts[0]
     return first.removesuffix(".py")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The add-on consists of a few packages, each of which states which others it may import.
+"""The add-on consists of a few packages. Each states which others it may import.
 
 A contract in pyproject.toml, which `./dev test lint` checks, forbids circular imports.
 """
@@ -11,7 +11,7 @@ import pytest
 from addon_imports import ADDON, own_imports, room_of
 
 MOST_PACKAGES = 10
-GROUND = {"core", "issues", "names"}  # modules of the root that packages may import and that import none
+GROUND = {"core", "issues", "names"}  # modules of the root that packages may import, and that import no package
 ROOF = {"__init__", "properties", "registration", "without_library"}  # modules that connect the packages
 
 
@@ -20,7 +20,7 @@ def packages() -> list[str]:
 
 
 def may_import(package: str) -> set[str]:
-    """Return what the docstring of a package allows: "May import: model, blender, issues.", or "nothing"."""
+    """Return the imports that a package's docstring allows: "May import: model, blender, issues.", or "nothing"."""
     sentence = ast.get_docstring(ast.parse((ADDON / package / "__init__.py").read_text())) or ""
     match = re.search(r"May import: ([\w,\s]+)\.", sentence)
     assert match, f"{package}/__init__.py does not say what the package may import"

@@ -12,7 +12,10 @@ SAYS_SO = "Does not use Blender"
 
 
 def says_so(file: Path) -> bool:
-    """Return whether the file states it. The __init__ of a package states it for all its modules."""
+    """Return whether the file states that it does not use Blender.
+
+    The __init__ of a package states it for all its modules.
+    """
     files = [file, file.parent / "__init__.py"]
     return any(SAYS_SO in (ast.get_docstring(ast.parse(each.read_text())) or "") for each in files)
 
@@ -22,7 +25,7 @@ def claiming() -> list[str]:
 
 
 def way_to_blender(file: Path, seen: set[Path]) -> list[str]:
-    """Return the modules from this one to one that imports Blender, or nothing."""
+    """Return the chain of modules from this one to one that imports Blender; empty if there is none."""
     seen.add(file)
     for each in imported(file):
         if each in BLENDER:

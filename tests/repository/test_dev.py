@@ -33,7 +33,7 @@ def dev():
 
 @pytest.fixture
 def main(dev, monkeypatch):
-    """Run `./dev test WORDS` with steps that only end as their names say; return the exit code."""
+    """Run `./dev test WORDS` with steps that do nothing but end as their names say; return the exit code."""
     monkeypatch.setattr(dev, "missing_python_notice", lambda: None)
     monkeypatch.setattr(dev, "require_apt", lambda *names: None)
 
@@ -127,7 +127,7 @@ def test_a_step_comes_after_the_one_it_builds_on(dev):
 
 @pytest.fixture
 def log(tmp_path, monkeypatch):
-    """Return the texts of the steps in order. Replaces build/log, too."""
+    """Return the texts that the steps print, in order. Replaces build/log, too."""
     monkeypatch.setattr(steps, "LOGS", tmp_path)
     return tmp_path / "events"
 

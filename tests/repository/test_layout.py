@@ -23,7 +23,7 @@ SOURCE_FOLDERS = (
     "tools",
 )
 
-# The rooms of native/src. Each folder may include from itself and from those before it.
+# The folders of native/src. Each folder may include from itself and from those before it.
 LAYERS = [
     "base",
     "numerics/optimize",
@@ -97,7 +97,7 @@ def test_native_includes_point_one_way(folder: str) -> None:
 
     def includes_upward(file: Path) -> bool:
         ours = [name for name in includes(file) if (CORE / name).is_file()]
-        # The search for cuts flattens pieces to evaluate each cut.
+        # The search for cuts needs the solver, because it flattens pieces to evaluate each cut.
         ours = [name for name in ours if (folder, name) != ("cuts/propose", "flatten.h")]
         return any(Path(name).parent.as_posix() not in allowed for name in ours)
 
@@ -139,7 +139,7 @@ def test_one_module_of_the_add_on_imports_the_core() -> None:
 
 
 def test_tests_omitted_under_the_sanitizers_exist() -> None:
-    """GoogleTest ignores names of tests that do not exist."""
+    """GoogleTest ignores the names of tests that do not exist, so this test checks them."""
     native = "\n".join(file.read_text() for file in listed("tests/native/**/*.cpp", "tests/bugs/*.cpp"))
     lines = (ROOT / "tests" / "native" / "without_sanitizers.txt").read_text().splitlines()
     missing = []

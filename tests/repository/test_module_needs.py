@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Modules for other systems are refused if they need something that those lack, because nothing here loads them."""
+"""Modules for other systems are refused if they need something that these lack, because nothing here can load them."""
 
 import subprocess
 from dataclasses import replace
@@ -15,7 +15,7 @@ LINUX, MACOS = (next(s for s in SYSTEMS if s.platform == name) for name in ("lin
 
 
 def make_module(folder: Path, system: System, code: str) -> Path:
-    """Compile a module of this C code, linked without any library."""
+    """Compile a module from this C code, and link it without libraries."""
     source = folder / "module.c"
     source.write_text(code)
     module = source.with_suffix(".so")

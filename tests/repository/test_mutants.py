@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests which places of a source ./dev mutants changes."""
+"""./dev mutants changes the right places of a source."""
 
 import pytest
 

@@ -9,13 +9,14 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 MOST_WORDS = 25
 PAGES = ("README.md", "docs/**/*.md")
-# Written by programs that measure; their readers are researchers.
+# Pages written by programs that measure; their readers are researchers.
 GENERATED = {"results.md", "benchmarks.md", "cuts.md"}
 CODE = re.compile(r"```.*?```", re.DOTALL)
 PICTURE = re.compile(r"!\[[^]]*\]\([^)]*\)")
 LINK = re.compile(r"\[([^]]*)\]\([^)]*\)")
 NAME_IN_CODE = re.compile(r"`[^`\n]*`")
-BLOCK = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*>|#]|\d+\.)\s)|(?<=\|)|^#.*$", re.MULTILINE)  # paragraphs, items, cells
+# ends of paragraphs, items and cells
+BLOCK = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*>|#]|\d+\.)\s)|(?<=\|)|^#.*$", re.MULTILINE)
 END = re.compile(r"(?:[.!?]\)?\**|:\**$)\s+(?=[\W\d_]*[A-Z0-9`])|:\s*$")
 
 

@@ -16,7 +16,7 @@ READ = (
     "*/README.md",
 )
 QUOTED = {"THIRD_PARTY.md", Path(__file__).name}  # licenses of others, and the words below
-OLD_WORDS = {  # with their replacements
+OLD_WORDS = {  # old words with their replacements
     "promis(e|es|ed|ing)": "guarantee",
     "aims?": "target",
     "tells?|told": "report, name, show",

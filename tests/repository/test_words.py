@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Texts for users have one style."""
+"""Texts for users follow the same style."""
 
 import re
 from pathlib import Path

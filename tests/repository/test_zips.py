@@ -27,7 +27,7 @@ def make_wheels(folder: Path, *tags: str) -> None:
 
 @pytest.fixture
 def libraries(tmp_path):
-    """Return wheels of a package for each Python, and of one for all."""
+    """Return the wheels of a package that has one for each Python, and of a package that has one for all."""
     folder = tmp_path / "libraries"
     folder.mkdir()
 
@@ -38,7 +38,8 @@ def libraries(tmp_path):
                 continue
             with zipfile.ZipFile(path, "w") as wheel:
                 package = path.name.split("-")[0]
-                wheel.writestr(zipfile.ZipInfo(f"{package}/__init__.py"), tag)  # without the present time
+                # ZipInfo, because it does not contain the present time
+                wheel.writestr(zipfile.ZipInfo(f"{package}/__init__.py"), tag)
                 wheel.writestr(zipfile.ZipInfo(f"{package}.dist-info/METADATA"), "")
         return paths
 

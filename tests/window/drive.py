@@ -71,7 +71,7 @@ def press(kind: str, at: tuple[int, int] | None = None, **modifiers: bool) -> To
 
 
 def type_text(text: str) -> Tour:
-    """Type small letters and spaces into the field with the cursor."""
+    """Type lower-case letters and spaces into the field with the cursor."""
     x, y = middle(region("WINDOW"))
     for letter in text:
         kind = "SPACE" if letter == " " else letter.upper()
@@ -217,7 +217,7 @@ class Driver:
 
 
 def leave(code: int) -> None:
-    """Exit at once: Blender would ignore an exception in a timer, and ask whether to save."""
+    """Exits at once, because Blender would ignore an exception in a timer, and would ask whether to save."""
     if "COVERAGE_PROCESS_START" in os.environ:
         measured = coverage.Coverage.current()
         measured.stop()
@@ -228,7 +228,7 @@ def leave(code: int) -> None:
 
 
 def main() -> None:
-    """Must be called from this module as imported, because Blender clears the names of scripts that it runs itself."""
+    """Must be called on the imported module, because Blender clears the names of scripts that it runs itself."""
     script, *names = sys.argv[sys.argv.index("--") + 1 :]
     sys.path.insert(0, str(Path(script).parent))
     if "COVERAGE_PROCESS_START" in os.environ:

@@ -17,9 +17,7 @@ Stages = Generator[tuple[str, float], None, object]
 
 
 def open_dialog(path: Path) -> drive.Tour:
-    """Open the export dialog with this name, in the window of the other editors, because events reach no other
-    window.
-    """
+    """Open the export dialog with this name in the window of the other editors, because events reach only that one."""
     bpy.context.preferences.view.filebrowser_display_type = "SCREEN"
     with drive.in_view():
         bpy.ops.object.wirewarp_export("INVOKE_DEFAULT", filepath=str(path))
@@ -33,7 +31,7 @@ def browser() -> bpy.types.Area | None:
 
 
 def described(operator: bpy.types.Operator) -> str:
-    """Return the dialog's text above the settings."""
+    """Return the text in the dialog above the settings."""
     return " ".join(sentence for sentence, _ in operator._beforehand.sentences)
 
 
@@ -80,7 +78,7 @@ def the_dialog_says_the_size_and_follows_its_settings() -> drive.Tour:
 
 
 def halting(exporting: Callable[..., Stages]) -> Callable[..., Stages]:
-    """Return this export, but stopped as soon as its unfinished file exists."""
+    """Start this export, stop it as soon as its unfinished file exists, and return it."""
 
     def export_and_wait(parts: object, choices: object, path: Path) -> Stages:
         with closing(exporting(parts, choices, path)) as steps:
@@ -99,7 +97,7 @@ def unfinished(path: Path) -> list[Path]:
 
 
 def escape_leaves_the_file_as_it_was() -> drive.Tour:
-    """The view continues meanwhile, and the next export is complete."""
+    """The view can be used during the run, and the next export is complete."""
     source = marked_bump()
     yield from flatten()
     select_only(source)
@@ -186,4 +184,4 @@ def four_clicks_lead_from_an_opened_garment_to_paper() -> drive.Tour:
     assert path.read_bytes().startswith(b"%PDF")
     assert sent.count(("LEFTMOUSE", "PRESS")) == 4
     ran = [each.bl_idname for each in drive.window_manager().operators]
-    assert ran == ["OBJECT_OT_wirewarp_mend"] * 2  # Blender does not list exports
+    assert ran == ["OBJECT_OT_wirewarp_mend"] * 2  # the export is missing, because Blender does not list exports

@@ -16,7 +16,8 @@ import wirewarp_addon
 from surfaces import bump, flat_of, grid, mark, mark_seam, on_line, select_edges, select_only
 
 STYLES = wirewarp_addon.overlay.lines.STYLES
-COLORFUL = {"outline", "rigid", "elastic", "free"}  # Blender's own letters and shadows are also white and black
+# left out, because Blender's own letters and shadows are also white and black
+COLORFUL = {"outline", "rigid", "elastic", "free"}
 
 
 def marked() -> bpy.types.Object:
@@ -76,7 +77,7 @@ def lines_are_on_the_screen() -> drive.Tour:
 
 
 def lines_are_whole_in_a_large_scene() -> drive.Tour:
-    """If a unit is a centimeter, the view is so far away that the depth buffer distinguishes little."""
+    """If a unit is a centimeter, the eye is so far away that the depth buffer distinguishes only large differences."""
     source = marked()
     bpy.context.scene.wirewarp.show_names = False
     counts = []
@@ -110,8 +111,8 @@ def lines_are_in_the_uv_editor() -> drive.Tour:
 
 
 def marks_are_undone() -> drive.Tour:
-    """Marking, clearing, changing a wire, eases, allowances, the grain wire and seams from islands are one undo step
-    each.
+    """Marking, clearing, changing a wire, setting eases and allowances, choosing the grain wire and marking islands are
+    one undo step each.
     """
     source = marked()
     bpy.ops.object.wirewarp_flatten()

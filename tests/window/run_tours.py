@@ -23,7 +23,7 @@ def collect_messages() -> list[tuple[str, str]]:
 
 
 def begin_held_run() -> Event:
-    """Start a run that continues until the event is set or it is canceled; later runs do so, too."""
+    """Start a run that continues until the event is set or the run is canceled. Later runs do the same."""
     goes_on = hold_runs()
     with drive.in_view():
         bpy.ops.object.wirewarp_flatten("INVOKE_DEFAULT", True)
@@ -48,7 +48,7 @@ def escape_cancels() -> drive.Tour:
 
 
 def only_one_run() -> drive.Tour:
-    """During a run, a second run and editing are refused, but looking around is not."""
+    """During a run, a second run and editing are refused, but moving the view is not."""
     source = marked_bump()
     goes_on = begin_held_run()
     try:
@@ -151,7 +151,7 @@ def quitting_ends_the_run() -> drive.Tour:
 
 
 def cancel_button() -> drive.Tour:
-    """During a run the button is a bar, and the button beside it, which the mouse can reach, stops the run."""
+    """During a run the button is a progress bar, and the button beside it, which can be clicked, stops the run."""
     source = marked_bump()
     before, messages = contents(source), collect_messages()
     yield from drive.open_tab(bpy.types.VIEW3D_PT_wirewarp_flatten)
@@ -198,7 +198,7 @@ def fixing_is_one_undo_step() -> drive.Tour:
 
 
 def state_of(name: str) -> tuple[bool, bool]:
-    """Return whether it has seams, and flat pieces."""
+    """Return whether the model has seams, and whether it has flat pieces."""
     source = bpy.data.objects[name]
     source.update_from_editmode()
     return any(edge.use_seam for edge in source.data.edges), f"{name} Flat" in bpy.data.objects

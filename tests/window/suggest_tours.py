@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tours through suggested darts: searched while the window continues, shown, taken, undone."""
+"""Tours through suggested darts, which are searched while the window responds, shown, taken and undone."""
 
 from collections.abc import Generator
 from threading import Event
@@ -28,7 +28,7 @@ def suggest() -> drive.Tour:
 
 
 def take_and_undo(source: bpy.types.Object, picture: str) -> drive.Tour:
-    """Take the cut chosen by the search, and undo it."""
+    """Mark the cut that the search has chosen, and undo it."""
     remember()
     yield from flatten()
     before = contents(source)

@@ -8,7 +8,7 @@ import pytest
 
 from tools.blender_window import run_tours
 
-SECONDS = 400.0  # for each tour on a slow machine; most take about ten
+SECONDS = 400.0  # seconds for each tour on a slow machine; most take about ten
 
 
 def blender_environment(folder: Path) -> dict[str, str]:
@@ -16,7 +16,7 @@ def blender_environment(folder: Path) -> dict[str, str]:
     parts = {"BLENDER_USER_SCRIPTS": "scripts", "BLENDER_USER_CONFIG": "config", "WIREWARP_PICTURES": "pictures"}
     for part in parts.values():
         (folder / part).mkdir()
-    # The processor draws all pixels. One sample for each pixel takes a quarter of the time of eight.
+    # The processor draws all pixels. With one sample per pixel, this takes a quarter of the time of eight samples.
     return dict(os.environ) | {"WIREWARP_VIEWPORT_AA": "OFF"} | {n: str(folder / part) for n, part in parts.items()}
 
 

@@ -81,7 +81,10 @@ def auto_update() -> drive.Tour:
 
 
 def auto_update_waits_for_a_tool() -> drive.Tour:
-    """While vertices are moved, nothing is updated; once they are dropped, everything is one undo step."""
+    """While vertices are being moved, nothing is updated.
+
+    Once they are dropped, the move and the update are one undo step.
+    """
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True
@@ -98,7 +101,7 @@ def auto_update_waits_for_a_tool() -> drive.Tour:
     assert (source.mode, source["wirewarp_report"]) == ("EDIT", report)
     yield from drive.press("RET", (x + 40, y + 20))
     yield lambda: source["wirewarp_report"] != report and not window_run.is_running()
-    assert drive.window_manager().operators[-1].name == "Move"  # it can still be adjusted
+    assert drive.window_manager().operators[-1].name == "Move"  # the last operation can still be adjusted
     yield from undo()
     yield lambda: bpy.data.objects["Bump"]["wirewarp_report"] == report
     assert bpy.context.mode == "EDIT_MESH"

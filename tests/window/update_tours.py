@@ -13,7 +13,7 @@ ONE_PIECE, TWO_PIECES = 81, 90  # vertices of the flat pieces, without and with 
 
 
 def begin_held_update() -> Generator[object, None, Event]:
-    """Cut the bump in Edit Mode, and wait until the update runs; it continues until the event is set."""
+    """Cut the bump in Edit Mode, and wait until the update runs. The update continues until the event is set."""
     source = marked_bump()
     yield from flatten()
     bpy.context.scene.wirewarp.auto_update = True
@@ -35,7 +35,7 @@ def flat_vertices() -> int:
 
 
 def a_tool_begun_during_an_update_goes_on() -> drive.Tour:
-    """The pieces wait for its end, because leaving Edit Mode during a tool crashes Blender."""
+    """The pieces are written after the tool has ended, because leaving Edit Mode during a tool crashes Blender."""
     goes_on = yield from begin_held_update()
     source = bpy.data.objects["Bump"]
     heights = [vertex.co.z for vertex in source.data.vertices]

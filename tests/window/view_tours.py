@@ -10,7 +10,7 @@ from surfaces import bump, flat_of, grid, mark, on_line, select_only
 
 
 def pieces_are_seen_in_local_view() -> drive.Tour:
-    """If the model is in local view, its earlier pieces are added, but other objects are not."""
+    """If the model is in local view, its earlier pieces are added to the view, but other objects are not."""
     source = grid("Bump", bump)
     mark(source, on_line(1, 0.0))
     yield from flatten()
@@ -30,7 +30,7 @@ def pieces_are_seen_in_local_view() -> drive.Tour:
 
 
 def search_finds_commands_by_the_add_on_s_name() -> drive.Tour:
-    """F3, "wirewarp flatten", Enter."""
+    """Press F3, type "wirewarp flatten", and press Enter."""
     source = grid("Bump", bump)
     select_only(source)
     yield from drive.press("F3")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Parts of the add-on by themselves: names of pieces, steps of work, and the core's suggestions in rows."""
+"""Parts of the add-on that work without Blender: names of pieces, steps of work, and rows of suggestions."""
 
 import inspect
 import math
@@ -39,15 +39,17 @@ def test_many_pieces_of_mirrored_pairs_have_one_name_but_for_the_side(addon):
 
 def test_the_chosen_set_has_the_fewest_pieces_for_the_fabric(addon):
     suggest = addon.solve.suggest
-    figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2), (8, 0.097)  # the last two have more pieces for no or little gain
+    # the last two sets have more pieces for little or no gain
+    figures = (9, 0.04), (3, 0.3), (5, 0.1), (6, 0.2), (8, 0.097)
     sets = [suggest.Cut([], [], [], None, 0, [1.0], strain, math.inf, pieces) for pieces, strain in figures]
     narrow = [replace(each, is_narrow=True) if each.num_pieces == 5 else each for each in sets]
     assert [each.num_pieces for each in suggest.from_few_pieces(narrow, 0.5)] == [3, 5, 6, 8, 9]
-    assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.098)] == [3, 5, 8, 9]  # 8 reach the limit
+    # the set of 8 pieces reaches the limit
+    assert [each.num_pieces for each in suggest.from_few_pieces(sets, 0.098)] == [3, 5, 8, 9]
     sets = suggest.from_few_pieces(sets, 0.5)
     assert [each.num_pieces for each in sets] == [3, 5, 9]
     assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.05, 0.01)] == [0, 1, 2, 2]
-    assert suggest.set_for(sets, [0.05, 0.5]) == 2  # a set for both directions of the fabric
+    assert suggest.set_for(sets, [0.05, 0.5]) == 2  # this set is within the limits of both directions of the fabric
     assert suggest.set_for(sets, [0.01, 0.2]) == 1  # no set is within the first limit
     sets[1] = replace(sets[1], is_narrow=True)
     assert [suggest.set_for(sets, [limit]) for limit in (0.5, 0.2, 0.01)] == [0, 2, 2]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Edges to chains, without a mesh."""
+"""Edges are ordered as chains, without a mesh."""
 
 import math
 

@@ -15,7 +15,7 @@
 namespace wirewarp::test_cancelling {
 namespace {
 
-/// The largest amount of work between two questions to the caller, or after the last question.
+/// The largest amount of work between two polls of the caller, or after the last poll.
 struct WorkBetweenQuestions {
   void answer() {
     const FrontCounts now = count_fronts();
